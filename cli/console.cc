@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "console.h"
+
+#include <fca/formats/text/render.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace fca::cli {
+
+Console::Console() : colour_(isatty(STDERR_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr) {}
+
+void Console::out(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
+void Console::err(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+void Console::show(const Diagnostics& diagnostics) const {
+  for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources_, colour_));
+}
+
+void Console::error(const std::string& message, const std::string& fix) const {
+  err(text::render({Severity::kError, "", message, fix, {}}, sources_, colour_));
+}
+
+ExitCode Console::finish(ExitCode code) const {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  error(std::string("writing to standard output failed: ") + std::strerror(errno));
+  return worse(code, ExitCode::kIo);
+}
+
+ExitCode code_of(const Diagnostics& diagnostics) {
+  if (!diagnostics.has_errors()) return ExitCode::kGood;
+  const bool io = std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) { return entry.code == "cannot-read"; });
+  return io ? ExitCode::kIo : ExitCode::kBadInput;
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Everything the command says: results on stdout, diagnostics on stderr.
+#pragma once
+
+#include "exit_code.h"
+
+#include <fca/diagnostics.h>
+#include <fca/formats/text/source.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::cli {
+
+class Console {
+ public:
+  Console();
+
+  /// Texts diagnostics may point into.
+  void remember(const text::Source& source) { sources_.push_back(source); }
+  /// Renders to stderr, with colour on a terminal unless NO_COLOR is set.
+  void show(const Diagnostics& diagnostics) const;
+  void error(const std::string& message, const std::string& fix = {}) const;
+  void out(std::string_view text) const;
+  void err(std::string_view text) const;
+
+  /// Flushes stdout; kIo (and a message) if what was printed did not arrive.
+  [[nodiscard]] ExitCode finish(ExitCode code) const;
+
+  [[nodiscard]] const std::vector<text::Source>& sources() const { return sources_; }
+
+ private:
+  std::vector<text::Source> sources_;
+  bool colour_ = false;
+};
+
+/// kBadInput if there are errors; kIo if one of them is a file that cannot be read.
+[[nodiscard]] ExitCode code_of(const Diagnostics& diagnostics);
+
+}  // namespace fca::cli

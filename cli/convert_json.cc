@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convert_command.h"
+#include "diagnostics_json.h"
+#include "json.h"
+
+namespace fca::cli {
+
+namespace {
+
+void put_parameters(Json& json, const CameraModel& model) {
+  json.object("parameters", [&] {
+    const std::span<const Parameter> parameters = model_info(model).parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) json.put(parameters[i].name, parameter_values(model)[i]);
+  });
+}
+
+void put_report(Json& json, const ConversionReport& report) {
+  const Coverage& coverage = report.judgement.coverage;
+  const ErrorSummary& error = report.judgement.error;
+  json.put("at_bound", std::span<const std::string>(report.at_bound));
+  json.object("domain", [&] {
+    json.put("max_angle_deg", coverage.max_angle_deg);
+    json.put("why", coverage.why);
+    json.put("scored_share", coverage.scored);
+    json.put("outside_lens_share", coverage.outside_lens);
+    json.put("unrepresentable_share", coverage.unrepresentable);
+  });
+  json.object("error_px", [&] {
+    json.put("rms", error.rms);
+    json.put("mean", error.mean);
+    json.put("p50", error.p50);
+    json.put("p95", error.p95);
+    json.put("p99", error.p99);
+    json.put("max", error.max);
+    json.put("max_at", std::span<const double>(error.max_at));
+  });
+  json.array("bands", report.judgement.bands, [&](const ErrorBand& band) {
+    json.object([&] {
+      json.put("from_deg", band.from_deg);
+      json.put("to_deg", band.to_deg);
+      json.put("share", band.share);
+      json.put("rms_px", band.rms_px);
+      json.put("max_px", band.max_px);
+    });
+  });
+  json.object("fit", [&] {
+    json.put("samples", report.fit.samples);
+    json.put("iterations", report.fit.iterations);
+    json.put("time_us", report.fit.time_us);
+  });
+}
+
+void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
+  json.put("input", outcome.input);
+  if (outcome.from != nullptr) json.put("from", outcome.from->id);
+  json.put("to", outcome.to->id);
+  if (!outcome.written.headline.empty()) json.put("headline", outcome.written.headline);
+  const std::vector<ConvertOutcome::Output> none;
+  json.array("outputs", outcome.code == ExitCode::kGood ? outcome.outputs : none, [&](const ConvertOutcome::Output& output) {
+    json.object([&] {
+      output.path.empty() ? json.null("path") : json.put("path", output.path);
+      json.put("cameras", std::span<const std::string>(output.cameras));
+      if (output.path.empty()) json.put("text", output.bytes);
+    });
+  });
+  json.put("exit_code", static_cast<int>(outcome.code));
+  json.array("cameras", outcome.cameras, [&](const CameraOutcome& camera) {
+    json.object([&] {
+      json.put("name", camera.source.name);
+      json.put("from_model", model_info(camera.source.model).id);
+      json.put("to_model", model_info(camera.target.model).id);
+      json.put("exact", !camera.report || camera.report->exact);
+      put_parameters(json, camera.target.model);
+      if (camera.report) put_report(json, *camera.report);
+    });
+  });
+  json.array("proof", outcome.proofs, [&](const ProofResult& proof) {
+    json.object([&] {
+      json.put("program", proof.program);
+      json.put("loads", proof.loads);
+      json.put("agrees", proof.agrees);
+      json.put("max_diff_px", proof.max_diff_px);
+      json.put("misread_px", proof.misread_px);
+      json.put("refusals", std::span<const std::string>(proof.refusals));
+      json.put("warnings", std::span<const std::string>(proof.warnings));
+    });
+  });
+  json.array("defaults", outcome.written.defaults, [&](const DefaultedValue& value) {
+    json.object([&] {
+      json.put("key", value.key);
+      json.put("value", value.value);
+      json.put("look_at_it", value.look_at_it);
+    });
+  });
+  json.array("losses", outcome.written.losses, [&](const Loss& loss) {
+    json.object([&] {
+      json.put("code", loss.code);
+      json.put("what", loss.what);
+      json.put("why", loss.why);
+      json.put("do", loss.remedy);
+    });
+  });
+  put_diagnostics(json, outcome.diagnostics, console);
+}
+
+}  // namespace
+
+std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
+  Json json;
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    if (outcomes.size() == 1) {
+      put_conversion(json, outcomes.front(), console);
+    } else {
+      json.array("conversions", outcomes, [&](const ConvertOutcome& outcome) { json.object([&] { put_conversion(json, outcome, console); }); });
+    }
+  });
+  return json.document();
+}
+
+}  // namespace fca::cli

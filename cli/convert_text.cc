@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convert_command.h"
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::cli {
+
+namespace {
+
+std::string camera_line(const CameraOutcome& camera) {
+  const std::string from(model_info(camera.source.model).id);
+  const std::string to(model_info(camera.target.model).id);
+  if (from == to && camera.source.model == camera.target.model) return from + ", kept";
+  return from + " -> " + to + (camera.report && camera.report->exact ? ", exact" : ", fitted");
+}
+
+/// The parts of the image that were not scored, largest first.
+std::string coverage_text(const Coverage& coverage) {
+  std::string text = percent(coverage.scored) + " of the image scored";
+  if (coverage.outside_lens > 0.0005) text += ", " + percent(coverage.outside_lens) + " outside the lens";
+  if (coverage.unrepresentable > 0.0005) text += ", " + percent(coverage.unrepresentable) + " beyond the target's reach";
+  return text;
+}
+
+std::string band_table(const std::vector<ErrorBand>& bands) {
+  constexpr std::size_t kWidth = 12;
+  std::string text = "    " + padded("deg", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
+  for (const ErrorBand& band : bands) {
+    if (band.share <= 0.0) continue;
+    text += "    " + padded(fixed(band.from_deg, 0) + "-" + fixed(band.to_deg, 0), kWidth) + padded(percent(band.share), kWidth) +
+            padded(pixels(band.rms_px), kWidth) + pixels(band.max_px) + "\n";
+  }
+  return text;
+}
+
+std::string report_text(const ConversionReport& report) {
+  const Judgement& j = report.judgement;
+  std::string text = "  domain: " + angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + "\n";
+  text += "          " + coverage_text(j.coverage) + "\n";
+  text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" + fixed(j.error.max_at[0], 1) + ", " +
+          fixed(j.error.max_at[1], 1) + ")\n";
+  if (!report.exact) {
+    text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) + ", 99 % " + pixels(j.error.p99) + "\n";
+    text += band_table(j.bands);
+  }
+  if (!report.at_bound.empty()) text += "  at the edge of its range: " + enumerated(report.at_bound) + "\n";
+  return text;
+}
+
+std::string losses_text(const std::vector<Loss>& losses) {
+  if (losses.empty()) return "lost: nothing\n";
+  std::string text = "lost:\n";
+  for (const Loss& loss : losses) {
+    text += "  " + loss.what + ": " + loss.why + "\n";
+    if (!loss.remedy.empty()) text += "    do: " + loss.remedy + "\n";
+  }
+  return text;
+}
+
+std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
+  std::string look;
+  std::vector<std::string> rest;
+  for (const DefaultedValue& value : defaults) {
+    if (value.look_at_it) {
+      look += "  " + value.key + " " + value.value + "\n";
+    } else {
+      rest.push_back(value.key + (value.value == "upstream's" ? "" : " " + value.value));
+    }
+  }
+  std::string text;
+  if (!look.empty()) text += "not in the input, set them to your camera's:\n" + look;
+  if (!rest.empty()) text += "tuning at upstream's values: " + enumerated(rest) + "\n";
+  return text;
+}
+
+std::string proofs_text(const std::vector<ProofResult>& proofs) {
+  std::string text;
+  for (const ProofResult& proof : proofs) {
+    text += "proof: " + proof.program + " ";
+    if (!proof.loads) {
+      text += "would refuse it: " + enumerated(proof.refusals) + "\n";
+    } else {
+      text += "loads it; its pixels differ from ours by at most " + pixels(proof.max_diff_px) + " px\n";
+    }
+    for (const std::string& warning : proof.warnings) text += "  warning: " + warning + "\n";
+    if (proof.misread_px > 0.0) text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string convert_text(const ConvertOutcome& outcome) {
+  std::string text = outcome.written.headline + "\n";
+  for (const CameraOutcome& camera : outcome.cameras) {
+    text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
+    if (camera.report) text += report_text(*camera.report);
+  }
+  text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome.proofs);
+  if (outcome.code == ExitCode::kGood) {
+    for (const ConvertOutcome::Output& output : outcome.outputs) {
+      if (!output.path.empty()) text += "wrote " + output.path + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace fca::cli

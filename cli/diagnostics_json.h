@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "console.h"
+#include "json.h"
+
+#include <algorithm>
+
+namespace fca::cli {
+
+inline std::string_view severity_name(Severity severity) {
+  switch (severity) {
+    case Severity::kNote:
+      return "note";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kError:
+      return "error";
+  }
+  return "";
+}
+
+/// The array "diagnostics" of an open object.
+inline void put_diagnostics(Json& json, const Diagnostics& diagnostics, const Console& console) {
+  json.array("diagnostics", diagnostics.entries(), [&](const Diagnostic& entry) {
+    json.object([&] {
+      json.put("severity", severity_name(entry.severity));
+      json.put("code", entry.code);
+      const auto source = std::ranges::find(console.sources(), entry.where.file, &text::Source::name);
+      if (!entry.where.file.empty()) json.put("file", entry.where.file);
+      if (source != console.sources().end() && (entry.where.offset > 0 || entry.where.length > 0)) {
+        const text::Position position = source->position(entry.where.offset);
+        json.put("line", position.line);
+        json.put("column", position.column);
+      }
+      json.put("message", entry.message);
+      if (!entry.fix.empty()) json.put("fix", entry.fix);
+    });
+  });
+}
+
+}  // namespace fca::cli

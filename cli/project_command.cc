@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "project_command.h"
+
+#include "json.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+/// 17 significant digits, as scripts compare them.
+std::string digits17(double value) {
+  std::array<char, 40> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 17);
+  return {buffer.data(), result.ptr};
+}
+
+/// Exactly N numbers, separated by blanks, TABs or commas.
+template <std::size_t N>
+std::optional<std::array<double, N>> parse_numbers(std::string_view line) {
+  std::array<double, N> numbers{};
+  std::size_t count = 0;
+  for (std::size_t at = line.find_first_not_of(" \t\r,"); at != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(" \t\r,", at), line.size());
+    const std::optional<double> number = text::parse_real(line.substr(at, end - at));
+    if (!number || count == N) return std::nullopt;
+    numbers[count++] = *number;
+    at = line.find_first_not_of(" \t\r,", end);
+  }
+  return count == N ? std::optional(numbers) : std::nullopt;
+}
+
+/// Where one line goes: ray -> pixel or pixel -> ray; nothing where the model has no answer.
+template <std::size_t In, std::size_t Out>
+using Mapping = std::optional<std::array<double, Out>> (*)(const CameraModel&, const std::array<double, In>&);
+
+template <std::size_t In, std::size_t Out>
+ExitCode map_lines(const CameraModel& model, Mapping<In, Out> mapping, bool as_json, Console& console) {
+  Json json;
+  std::vector<std::optional<std::array<double, Out>>> results;
+  std::string line;
+  for (int number = 1; std::getline(std::cin, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line.starts_with('#')) continue;
+    const std::optional<std::array<double, In>> numbers = parse_numbers<In>(line);
+    if (!numbers) {
+      console.error("standard input, line " + std::to_string(number) + ": " + std::to_string(In) + " numbers are wanted, got '" + line.substr(0, 60) + "'");
+      return ExitCode::kBadInput;
+    }
+    bool finite = true;
+    for (const double v : *numbers) finite = finite && std::isfinite(v);
+    const std::optional<std::array<double, Out>> result = finite ? mapping(model, *numbers) : std::nullopt;
+    if (as_json) {
+      results.push_back(result);
+      continue;
+    }
+    std::string text;
+    for (std::size_t i = 0; i < Out; ++i) text += (i > 0 ? " " : "") + (result ? digits17((*result)[i]) : std::string("nan"));
+    console.out(text + "\n");
+  }
+  if (as_json) {
+    json.object([&] {
+      json.put("fca_io", FCA_VERSION);
+      json.array(Out == 2 ? "pixels" : "rays", results, [&](const auto& result) {
+        json.object([&] {
+          constexpr std::array<const char*, 3> kNames = Out == 2 ? std::array{"u", "v", ""} : std::array{"x", "y", "z"};
+          for (std::size_t i = 0; i < Out; ++i) result ? json.put(kNames[i], (*result)[i]) : json.null(kNames[i]);
+        });
+      });
+    });
+    console.out(json.document());
+  }
+  return ExitCode::kGood;
+}
+
+ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& console) {
+  if (const std::optional<std::string> error = check(arguments.reading)) {
+    console.error(*error);
+    return ExitCode::kUsage;
+  }
+  if (arguments.file == "-") {
+    console.error("standard input holds the points, so the calibration must be a file");
+    return ExitCode::kUsage;
+  }
+  Diagnostics diagnostics;
+  const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
+  console.show(diagnostics);
+  if (!calibration) return worse(code_of(diagnostics), ExitCode::kBadInput);
+  const std::vector<Camera>& cameras = calibration->rig.cameras;
+  if (cameras.size() != 1) {
+    console.error(cameras.empty() ? "the file holds no camera" : "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
+    return cameras.empty() ? ExitCode::kBadInput : ExitCode::kUsage;
+  }
+  const CameraModel& model = cameras.front().model;
+  const std::vector<std::string> problems = validate(model);
+  for (const std::string& problem : problems) console.error(cameras.front().name + ": " + problem);
+  if (!problems.empty()) return ExitCode::kBadInput;
+  if (forwards) return map_lines<3, 2>(model, &project, arguments.json, console);
+  return map_lines<2, 3>(model, &unproject, arguments.json, console);
+}
+
+}  // namespace
+
+void add_project_commands(CLI::App& app, ProjectArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  struct Description {
+    const char* name;
+    const char* what;
+    const char* footer;
+    bool forwards;
+  };
+  constexpr std::array kCommands = {
+      Description{"project", "Rays 'x y z' per line on standard input -> pixels 'u v'; 'nan nan' where the model has no answer",
+                  "Example:\n  echo '0.1 0.2 1' | fca-io project camchain.yaml --camera cam0\n", true},
+      Description{"unproject", "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
+                  "Example:\n  echo '320 240' | fca-io unproject camchain.yaml --camera cam0\n", false}};
+  for (const Description& description : kCommands) {
+    CLI::App& command = *app.add_subcommand(description.name, description.what);
+    command.add_option("FILE", arguments.file, "Calibration file")->required();
+    add_reading_options(command, arguments.reading);
+    command.add_flag("--json", arguments.json, "One JSON document on standard output");
+    command.footer(description.footer);
+    const bool forwards = description.forwards;
+    command.callback([&arguments, &run, forwards] {
+      run = [&arguments, forwards](Console& console) { return run_mapping(arguments, forwards, console); };
+    });
+  }
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "reading.h"
+
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+void add_reading_options(CLI::App& command, ReadingOptions& options) {
+  command.add_option("--from", options.from, "The input's format (default: found by its content)")->type_name("FORMAT");
+  command.add_option("--with", options.with, "A further part of the same calibration, e.g. imu.yaml; may be given several times")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");
+  command.add_option("--size", options.size, "Image size for files that do not state one: 640x480")->type_name("WxH");
+  command.add_option("--max-angle", options.max_angle_deg, "What counts as lens, in degrees from the axis (default: the whole image)")
+      ->type_name("DEG");
+}
+
+namespace {
+
+std::string unknown(std::string_view kind, std::string_view typed, const std::vector<std::string>& names) {
+  std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'";
+  const std::vector<std::string> near = nearest(typed, names);
+  return text + (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
+}
+
+/// "1,0" or "cam1,cam0" -> indices into the rig; nothing with an error for one that is not there.
+std::optional<std::vector<std::size_t>> chosen_cameras(const Rig& rig, const std::string& list, Diagnostics& diagnostics) {
+  std::vector<std::size_t> indices;
+  for (const std::string& item : CLI::detail::split(list, ',')) {
+    const auto by_name = std::ranges::find(rig.cameras, item, &Camera::name);
+    std::size_t index = static_cast<std::size_t>(by_name - rig.cameras.begin());
+    if (const std::optional<int> number = text::parse_int(item); by_name == rig.cameras.end() && number && *number >= 0) {
+      index = static_cast<std::size_t>(*number);
+    }
+    if (index >= rig.cameras.size()) {
+      std::vector<std::string> names;
+      for (const Camera& camera : rig.cameras) names.push_back(camera.name);
+      diagnostics.error("unknown-camera", "there is no camera '" + item + "'; the calibration has " + enumerated(names));
+      return std::nullopt;
+    }
+    if (std::ranges::find(indices, index) != indices.end()) {
+      diagnostics.error("unknown-camera", "camera '" + item + "' is chosen twice");
+      return std::nullopt;
+    }
+    indices.push_back(index);
+  }
+  return indices;
+}
+
+}  // namespace
+
+std::string unknown_format(std::string_view typed) {
+  std::vector<std::string> names;
+  for (const Format& format : all_formats()) names.emplace_back(format.id);
+  return unknown("format", typed, names);
+}
+
+std::string unknown_model(std::string_view typed) {
+  std::vector<std::string> names;
+  for (const ModelInfo& model : all_models()) names.emplace_back(model.id);
+  return unknown("camera model", typed, names);
+}
+
+std::optional<std::string> check(const ReadingOptions& options) {
+  if (!options.from.empty() && find_format(options.from) == nullptr) return unknown_format(options.from);
+  if (!options.size.empty() && !parse_size(options.size)) return "--size wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.size + "'";
+  if (options.max_angle_deg && !(*options.max_angle_deg > 0.0 && *options.max_angle_deg <= 180.0)) {
+    return "--max-angle wants degrees from the axis in (0, 180]";
+  }
+  return std::nullopt;
+}
+
+std::optional<double> max_angle_rad(const ReadingOptions& options) {
+  if (!options.max_angle_deg) return std::nullopt;
+  return *options.max_angle_deg / kDegreesPerRadian;
+}
+
+std::optional<Calibration> read_input(const std::string& path, const ReadingOptions& options, Console& console, Diagnostics& diagnostics) {
+  std::vector<std::string> paths = {path};
+  paths.insert(paths.end(), options.with.begin(), options.with.end());
+  std::vector<text::Document> documents;
+  for (const std::string& each : paths) {
+    std::optional<text::Source> source = text::read_source(each, diagnostics);
+    if (!source) return std::nullopt;
+    console.remember(*source);
+    std::optional<text::Document> document = text::parse_document(*std::move(source), diagnostics);
+    if (!document) return std::nullopt;
+    documents.push_back(*std::move(document));
+  }
+  const Format* format = options.from.empty() ? nullptr : find_format(options.from);
+  std::optional<Calibration> calibration = read_calibration(std::move(documents), format, {parse_size(options.size)}, diagnostics);
+  if (!calibration || options.cameras.empty()) return calibration;
+  const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, options.cameras, diagnostics);
+  if (!indices) return std::nullopt;
+  std::vector<Camera> cameras;
+  for (const std::size_t index : *indices) cameras.push_back(calibration->rig.cameras[index]);
+  calibration->rig.cameras = std::move(cameras);
+  return calibration;
+}
+
+}  // namespace fca::cli

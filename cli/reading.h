@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The reading options that every subcommand shares, and reading a calibration with them.
+#pragma once
+
+#include "console.h"
+
+#include <fca/formats/calibration.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace fca::cli {
+
+struct ReadingOptions {
+  std::string from;
+  std::vector<std::string> with;
+  std::string cameras;     ///< "1,0" or "cam1"
+  std::string size;        ///< "640x480"
+  std::optional<double> max_angle_deg;
+};
+
+/// --from, --with, --camera, --size, --max-angle
+void add_reading_options(CLI::App& command, ReadingOptions& options);
+
+/// The calibration of one input with its further parts, reduced to the chosen cameras. Diagnostics are added, not shown.
+[[nodiscard]] std::optional<Calibration> read_input(const std::string& path, const ReadingOptions& options, Console& console,
+                                                    Diagnostics& diagnostics);
+
+/// A usage error among the options that can be told without reading (unknown format, malformed size), in words.
+[[nodiscard]] std::optional<std::string> check(const ReadingOptions& options);
+
+[[nodiscard]] std::optional<double> max_angle_rad(const ReadingOptions& options);
+
+/// "unknown format 'orb'; did you mean orbslam3?" with the list when nothing is near.
+[[nodiscard]] std::string unknown_format(std::string_view typed);
+[[nodiscard]] std::string unknown_model(std::string_view typed);
+
+}  // namespace fca::cli

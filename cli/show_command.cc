@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "show_command.h"
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+ShownFile read_file(const std::string& file, const ShowArguments& arguments, Console& console) {
+  ShownFile shown;
+  shown.file = file;
+  shown.calibration = read_input(file, arguments.reading, console, shown.diagnostics);
+  if (shown.calibration) {
+    shown.readers = ask_readers(shown.calibration->format->id, shown.calibration->documents.front().source().bytes);
+  }
+  return shown;
+}
+
+ExitCode run_show(const ShowArguments& arguments, Console& console) {
+  if (const std::optional<std::string> error = check(arguments.reading)) {
+    console.error(*error);
+    return ExitCode::kUsage;
+  }
+  ExitCode code = ExitCode::kGood;
+  std::vector<ShownFile> files;
+  for (const std::string& file : arguments.files) {
+    files.push_back(read_file(file, arguments, console));
+    code = worse(code, code_of(files.back().diagnostics));
+    if (!arguments.json) {
+      if (files.back().calibration) console.out((files.size() > 1 ? "\n" : "") + show_text(files.back()));
+      console.show(files.back().diagnostics);
+    }
+  }
+  if (arguments.json) console.out(show_json(files, console));
+  return code;
+}
+
+}  // namespace
+
+std::vector<std::string> names_elsewhere(std::string_view model) {
+  std::vector<std::string> names;
+  for (const Format& format : all_formats()) {
+    for (const StoredModel& row : format.models) {
+      if (row.model == model) names.push_back(std::string(format.program) + " " + std::string(row.file_name) + (row.stock ? "" : " (forks)"));
+    }
+  }
+  return names;
+}
+
+void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  CLI::App& command = *app.add_subcommand("show", "What a file means: cameras, models, fields of view, poses, IMU, and who reads it");
+  command.add_option("FILE", arguments.files, "Calibration file(s); '-' is standard input")->required();
+  add_reading_options(command, arguments.reading);
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer("Example:\n  fca-io show camchain.yaml --with imu.yaml\n");
+  command.callback([&] { run = [&arguments](Console& console) { return run_show(arguments, console); }; });
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "console.h"
+#include "reading.h"
+
+#include <fca/formats/proof.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace fca::cli {
+
+struct ShowArguments {
+  std::vector<std::string> files;
+  ReadingOptions reading;
+  bool json = false;
+};
+
+/// What one file means.
+struct ShownFile {
+  std::string file;
+  std::optional<Calibration> calibration;
+  Readers readers;
+  Diagnostics diagnostics;
+};
+
+void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<ExitCode(Console&)>& run);
+
+/// What other formats call a model: "Kalibr: pinhole-equidistant", from the registry.
+[[nodiscard]] std::vector<std::string> names_elsewhere(std::string_view model);
+
+[[nodiscard]] std::string show_text(const ShownFile& shown);
+[[nodiscard]] std::string show_json(const std::vector<ShownFile>& files, const Console& console);
+
+}  // namespace fca::cli

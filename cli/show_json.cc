@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "diagnostics_json.h"
+#include "json.h"
+#include "show_command.h"
+#include "words.h"
+
+namespace fca::cli {
+
+namespace {
+
+void put_camera(Json& json, const Camera& camera) {
+  json.put("name", camera.name);
+  json.put("model", model_info(camera.model).id);
+  json.object("parameters", [&] {
+    const std::span<const Parameter> parameters = model_info(camera.model).parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) json.put(parameters[i].name, parameter_values(camera.model)[i]);
+  });
+  json.put("names_elsewhere", std::span<const std::string>(names_elsewhere(model_info(camera.model).id)));
+  if (camera.image_size) {
+    json.put("width_px", camera.image_size->width);
+    json.put("height_px", camera.image_size->height);
+  } else {
+    json.null("width_px");
+    json.null("height_px");
+  }
+  const FieldsOfView view = fields_of_view(camera);
+  json.put("horizontal_fov_deg", view.horizontal);
+  json.put("vertical_fov_deg", view.vertical);
+  json.put("diagonal_fov_deg", view.diagonal);
+  json.put("max_angle_deg", view.largest_from_axis);
+  json.put("model_max_angle_deg", max_angle(camera.model) * kDegreesPerRadian);
+  json.put("time_offset_s", camera.time_offset_s);
+  json.put("frame_rate_hz", camera.frame_rate_hz);
+  if (!camera.topic.empty()) json.put("topic", camera.topic);
+}
+
+void put_imu(Json& json, const Imu& imu) {
+  json.put("name", imu.name);
+  json.put("gyroscope_noise_density", imu.gyroscope_noise_density);
+  json.put("gyroscope_random_walk", imu.gyroscope_random_walk);
+  json.put("accelerometer_noise_density", imu.accelerometer_noise_density);
+  json.put("accelerometer_random_walk", imu.accelerometer_random_walk);
+  json.put("rate_hz", imu.rate_hz);
+  if (!imu.topic.empty()) json.put("topic", imu.topic);
+}
+
+void put_file(Json& json, const ShownFile& shown, const Console& console) {
+  json.put("file", shown.file);
+  if (shown.calibration) {
+    const Calibration& calibration = *shown.calibration;
+    json.put("format", calibration.format->id);
+    json.put("why", calibration.why);
+    json.array("cameras", calibration.rig.cameras, [&](const Camera& camera) { json.object([&] { put_camera(json, camera); }); });
+    json.array("imus", calibration.rig.imus, [&](const Imu& imu) { json.object([&] { put_imu(json, imu); }); });
+    json.array("poses", calibration.rig.poses, [&](const PoseEdge& edge) {
+      json.object([&] {
+        json.put("a", edge.a);
+        json.put("b", edge.b);
+        json.put("T_a_b", std::span<const double>(edge.T_a_b.values));
+      });
+    });
+    json.put("baseline_m", calibration.rig.baseline_m);
+    json.array("read_by", shown.readers.programs, [&](const Readers::Program& program) {
+      json.object([&] {
+        json.put("program", program.program);
+        json.put("loads", program.loads);
+        json.put("sensors", std::span<const std::string>(program.sensors));
+        json.put("refusals", std::span<const std::string>(program.refusals));
+        json.put("warnings", std::span<const std::string>(program.warnings));
+      });
+    });
+  }
+  put_diagnostics(json, shown.diagnostics, console);
+}
+
+}  // namespace
+
+std::string show_json(const std::vector<ShownFile>& files, const Console& console) {
+  Json json;
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    json.array("files", files, [&](const ShownFile& shown) { json.object([&] { put_file(json, shown, console); }); });
+  });
+  return json.document();
+}
+
+}  // namespace fca::cli

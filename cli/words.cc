@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "words.h"
+
+#include <fca/convert/domain.h>
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace fca::cli {
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+  return {buffer.data(), result.ptr};
+}
+
+std::string angle_in_words(double degrees) {
+  return text::format_short(degrees, 4) + " deg from the axis (" + text::format_short(2.0 * degrees, 4) + " deg in full)";
+}
+
+std::string pixels(double value) {
+  if (value == 0.0) return "0";
+  if (value < 1e-4) return text::format_short(value, 2);
+  return text::format_short(value, 3);
+}
+
+std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
+
+std::string parameters_in_words(const CameraModel& model, std::string_view indent) {
+  constexpr std::size_t kLineLength = 100;
+  std::string text;
+  std::string line(indent);
+  const std::span<const Parameter> parameters = model_info(model).parameters;
+  const std::span<const double> values = parameter_values(model);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const std::string item = std::string(parameters[i].name) + " " + text::format_short(values[i], 9);
+    if (line.size() > indent.size() && line.size() + item.size() + 2 > kLineLength) {
+      text += line + "\n";
+      line = indent;
+    }
+    line += (line.size() > indent.size() ? "  " : "") + item;
+  }
+  return text + line + "\n";
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string result(text);
+  if (result.size() < width) result.append(width - result.size(), ' ');
+  return result;
+}
+
+std::string enumerated(std::span<const std::string> parts, std::string_view last_word) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i > 0) text += i + 1 == parts.size() ? " " + std::string(last_word) + " " : ", ";
+    text += parts[i];
+  }
+  return text;
+}
+
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names) {
+  std::vector<std::pair<std::size_t, std::string>> ranked;
+  for (const std::string& name : names) {
+    const std::size_t distance = name.starts_with(typed) || typed.starts_with(name) ? 1 : edit_distance(typed.substr(0, 64), name);
+    if (distance <= std::max<std::size_t>(2, name.size() / 2)) ranked.emplace_back(distance, name);
+  }
+  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string>::first);
+  std::vector<std::string> result;
+  for (const auto& [distance, name] : ranked) {
+    if (result.size() < 3) result.push_back(name);
+  }
+  return result;
+}
+
+std::optional<ImageSize> parse_size(std::string_view text) {
+  const std::size_t x = text.find_first_of("xX");
+  if (x == std::string_view::npos) return std::nullopt;
+  const std::optional<int> width = text::parse_int(text.substr(0, x));
+  const std::optional<int> height = text::parse_int(text.substr(x + 1));
+  if (!width || !height || *width < 1 || *height < 1) return std::nullopt;
+  return ImageSize{*width, *height};
+}
+
+FieldsOfView fields_of_view(const Camera& camera) {
+  FieldsOfView result;
+  if (!camera.image_size) return result;
+  const std::optional<Pixel> centre = project(camera.model, {0.0, 0.0, 1.0});
+  if (!centre) return result;
+  const Pixel last = {camera.image_size->width - 1.0, camera.image_size->height - 1.0};
+  const auto angle = [&camera](const Pixel& pixel) -> std::optional<double> {
+    const std::optional<Ray> ray = unproject(camera.model, pixel);
+    if (!ray) return std::nullopt;
+    return angle_from_axis(*ray) * kDegreesPerRadian;
+  };
+  const auto across = [&angle](const Pixel& a, const Pixel& b) -> std::optional<double> {
+    const std::optional<double> first = angle(a);
+    const std::optional<double> second = angle(b);
+    if (!first || !second) return std::nullopt;
+    return *first + *second;
+  };
+  result.horizontal = across({0.0, (*centre)[1]}, {last[0], (*centre)[1]});
+  result.vertical = across({(*centre)[0], 0.0}, {(*centre)[0], last[1]});
+  result.diagonal = across({0.0, 0.0}, last);
+  constexpr int kSteps = 64;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const std::optional<double> here = angle({last[0] * i / kSteps, last[1] * j / kSteps});
+      if (here && (!result.largest_from_axis || *here > *result.largest_from_axis)) result.largest_from_axis = here;
+    }
+  }
+  return result;
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How numbers and things are said to people.
+#pragma once
+
+#include <fca/models/camera_model.h>
+#include <fca/rig/rig.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::cli {
+
+inline constexpr double kDegreesPerRadian = 57.29577951308232;
+
+/// "97.5 deg from the axis (195 deg in full)"
+[[nodiscard]] std::string angle_in_words(double degrees);
+/// Fixed decimals: "0.113".
+[[nodiscard]] std::string fixed(double value, int decimals);
+/// An error in pixels: three significant digits, tiny ones as powers of ten: "0.113", "4e-14".
+[[nodiscard]] std::string pixels(double value);
+[[nodiscard]] std::string percent(double share);
+/// "fx 190.978  fy 190.973 ..." over lines of at most 100 characters, each behind `indent`.
+[[nodiscard]] std::string parameters_in_words(const CameraModel& model, std::string_view indent);
+/// Padded with blanks to `width` on the right.
+[[nodiscard]] std::string padded(std::string_view text, std::size_t width);
+/// "a, b and c"
+[[nodiscard]] std::string enumerated(std::span<const std::string> parts, std::string_view last_word = "and");
+/// Those of `names` that `typed` probably meant, by edit distance; at most three.
+[[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
+/// "640x480"
+[[nodiscard]] std::optional<ImageSize> parse_size(std::string_view text);
+
+/// Fields of view of a camera, in degrees, across the image through the principal point; nothing where a border has no ray.
+struct FieldsOfView {
+  std::optional<double> horizontal;
+  std::optional<double> vertical;
+  std::optional<double> diagonal;
+  std::optional<double> largest_from_axis;   ///< Among the pixels that have a ray.
+};
+[[nodiscard]] FieldsOfView fields_of_view(const Camera& camera);
+
+}  // namespace fca::cli

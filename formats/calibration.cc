@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/calibration.h>
+
+#include <algorithm>
+
+namespace fca {
+
+std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics) {
+  DetectedFormat best;
+  DetectedFormat second;
+  int best_score = 0;
+  int second_score = 0;
+  for (const Format& format : all_formats()) {
+    const ProbeResult result = format.probe(document);
+    if (result.score > best_score) {
+      second = best;
+      second_score = best_score;
+      best = {&format, result.why};
+      best_score = result.score;
+    } else if (result.score > second_score) {
+      second = {&format, result.why};
+      second_score = result.score;
+    }
+  }
+  const SourceRange where = {document.source().name, 0, 0};
+  if (best.format == nullptr) {
+    diagnostics.error("unknown-format", "none of the formats fca-io reads: no key of it stands here", where,
+                      "'fca-io formats' lists them; --from FORMAT forces one");
+    return std::nullopt;
+  }
+  if (best_score == second_score) {
+    diagnostics.error("ambiguous-format",
+                      "could be " + std::string(best.format->id) + " (" + best.why + ") or " + std::string(second.format->id) + " (" + second.why + ")",
+                      where, "say which with --from");
+    return std::nullopt;
+  }
+  return best;
+}
+
+namespace {
+
+/// Adds what `part` holds to `rig`: its IMUs, poses and cameras. Facts stated twice must agree.
+bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics& diagnostics) {
+  bool good = true;
+  const SourceRange where = {document.source().name, 0, 0};
+  for (const Camera& camera : part.cameras) {
+    if (rig.find_camera(camera.name) != nullptr) {
+      diagnostics.error("stated-twice", "a camera " + camera.name + " stands here and in the main file", where);
+      good = false;
+    } else {
+      rig.cameras.push_back(camera);
+    }
+  }
+  for (const Imu& imu : part.imus) {
+    const auto same_name = std::ranges::find(rig.imus, imu.name, &Imu::name);
+    if (same_name == rig.imus.end()) {
+      rig.imus.push_back(imu);
+    } else if (*same_name != imu) {
+      diagnostics.error("stated-twice", "an IMU " + imu.name + " stands here and in the main file, with other numbers", where);
+      good = false;
+    }
+  }
+  rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
+  if (!rig.baseline_m) rig.baseline_m = part.baseline_m;
+  return good;
+}
+
+}  // namespace
+
+std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format, const ReadOptions& options,
+                                            Diagnostics& diagnostics) {
+  if (documents.empty()) return std::nullopt;
+  Calibration result;
+  for (const text::Document& document : documents) {
+    const bool main_file = result.format == nullptr;
+    DetectedFormat detected{format, "--from"};
+    if (format == nullptr || !main_file) {
+      const std::optional<DetectedFormat> found = detect_format(document, diagnostics);
+      if (!found) return std::nullopt;
+      detected = *found;
+    }
+    std::optional<Rig> rig = detected.format->read(std::span(&document, 1), options, diagnostics);
+    if (!rig) return std::nullopt;
+    if (main_file) {
+      result.format = detected.format;
+      result.why = detected.why;
+      result.rig = *std::move(rig);
+    } else if (!join(*rig, document, result.rig, diagnostics)) {
+      return std::nullopt;
+    }
+  }
+  result.documents = std::move(documents);
+  return result;
+}
+
+}  // namespace fca

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of consumers. A new one is a load function in programs.h and a row here.
+#include <algorithm>
+#include <array>
+
+#include "fca/formats/consumers/consumer.h"
+#include "programs.h"
+
+namespace fca::consumers {
+namespace {
+
+constexpr double kDoublePrecisionPx = 1e-9;
+constexpr double kFloatPrecisionPx = 2e-4;
+
+constexpr std::array kConsumers{
+    Consumer{"kalibr", "Kalibr", "kalibr", kDoublePrecisionPx, &load_kalibr},
+    Consumer{"kalibr-imu", "Kalibr (imu.yaml)", "kalibr", kDoublePrecisionPx, &load_kalibr_imu},
+    Consumer{"orbslam3", "ORB-SLAM3 V1.0", "orbslam3", kFloatPrecisionPx, &load_orbslam3},
+    Consumer{"orbslam2", "ORB-SLAM2", "orbslam3", kFloatPrecisionPx, &load_orbslam2},
+    Consumer{"slam_no_opt", "ns15417/slam_no_opt", "orbslam3", kFloatPrecisionPx, &load_slam_no_opt},
+    Consumer{"urbste", "urbste/ORB_SLAM3 (feature/gopro_slam)", "orbslam3", kFloatPrecisionPx, &load_urbste},
+};
+
+}  // namespace
+
+std::span<const Consumer> all_consumers() { return kConsumers; }
+
+const Consumer* find_consumer(std::string_view id) {
+  const auto found = std::find_if(kConsumers.begin(), kConsumers.end(), [id](const Consumer& row) { return row.id == id; });
+  return found == kConsumers.end() ? nullptr : &*found;
+}
+
+}  // namespace fca::consumers

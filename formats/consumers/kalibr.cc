@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Kalibr (ethz-asl/kalibr@1f60227) as a consumer: kalibr_common/ConfigReader.py for the file, aslam_cameras for the formulas.
+//
+// A ray gives nothing where Kalibr's own return value says "invalid": the pinhole family for z <= 0 (it still fills in a
+// mirrored pixel, which the oracle tables print), omni, eucm and ds outside their cones. Pixels beside the image are returned.
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "programs.h"
+#include "pyyaml.h"
+
+namespace fca::consumers {
+namespace {
+
+using pyyaml::Kind;
+using pyyaml::Value;
+using Pixel = std::array<double, 2>;
+using Ray = std::array<double, 3>;
+using Projection = std::function<std::optional<Pixel>(const Ray&)>;
+using Distortion = std::function<Pixel(const Pixel&)>;
+
+struct Intrinsics {
+  double fu = 0.0, fv = 0.0, pu = 0.0, pv = 0.0;
+};
+
+/// A camera block after all checks. `model[0..1]` are the numbers before fu: xi | alpha beta | xi alpha.
+struct KalibrCamera {
+  std::string camera_model;
+  std::string distortion_model;
+  std::array<double, 2> model{};
+  Intrinsics intrinsics;
+  std::array<double, 4> coeffs{};
+  int width = 0;
+  int height = 0;
+};
+
+// --- formulas ---------------------------------------------------------------------------------------------------------------
+
+std::optional<Pixel> to_pixel(const Intrinsics& k, const Pixel& m) {
+  const Pixel pixel = {k.fu * m[0] + k.pu, k.fv * m[1] + k.pv};
+  if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;
+  return pixel;
+}
+
+// aslam/cameras/implementation/RadialTangentialDistortion.hpp
+Pixel distort_radtan(const Pixel& m, const std::array<double, 4>& coeffs) {
+  const auto& [k1, k2, p1, p2] = coeffs;
+  const auto& [x, y] = m;
+  const double r2 = x * x + y * y;
+  const double radial = k1 * r2 + k2 * r2 * r2;
+  return {x + x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x),
+          y + y * radial + 2.0 * p2 * x * y + p1 * (r2 + 2.0 * y * y)};
+}
+
+// aslam/cameras/implementation/EquidistantDistortion.hpp: works on the normalised pinhole point, so it ends before 90 deg.
+Pixel distort_equidistant(const Pixel& m, const std::array<double, 4>& coeffs) {
+  const auto& [k1, k2, k3, k4] = coeffs;
+  const double r = std::sqrt(m[0] * m[0] + m[1] * m[1]);
+  const double theta = std::atan(r);
+  const double theta2 = theta * theta;
+  const double theta4 = theta2 * theta2;
+  const double theta_d = theta * (1.0 + k1 * theta2 + k2 * theta4 + k3 * theta4 * theta2 + k4 * theta4 * theta4);
+  const double scaling = r > 1e-8 ? theta_d / r : 1.0;
+  return {m[0] * scaling, m[1] * scaling};
+}
+
+// aslam/cameras/implementation/FovDistortion.hpp
+Pixel distort_fov(const Pixel& m, double w) {
+  constexpr double kSmall = 1e-5;
+  const double r = std::sqrt(m[0] * m[0] + m[1] * m[1]);
+  const double two_tan = 2.0 * std::tan(w / 2.0);
+  const double scaling = w * w < kSmall ? 1.0 : r * r < kSmall ? two_tan / w : std::atan(r * two_tan) / (r * w);
+  return {m[0] * scaling, m[1] * scaling};
+}
+
+Distortion make_distortion(const KalibrCamera& camera) {
+  if (camera.distortion_model == "radtan") return [c = camera.coeffs](const Pixel& m) { return distort_radtan(m, c); };
+  if (camera.distortion_model == "equidistant")
+    return [c = camera.coeffs](const Pixel& m) { return distort_equidistant(m, c); };
+  if (camera.distortion_model == "fov") return [w = camera.coeffs[0]](const Pixel& m) { return distort_fov(m, w); };
+  return [](const Pixel& m) { return m; };
+}
+
+double norm(const Ray& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
+
+// aslam/cameras/implementation/PinholeProjection.hpp
+Projection make_pinhole(const KalibrCamera& camera) {
+  return [k = camera.intrinsics, distort = make_distortion(camera)](const Ray& p) -> std::optional<Pixel> {
+    if (!(p[2] > 0.0)) return std::nullopt;
+    const double rz = 1.0 / p[2];
+    return to_pixel(k, distort({p[0] * rz, p[1] * rz}));
+  };
+}
+
+// aslam/cameras/implementation/OmniProjection.hpp
+Projection make_omni(const KalibrCamera& camera) {
+  const double xi = camera.model[0];
+  const double fov_parameter = xi <= 1.0 ? xi : 1.0 / xi;
+  return [k = camera.intrinsics, distort = make_distortion(camera), xi, fov_parameter](const Ray& p) -> std::optional<Pixel> {
+    const double d = norm(p);
+    if (!(p[2] > -fov_parameter * d)) return std::nullopt;
+    const double rz = 1.0 / (p[2] + xi * d);
+    return to_pixel(k, distort({p[0] * rz, p[1] * rz}));
+  };
+}
+
+double cone_of(double alpha) { return alpha <= 0.5 ? alpha / (1.0 - alpha) : (1.0 - alpha) / alpha; }
+
+// aslam/cameras/implementation/ExtendedUnifiedProjection.hpp
+Projection make_eucm(const KalibrCamera& camera) {
+  const auto [alpha, beta] = camera.model;
+  return [k = camera.intrinsics, alpha = alpha, beta = beta, w = cone_of(alpha)](const Ray& p) -> std::optional<Pixel> {
+    const double d = std::sqrt(beta * (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2]);
+    if (!(p[2] > -w * d)) return std::nullopt;
+    const double denominator = alpha * d + (1.0 - alpha) * p[2];
+    return to_pixel(k, {p[0] / denominator, p[1] / denominator});
+  };
+}
+
+// aslam/cameras/implementation/DoubleSphereProjection.hpp
+Projection make_ds(const KalibrCamera& camera) {
+  const auto [xi, alpha] = camera.model;
+  const double w1 = cone_of(alpha);
+  const double w2 = (w1 + xi) / std::sqrt(2.0 * w1 * xi + xi * xi + 1.0);
+  return [k = camera.intrinsics, xi = xi, alpha = alpha, w2](const Ray& p) -> std::optional<Pixel> {
+    const double d1 = norm(p);
+    if (!(p[2] > -w2 * d1)) return std::nullopt;
+    const double shifted = xi * d1 + p[2];
+    const double d2 = std::sqrt(p[0] * p[0] + p[1] * p[1] + shifted * shifted);
+    const double denominator = alpha * d2 + (1.0 - alpha) * shifted;
+    return to_pixel(k, {p[0] / denominator, p[1] / denominator});
+  };
+}
+
+Projection make_projection(const KalibrCamera& camera) {
+  if (camera.camera_model == "omni") return make_omni(camera);
+  if (camera.camera_model == "eucm") return make_eucm(camera);
+  if (camera.camera_model == "ds") return make_ds(camera);
+  return make_pinhole(camera);
+}
+
+// --- the file ---------------------------------------------------------------------------------------------------------------
+
+struct ModelRule {
+  std::string_view name;
+  std::size_t first_focal;  ///< How many numbers stand before fu.
+  std::string_view layout;
+};
+constexpr std::array kModels{ModelRule{"pinhole", 0, "[fu, fv, pu, pv]"}, ModelRule{"omni", 1, "[xi, fu, fv, pu, pv]"},
+                             ModelRule{"eucm", 2, "[alpha, beta, fu, fv, pu, pv]"},
+                             ModelRule{"ds", 2, "[xi, alpha, fu, fv, pu, pv]"}};
+
+struct DistortionRule {
+  std::string_view name;
+  std::size_t count;
+};
+constexpr std::array kDistortions{DistortionRule{"radtan", 4}, DistortionRule{"equidistant", 4}, DistortionRule{"fov", 1},
+                                  DistortionRule{"none", 0}};
+
+template <typename Rules>
+auto find_rule(const Rules& rules, const Value* name) -> decltype(&rules[0]) {
+  if (name == nullptr || name->kind != Kind::kString) return nullptr;
+  for (const auto& rule : rules) {
+    if (rule.name == name->text) return &rule;
+  }
+  return nullptr;
+}
+
+/// Reads one camera block; everything it finds goes to the view.
+class CameraReader {
+ public:
+  CameraReader(const Value& block, std::size_t index, std::size_t camera_count, ConsumerView& view)
+      : block_(block), index_(index), count_(camera_count), name_("cam" + std::to_string(index)), view_(view) {}
+
+  void read() {
+    const std::size_t refusals_before = view_.refusals.size();
+    if (block_.kind != Kind::kMap) {
+      refuse(name_ + " is " + pyyaml::describe(block_) + "; Kalibr wants a map of the camera's keys");
+      return;
+    }
+    read_models();
+    read_resolution();
+    read_rostopic();
+    read_overlaps();
+    read_timeshift();
+    read_pose("T_cam_imu", "imu0");
+    read_baseline();
+    if (view_.refusals.size() != refusals_before) return;
+    view_.cameras.push_back({name_, camera_.width, camera_.height, make_projection(camera_)});
+  }
+
+ private:
+  void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
+  void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
+
+  const Value* require(std::string_view key) {
+    const Value* value = block_.find(key);
+    if (value == nullptr) refuse(at(key) + " is missing; Kalibr stops");
+    return value;
+  }
+
+  [[nodiscard]] std::string at(std::string_view key) const { return name_ + "/" + std::string(key); }
+
+  void read_models() {
+    const Value* model = require("camera_model");
+    const Value* distortion = require("distortion_model");
+    const ModelRule* model_rule = find_rule(kModels, model);
+    const DistortionRule* distortion_rule = find_rule(kDistortions, distortion);
+    if (model != nullptr && model_rule == nullptr) {
+      refuse(at("camera_model") + " is " + pyyaml::describe(*model) + "; Kalibr knows pinhole, omni, eucm, ds");
+    }
+    if (distortion != nullptr && distortion_rule == nullptr) {
+      refuse(at("distortion_model") + " is " + pyyaml::describe(*distortion) + "; Kalibr knows radtan, equidistant, fov, none");
+    }
+    const Value* intrinsics = require("intrinsics");
+    const Value* coeffs = require("distortion_coeffs");
+    if (intrinsics != nullptr && model_rule != nullptr) read_intrinsics(*intrinsics, *model_rule);
+    if (coeffs != nullptr && distortion_rule != nullptr) read_coeffs(*coeffs, *distortion_rule);
+    if (model_rule != nullptr && distortion_rule != nullptr) check_combination(model_rule->name, distortion_rule->name);
+  }
+
+  void read_intrinsics(const Value& list, const ModelRule& rule) {
+    camera_.camera_model = std::string(rule.name);
+    if (list.kind != Kind::kList || list.items.size() != rule.first_focal + 4) {
+      refuse(at("intrinsics") + " is " + pyyaml::describe(list) + "; Kalibr wants " + std::string(rule.layout) + " for " +
+             std::string(rule.name));
+      return;
+    }
+    for (std::size_t i = 0; i < rule.first_focal; ++i) {
+      if (!list.items[i]->is_number()) {
+        refuse(at("intrinsics") + " has " + pyyaml::describe(*list.items[i]) + " where " + std::string(rule.layout) +
+               " wants a number; Kalibr's Python raises a TypeError");
+        return;
+      }
+      camera_.model.at(i) = list.items[i]->number;
+    }
+    camera_.intrinsics.fu = read_pinhole_number(*list.items[rule.first_focal], "fu");
+    camera_.intrinsics.fv = read_pinhole_number(*list.items[rule.first_focal + 1], "fv");
+    camera_.intrinsics.pu = read_pinhole_number(*list.items[rule.first_focal + 2], "pu");
+    camera_.intrinsics.pv = read_pinhole_number(*list.items[rule.first_focal + 3], "pv");
+    check_model_ranges();
+  }
+
+  double read_pinhole_number(const Value& value, const std::string& what) {
+    if (value.kind != Kind::kFloat) {
+      std::string fix;
+      if (value.kind == Kind::kInt) fix = ": write " + value.text + ".0";
+      if (value.kind == Kind::kString) fix = ": PyYAML reads a number as a float only in the form 190.0 or 1.9e+02";
+      refuse(at("intrinsics") + ": " + what + " is " + pyyaml::describe(value) + "; Kalibr wants a float and stops" + fix);
+    } else if (value.number < 0.0) {
+      refuse(at("intrinsics") + ": " + what + " is " + value.text + "; Kalibr refuses negative values");
+    }
+    return value.number;
+  }
+
+  void check_model_ranges() {
+    const auto number = [](double value) { return std::to_string(value); };
+    if (camera_.camera_model == "omni" && camera_.model[0] < 0.0) {
+      refuse(at("intrinsics") + ": xi is " + number(camera_.model[0]) + "; Kalibr wants xi >= 0 for omni");
+    }
+    const bool eucm = camera_.camera_model == "eucm";
+    if (!eucm && camera_.camera_model != "ds") return;
+    const double alpha = eucm ? camera_.model[0] : camera_.model[1];
+    if (alpha < 0.0 || alpha >= 1.0) {
+      refuse(at("intrinsics") + ": alpha is " + number(alpha) + "; Kalibr wants 0 <= alpha < 1 for " + camera_.camera_model);
+    }
+    if (eucm && camera_.model[1] < 0.0) {
+      refuse(at("intrinsics") + ": beta is " + number(camera_.model[1]) + "; Kalibr wants beta >= 0");
+    }
+  }
+
+  void read_coeffs(const Value& list, const DistortionRule& rule) {
+    camera_.distortion_model = std::string(rule.name);
+    if (list.kind != Kind::kList || list.items.size() != rule.count) {
+      refuse(at("distortion_coeffs") + " is " + pyyaml::describe(list) + "; Kalibr wants a list of " +
+             std::to_string(rule.count) + " for " + std::string(rule.name));
+      return;
+    }
+    for (std::size_t i = 0; i < rule.count; ++i) {
+      if (!list.items[i]->is_number()) {
+        refuse(at("distortion_coeffs") + " has " + pyyaml::describe(*list.items[i]) +
+               "; Kalibr wants numbers (PyYAML reads 1e-5 as a string: write 1.0e-05)");
+        return;
+      }
+      camera_.coeffs.at(i) = list.items[i]->number;
+    }
+    if (rule.name == "fov" && camera_.coeffs[0] != 0.0 && (camera_.coeffs[0] < 0.5 || camera_.coeffs[0] > 1.5)) {
+      warn(at("distortion_coeffs") + ": w is outside of 0.5 .. 1.5, where Kalibr regards its fov model as valid");
+    }
+  }
+
+  void check_combination(std::string_view model, std::string_view distortion) {
+    const bool allowed = model == "pinhole" || distortion == "none" || (model == "omni" && distortion == "radtan");
+    if (!allowed) {
+      refuse(name_ + ": Kalibr has no camera for " + std::string(model) + " with " + std::string(distortion));
+    } else if (model == "pinhole" && distortion == "none") {
+      warn(name_ +
+           ": Kalibr builds pinhole with none under a wrong attribute name, so its calibrators fail later: write radtan with "
+           "four zeros");
+    }
+  }
+
+  void read_resolution() {
+    const Value* list = require("resolution");
+    if (list == nullptr) return;
+    if (list->kind != Kind::kList || list->items.size() != 2 || !list->items[0]->is_int() || !list->items[1]->is_int()) {
+      refuse(at("resolution") + " must be two ints [width, height]; Kalibr stops (512.0 is no int)");
+      return;
+    }
+    constexpr double kMax = std::numeric_limits<int>::max();
+    if (std::abs(list->items[0]->number) > kMax || std::abs(list->items[1]->number) > kMax) {
+      refuse(at("resolution") + " is larger than an int");
+      return;
+    }
+    camera_.width = static_cast<int>(list->items[0]->number);
+    camera_.height = static_cast<int>(list->items[1]->number);
+  }
+
+  void read_rostopic() {
+    const Value* topic = block_.find("rostopic");
+    if (topic == nullptr) {
+      warn(at("rostopic") + " is missing; Kalibr stops when it looks for this camera's images in a bag");
+    } else if (topic->kind != Kind::kString) {
+      refuse(at("rostopic") + " is " + pyyaml::describe(*topic) + "; Kalibr wants a string");
+    }
+  }
+
+  void read_overlaps() {
+    const Value* list = block_.find("cam_overlaps");
+    if (list == nullptr) return;
+    if (list->kind != Kind::kList) {
+      refuse(at("cam_overlaps") + " is " + pyyaml::describe(*list) + "; Kalibr wants a list of camera numbers");
+      return;
+    }
+    for (const pyyaml::ValuePtr& item : list->items) {
+      if (!item->is_number() || item->number >= static_cast<double>(count_)) {
+        refuse(at("cam_overlaps") + " names " + pyyaml::describe(*item) + ", but the file has " + std::to_string(count_) +
+               " camera(s), counted from 0");
+        return;
+      }
+    }
+  }
+
+  void read_timeshift() {
+    const Value* shift = block_.find("timeshift_cam_imu");
+    if (shift == nullptr || shift->kind == Kind::kFloat) return;
+    refuse(at("timeshift_cam_imu") + " is " + pyyaml::describe(*shift) +
+           "; Kalibr wants a float: write 0.0 or 1.0e-05, not 0 or 1e-5");
+  }
+
+  void read_baseline() {
+    if (index_ == 0) return;
+    const std::string previous = "cam" + std::to_string(index_ - 1);
+    if (block_.find("T_cn_cnm1") == nullptr) {
+      warn(at("T_cn_cnm1") + " is missing; Kalibr has no baseline from " + previous + " to " + name_);
+      return;
+    }
+    read_pose("T_cn_cnm1", previous);
+  }
+
+  void read_pose(std::string_view key, std::string from) {
+    const Value* rows = block_.find(key);
+    if (rows == nullptr) return;
+    ConsumerPose pose{name_, std::move(from), {}};
+    bool valid = rows->kind == Kind::kList && rows->items.size() == 4;
+    for (std::size_t r = 0; valid && r < 4; ++r) {
+      const Value& row = *rows->items[r];
+      valid = row.kind == Kind::kList && row.items.size() == 4;
+      for (std::size_t c = 0; valid && c < 4; ++c) {
+        valid = row.items[c]->is_number();
+        pose.T_a_b.at(r * 4 + c) = row.items[c]->number;
+      }
+    }
+    if (valid) {
+      view_.poses.push_back(std::move(pose));
+    } else {
+      refuse(at(key) + " must be four rows of four numbers; Kalibr stops (1e-5 is a string for PyYAML: write 1.0e-05)");
+    }
+  }
+
+  const Value& block_;
+  std::size_t index_;
+  std::size_t count_;
+  std::string name_;
+  ConsumerView& view_;
+  KalibrCamera camera_;
+};
+
+/// The root map, or null with a refusal.
+pyyaml::ValuePtr load_map(std::string_view bytes, ConsumerView& view) {
+  pyyaml::Loaded loaded = pyyaml::safe_load(bytes);
+  if (!loaded.error.empty()) {
+    view.refusals.push_back("Kalibr's PyYAML cannot read the file: " + loaded.error);
+    return nullptr;
+  }
+  if (loaded.root->kind != Kind::kMap) {
+    view.refusals.push_back("the file is " + pyyaml::describe(*loaded.root) + "; Kalibr wants a map");
+    return nullptr;
+  }
+  return loaded.root;
+}
+
+/// Number n of a key camn, if the name is one Kalibr could ask for.
+bool is_camera_key(const Value& key, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (key.kind == Kind::kString && key.text == "cam" + std::to_string(i)) return true;
+  }
+  return false;
+}
+
+// ConfigReader.py, CameraChainParameters.numCameras: len(self.data), so a foreign key counts as a camera.
+void check_chain_keys(const Value& root, ConsumerView& view) {
+  const std::size_t count = root.entries.size();
+  std::string foreign;
+  for (const auto& [key, value] : root.entries) {
+    if (!is_camera_key(*key, count)) foreign += (foreign.empty() ? "" : ", ") + key->text.substr(0, 80);
+  }
+  if (foreign.empty()) return;
+  std::string missing;
+  for (std::size_t i = 0; i < count && missing.empty(); ++i) {
+    const std::string name = "cam" + std::to_string(i);
+    if (root.find(name) == nullptr) missing = name;
+  }
+  view.refusals.push_back("Kalibr counts every top-level key as a camera (" + std::to_string(count) + " here, with " + foreign +
+                          ") and stops because " + missing + " is missing");
+}
+
+struct ImuKey {
+  std::string_view key;
+  std::string_view unit;
+};
+constexpr std::array kImuKeys{ImuKey{"accelerometer_noise_density", "m/s^2/sqrt(Hz)"},
+                              ImuKey{"accelerometer_random_walk", "m/s^3/sqrt(Hz)"},
+                              ImuKey{"gyroscope_noise_density", "rad/s/sqrt(Hz)"},
+                              ImuKey{"gyroscope_random_walk", "rad/s^2/sqrt(Hz)"}, ImuKey{"update_rate", "Hz"}};
+
+void check_imu_number(const Value& root, const ImuKey& rule, ConsumerView& view) {
+  const std::string key(rule.key);
+  const Value* value = root.find(key);
+  if (value == nullptr) {
+    view.refusals.push_back(key + " is missing; Kalibr stops");
+  } else if (!value->is_number()) {
+    view.refusals.push_back(key + " is " + pyyaml::describe(*value) +
+                            "; Kalibr wants a number (PyYAML reads 2e-5 as a string: write 2.0e-05)");
+  } else if (value->number <= 0.0) {
+    view.refusals.push_back(key + " is " + value->text + "; Kalibr wants more than 0 " + std::string(rule.unit));
+  }
+}
+
+}  // namespace
+
+ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& /*options*/) {
+  ConsumerView view;
+  const pyyaml::ValuePtr root = load_map(bytes, view);
+  if (!root) return view;
+  check_chain_keys(*root, view);
+  if (root->entries.empty()) view.refusals.emplace_back("the file has no camera; Kalibr wants cam0, cam1, ...");
+  for (std::size_t i = 0; i < root->entries.size(); ++i) {
+    const Value* block = root->find("cam" + std::to_string(i));
+    if (block != nullptr) CameraReader(*block, i, root->entries.size(), view).read();
+  }
+  if (!view.loads()) {
+    view.cameras.clear();
+    view.poses.clear();
+  }
+  return view;
+}
+
+// ConfigReader.py, ImuParameters.
+ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& /*options*/) {
+  ConsumerView view;
+  const pyyaml::ValuePtr root = load_map(bytes, view);
+  if (!root) return view;
+  if (root->find("imu0") != nullptr && root->find("update_rate") == nullptr) {
+    view.refusals.emplace_back(
+        "the values are inside imu0: (Kalibr's result file); as an input Kalibr wants them at the top level");
+    return view;
+  }
+  for (const ImuKey& rule : kImuKeys) check_imu_number(*root, rule, view);
+  const Value* topic = root->find("rostopic");
+  if (topic == nullptr || topic->kind != Kind::kString) view.refusals.emplace_back("rostopic must be a string; Kalibr stops");
+  return view;
+}
+
+}  // namespace fca::consumers

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ORB-SLAM2 (raulmur/ORB_SLAM2@f2e6f51, src/Tracking.cc) and ns15417/slam_no_opt (src/Tracking.cc, src/SystemSetting.cc,
+// src/CameraModels), which reads EUCM and KB from ORB-SLAM2's keys. Both convert implicitly and take 0 for a missing key.
+#include <algorithm>
+#include <cmath>
+
+#include "orbslam_shared.h"
+#include "programs.h"
+
+namespace fca::consumers {
+namespace orbslam {
+namespace {
+
+void warn_missing(Settings& settings, std::string_view key) {
+  if (!settings.has(key)) settings.warn(std::string(key) + " is missing; " + settings.program() + " takes 0");
+}
+
+Intrinsics read_intrinsics(Settings& settings) {
+  for (const std::string_view key : {"Camera.fx", "Camera.fy", "Camera.cx", "Camera.cy"}) warn_missing(settings, key);
+  return {settings.loose("Camera.fx"), settings.loose("Camera.fy"), settings.loose("Camera.cx"), settings.loose("Camera.cy")};
+}
+
+/// ORBextractor writes to element 0 of arrays of this length.
+void check_levels(Settings& settings) {
+  if (settings.loose("ORBextractor.nLevels") >= 1.0F) return;
+  settings.refuse("ORBextractor.nLevels is missing or 0; " + settings.program() + " builds an empty image pyramid and crashes");
+}
+
+int read_size(Settings& settings, std::string_view key) {
+  const float size = settings.loose(key);
+  return size >= 0.0F && size < 1e6F ? static_cast<int>(size) : 0;
+}
+
+void warn_about_imu(Settings& settings, const Sensor& sensor) {
+  if (sensor.inertial) settings.warn(settings.program() + " has no inertial mode; the IMU keys are ignored");
+}
+
+void warn_about_depth(Settings& settings, const Sensor& sensor) {
+  if (!sensor.stereo && !sensor.rgbd) return;
+  warn_missing(settings, "Camera.bf");
+  warn_missing(settings, "ThDepth");
+}
+
+void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerView& view) {
+  warn_about_imu(settings, sensor);
+  const Intrinsics k = read_intrinsics(settings);
+  const cv::FileNode type = settings.node("Camera.type");
+  if (!type.empty() && !(type.isString() && type.string() == "PinHole")) {
+    settings.warn("Camera.type is " + describe(type) +
+                  "; ORB-SLAM2 does not read it and takes every file as PinHole k1 k2 p1 p2 k3");
+  }
+  PinholeDistortion distortion = {settings.loose("Camera.k1"), settings.loose("Camera.k2"), settings.loose("Camera.p1"),
+                                  settings.loose("Camera.p2"), settings.loose("Camera.k3")};
+  const bool bent = std::any_of(distortion.begin(), distortion.end(), [](float value) { return value != 0.0F; });
+  if (distortion.front() == 0.0F) {  // Frame::UndistortKeyPoints returns at once
+    if (bent) settings.warn("Camera.k1 is 0, so ORB-SLAM2 skips the whole undistortion and k2 p1 p2 k3 are ignored");
+    distortion = {};
+  }
+  check_levels(settings);
+  warn_about_depth(settings, sensor);
+  const int width = read_size(settings, "Camera.width");
+  const int height = read_size(settings, "Camera.height");
+  view.cameras.push_back({"cam0", width, height, pinhole(k, distortion)});
+  if (!sensor.stereo) return;
+  view.cameras.push_back({"cam1", width, height, pinhole(k, distortion)});  // the images are taken as rectified
+  if (k.fx != 0.0F) view.poses.push_back(rectified_baseline(settings.loose("Camera.bf") / k.fx));
+}
+
+// --- ns15417/slam_no_opt
+// ------------------------------------------------------------------------------------------------------
+
+using FourFloats = std::array<float, 4>;
+
+Projection make_camera(Settings& settings, const std::string& type, const Intrinsics& k, const FourFloats& d,
+                       const std::string& where) {
+  if (type == "KB") return kannala_brandt8(k, d);
+  const auto& [alpha, beta, unused_3, unused_4] = d;
+  if (alpha < 0.5F) {
+    settings.warn(where + ": alpha is " + std::to_string(alpha) +
+                  "; slam_no_opt's limit 1/(beta (2 alpha - 1)) is negative for alpha < 0.5 "
+                  "and refuses every point");
+  }
+  return eucm(k, alpha, beta);
+}
+
+/// A matrix of numbers of any depth as floats, or nothing with a refusal if it is smaller than the program believes.
+std::optional<cv::Mat> float_matrix(Settings& settings, std::string_view key, int rows, int cols) {
+  std::optional<cv::Mat> matrix = settings.matrix(key);
+  if (!matrix) return std::nullopt;
+  const bool fits = matrix->dims == 2 && matrix->channels() == 1 &&
+                    (rows == 1 ? std::min(matrix->rows, matrix->cols) == 1 && std::max(matrix->rows, matrix->cols) >= cols
+                               : matrix->rows >= rows && matrix->cols >= cols);
+  if (!fits) {
+    settings.refuse(std::string(key) + " is " + std::to_string(matrix->rows) + " x " + std::to_string(matrix->cols) + "; " +
+                    settings.program() + " reads " + std::to_string(rows) + " x " + std::to_string(cols) + " without looking");
+    return std::nullopt;
+  }
+  cv::Mat converted;
+  matrix->convertTo(converted, CV_32F);
+  return converted;
+}
+
+/// RIGHT.K, RIGHT.D, and CAMERA.R, CAMERA.T with p_right = R p_left + T.
+void read_right_camera(Settings& settings, const std::string& type, int width, int height, ConsumerView& view) {
+  const auto k = float_matrix(settings, "RIGHT.K", 3, 3);
+  const auto d = float_matrix(settings, "RIGHT.D", 1, 4);
+  const auto r = float_matrix(settings, "CAMERA.R", 3, 3);
+  const auto t = float_matrix(settings, "CAMERA.T", 1, 3);
+  if (!k || !d || !r || !t) return;
+  const Intrinsics intrinsics = {k->at<float>(0, 0), k->at<float>(1, 1), k->at<float>(0, 2), k->at<float>(1, 2)};
+  FourFloats coeffs{};
+  for (int i = 0; i < 4; ++i) coeffs.at(static_cast<std::size_t>(i)) = d->at<float>(i);
+  view.cameras.push_back({"cam1", width, height, make_camera(settings, type, intrinsics, coeffs, "RIGHT.D")});
+  ConsumerPose pose{"cam1", "cam0", {}};
+  for (int row = 0; row < 3; ++row) {
+    const auto base = static_cast<std::size_t>(4 * row);
+    for (int col = 0; col < 3; ++col) pose.T_a_b.at(base + static_cast<std::size_t>(col)) = r->at<float>(row, col);
+    pose.T_a_b.at(base + 3) = t->at<float>(row);
+  }
+  pose.T_a_b.back() = 1.0;
+  view.poses.push_back(pose);
+}
+
+/// The program cuts the matrix up without looking, so a missing one ends it. It is camera -> the robot's base link.
+void read_tbc(Settings& settings, ConsumerView& view) {
+  const auto matrix = float_matrix(settings, "Camera.Tbc", 4, 4);
+  if (!matrix) return;
+  ConsumerPose pose{"imu0", "cam0", {}};
+  for (int i = 0; i < 16; ++i) pose.T_a_b.at(static_cast<std::size_t>(i)) = matrix->at<float>(i / 4, i % 4);
+  view.poses.push_back(pose);
+}
+
+void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, ConsumerView& view) {
+  warn_about_imu(settings, sensor);
+  const cv::FileNode node = settings.node("Camera.type");
+  const std::string type = node.isString() ? node.string() : std::string();
+  if (type != "EUCM" && type != "KB") {
+    settings.refuse("Camera.type is " + (node.empty() ? "missing" : describe(node)) +
+                    "; slam_no_opt knows EUCM and KB and is left without a camera");
+    return;
+  }
+  const Intrinsics k = read_intrinsics(settings);
+  for (const std::string_view key : {"Camera.k1", "Camera.k2"}) warn_missing(settings, key);
+  const bool kb = type == "KB";
+  const FourFloats coeffs = {settings.loose("Camera.k1"), settings.loose("Camera.k2"),
+                             settings.loose(kb ? "Camera.p1" : "Camera.k3"), settings.loose(kb ? "Camera.p2" : "Camera.k4")};
+  if (kb && settings.has("Camera.k3"))
+    settings.warn("Camera.k3, k4 are ignored: slam_no_opt reads k3 and k4 of KB from Camera.p1 and Camera.p2");
+  check_levels(settings);
+  warn_about_depth(settings, sensor);
+  const int width = read_size(settings, "Camera.width");
+  const int height = read_size(settings, "Camera.height");
+  view.cameras.push_back({"cam0", width, height, make_camera(settings, type, k, coeffs, "Camera.k1")});
+  if (sensor.stereo) read_right_camera(settings, type, width, height, view);
+  read_tbc(settings, view);
+}
+
+}  // namespace
+}  // namespace orbslam
+
+ConsumerView load_orbslam2(std::string_view bytes, const LoadOptions& options) {
+  return orbslam::with_settings(bytes, "ORB-SLAM2", options, orbslam::load_orbslam2_settings);
+}
+
+ConsumerView load_slam_no_opt(std::string_view bytes, const LoadOptions& options) {
+  return orbslam::with_settings(bytes, "slam_no_opt", options, orbslam::load_slam_no_opt_settings);
+}
+
+}  // namespace fca::consumers

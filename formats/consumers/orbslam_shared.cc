@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "orbslam_shared.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace fca::consumers::orbslam {
+namespace {
+
+constexpr std::size_t kMaxBytes = 2U << 20U;
+// OpenCV 4.6 recurses with some 6 kB of stack per level and has no limit of its own.
+constexpr int kMaxDepth = 64;
+constexpr int kMaxOpenings = 512;
+constexpr std::size_t kMaxIndent = 200;
+
+std::optional<Pixel> finite_pixel(double u, double v) {
+  if (!std::isfinite(u) || !std::isfinite(v)) return std::nullopt;
+  return Pixel{u, v};
+}
+
+/// Counts brackets without looking at quotes and comments: it may refuse a strange file, but it cannot be talked out of it.
+bool is_nested_too_deep(std::string_view text) {
+  int depth = 0;
+  int openings = 0;
+  std::size_t column = 0;
+  bool at_indent = true;
+  int indicators = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    column = c == '\n' ? 0 : column + 1;
+    if (c == '\n') indicators = 0;
+    at_indent = c == '\n' || (at_indent && c == ' ');
+    if (at_indent && column > kMaxIndent) return true;
+    if (c == '[' || c == '{') {
+      ++depth;
+      ++openings;
+    }
+    if ((c == ']' || c == '}') && depth > 0) --depth;
+    if ((c == '-' || c == ':') && i + 1 < text.size() && text[i + 1] == ' ') ++indicators;
+    if (depth > kMaxDepth || openings > kMaxOpenings || indicators > kMaxDepth) return true;
+  }
+  return false;
+}
+
+std::string find_obstacle(std::string_view bytes) {
+  if (bytes.empty()) return "the file is empty";
+  if (bytes.size() > kMaxBytes) return "the file is larger than 2 MiB; not read";
+  if (bytes.find('\0') != std::string_view::npos) return "the file contains a zero byte: it is not text";
+  const std::string_view head =
+      bytes.substr(bytes.find_first_not_of(" \t\r\n") == std::string_view::npos ? 0 : bytes.find_first_not_of(" \t\r\n"));
+  if (head.starts_with("<?xml")) return "the file is XML, whose names cannot have the '.' of these keys";
+  if (!bytes.starts_with("%YAML") && !head.starts_with("{")) {
+    return "the first bytes are not '%YAML:1.0'; OpenCV's reader does not take the file (no comment, blank line or BOM before "
+           "it)";
+  }
+  if (is_nested_too_deep(bytes)) return "more than 64 nested lists or maps, or an indentation beyond 200";
+  return {};
+}
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  while (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text.substr(0, 80)) result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  return result + "\"";
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  std::string text(buffer.data(), result.ptr);
+  const bool is_plain = text.find_first_not_of("-0123456789") == std::string::npos;
+  return is_plain ? text + ".0" : text;
+}
+
+std::string suggest_int(const cv::FileNode& node) {
+  if (!node.isReal()) return {};
+  const double value = node.real();
+  if (value != std::floor(value) || std::abs(value) > 1e9) return {};
+  return ": write " + std::to_string(static_cast<int>(value));
+}
+
+/// theta + k1 theta^3 + .. + k4 theta^9, in the order of operations of KannalaBrandt8::project.
+double theta_polynomial(double theta, const std::array<float, 4>& k) {
+  const double theta2 = theta * theta;
+  const double theta3 = theta * theta2;
+  const double theta5 = theta3 * theta2;
+  const double theta7 = theta5 * theta2;
+  const double theta9 = theta7 * theta2;
+  return theta + k[0] * theta3 + k[1] * theta5 + k[2] * theta7 + k[3] * theta9;
+}
+
+}  // namespace
+
+std::optional<Sensor> parse_sensor(std::string_view name) {
+  constexpr std::string_view kInertial = "-inertial";
+  Sensor sensor;
+  sensor.inertial = name.ends_with(kInertial);
+  if (sensor.inertial) name.remove_suffix(kInertial.size());
+  sensor.stereo = name == "stereo";
+  sensor.rgbd = name == "rgbd";
+  if (!sensor.stereo && !sensor.rgbd && name != "mono") return std::nullopt;
+  return sensor;
+}
+
+// The oracle tables of PinHole files are about the distorted image (at newWidth x newHeight): the inverse of what the program
+// does with its key points (cv::undistortPoints) or its maps. They are printed in double from parameters kept as float, and so
+// is this; Pinhole::project itself (src/CameraModels/Pinhole.cpp) has no distortion. Behind the camera: invalid.
+Projection pinhole(const Intrinsics& k, const PinholeDistortion& distortion) {
+  return [k, distortion](const Ray& p) -> std::optional<Pixel> {
+    if (!(p[2] > 0.0)) return std::nullopt;
+    const auto& [k1, k2, p1, p2, k3] = distortion;
+    const double x = p[0] / p[2];
+    const double y = p[1] / p[2];
+    const double r2 = x * x + y * y;
+    const double radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
+    const double xd = x * radial + 2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x);
+    const double yd = y * radial + p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y;
+    return finite_pixel(k.fx * xd + k.cx, k.fy * yd + k.cy);
+  };
+}
+
+// ORB-SLAM3 V1.0, src/CameraModels/KannalaBrandt8.cpp: angles in float, the polynomial in double. No ray is invalid.
+Projection kannala_brandt8(const Intrinsics& k, const std::array<float, 4>& coeffs) {
+  return [k, coeffs](const Ray& p) -> std::optional<Pixel> {
+    const auto r_xy = std::sqrt(static_cast<float>(p[0] * p[0] + p[1] * p[1]));
+    const double theta = std::atan2(r_xy, static_cast<float>(p[2]));
+    const double psi = std::atan2(static_cast<float>(p[1]), static_cast<float>(p[0]));
+    const double r = theta_polynomial(theta, coeffs);
+    return finite_pixel(k.fx * r * std::cos(psi) + k.cx, k.fy * r * std::sin(psi) + k.cy);
+  };
+}
+
+// urbste/ORB_SLAM3, src/CameraModels/DoubleSphere.cpp. It marks an invalid ray by the pixel (0, 0).
+Projection double_sphere(const Intrinsics& k, float xi_float, float alpha_float) {
+  return
+      [k, xi = static_cast<double>(xi_float), alpha = static_cast<double>(alpha_float)](const Ray& p) -> std::optional<Pixel> {
+        const double r2 = p[0] * p[0] + p[1] * p[1];
+        const double d1 = std::sqrt(r2 + p[2] * p[2]);
+        const double w1 = alpha > 0.5 ? (1.0 - alpha) / alpha : alpha / (1.0 - alpha);
+        const double w2 = (w1 + xi) / std::sqrt(2.0 * w1 * xi + xi * xi + 1.0);
+        if (!(p[2] > -w2 * d1)) return std::nullopt;
+        const double shifted = xi * d1 + p[2];
+        const double d2 = std::sqrt(r2 + shifted * shifted);
+        const double denominator = alpha * d2 + (1.0 - alpha) * shifted;
+        return finite_pixel(k.fx * (p[0] / denominator) + k.cx, k.fy * (p[1] / denominator) + k.cy);
+      };
+}
+
+// ns15417/slam_no_opt, src/CameraModels/EUCM.cpp, all in float. Its limit R2max is negative for alpha < 0.5, which refuses
+// every point (alpha = 0.5 exactly gives +infinity, which refuses none). It does not look at the sign of the denominator.
+Projection eucm(const Intrinsics& k, float alpha, float beta) {
+  const float r2_max = 1.0F / (beta * (2.0F * alpha - 1.0F));
+  return [k, alpha, beta, r2_max](const Ray& p) -> std::optional<Pixel> {
+    const auto x = static_cast<float>(p[0]);
+    const auto y = static_cast<float>(p[1]);
+    const auto z = static_cast<float>(p[2]);
+    const float d = std::sqrt(beta * (x * x + y * y) + z * z);
+    const float mx = x / (alpha * d + (1.0F - alpha) * z);
+    const float my = y / (alpha * d + (1.0F - alpha) * z);
+    if (mx * mx + my * my > r2_max) return std::nullopt;
+    return finite_pixel(k.fx * mx + k.cx, k.fy * my + k.cy);
+  };
+}
+
+std::string describe(const cv::FileNode& node) {
+  if (node.isInt()) return std::to_string(static_cast<int>(node));
+  if (node.isReal()) return shortest(node.real());
+  if (node.isString()) return "the string " + quoted(node.string());
+  if (node.isSeq()) return "a list";
+  return node.isMap() ? "a map" : "nothing";
+}
+
+void Settings::refuse_missing(std::string_view key) { refuse(std::string(key) + " is missing; " + program_ + " exits"); }
+
+float Settings::real(std::string_view key, bool required) {
+  const cv::FileNode found = node(key);
+  if (found.empty()) {
+    if (required) refuse_missing(key);
+    return 0.0F;
+  }
+  if (!found.isReal()) {
+    const std::string fix = found.isInt() ? ": write " + describe(found) + ".0" : "";
+    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants a number with a '.' and exits" + fix);
+    return 0.0F;
+  }
+  return static_cast<float>(found.real());
+}
+
+int Settings::integer(std::string_view key, bool required) {
+  const cv::FileNode found = node(key);
+  if (found.empty()) {
+    if (required) refuse_missing(key);
+    return 0;
+  }
+  if (!found.isInt()) {
+    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants an int and exits" + suggest_int(found));
+    return 0;
+  }
+  return static_cast<int>(found);
+}
+
+std::string Settings::text(std::string_view key, bool required) {
+  const cv::FileNode found = node(key);
+  if (found.empty()) {
+    if (required) refuse_missing(key);
+    return {};
+  }
+  if (!found.isString()) {
+    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants a string in quotes and exits");
+    return {};
+  }
+  return found.string();
+}
+
+float Settings::loose(std::string_view key) {
+  const cv::FileNode found = node(key);
+  if (found.empty()) return 0.0F;
+  if (found.isInt() || found.isReal()) return static_cast<float>(found);
+  warn(std::string(key) + " is " + describe(found) + ", not a number; " + program_ + " takes OpenCV's largest number for it");
+  return std::numeric_limits<float>::max();  // cv::read(FileNode, float&)
+}
+
+std::optional<cv::Mat> Settings::matrix(std::string_view key) {
+  const cv::FileNode found = node(key);
+  if (found.empty()) {
+    refuse_missing(key);
+    return std::nullopt;
+  }
+  try {
+    if (found.isMap()) return found.mat();
+    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants an !!opencv-matrix (rows, cols, dt, data)");
+  } catch (const cv::Exception& error) {
+    refuse(std::string(key) + " is no matrix OpenCV can read (" + one_line(error.err) + "); " + program_ + " stops");
+  }
+  return std::nullopt;
+}
+
+ConsumerView with_settings(std::string_view bytes, std::string_view program, const LoadOptions& options,
+                           const std::function<void(Settings&, const Sensor&, ConsumerView&)>& body) {
+  ConsumerView view;
+  const std::optional<Sensor> sensor = parse_sensor(options.sensor);
+  std::string obstacle = sensor ? find_obstacle(bytes) : "there is no sensor '" + options.sensor + "'";
+  if (!obstacle.empty()) {
+    view.refusals.push_back(std::move(obstacle));
+    return view;
+  }
+  try {
+    cv::FileStorage storage(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    if (!storage.isOpened()) throw cv::Exception(0, "no document", "", "", 0);
+    Settings settings(std::move(storage), program, view);
+    body(settings, *sensor, view);
+  } catch (const cv::Exception& error) {
+    view.refusals.push_back("OpenCV's reader, which " + std::string(program) +
+                            " uses, does not take the file: " + one_line(error.err));
+  } catch (const std::exception& error) {
+    view.refusals.push_back(std::string(program) + " stops: " + one_line(error.what()));
+  }
+  if (!view.loads()) {
+    view.cameras.clear();
+    view.poses.clear();
+  }
+  return view;
+}
+
+std::optional<std::array<double, 16>> rows_as_float(const cv::Mat& matrix) {
+  if (matrix.dims != 2 || matrix.rows < 3 || matrix.cols < 4) return std::nullopt;
+  const std::size_t row_bytes = matrix.elemSize() * static_cast<std::size_t>(matrix.cols);
+  if (row_bytes < 4 * sizeof(float)) return std::nullopt;
+  std::array<double, 16> pose{};
+  for (int r = 0; r < 3; ++r) {
+    std::array<float, 4> row{};
+    std::memcpy(row.data(), matrix.ptr(r), sizeof(row));
+    std::copy(row.begin(), row.end(), pose.begin() + 4 * r);
+  }
+  pose.back() = 1.0;
+  return pose;
+}
+
+std::optional<std::array<double, 16>> pointer_as_float(const cv::Mat& matrix) {
+  std::array<float, 16> values{};
+  if (matrix.empty() || !matrix.isContinuous() || matrix.total() * matrix.elemSize() < sizeof(values)) return std::nullopt;
+  std::memcpy(values.data(), matrix.ptr(), sizeof(values));
+  std::array<double, 16> pose{};
+  std::copy(values.begin(), values.end(), pose.begin());
+  return pose;
+}
+
+double rotation_error(const std::array<double, 16>& pose) {
+  double sum = 0.0;
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      double dot = r == c ? -1.0 : 0.0;
+      for (std::size_t i = 0; i < 3; ++i) dot += pose.at(r * 4 + i) * pose.at(c * 4 + i);
+      sum += dot * dot;
+    }
+  }
+  return std::sqrt(sum);
+}
+
+void warn_unless_float(Settings& settings, std::string_view key, const cv::Mat& matrix) {
+  if (matrix.type() == CV_32F) return;
+  const std::string type = matrix.type() == CV_64F ? "dt: d" : "not dt: f";
+  settings.warn(std::string(key) + " is " + type + "; " + settings.program() +
+                " reads its bytes as floats, so the pose is garbage: write dt: f");
+}
+
+ConsumerPose rectified_baseline(double baseline) {
+  return {"cam0", "cam1", {1, 0, 0, baseline, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+}
+
+}  // namespace fca::consumers::orbslam

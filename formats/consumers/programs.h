@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Private: the programs behind the table in consumers.cc. None of these functions throws, whatever the bytes are.
+#pragma once
+
+#include <string_view>
+
+#include "fca/formats/consumers/consumer.h"
+
+namespace fca::consumers {
+
+[[nodiscard]] ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_orbslam3(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_orbslam2(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_slam_no_opt(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_urbste(std::string_view bytes, const LoadOptions& options);
+
+}  // namespace fca::consumers

@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pyyaml.h"
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <sstream>
+
+namespace fca::consumers::pyyaml {
+namespace {
+
+// yaml-cpp needs 0.14 s for half a megabyte of a flow list; the largest real calibration has 193 kB.
+constexpr std::size_t kMaxBytes = 2U << 20U;
+// Python's recursion limit stops PyYAML somewhat later; no calibration comes near.
+constexpr int kMaxDepth = 64;
+
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), text) != words.end();
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Cuts all leading characters of the set off and says how many there were.
+std::size_t skip(std::string_view& text, std::string_view set) {
+  const std::size_t count = std::min(text.find_first_not_of(set), text.size());
+  text.remove_prefix(count);
+  return count;
+}
+
+bool skip_one(std::string_view& text, std::string_view set) {
+  if (text.empty() || set.find(text.front()) == std::string_view::npos) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+constexpr std::string_view kDigits = "0123456789";
+constexpr std::string_view kDigitsOrUnderscore = "0123456789_";
+
+/// (?::[0-5]?[0-9])+ : the further places of a base-60 number.
+bool skip_sexagesimal_places(std::string_view& text) {
+  std::size_t places = 0;
+  while (!text.empty() && text.front() == ':') {
+    std::string_view rest = text.substr(1);
+    const std::size_t digits = std::min(rest.find_first_not_of(kDigits), rest.size());
+    if (digits == 0 || digits > 2 || (digits == 2 && rest.front() > '5')) return false;
+    text.remove_prefix(digits + 1);
+    ++places;
+  }
+  return places > 0;
+}
+
+/// An empty rest, or an exponent, which must have a sign: 1.0e5 is a string in PyYAML.
+bool is_optional_exponent(std::string_view text) {
+  if (text.empty()) return true;
+  return skip_one(text, "eE") && skip_one(text, "+-") && skip(text, kDigits) > 0 && text.empty();
+}
+
+// The four patterns of PyYAML 6, yaml/resolver.py, tag:yaml.org,2002:float.
+bool matches_float(std::string_view text) {
+  std::string_view rest = text;
+  if (rest.starts_with('.') && rest.size() > 1 && is_digit(rest[1])) {  // no sign here: -.5 is a string
+    rest.remove_prefix(1);
+    skip(rest, kDigitsOrUnderscore);
+    return is_optional_exponent(rest);
+  }
+  if (is_one_of(text, {".nan", ".NaN", ".NAN"})) return true;
+  skip_one(rest, "+-");
+  if (is_one_of(rest, {".inf", ".Inf", ".INF"})) return true;
+  if (rest.empty() || !is_digit(rest.front())) return false;
+  skip(rest, kDigitsOrUnderscore);
+  const bool sexagesimal = skip_sexagesimal_places(rest);
+  if (!skip_one(rest, ".")) return false;
+  skip(rest, kDigitsOrUnderscore);
+  return sexagesimal ? rest.empty() : is_optional_exponent(rest);
+}
+
+// The five patterns of tag:yaml.org,2002:int.
+bool matches_int(std::string_view text) {
+  skip_one(text, "+-");
+  if (text.empty() || !is_digit(text.front())) return false;
+  const auto only = [](std::string_view rest, std::string_view set) { return skip(rest, set) > 0 && rest.empty(); };
+  if (text == "0") return true;
+  if (text.starts_with("0b")) return only(text.substr(2), "01_");
+  if (text.starts_with("0x")) return only(text.substr(2), "0123456789abcdefABCDEF_");
+  if (text.front() == '0') return only(text.substr(1), "01234567_");
+  skip(text, kDigitsOrUnderscore);
+  return text.empty() || (skip_sexagesimal_places(text) && text.empty());
+}
+
+double parse_digits(std::string_view digits, int base) {
+  double value = 0.0;
+  for (const char c : digits) {
+    const int digit = is_digit(c) ? c - '0' : (c | 0x20) - 'a' + 10;
+    value = value * base + digit;
+  }
+  return value;
+}
+
+double parse_decimal(std::string_view text) {
+  double value = 0.0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc::result_out_of_range) return value;
+  return text.find("e-") != std::string_view::npos ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+double parse_sexagesimal(std::string_view text) {
+  double value = 0.0;
+  while (!text.empty()) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    value = value * 60.0 + parse_decimal(text.substr(0, colon));
+    text.remove_prefix(std::min(colon + 1, text.size()));
+  }
+  return value;
+}
+
+double parse_number(std::string_view text, Kind kind) {
+  std::string plain;
+  for (const char c : text) {
+    if (c != '_') plain += static_cast<char>((c >= 'A' && c <= 'Z') ? c + 0x20 : c);
+  }
+  std::string_view rest = plain;
+  const double sign = rest.starts_with('-') ? -1.0 : 1.0;
+  skip_one(rest, "+-");
+  if (rest == ".inf") return sign * std::numeric_limits<double>::infinity();
+  if (rest == ".nan") return std::numeric_limits<double>::quiet_NaN();
+  if (rest.find(':') != std::string_view::npos) return sign * parse_sexagesimal(rest);
+  if (kind == Kind::kInt && rest.starts_with("0b")) return sign * parse_digits(rest.substr(2), 2);
+  if (kind == Kind::kInt && rest.starts_with("0x")) return sign * parse_digits(rest.substr(2), 16);
+  if (kind == Kind::kInt && rest.starts_with('0')) return sign * parse_digits(rest, 8);
+  return sign * parse_decimal(rest);
+}
+
+bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+/// Length of the well-formed UTF-8 character at the front, 0 if there is none. `code` is its code point.
+std::size_t decode_utf8(std::string_view text, std::uint32_t& code) {
+  const auto first = static_cast<unsigned char>(text.front());
+  const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+  if (length == 0 || length > text.size()) return 0;
+  code = length == 1 ? first : first & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if (!is_continuation_byte(text[i])) return 0;
+    code = (code << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
+  }
+  constexpr std::array<std::uint32_t, 5> kSmallest = {0, 0, 0x80, 0x800, 0x10000};
+  if (code < kSmallest.at(length) || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return 0;
+  return length;
+}
+
+// PyYAML 6, yaml/reader.py, NON_PRINTABLE.
+bool is_printable(std::uint32_t code) {
+  return code == '\t' || code == '\n' || code == '\r' || (code >= 0x20 && code <= 0x7E) || code == 0x85 ||
+         (code >= 0xA0 && code != 0xFFFE && code != 0xFFFF);
+}
+
+std::string check_characters(std::string_view text) {
+  std::size_t line = 1;
+  while (!text.empty()) {
+    std::uint32_t code = 0;
+    const std::size_t length = decode_utf8(text, code);
+    const std::string where = "line " + std::to_string(line) + ": ";
+    if (length == 0) return where + "the bytes are not UTF-8";
+    if (!is_printable(code)) return where + "a control character is not allowed in YAML";
+    if (code == '\n') ++line;
+    text.remove_prefix(length);
+  }
+  return {};
+}
+
+// Conservative on purpose (brackets in comments count too): it protects the stack of the parser, it does not judge the syntax.
+std::string check_nesting(std::string_view text) {
+  int depth = 0;
+  int dashes_in_line = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '[' || c == '{') ++depth;
+    if ((c == ']' || c == '}') && depth > 0) --depth;
+    if (c == '\n') dashes_in_line = 0;
+    if ((c == '-' || c == '?') && i + 1 < text.size() && text[i + 1] == ' ') ++dashes_in_line;
+    if (depth > kMaxDepth || dashes_in_line > kMaxDepth) return "more than 64 nested lists or maps";
+  }
+  return {};
+}
+
+bool is_blank_or_comment(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \r");
+  return first == std::string_view::npos || line[first] == '#';
+}
+
+// PyYAML 6, yaml/scanner.py, scan_yaml_directive_value: a space, then 1.x.
+std::string check_directive(std::string_view line) {
+  if (!line.starts_with("%YAML")) return {};  // other directives only warn
+  std::string_view rest = line.substr(5);
+  if (skip(rest, " ") == 0) {
+    return "the header '" + std::string(line.substr(0, std::min<std::size_t>(line.find('\r'), 40))) +
+           "' is OpenCV's; PyYAML wants '%YAML 1.1' and '---', or no header";
+  }
+  const bool version_1 = rest.starts_with("1.");
+  if (!version_1 || rest.size() < 3 || !is_digit(rest[2])) return "the '%YAML' line asks for a version other than 1.x";
+  return {};
+}
+
+std::string check_header(std::string_view text) {
+  constexpr std::string_view kBom = "\xEF\xBB\xBF";
+  if (text.starts_with(kBom)) text.remove_prefix(kBom.size());
+  bool has_directive = false;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (is_blank_or_comment(line)) continue;
+    if (!line.starts_with('%'))
+      return has_directive && !line.starts_with("---") ? "a '%' line must be followed by '---'" : std::string();
+    has_directive = true;
+    if (std::string error = check_directive(line); !error.empty()) return error;
+  }
+  return has_directive ? "a '%' line must be followed by '---'" : std::string();
+}
+
+/// Follows quotes, comments and block scalars just far enough to tell a TAB that PyYAML refuses from one inside them.
+class TabScanner {
+ public:
+  std::string check(std::string_view text) {
+    std::size_t number = 0;
+    while (!text.empty()) {
+      ++number;
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      const std::string_view line = text.substr(0, end);
+      text.remove_prefix(std::min(end + 1, text.size()));
+      if (has_bad_tab(line)) {
+        return "line " + std::to_string(number) + ": a TAB outside of a comment or quotes (PyYAML: cannot start any token)";
+      }
+    }
+    if (quote_ != 0) return "a quote is not closed";
+    return {};
+  }
+
+ private:
+  bool has_bad_tab(std::string_view line) {
+    if (inside_block_scalar(line)) return false;
+    bool token_start = true;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const char c = line[i];
+      if (quote_ != 0) {
+        if (quote_ == '"' && c == '\\') ++i;
+        if (c == quote_) quote_ = 0;
+        token_start = false;
+        continue;
+      }
+      if (c == '#' && (i == 0 || line[i - 1] == ' ')) return false;
+      if (c == '\t') return true;
+      if (token_start && (c == '"' || c == '\'')) quote_ = c;
+      token_start = c == ' ' ? token_start : is_indicator(line, i);
+    }
+    begin_block_scalar(line);
+    return false;
+  }
+
+  static bool is_indicator(std::string_view line, std::size_t i) {
+    const char c = line[i];
+    if (c == '[' || c == '{' || c == ',') return true;
+    return (c == ':' || c == '-' || c == '?') && (i + 1 == line.size() || line[i + 1] == ' ');
+  }
+
+  void begin_block_scalar(std::string_view line) {
+    const std::size_t last = line.find_last_not_of(" \r");
+    if (last == std::string_view::npos) return;
+    std::string_view head = line.substr(0, last + 1);
+    while (!head.empty() && (is_digit(head.back()) || head.back() == '+' || head.back() == '-')) head.remove_suffix(1);
+    if (head.size() < 2 || (head.back() != '|' && head.back() != '>') || head[head.size() - 2] != ' ') return;
+    block_indent_ = line.find_first_not_of(' ');
+  }
+
+  bool inside_block_scalar(std::string_view line) {
+    if (!block_indent_) return false;
+    const std::size_t first = line.find_first_not_of(" \r");
+    if (first == std::string_view::npos || first > *block_indent_) return true;
+    block_indent_.reset();
+    return false;
+  }
+
+  char quote_ = 0;
+  std::optional<std::size_t> block_indent_;
+};
+
+std::string line_of(const YAML::Mark& mark) { return "line " + std::to_string(mark.line + 1) + ": "; }
+
+/// Builds the values from yaml-cpp's events. Problems are thrown as yaml-cpp's own exception, which safe_load catches.
+class Builder final : public YAML::EventHandler {
+ public:
+  explicit Builder(std::string_view text) {
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      lines_.push_back(text.substr(0, end));
+      text.remove_prefix(std::min(end + 1, text.size()));
+    }
+  }
+
+  [[nodiscard]] std::shared_ptr<Value> root() const { return root_; }
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (root_) throw YAML::Exception(mark, "a second document ('---'); safe_load wants one");
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const bool written =
+        !source_at(mark).empty() && std::string_view("~nN").find(source_at(mark).front()) != std::string_view::npos;
+    if (!written && !frames_.empty() && frames_.back().flow_list)
+      throw YAML::Exception(mark, "an empty place between two commas");
+    add(mark, std::make_shared<Value>(), anchor);
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end()) throw YAML::Exception(mark, "an alias of something that contains it");
+    add(mark, found->second, 0);
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& text) override {
+    add(mark, std::make_shared<Value>(typed_scalar(mark, tag, text)), anchor);
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value style) override {
+    if (!is_one_of(tag, {"?", "!", "", "tag:yaml.org,2002:seq"})) refuse_tag(mark, tag);
+    push(mark, Kind::kList, anchor);
+    frames_.back().flow_list = style == YAML::EmitterStyle::Flow;
+  }
+  void OnSequenceEnd() override { pop(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+    if (!is_one_of(tag, {"?", "!", "", "tag:yaml.org,2002:map"})) refuse_tag(mark, tag);
+    push(mark, Kind::kMap, anchor);
+  }
+  void OnMapEnd() override { pop(); }
+
+ private:
+  struct Frame {
+    std::shared_ptr<Value> value;
+    YAML::anchor_t anchor = 0;
+    YAML::Mark mark;
+    std::shared_ptr<Value> key;  // of a map, waiting for its value
+    YAML::Mark key_mark;
+    bool flow_list = false;
+    std::vector<ValuePtr> merged;
+  };
+
+  [[noreturn]] static void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    throw YAML::Exception(mark, "the tag '" + tag + "' is unknown to safe_load");
+  }
+
+  static Value typed_scalar(const YAML::Mark& mark, const std::string& tag, const std::string& text) {
+    if (tag == "?" || tag.empty()) return resolve_plain_scalar(text);
+    Value value;
+    value.kind = Kind::kString;
+    value.text = text;
+    if (tag == "!" || tag == "tag:yaml.org,2002:str") return value;
+    if (tag == "tag:yaml.org,2002:float" || tag == "tag:yaml.org,2002:int") {
+      value.kind = tag.ends_with("int") ? Kind::kInt : Kind::kFloat;
+      if (!matches_int(text) && !(value.kind == Kind::kFloat && matches_float(text))) {
+        throw YAML::Exception(mark, "'" + text + "' does not fit its tag");
+      }
+      value.number = parse_number(text, value.kind);
+      return value;
+    }
+    refuse_tag(mark, tag);
+  }
+
+  void push(const YAML::Mark& mark, Kind kind, YAML::anchor_t anchor) {
+    if (frames_.size() >= static_cast<std::size_t>(kMaxDepth)) throw YAML::Exception(mark, "more than 64 nested lists or maps");
+    auto value = std::make_shared<Value>();
+    value->kind = kind;
+    Frame frame;
+    frame.value = std::move(value);
+    frame.anchor = anchor;
+    frame.mark = mark;
+    frames_.push_back(std::move(frame));
+  }
+
+  void pop() {
+    Frame frame = std::move(frames_.back());
+    frames_.pop_back();
+    merge(frame);
+    add(frame.mark, frame.value, frame.anchor);
+  }
+
+  void add(const YAML::Mark& mark, const std::shared_ptr<Value>& value, YAML::anchor_t anchor) {
+    if (anchor != 0) anchors_[anchor] = value;
+    if (frames_.empty()) {
+      root_ = value;
+      return;
+    }
+    Frame& frame = frames_.back();
+    if (frame.value->kind == Kind::kList) {
+      frame.value->items.push_back(value);
+    } else if (!frame.key) {
+      if (value->kind == Kind::kList || value->kind == Kind::kMap) throw YAML::Exception(mark, "a list or map as a key");
+      frame.key = value;
+      frame.key_mark = mark;
+    } else {
+      check_colon(frame, *value);
+      add_entry(frame, value);
+    }
+  }
+
+  /// What the file says from a mark to the end of the line; empty if yaml-cpp's mark points elsewhere.
+  [[nodiscard]] std::string_view source_at(const YAML::Mark& mark) const {
+    const auto line = static_cast<std::size_t>(mark.line);
+    const auto column = static_cast<std::size_t>(mark.column);
+    return mark.line >= 0 && line < lines_.size() && mark.column >= 0 && column < lines_[line].size()
+               ? lines_[line].substr(column)
+               : std::string_view();
+  }
+
+  /// yaml-cpp takes a last line `key:2` or `key` for a key without a value; PyYAML misses the colon.
+  void check_colon(const Frame& frame, const Value& value) const {
+    std::string_view source = source_at(frame.key_mark);
+    if (value.kind != Kind::kNull || !source.starts_with(frame.key->text)) return;
+    source.remove_prefix(frame.key->text.size());
+    skip(source, " ");
+    if (source.empty() || source.front() == '\r' || source.front() == '#') {
+      throw YAML::Exception(frame.key_mark, "'" + frame.key->text.substr(0, 80) + "' lacks a colon followed by a blank");
+    }
+  }
+
+  static void add_entry(Frame& frame, const std::shared_ptr<Value>& value) {
+    const std::shared_ptr<Value> key = std::move(frame.key);
+    frame.key = nullptr;
+    if (key->kind == Kind::kString && key->text == "<<") {
+      frame.merged.push_back(value);
+    } else {
+      set_entry(*frame.value, key, value, true);
+    }
+  }
+
+  static void set_entry(Value& map, const ValuePtr& key, const ValuePtr& value, bool replace) {
+    for (auto& [old_key, old_value] : map.entries) {
+      if (old_key->kind != key->kind || old_key->text != key->text) continue;
+      if (replace) old_value = value;
+      return;
+    }
+    map.entries.emplace_back(key, value);
+  }
+
+  static void merge(Frame& frame) {
+    for (const ValuePtr& source : frame.merged) {
+      std::vector<ValuePtr> maps = source->kind == Kind::kList ? source->items : std::vector<ValuePtr>{source};
+      for (const ValuePtr& map : maps) {
+        if (map->kind != Kind::kMap) throw YAML::Exception(frame.mark, "'<<' wants a map");
+        for (const auto& [key, value] : map->entries) set_entry(*frame.value, key, value, false);
+      }
+    }
+  }
+
+  std::vector<std::string_view> lines_;
+  std::shared_ptr<Value> root_;
+  std::vector<Frame> frames_;
+  std::map<YAML::anchor_t, std::shared_ptr<Value>> anchors_;
+};
+
+std::string check_text(std::string_view text) {
+  if (text.size() > kMaxBytes) return "larger than 2 MiB; not read";
+  for (std::string error : {check_nesting(text), check_characters(text), check_header(text), TabScanner().check(text)}) {
+    if (!error.empty()) return error;
+  }
+  return {};
+}
+
+}  // namespace
+
+const Value* Value::find(std::string_view key) const {
+  for (const auto& [name, value] : entries) {
+    if (name->kind == Kind::kString && name->text == key) return value.get();
+  }
+  return nullptr;
+}
+
+Value resolve_plain_scalar(std::string_view text) {
+  Value value;
+  value.text = std::string(text);
+  if (is_one_of(text, {"", "~", "null", "Null", "NULL"})) {
+    value.kind = Kind::kNull;
+  } else if (is_one_of(text, {"yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"})) {
+    value.kind = Kind::kBool;
+    value.number = 1.0;
+  } else if (is_one_of(text, {"no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"})) {
+    value.kind = Kind::kBool;
+  } else if (matches_float(text)) {
+    value.kind = Kind::kFloat;
+  } else if (matches_int(text)) {
+    value.kind = Kind::kInt;
+  } else {
+    value.kind = Kind::kString;
+  }
+  if (value.kind == Kind::kFloat || value.kind == Kind::kInt) value.number = parse_number(text, value.kind);
+  return value;
+}
+
+std::string describe(const Value& value) {
+  switch (value.kind) {
+    case Kind::kNull:
+      return "empty";
+    case Kind::kBool:
+      return "the bool " + value.text;
+    case Kind::kInt:
+      return "the int " + value.text;
+    case Kind::kFloat:
+      return "the float " + value.text;
+    case Kind::kString:
+      return "the string '" + value.text.substr(0, 80) + "'";
+    case Kind::kList:
+      return "a list of " + std::to_string(value.items.size());
+    case Kind::kMap:
+      return "a map";
+  }
+  return "unknown";
+}
+
+Loaded safe_load(std::string_view text) {
+  Loaded loaded;
+  loaded.error = check_text(text);
+  if (!loaded.error.empty()) return loaded;
+  try {
+    std::istringstream stream{std::string(text)};
+    YAML::Parser parser(stream);
+    Builder builder(text);
+    while (parser.HandleNextDocument(builder)) {
+    }
+    loaded.root = builder.root() ? builder.root() : std::make_shared<Value>();
+  } catch (const YAML::Exception& error) {
+    loaded.error = line_of(error.mark) + error.msg;
+  } catch (const std::exception& error) {
+    loaded.error = error.what();
+  }
+  return loaded;
+}
+
+}  // namespace fca::consumers::pyyaml

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fields.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::fields {
+
+using text::Node;
+
+namespace {
+
+std::string quoted_text(const Node& node) { return "'" + node.value.substr(0, 40) + "'"; }
+
+std::string kind_in_words(const Node& node) {
+  switch (node.kind) {
+    case text::NodeKind::kNull:
+      return "empty";
+    case text::NodeKind::kScalar:
+      return quoted_text(node);
+    case text::NodeKind::kSequence:
+      return "a list";
+    case text::NodeKind::kMapping:
+      return "a mapping";
+  }
+  return "";
+}
+
+}  // namespace
+
+void Reader::error(const Node& node, std::string code, std::string message, std::string fix) {
+  diagnostics_.error(std::move(code), std::move(message), document_.range(node), std::move(fix));
+}
+
+void Reader::warning(const Node& node, std::string code, std::string message, std::string fix) {
+  diagnostics_.warning(std::move(code), std::move(message), document_.range(node), std::move(fix));
+}
+
+const Node* Reader::require(const Node& mapping, std::string_view key, std::string_view owner) {
+  const Node* node = find(mapping, key);
+  if (node == nullptr) {
+    SourceRange where = document_.range(mapping);
+    where.length = 1;
+    diagnostics_.error("missing-key", std::string(owner) + " has no " + std::string(key), where);
+  }
+  return node;
+}
+
+std::optional<double> Reader::real(const Node& node, std::string_view what) {
+  const std::optional<double> value = node.is_scalar() ? text::parse_real(node.value) : std::nullopt;
+  if (!value) {
+    error(node, "not-a-number", std::string(what) + " is " + kind_in_words(node) + "; a number is wanted");
+    return std::nullopt;
+  }
+  if (!std::isfinite(*value)) {
+    error(node, "not-finite", std::string(what) + " is " + quoted_text(node) + ", not a finite number");
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<int> Reader::integer(const Node& node, std::string_view what) {
+  if (!node.is_scalar()) {
+    error(node, "not-an-integer", std::string(what) + " is " + kind_in_words(node) + "; a whole number is wanted");
+    return std::nullopt;
+  }
+  if (const std::optional<int> value = text::parse_int(node.value)) return value;
+  const std::optional<double> real_value = real(node, what);
+  if (!real_value) return std::nullopt;
+  constexpr double kLargestInt = 2147483647.0;
+  if (*real_value != std::floor(*real_value) || std::abs(*real_value) > kLargestInt) {
+    error(node, "not-an-integer", std::string(what) + " is " + quoted_text(node) + "; a whole number is wanted");
+    return std::nullopt;
+  }
+  return static_cast<int>(*real_value);
+}
+
+std::optional<std::string> Reader::string(const Node& node, std::string_view what) {
+  if (!node.is_scalar()) {
+    error(node, "not-a-string", std::string(what) + " is " + kind_in_words(node) + "; a name is wanted");
+    return std::nullopt;
+  }
+  return node.value;
+}
+
+std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t count, std::string_view what) {
+  if (!node.is_sequence()) {
+    error(node, "not-a-list", std::string(what) + " is " + kind_in_words(node) + "; a list of numbers is wanted");
+    return std::nullopt;
+  }
+  if (count != 0 && node.items.size() != count) {
+    error(node, "wrong-length",
+          std::string(what) + " has " + std::to_string(node.items.size()) + " numbers; " + std::to_string(count) + " are wanted");
+    return std::nullopt;
+  }
+  std::vector<double> values;
+  for (const Node& item : node.items) {
+    const std::optional<double> value = real(item, what);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::optional<Transform> Reader::transform(const Node& node, std::string_view what) {
+  std::vector<double> values;
+  const bool nested = node.is_sequence() && !node.items.empty() && node.items.front().is_sequence();
+  if (nested) {
+    if (node.items.size() != 4) {
+      error(node, "wrong-length", std::string(what) + " has " + std::to_string(node.items.size()) + " rows; 4 are wanted");
+      return std::nullopt;
+    }
+    for (const Node& row : node.items) {
+      const std::optional<std::vector<double>> numbers = reals(row, 4, what);
+      if (!numbers) return std::nullopt;
+      values.insert(values.end(), numbers->begin(), numbers->end());
+    }
+  } else {
+    const std::optional<std::vector<double>> numbers = reals(node, 16, what);
+    if (!numbers) return std::nullopt;
+    values = *numbers;
+  }
+  Transform T;
+  std::ranges::copy(values, T.values.begin());
+  const double last_row[] = {values[12], values[13], values[14], values[15] - 1.0};
+  if (std::ranges::any_of(last_row, [](double v) { return std::abs(v) > 1e-9; })) {
+    error(node, "not-a-transform", std::string(what) + ": the last row of a transform is 0 0 0 1");
+    return std::nullopt;
+  }
+  return T;
+}
+
+std::optional<Reader::Matrix> Reader::opencv_matrix(const Node& node, std::string_view what) {
+  if (!node.is_mapping()) {
+    error(node, "not-a-matrix", std::string(what) + " is " + kind_in_words(node) + "; an opencv-matrix is wanted");
+    return std::nullopt;
+  }
+  const Node* rows = require(node, "rows", what);
+  const Node* cols = require(node, "cols", what);
+  const Node* data = require(node, "data", what);
+  if (rows == nullptr || cols == nullptr || data == nullptr) return std::nullopt;
+  const std::optional<int> row_count = integer(*rows, "rows");
+  const std::optional<int> column_count = integer(*cols, "cols");
+  if (!row_count || !column_count) return std::nullopt;
+  constexpr int kLargestSide = 100'000;
+  if (*row_count < 1 || *column_count < 1 || *row_count > kLargestSide || *column_count > kLargestSide) {
+    error(*rows, "wrong-length", std::string(what) + ": a matrix of " + std::to_string(*row_count) + " x " + std::to_string(*column_count));
+    return std::nullopt;
+  }
+  const auto count = static_cast<std::size_t>(*row_count) * static_cast<std::size_t>(*column_count);
+  std::optional<std::vector<double>> values = reals(*data, count, what);
+  if (!values) return std::nullopt;
+  return Matrix{*row_count, *column_count, *std::move(values)};
+}
+
+std::string quote(std::string_view value) {
+  std::string text = "\"";
+  for (const char c : value) {
+    const auto byte = static_cast<unsigned char>(c);
+    constexpr std::string_view kHex = "0123456789abcdef";
+    if (c == '"' || c == '\\') {
+      text += '\\';
+      text += c;
+    } else if (byte < 0x20 || byte == 0x7F) {
+      text += "\\x";
+      text += kHex[byte >> 4];
+      text += kHex[byte & 0xF];
+    } else {
+      text += c;
+    }
+  }
+  return text + '"';
+}
+
+Field scalar(std::string key, std::string token) { return {std::move(key), Shape::kScalar, {std::move(token)}, 0, {}}; }
+Field real(std::string key, double value) { return scalar(std::move(key), text::format_real(value)); }
+Field integer(std::string key, int value) { return scalar(std::move(key), std::to_string(value)); }
+Field quoted(std::string key, std::string_view value) { return scalar(std::move(key), quote(value)); }
+
+Field list(std::string key, std::span<const double> values) {
+  Field field{std::move(key), Shape::kList, {}, 0, {}};
+  for (const double v : values) field.tokens.push_back(text::format_real(v));
+  return field;
+}
+
+Field rows(std::string key, const Transform& T) {
+  Field field = list(std::move(key), T.values);
+  field.shape = Shape::kRows;
+  field.columns = 4;
+  return field;
+}
+
+Field matrix(std::string key, std::span<const double> values, int columns, std::string element_type) {
+  Field field = list(std::move(key), values);
+  field.shape = Shape::kMatrix;
+  field.columns = columns;
+  field.element_type = std::move(element_type);
+  return field;
+}
+
+namespace {
+
+std::string joined(std::span<const std::string> tokens) {
+  std::string text;
+  for (const std::string& token : tokens) text += (text.empty() ? "" : ", ") + token;
+  return text;
+}
+
+/// Tokens in rows of `columns`, each row by `line(row)`.
+template <class F>
+void for_each_row(const Field& field, F&& line) {
+  const auto columns = static_cast<std::size_t>(field.columns);
+  for (std::size_t i = 0; i < field.tokens.size(); i += columns) {
+    line(joined(std::span(field.tokens).subspan(i, columns)), i + columns >= field.tokens.size());
+  }
+}
+
+/// The value's spelling behind "key:".
+std::string spell_value(const Field& field) {
+  std::string text;
+  switch (field.shape) {
+    case Shape::kScalar:
+      return " " + field.tokens.front();
+    case Shape::kList:
+      return " [" + joined(field.tokens) + "]";
+    case Shape::kRows:
+      for_each_row(field, [&text](const std::string& row, bool /*last*/) { text += "\n  - [" + row + "]"; });
+      return text;
+    case Shape::kMatrix:
+      text = " !!opencv-matrix\n  rows: " + std::to_string(static_cast<int>(field.tokens.size()) / field.columns) +
+             "\n  cols: " + std::to_string(field.columns) + "\n  dt: " + field.element_type + "\n  data: [";
+      for_each_row(field, [&text](const std::string& row, bool last) { text += row + (last ? "]" : ",\n         "); });
+      return text;
+  }
+  return text;
+}
+
+/// Does the scalar already say what the token says? Numbers by value, anything else by its text.
+bool says(const Node& node, const std::string& token) {
+  if (!node.is_scalar()) return false;
+  const bool token_quoted = token.starts_with('"');
+  if (token_quoted) return node.quoted && quote(node.value) == token;
+  if (node.quoted) return false;
+  if (node.value == token) return true;
+  const std::optional<double> was = text::parse_real(node.value);
+  const std::optional<double> is = text::parse_real(token);
+  // An int where a real is wanted (or the reverse) is another type to the programs.
+  const auto looks_real = [](std::string_view s) { return s.find_first_of(".eE") != std::string_view::npos; };
+  return was && is && *was == *is && std::signbit(*was) == std::signbit(*is) && looks_real(node.value) == looks_real(token);
+}
+
+/// Edits the numbers of a sequence in place; false if the layout does not allow it.
+bool edit_items(text::Document& document, std::span<const Node* const> items, std::span<const std::string> tokens) {
+  if (items.size() != tokens.size()) return false;
+  for (const Node* item : items) {
+    if (!item->is_scalar() || item->span.length == 0) return false;
+  }
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!says(*items[i], tokens[i])) document.replace(items[i]->span, tokens[i]);
+  }
+  return true;
+}
+
+std::vector<const Node*> leaves(const Node& node) {
+  if (!node.is_sequence()) return {&node};
+  std::vector<const Node*> result;
+  for (const Node& item : node.items) {
+    const std::vector<const Node*> below = leaves(item);
+    result.insert(result.end(), below.begin(), below.end());
+  }
+  return result;
+}
+
+bool edit_in_place(text::Document& document, const Node& value, text::Dialect dialect, const Field& field) {
+  switch (field.shape) {
+    case Shape::kScalar:
+      return value.is_scalar() && edit_items(document, std::vector{&value}, field.tokens);
+    case Shape::kList:
+    case Shape::kRows:
+      return value.is_sequence() && edit_items(document, leaves(value), field.tokens);
+    case Shape::kMatrix: {
+      const Node* data = value.is_mapping() ? text::find(value, "data", dialect) : nullptr;
+      const Node* cols = value.is_mapping() ? text::find(value, "cols", dialect) : nullptr;
+      const Node* type = value.is_mapping() ? text::find(value, "dt", dialect) : nullptr;
+      if (data == nullptr || cols == nullptr || type == nullptr || !data->is_sequence()) return false;
+      if (cols->value != std::to_string(field.columns) || type->value != field.element_type) return false;
+      return edit_items(document, leaves(*data), field.tokens);
+    }
+  }
+  return false;
+}
+
+/// `text` with every line but the first indented by `columns`, and the document's line breaks.
+std::string indented(std::string_view text, std::size_t columns, std::string_view line_break) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\n') {
+      result += line_break;
+      result.append(columns, ' ');
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+void replace_value(text::Document& document, const text::Entry& entry, const Field& field) {
+  const text::Source& source = document.source();
+  const std::size_t column = entry.key.span.offset - source.line_at(entry.key.span.offset).offset;
+  const std::size_t colon = source.bytes.find(':', entry.key.span.end());
+  const std::size_t start = colon == std::string::npos ? entry.key.span.end() : colon + 1;
+  const std::size_t end = std::max(start, entry.value.span.end());
+  document.replace({start, end - start}, indented(spell_value(field), column, source.line_break()));
+}
+
+const Field* find_field(std::span<const Field> fields, std::string_view key) {
+  const auto found = std::ranges::find(fields, key, &Field::key);
+  return found == fields.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string spell(const Field& field) { return field.key + ":" + spell_value(field); }
+
+void apply(text::Document& document, const Node& mapping, text::Dialect dialect, std::span<const Field> before,
+           std::span<const Field> after) {
+  const text::Entry* predecessor = nullptr;
+  for (const Field& field : after) {
+    const Field* old = find_field(before, field.key);
+    const text::Entry* entry = text::find_entry(mapping, field.key, dialect);
+    if (entry == nullptr) {
+      // Equal to before and yet not there: the file never said it, and it need not begin to.
+      if (old != nullptr && *old == field) continue;
+      const text::Entry* anchor = predecessor;
+      if (anchor == nullptr && !mapping.entries.empty()) anchor = &mapping.entries.back();
+      if (anchor != nullptr) document.insert_after(*anchor, spell(field));
+      continue;
+    }
+    predecessor = entry;
+    if (old != nullptr && *old == field) continue;
+    if (!edit_in_place(document, entry->value, dialect, field)) replace_value(document, *entry, field);
+  }
+  for (const Field& field : before) {
+    if (find_field(after, field.key) != nullptr) continue;
+    if (const text::Entry* entry = text::find_entry(mapping, field.key, dialect)) document.remove_entry(*entry);
+  }
+}
+
+}  // namespace fca::fields

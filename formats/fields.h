@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Between nodes and meaning: reads typed values with a diagnostic at their place, and writes fields by the smallest edits.
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/formats/text/dialect.h>
+#include <fca/formats/text/document.h>
+#include <fca/rig/rig.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::fields {
+
+/// Reads values of one document as one program's dialect. Every method that fails has added an error at the place.
+class Reader {
+ public:
+  Reader(const text::Document& document, text::Dialect dialect, Diagnostics& diagnostics)
+      : document_(document), dialect_(dialect), diagnostics_(diagnostics) {}
+
+  /// The value that counts under a key; null (no error) if there is none.
+  [[nodiscard]] const text::Node* find(const text::Node& mapping, std::string_view key) const {
+    return text::find(mapping, key, dialect_);
+  }
+  /// The same; an error "missing-key" if there is none. `owner`: what lacks the key, for the message ("cam0").
+  [[nodiscard]] const text::Node* require(const text::Node& mapping, std::string_view key, std::string_view owner);
+
+  /// A finite number; integers count.
+  [[nodiscard]] std::optional<double> real(const text::Node& node, std::string_view what);
+  [[nodiscard]] std::optional<int> integer(const text::Node& node, std::string_view what);
+  [[nodiscard]] std::optional<std::string> string(const text::Node& node, std::string_view what);
+  /// A sequence of finite numbers; any length if `count` is 0.
+  [[nodiscard]] std::optional<std::vector<double>> reals(const text::Node& node, std::size_t count, std::string_view what);
+  /// 4 x 4 as nested rows or as 16 numbers.
+  [[nodiscard]] std::optional<Transform> transform(const text::Node& node, std::string_view what);
+  /// An opencv-matrix {rows, cols, dt, data}: its numbers row by row, with rows and cols checked against them.
+  struct Matrix {
+    int rows = 0;
+    int cols = 0;
+    std::vector<double> values;
+  };
+  [[nodiscard]] std::optional<Matrix> opencv_matrix(const text::Node& node, std::string_view what);
+
+  void error(const text::Node& node, std::string code, std::string message, std::string fix = {});
+  void warning(const text::Node& node, std::string code, std::string message, std::string fix = {});
+
+  [[nodiscard]] const text::Document& document() const { return document_; }
+  [[nodiscard]] text::Dialect dialect() const { return dialect_; }
+  [[nodiscard]] Diagnostics& diagnostics() { return diagnostics_; }
+
+ private:
+  const text::Document& document_;
+  text::Dialect dialect_;
+  Diagnostics& diagnostics_;
+};
+
+/// How a field's value is laid out.
+enum class Shape {
+  kScalar,         ///< key: 1.0
+  kList,           ///< key: [1.0, 2.0]
+  kRows,           ///< key: and one "- [..]" line per row of 4
+  kMatrix,         ///< key: !!opencv-matrix with rows, cols, dt, data
+};
+
+/// A key and what its value says, as tokens ready to be written.
+struct Field {
+  std::string key;
+  Shape shape = Shape::kScalar;
+  std::vector<std::string> tokens;
+  int columns = 0;            ///< kRows, kMatrix
+  std::string element_type;   ///< kMatrix: "f" or "d"
+  bool operator==(const Field&) const = default;
+};
+
+[[nodiscard]] Field scalar(std::string key, std::string token);
+[[nodiscard]] Field real(std::string key, double value);
+[[nodiscard]] Field integer(std::string key, int value);
+/// A double-quoted string, escaped.
+[[nodiscard]] Field quoted(std::string key, std::string_view value);
+[[nodiscard]] Field list(std::string key, std::span<const double> values);
+[[nodiscard]] Field rows(std::string key, const Transform& T);
+[[nodiscard]] Field matrix(std::string key, std::span<const double> values, int columns, std::string element_type);
+
+/// The lines of a field at no indentation, without a last line break.
+[[nodiscard]] std::string spell(const Field& field);
+
+/// A double-quoted YAML string.
+[[nodiscard]] std::string quote(std::string_view value);
+
+/// Takes a block mapping from saying `before` to saying `after`: fields that are equal in both are not touched, whatever their
+/// spelling; changed ones are edited number by number where the layout allows; new ones are inserted behind their predecessor,
+/// vanished ones removed. With an empty `before`, every field of `after` is compared with what the document says.
+void apply(text::Document& document, const text::Node& mapping, text::Dialect dialect, std::span<const Field> before,
+           std::span<const Field> after);
+
+}  // namespace fca::fields

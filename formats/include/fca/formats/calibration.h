@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files in, a rig out: syntax, format detection, and several files that are one calibration.
+#pragma once
+
+#include <fca/formats/format.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// What was read, with what it was read from.
+struct Calibration {
+  const Format* format = nullptr;
+  std::string why;                          ///< Why that format.
+  std::vector<text::Document> documents;    ///< The main file first, then those of --with.
+  Rig rig;
+};
+
+struct DetectedFormat {
+  const Format* format = nullptr;
+  std::string why;
+};
+
+/// The format whose content the document has. No format, or a tie, is an error.
+[[nodiscard]] std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics);
+
+/// Reads one calibration. `format`: null to detect it. `with`: further parts of the same calibration (imu.yaml).
+[[nodiscard]] std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
+                                                          const ReadOptions& options, Diagnostics& diagnostics);
+
+}  // namespace fca

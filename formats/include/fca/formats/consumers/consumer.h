@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A consumer is a real program (Kalibr, ORB-SLAM3, ...) as a judge of bytes: would it load them, and what would it understand?
+//
+// Consumers are written from the program's documented or observed behaviour and share no code with fca's models or text layer.
+// That independence is their whole worth: a mistake of ours cannot hide in both.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::consumers {
+
+/// A camera as the program holds it after loading.
+struct ConsumerCamera {
+  std::string name;             ///< As fca names it: "cam0", "cam1", ...
+  int width = 0;                ///< Size of the image the program works on, after its own rescaling.
+  int height = 0;
+  /// The program's own formula in its own precision. `ray`: x right, y down, z forward, any length. Result: pixel (u, v) at
+  /// width x height, centre of the first pixel = (0, 0). Nothing where the program itself calls the ray invalid; where the
+  /// program returns a wrong pixel without noticing, so does this.
+  std::function<std::optional<std::array<double, 2>>(const std::array<double, 3>& ray)> project;
+  /// Factor from pixels of the file's calibration to pixels of the program's image (1, 1 without rescaling), applied as the
+  /// program does it: u' = u * scale[0], v' = v * scale[1], without a half-pixel shift.
+  std::array<double, 2> scale = {1.0, 1.0};
+  /// The program is known to take this camera's numbers from the wrong place of a right file (`warnings` says how): a difference
+  /// from the file's meaning is the program's, not the file's.
+  bool misread = false;
+};
+
+/// T_a_b as the program holds it: takes points in b to points in a. Row-major 4 x 4, metres.
+struct ConsumerPose {
+  std::string a;
+  std::string b;
+  std::array<double, 16> T_a_b{};
+};
+
+/// What the program makes of a file.
+struct ConsumerView {
+  std::vector<std::string> refusals;      ///< Why the program would not run with it, one sentence each. Empty: it loads.
+  std::vector<std::string> warnings;      ///< What it would silently misread or ignore, one sentence each.
+  std::vector<ConsumerCamera> cameras;    ///< Empty where it refuses.
+  std::vector<ConsumerPose> poses;
+  [[nodiscard]] bool loads() const { return refusals.empty(); }
+};
+
+/// How the program is started; programs without modes ignore it.
+struct LoadOptions {
+  /// ORB-SLAM3's sensor: "mono", "stereo", "rgbd", "mono-inertial", "stereo-inertial", "rgbd-inertial".
+  std::string sensor = "mono";
+};
+
+/// A row of the table of consumers.
+struct Consumer {
+  std::string_view id;         ///< "kalibr", "orbslam3", ...
+  std::string_view program;    ///< As printed: "ORB-SLAM3 V1.0".
+  std::string_view format;     ///< Id of the format it reads.
+  double tolerance_px;         ///< What its own precision allows: 1e-9 for double, 2e-4 (times max(1, |u| / 1000)) for float.
+  ConsumerView (*load)(std::string_view bytes, const LoadOptions& options);
+};
+
+/// All consumers, in the order in which they are asked.
+[[nodiscard]] std::span<const Consumer> all_consumers();
+
+/// The consumer of that id, or null.
+[[nodiscard]] const Consumer* find_consumer(std::string_view id);
+
+}  // namespace fca::consumers

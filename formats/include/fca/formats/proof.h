@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Asks the real programs (consumers/) what they make of bytes.
+#pragma once
+
+#include <fca/convert/domain.h>
+#include <fca/formats/consumers/consumer.h>
+#include <fca/rig/rig.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// What one program makes of a file that is to say `rig`.
+struct ProofResult {
+  std::string program;
+  bool loads = false;
+  double max_diff_px = 0.0;             ///< Between the program's pixels and ours, where both have one.
+  double misread_px = 0.0;              ///< The same for cameras the program is known to misread; not held against the file.
+  double compared_share = 0.0;          ///< Of the rays asked, how many both answer.
+  double max_diff_pose = 0.0;           ///< Largest difference of an element of a pose both state.
+  bool agrees = false;                  ///< Loads and differs by no more than its precision allows.
+  std::vector<std::string> refusals;
+  std::vector<std::string> warnings;    ///< What it silently misreads or ignores.
+};
+
+/// Would `consumer` load these bytes and understand the rig as we mean it? Rays: a lattice over each camera's image.
+[[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
+                                const Rig& rig);
+
+/// Who reads a file, for people.
+struct Readers {
+  struct Program {
+    std::string program;
+    bool loads = false;
+    std::vector<std::string> sensors;     ///< ORB-SLAM3 and kin: the modes it loads in.
+    std::vector<std::string> refusals;    ///< Of the mode that comes furthest.
+    std::vector<std::string> warnings;
+  };
+  std::vector<Program> programs;
+  [[nodiscard]] bool any_loads() const;
+};
+
+/// Asks every consumer of the format.
+[[nodiscard]] Readers ask_readers(std::string_view format, std::string_view bytes);
+
+}  // namespace fca

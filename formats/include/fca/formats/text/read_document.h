@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/formats/text/document.h>
+
+#include <optional>
+#include <string>
+
+namespace fca::text {
+
+/// Bytes to Document, the syntax chosen by the first bytes. Nothing, with an error at line and column, where they are no document:
+/// empty, over kMaxFileBytes, nested deeper than kMaxDepth, anchors or aliases, several YAML documents, syntax errors.
+[[nodiscard]] std::optional<Document> parse_document(Source source, Diagnostics& diagnostics);
+
+/// Reads and parses a file; "-" is standard input. A missing, unreadable or non-regular file is an error "cannot-read".
+[[nodiscard]] std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics);
+
+/// The bytes of a file; "-" is standard input.
+[[nodiscard]] std::optional<Source> read_source(const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace fca::text

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/formats/text/source.h>
+
+#include <span>
+#include <string>
+
+namespace fca::text {
+
+/// `file:line:column: error: message [code]`, the line with a caret, and the fix. Without a place: `error: message [code]`.
+/// `sources`: the files the diagnostic may point into. `colour`: with terminal escapes.
+[[nodiscard]] std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour = false);
+
+}  // namespace fca::text

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layout.h"
+#include "orbslam3.h"
+
+#include <array>
+#include <limits>
+
+namespace fca::orbslam3 {
+
+namespace {
+
+/// Both EUCM forks compute a validity radius 1 / (beta (2 alpha - 1)) without guarding alpha: at alpha < 0.5 they reject every
+/// point. A little above 0.5 keeps that radius far outside any image.
+constexpr std::array kAlphaAboveHalf = {ParameterRange{"alpha", 0.501, 1.0}};
+
+constexpr std::array kModels = {
+    StoredModel{"radtan", "PinHole", true, "ORB-SLAM3 V1.0", {}},
+    StoredModel{"kb4", "KannalaBrandt8", true, "ORB-SLAM3 V1.0", {}},
+    StoredModel{"pinhole", "PinHole, Rectified", true, "ORB-SLAM3 V1.0", {}},
+    StoredModel{"eucm", "EUCM", false, "ns15417/slam_no_opt, lsyads/fisheye-ORB-SLAM", kAlphaAboveHalf},
+    StoredModel{"ds", "DoubleSphere", false, "urbste/ORB_SLAM3 (branch feature/gopro_slam)", {}},
+};
+
+ProbeResult probe(const text::Document& document) {
+  if (find_key(document, "Camera1.fx") != nullptr) return {95, "the key Camera1.fx"};
+  if (find_key(document, "Camera.fx") != nullptr) return {90, "the key Camera.fx"};
+  if (find_key(document, "File.version") != nullptr && find_key(document, "Camera.type") != nullptr) return {80, "File.version and Camera.type"};
+  if (find_key(document, "ORBextractor.nFeatures") != nullptr) return {70, "the key ORBextractor.nFeatures"};
+  return {};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "orbslam3",
+    .title = "ORB-SLAM3 settings",
+    .syntaxes = "OpenCV YAML",
+    .program = "ORB-SLAM3",
+    .many_cameras = true,
+    .extrinsics = true,
+    .imu = true,
+    .image_size = true,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::orbslam3

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layout.h"
+#include "orbslam3.h"
+
+#include "../fields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::orbslam3 {
+
+namespace {
+
+using text::Node;
+
+class SettingsReader {
+ public:
+  SettingsReader(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics)
+      : document_(document), reader_(document, text::Dialect::kOpenCv, diagnostics), options_(options), style_(style_of(document)) {}
+
+  void read_into(Rig& rig) {
+    warn_of_version();
+    warn_of_duplicates();
+    const Layout* layout = read_layout();
+    if (layout == nullptr) return;
+    if (!read_camera(*layout, camera_prefix(style_, 0), "cam0", rig)) return;
+    warn_if_eucm_without_type(rig.cameras.front());
+    read_second_camera(*layout, rig);
+    read_baseline(rig);
+    read_imu(rig);
+  }
+
+ private:
+  const Node* find(std::string_view key) const { return find_key(document_, key); }
+  static std::string joined(std::string_view prefix, std::string_view key) { return std::string(prefix) + std::string(key); }
+
+  void warn_of_version() {
+    const Node* version = find("File.version");
+    if (version == nullptr) {
+      if (style_ == Style::kV1) {
+        reader_.warning(document_.root().entries.front().key, "file-version-missing",
+                        "Camera1.* keys without File.version: ORB-SLAM3 runs its old parser and finds no camera",
+                        "add the line  File.version: \"1.0\"");
+      }
+    } else if (!version->quoted || version->value != "1.0") {
+      reader_.warning(*version, "file-version-not-string",
+                      "File.version is not the string \"1.0\": ORB-SLAM3 silently runs its old parser", "write \"1.0\" with quotes");
+    }
+  }
+
+  void warn_of_duplicates() {
+    for (const text::Entry& entry : document_.root().entries) {
+      const text::Entry* first = text::find_entry(document_.root(), entry.key.value, text::Dialect::kOpenCv);
+      if (first != &entry && first->value.value != entry.value.value) {
+        reader_.warning(entry.key, "duplicate-key", "the key " + entry.key.value + " stands twice with different values; this one is not read");
+      }
+    }
+  }
+
+  const Layout* read_layout() {
+    const Node* type = find("Camera.type");
+    const std::string name = type != nullptr ? type->value : "";
+    if (type == nullptr && style_ == Style::kV1) {
+      reader_.error(document_.root().entries.front().key, "missing-key", "there is no Camera.type",
+                    "one of \"PinHole\", \"Rectified\", \"KannalaBrandt8\"");
+      return nullptr;
+    }
+    const auto& rows = layouts();
+    const bool distorted = find(joined(camera_prefix(style_, 0), "k1")) != nullptr;
+    const auto found = std::ranges::find_if(rows, [&](const Layout& l) {
+      return l.style == style_ && l.type == name && (distorted || style_ != Style::kV1 || l.model != "radtan");
+    });
+    if (found == rows.end()) {
+      reader_.error(*type, "unknown-model",
+                    "Camera.type '" + name + "' is none of PinHole, Rectified, KannalaBrandt8 (ORB-SLAM3), EUCM, KB, DoubleSphere (forks)");
+      return nullptr;
+    }
+    return &*found;
+  }
+
+  bool read_camera(const Layout& layout, std::string_view prefix, const std::string& name, Rig& rig) {
+    Camera camera;
+    camera.name = name;
+    camera.model = *make_model(layout.model);
+    bool good = true;
+    for (const Slot& slot : layout.slots) {
+      const std::string key = joined(prefix, slot.key);
+      const Node* node = find(key);
+      if (node == nullptr && slot.required) {
+        reader_.error(document_.root().entries.front().key, "missing-key", "there is no " + key);
+        good = false;
+      }
+      if (node == nullptr || slot.parameter.empty()) continue;
+      const std::optional<double> value = reader_.real(*node, key);
+      good = good && value;
+      if (value) set_parameter(camera.model, slot.parameter, *value);
+    }
+    camera.image_size = read_size();
+    if (const Node* fps = find("Camera.fps")) {
+      camera.frame_rate_hz = reader_.real(*fps, "Camera.fps");
+      good = good && camera.frame_rate_hz;
+    }
+    rig.cameras.push_back(std::move(camera));
+    return good;
+  }
+
+  std::optional<ImageSize> read_size() {
+    const Node* width = find("Camera.width");
+    const Node* height = find("Camera.height");
+    if (width == nullptr || height == nullptr) return options_.image_size;
+    const std::optional<int> w = reader_.integer(*width, "Camera.width");
+    const std::optional<int> h = reader_.integer(*height, "Camera.height");
+    if (!w || !h) return std::nullopt;
+    if (*w < 1 || *h < 1) {
+      reader_.error(*width, "image-size-invalid", "an image of " + std::to_string(*w) + " x " + std::to_string(*h) + " pixels cannot be");
+      return std::nullopt;
+    }
+    return ImageSize{*w, *h};
+  }
+
+  /// ORB-SLAM2's layout says nothing of the model; fisheye-ORB-SLAM reads the same keys as EUCM.
+  void warn_if_eucm_without_type(const Camera& camera) {
+    if (style_ != Style::kOrbSlam2) return;
+    const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+    const bool plausible_alpha_beta = value("k1") > 0.3 && value("k1") <= 1.0 && value("k2") > 0.5 && value("k2") < 3.0;
+    if (!plausible_alpha_beta || value("p1") != 0.0 || value("p2") != 0.0 || value("k3") != 0.0) return;
+    reader_.warning(*find("Camera.k1"), "eucm-without-type",
+                    "no Camera.type, so this is read as ORB-SLAM2's radial-tangential model; but k1 and k2 look like EUCM's alpha and "
+                    "beta, as fisheye-ORB-SLAM and slam_no_opt store them",
+                    "if so, add the line  Camera.type: \"EUCM\"");
+  }
+
+  void read_second_camera(const Layout& first, Rig& rig) {
+    if (style_ == Style::kSlamNoOpt) {
+      read_right_camera(first, rig);
+      return;
+    }
+    if (find("Camera2.fx") == nullptr) return;
+    const Layout* layout = &first;
+    if (first.model == "pinhole" && find("Camera2.k1") != nullptr) layout = find_layout(style_, "radtan");
+    if (first.model == "radtan" && style_ == Style::kV1 && find("Camera2.k1") == nullptr) layout = find_layout(style_, "pinhole");
+    if (!read_camera(*layout, "Camera2.", "cam1", rig)) return;
+    const std::string key(pose_keys(style_).T_c1_c2);
+    if (const Node* node = find(key)) {
+      if (const std::optional<Transform> T = read_affine(*node, key)) rig.poses.push_back({"cam0", "cam1", *T});
+    } else {
+      reader_.warning(document_.root().entries.front().key, "pose-missing", "there is a second camera but no " + key);
+    }
+  }
+
+  /// 3 x 4 or 4 x 4.
+  std::optional<Transform> read_affine(const Node& node, const std::string& key) {
+    if (node.is_sequence()) return reader_.transform(node, key);
+    const std::optional<fields::Reader::Matrix> matrix = reader_.opencv_matrix(node, key);
+    if (!matrix) return std::nullopt;
+    if (matrix->cols != 4 || (matrix->rows != 3 && matrix->rows != 4)) {
+      reader_.error(node, "wrong-length", key + " must be 4 x 4 (or 3 x 4)");
+      return std::nullopt;
+    }
+    Transform T;
+    std::copy_n(matrix->values.begin(), matrix->values.size(), T.values.begin());
+    return T;
+  }
+
+  /// slam_no_opt's second camera: RIGHT.K, RIGHT.D in the order of Camera.k1 k2 p1 p2, and p_right = CAMERA.R p_left + CAMERA.T.
+  void read_right_camera(const Layout& layout, Rig& rig) {
+    const Node* K = find("RIGHT.K");
+    const Node* D = find("RIGHT.D");
+    if (K == nullptr || D == nullptr) return;
+    const std::optional<fields::Reader::Matrix> k = reader_.opencv_matrix(*K, "RIGHT.K");
+    const std::optional<fields::Reader::Matrix> d = reader_.opencv_matrix(*D, "RIGHT.D");
+    if (!k || !d) return;
+    if (k->values.size() != 9 || d->values.size() < 4) {
+      reader_.error(*K, "wrong-length", "RIGHT.K must be 3 x 3 and RIGHT.D hold at least 4 numbers");
+      return;
+    }
+    Camera camera = rig.cameras.front();
+    camera.name = "cam1";
+    const auto focal_and_centre = std::array{k->values[0], k->values[4], k->values[2], k->values[5]};
+    for (std::size_t i = 0; i < layout.slots.size(); ++i) {
+      const double value = i < 4 ? focal_and_centre[i] : d->values[i - 4];
+      if (!layout.slots[i].parameter.empty()) set_parameter(camera.model, layout.slots[i].parameter, value);
+    }
+    rig.cameras.push_back(std::move(camera));
+    read_right_pose(rig);
+  }
+
+  void read_right_pose(Rig& rig) {
+    const Node* R = find("CAMERA.R");
+    const Node* T = find("CAMERA.T");
+    if (R == nullptr || T == nullptr) return;
+    const std::optional<fields::Reader::Matrix> rotation = reader_.opencv_matrix(*R, "CAMERA.R");
+    const std::optional<fields::Reader::Matrix> translation = reader_.opencv_matrix(*T, "CAMERA.T");
+    if (!rotation || !translation) return;
+    if (rotation->values.size() != 9 || translation->values.size() != 3) {
+      reader_.error(*R, "wrong-length", "CAMERA.R must be 3 x 3 and CAMERA.T hold 3 numbers");
+      return;
+    }
+    Transform T_right_left;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        T_right_left(row, column) = rotation->values[static_cast<std::size_t>(3 * row + column)];
+      }
+      T_right_left(row, 3) = translation->values[static_cast<std::size_t>(row)];
+    }
+    rig.poses.push_back({"cam1", "cam0", T_right_left});
+  }
+
+  /// Of a rectified pair or a depth sensor: Stereo.b, or bf / fx. With a posed second camera the poses say it.
+  void read_baseline(Rig& rig) {
+    if (rig.cameras.size() > 1) return;
+    if (const Node* b = find("Stereo.b")) {
+      rig.baseline_m = reader_.real(*b, "Stereo.b");
+    } else if (const Node* bf = find("Camera.bf")) {
+      const std::optional<double> value = reader_.real(*bf, "Camera.bf");
+      const double fx = parameter(rig.cameras.front().model, "fx").value_or(0.0);
+      if (value && fx > 0.0) rig.baseline_m = *value / fx;
+    }
+  }
+
+  void read_imu(Rig& rig) {
+    Imu imu;
+    bool any = false;
+    const auto read_number = [&](const std::string& key, std::optional<double>& target) {
+      if (const Node* node = find(key)) {
+        target = reader_.real(*node, key);
+        any = true;
+      }
+    };
+    read_number("IMU.NoiseGyro", imu.gyroscope_noise_density);
+    read_number("IMU.NoiseAcc", imu.accelerometer_noise_density);
+    read_number("IMU.GyroWalk", imu.gyroscope_random_walk);
+    read_number("IMU.AccWalk", imu.accelerometer_random_walk);
+    read_number("IMU.Frequency", imu.rate_hz);
+    const std::string key(pose_keys(style_).T_imu_c1);
+    const Node* pose = find(key);
+    if (pose == nullptr && style_ == Style::kOrbSlam2) pose = find("Camera.Tbc");  // slam_no_opt's files without a type
+    if (pose != nullptr) {
+      if (const std::optional<Transform> T = read_affine(*pose, key)) rig.poses.push_back({"imu0", "cam0", *T});
+    }
+    if (any) rig.imus.push_back(std::move(imu));
+  }
+
+  const text::Document& document_;
+  fields::Reader reader_;
+  const ReadOptions& options_;
+  Style style_;
+};
+
+}  // namespace
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  Rig rig;
+  for (const text::Document& document : documents) {
+    if (!document.root().is_mapping() || document.root().entries.empty()) {
+      diagnostics.error("not-settings", "no keys at the top level", document.source().range({0, 1}));
+      return std::nullopt;
+    }
+    Diagnostics found;
+    SettingsReader(document, options, found).read_into(rig);
+    for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
+    if (found.has_errors()) return std::nullopt;
+  }
+  return rig;
+}
+
+}  // namespace fca::orbslam3

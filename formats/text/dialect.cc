@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/text/dialect.h>
+
+#include <algorithm>
+
+namespace fca::text {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::size_t skip_digits(std::string_view text, std::size_t at) {
+  while (at < text.size() && (is_digit(text[at]) || text[at] == '_')) ++at;
+  return at;
+}
+
+/// Decimal part of PyYAML's YAML 1.1 resolver: an integer is digits; a real needs a point, and an exponent needs a sign.
+ScalarType pyyaml_type(std::string_view text) {
+  std::size_t at = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  const std::string_view rest = text.substr(at);
+  if (rest == ".inf" || rest == ".Inf" || rest == ".INF") return ScalarType::kReal;
+  if (text == ".nan" || text == ".NaN" || text == ".NAN") return ScalarType::kReal;
+  const std::size_t whole_end = skip_digits(text, at);
+  const bool has_whole = whole_end > at && is_digit(text[at]);
+  if (whole_end == text.size()) return has_whole ? ScalarType::kInteger : ScalarType::kText;
+  if (text[whole_end] != '.') return ScalarType::kText;
+  at = skip_digits(text, whole_end + 1);
+  if (!has_whole && at == whole_end + 1) return ScalarType::kText;
+  if (at == text.size()) return ScalarType::kReal;
+  if (text[at] != 'e' && text[at] != 'E') return ScalarType::kText;
+  ++at;
+  if (at >= text.size() || (text[at] != '+' && text[at] != '-')) return ScalarType::kText;
+  const std::size_t exponent_end = skip_digits(text, at + 1);
+  return exponent_end == text.size() && exponent_end > at + 1 ? ScalarType::kReal : ScalarType::kText;
+}
+
+/// cv::FileStorage 4.6, persistence_yml.cpp: after sign and leading digits, '.' or 'e' makes it a real, anything else strtol's int.
+ScalarType opencv_type(std::string_view text) {
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  if (sign >= text.size()) return ScalarType::kText;
+  const bool number = is_digit(text[sign]) || (text[sign] == '.' && sign + 1 < text.size());
+  if (!number) return ScalarType::kText;
+  std::size_t at = sign;
+  while (at < text.size() && is_digit(text[at])) ++at;
+  return at < text.size() && (text[at] == '.' || text[at] == 'e') ? ScalarType::kReal : ScalarType::kInteger;
+}
+
+}  // namespace
+
+ScalarType scalar_type(const Node& scalar, Dialect dialect) {
+  if (!scalar.is_scalar() || scalar.quoted || scalar.value.empty()) return ScalarType::kText;
+  return dialect == Dialect::kPyYaml ? pyyaml_type(scalar.value) : opencv_type(scalar.value);
+}
+
+const Entry* find_entry(const Node& mapping, std::string_view key, Dialect dialect) {
+  const auto matches = [key](const Entry& entry) { return entry.key.is_scalar() && entry.key.value == key; };
+  if (dialect == Dialect::kPyYaml) {
+    const auto last = std::find_if(mapping.entries.rbegin(), mapping.entries.rend(), matches);
+    return last == mapping.entries.rend() ? nullptr : &*last;
+  }
+  const auto first = std::ranges::find_if(mapping.entries, matches);
+  return first == mapping.entries.end() ? nullptr : &*first;
+}
+
+const Node* find(const Node& mapping, std::string_view key, Dialect dialect) {
+  const Entry* entry = find_entry(mapping, key, dialect);
+  return entry == nullptr ? nullptr : &entry->value;
+}
+
+}  // namespace fca::text

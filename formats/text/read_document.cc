@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/text/read_document.h>
+
+#include "yaml.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace fca::text {
+
+namespace {
+
+/// Reads one byte more than allowed, so that "too large" is seen without reading all of a huge or endless file.
+std::string read_limited(std::istream& stream) {
+  std::string bytes(kMaxFileBytes + 1, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
+}  // namespace
+
+std::optional<Source> read_source(const std::string& path, Diagnostics& diagnostics) {
+  const auto cannot_read = [&](const std::string& why) {
+    diagnostics.error("cannot-read", "cannot read the file: " + why, {path, 0, 0});
+    return std::nullopt;
+  };
+  if (path == "-") return Source{"<stdin>", read_limited(std::cin)};
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) return cannot_read("it does not exist");
+  if (status.type() == std::filesystem::file_type::directory) return cannot_read("it is a directory");
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return cannot_read(std::strerror(errno != 0 ? errno : EIO));
+  std::string bytes = read_limited(stream);
+  if (stream.bad()) return cannot_read("reading failed");
+  return Source{path, std::move(bytes)};
+}
+
+std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) {
+  const std::string_view text = std::string_view(source.bytes).substr(source.byte_order_mark());
+  const SourceRange file = {source.name, 0, 0};
+  if (source.bytes.size() > kMaxFileBytes) {
+    diagnostics.error("too-large", "larger than " + std::to_string(kMaxFileBytes / 1024 / 1024) + " MiB; no calibration is", file);
+    return std::nullopt;
+  }
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    diagnostics.error("empty-file", "the file is empty", file);
+    return std::nullopt;
+  }
+  if (const std::size_t zero = source.bytes.find('\0'); zero != std::string::npos) {
+    diagnostics.error("binary-file", "a zero byte: this is no text file (UTF-16 or binary?)", source.range({zero, 1}),
+                      "save it as UTF-8 text");
+    return std::nullopt;
+  }
+  const Syntax syntax = text.starts_with("%YAML:") ? Syntax::kOpenCvYaml : Syntax::kYaml;
+  std::optional<Node> root = parse_yaml(source, syntax, diagnostics);
+  if (!root) return std::nullopt;
+  return Document(std::move(source), syntax, *std::move(root));
+}
+
+std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics) {
+  std::optional<Source> source = read_source(path, diagnostics);
+  if (!source) return std::nullopt;
+  return parse_document(*std::move(source), diagnostics);
+}
+
+}  // namespace fca::text

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/text/render.h>
+
+#include <algorithm>
+
+namespace fca::text {
+
+namespace {
+
+constexpr std::size_t kLongestLine = 160;
+
+std::string_view severity_word(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return "error";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kNote:
+      return "note";
+  }
+  return "";
+}
+
+std::string_view severity_colour(Severity severity) {
+  switch (severity) {
+    case Severity::kError:
+      return "\x1b[1;31m";
+    case Severity::kWarning:
+      return "\x1b[1;33m";
+    case Severity::kNote:
+      return "\x1b[1;36m";
+  }
+  return "";
+}
+
+/// A file's text must not be able to drive the terminal.
+std::string printable(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7F ? ' ' : c;
+  }
+  return result;
+}
+
+/// The line and a caret under the range; long lines are cut around it.
+std::string excerpt(const Source& source, const SourceRange& where) {
+  const Span line = source.line_at(where.offset);
+  std::size_t start = line.offset;
+  const std::size_t offset = std::clamp(where.offset, line.offset, line.end());
+  if (offset - start > kLongestLine / 2) start = offset - kLongestLine / 2;
+  const std::size_t end = std::min(line.end(), start + kLongestLine);
+  std::string caret;
+  for (std::size_t i = start; i < offset; ++i) {
+    const bool continuation = (static_cast<unsigned char>(source.bytes[i]) & 0xC0u) == 0x80u;
+    if (!continuation) caret += ' ';
+  }
+  const std::size_t length = std::clamp<std::size_t>(where.length, 1, std::max<std::size_t>(1, end - std::min(end, offset)));
+  return "    " + printable(source.text({start, end - start})) + "\n    " + caret + "^" + std::string(length - 1, '~') + "\n";
+}
+
+}  // namespace
+
+std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour) {
+  std::string text;
+  const auto source = std::ranges::find(sources, diagnostic.where.file, &Source::name);
+  const bool placed = !diagnostic.where.file.empty() && source != sources.end() &&
+                      (diagnostic.where.offset > 0 || diagnostic.where.length > 0);
+  if (placed) {
+    const Position position = source->position(diagnostic.where.offset);
+    text += source->name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+  } else if (!diagnostic.where.file.empty()) {
+    text += diagnostic.where.file + ": ";
+  }
+  if (colour) text += severity_colour(diagnostic.severity);
+  text += severity_word(diagnostic.severity);
+  if (colour) text += "\x1b[0m";
+  text += ": " + printable(diagnostic.message);
+  if (!diagnostic.code.empty()) text += " [" + diagnostic.code + "]";
+  text += "\n";
+  if (placed) text += excerpt(*source, diagnostic.where);
+  if (!diagnostic.fix.empty()) text += "    fix: " + printable(diagnostic.fix) + "\n";
+  return text;
+}
+
+}  // namespace fca::text

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The only user of yaml-cpp in the text layer. Its event handler builds our tree directly, so that anchors, aliases and depth are
+// refused before a tree exists.
+#include "yaml.h"
+
+#include "opencv_prepass.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+namespace fca::text {
+
+namespace {
+
+/// Why a document is refused, and where in the source.
+struct Refusal {
+  std::string code;
+  std::string message;
+  std::string fix;
+  std::size_t offset;
+};
+
+/// Where a quoted scalar that opens at `open` ends (behind the closing quote).
+std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
+  const char quote = bytes[open];
+  for (std::size_t i = open + 1; i < bytes.size(); ++i) {
+    if (quote == '"' && bytes[i] == '\\') {
+      ++i;
+    } else if (bytes[i] == quote) {
+      if (quote == '\'' && i + 1 < bytes.size() && bytes[i + 1] == '\'') {
+        ++i;
+      } else {
+        return i + 1;
+      }
+    }
+  }
+  return bytes.size();
+}
+
+/// Where a flow collection that opens at `open` ends (behind its bracket).
+std::size_t end_of_flow(std::string_view bytes, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < bytes.size(); ++i) {
+    const char c = bytes[i];
+    const bool opens_token = i == open || std::string_view(" \t\r\n,[{:").find(bytes[i - 1]) != std::string_view::npos;
+    if ((c == '"' || c == '\'') && opens_token) {
+      i = end_of_quotes(bytes, i) - 1;
+    } else if (c == '#' && opens_token) {
+      const std::size_t newline = bytes.find('\n', i);
+      if (newline == std::string_view::npos) return bytes.size();
+      i = newline;
+    } else if (c == '[' || c == '{') {
+      ++depth;
+    } else if (c == ']' || c == '}') {
+      if (--depth == 0) return i + 1;
+    }
+  }
+  return bytes.size();
+}
+
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(const Source& source, const SpacedText& spaced, std::size_t skipped)
+      : source_(source), spaced_(spaced), skipped_(skipped) {}
+
+  Node take_root() { return std::move(root_); }
+  [[nodiscard]] bool has_content() const { return has_content_; }
+
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    refuse_anchor(mark, anchor);
+    Node node;
+    node.span = {offset(mark), 0};
+    add(std::move(node));
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
+    throw Refusal{"yaml-alias", "a YAML alias (*name); calibration files have none", "write the value out", offset(mark)};
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+    refuse_anchor(mark, anchor);
+    Node node;
+    node.kind = NodeKind::kScalar;
+    node.value = value;
+    node.quoted = tag == "!";  // yaml-cpp's mark of a scalar that is not plain
+    if (tag != "!" && tag != "?") node.tag = tag;
+    node.span = scalar_span(offset(mark), value);
+    has_content_ = true;
+    add(std::move(node));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value style) override {
+    open(NodeKind::kSequence, mark, tag, anchor, style);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value style) override {
+    open(NodeKind::kMapping, mark, tag, anchor, style);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Open {
+    Node node;
+    Node key;
+    bool has_key = false;
+  };
+
+  [[nodiscard]] std::size_t offset(const YAML::Mark& mark) const {
+    const std::size_t in_text = mark.pos < 0 ? 0 : static_cast<std::size_t>(mark.pos);
+    return std::min(skipped_ + spaced_.original_offset(in_text), source_.bytes.size());
+  }
+
+  void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
+    if (anchor == 0) return;
+    throw Refusal{"yaml-anchor", "a YAML anchor (&name); calibration files have none", "write the value out", offset(mark)};
+  }
+
+  /// Plain scalars on one line stand there letter by letter; of others (several lines, block scalars) only the start is known.
+  [[nodiscard]] Span scalar_span(std::size_t at, const std::string& value) const {
+    const std::string_view bytes = source_.bytes;
+    if (at < bytes.size() && (bytes[at] == '"' || bytes[at] == '\'')) return {at, end_of_quotes(bytes, at) - at};
+    if (bytes.substr(at, value.size()) == value) return {at, value.size()};
+    return {at, 0};
+  }
+
+  void open(NodeKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+            YAML::EmitterStyle::value style) {
+    refuse_anchor(mark, anchor);
+    if (stack_.size() >= kMaxDepth) {
+      throw Refusal{"too-deep", "nested deeper than " + std::to_string(kMaxDepth) + " levels", "", offset(mark)};
+    }
+    Open opened;
+    opened.node.kind = kind;
+    opened.node.flow = style == YAML::EmitterStyle::Flow;
+    if (tag != "?" && tag != "!") opened.node.tag = tag;
+    opened.node.span = {offset(mark), 0};
+    has_content_ = true;
+    stack_.push_back(std::move(opened));
+  }
+
+  void close() {
+    Node node = std::move(stack_.back().node);
+    stack_.pop_back();
+    std::size_t end = node.span.offset;
+    if (node.flow) {
+      const std::size_t bracket = source_.bytes.find_first_of("[{", node.span.offset);  // behind a tag
+      if (bracket != std::string::npos) end = end_of_flow(source_.bytes, bracket);
+    } else {
+      if (!node.items.empty()) end = std::max(end, node.items.back().span.end());
+      if (!node.entries.empty()) {
+        end = std::max({end, node.entries.back().value.span.end(), node.entries.back().key.span.end()});
+      }
+    }
+    node.span.length = end - node.span.offset;
+    add(std::move(node));
+  }
+
+  void add(Node node) {
+    if (stack_.empty()) {
+      root_ = std::move(node);
+      return;
+    }
+    Open& parent = stack_.back();
+    if (parent.node.is_sequence()) {
+      parent.node.items.push_back(std::move(node));
+    } else if (!parent.has_key) {
+      parent.key = std::move(node);
+      parent.has_key = true;
+    } else {
+      // A missing value is reported at the next token: its place is behind the key's colon.
+      if (node.kind == NodeKind::kNull) node.span = {std::min(parent.key.span.end() + 1, source_.bytes.size()), 0};
+      parent.node.entries.push_back({std::move(parent.key), std::move(node)});
+      parent.has_key = false;
+    }
+  }
+
+  const Source& source_;
+  const SpacedText& spaced_;
+  std::size_t skipped_;
+  std::vector<Open> stack_;
+  Node root_;
+  bool has_content_ = false;
+};
+
+/// What often goes wrong, in better words than a parser's.
+void refuse_conflict_markers(const Source& source) {
+  for (const std::string_view marker : {"<<<<<<< ", ">>>>>>> "}) {
+    std::size_t at = source.bytes.find(marker);
+    while (at != std::string::npos && at > 0 && source.bytes[at - 1] != '\n') at = source.bytes.find(marker, at + 1);
+    if (at == std::string::npos) continue;
+    throw Refusal{"merge-conflict", "a git merge-conflict marker: the file holds two versions of these lines",
+                  "keep one version and delete the marker lines", at};
+  }
+}
+
+Refusal describe(const YAML::ParserException& error, const Source& source, std::size_t offset) {
+  const Span line = source.line_at(offset);
+  const std::string_view text = source.text(line);
+  const std::size_t content = text.find_first_not_of(" \t");
+  const std::size_t tab = text.substr(0, content == std::string_view::npos ? text.size() : content).find('\t');
+  if (tab != std::string_view::npos) {
+    return {"yaml-tab", "a TAB as indentation; YAML takes only blanks there", "replace the TAB by blanks", line.offset + tab};
+  }
+  std::string fix;
+  if (error.msg == "illegal map value") fix = "is a blank missing behind the colon of a key?";
+  return {"yaml-syntax", "YAML syntax error: " + error.msg, fix, offset};
+}
+
+}  // namespace
+
+std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics& diagnostics) {
+  const std::size_t skipped = source.byte_order_mark();
+  // Bad bytes (Latin-1 in a comment) would shift yaml-cpp's offsets.
+  const std::string clean = valid_utf8(std::string_view(source.bytes).substr(skipped));
+  const SpacedText spaced = syntax == Syntax::kOpenCvYaml ? space_after_keys(clean) : SpacedText{clean, {}};
+  try {
+    refuse_conflict_markers(source);
+    std::istringstream stream(spaced.text);
+    YAML::Parser parser(stream);
+    TreeBuilder builder(source, spaced, skipped);
+    parser.HandleNextDocument(builder);
+    TreeBuilder further(source, spaced, skipped);
+    while (parser.HandleNextDocument(further)) {
+      if (further.has_content()) {
+        throw Refusal{"yaml-documents", "several YAML documents in one file; the programs read the first only",
+                      "keep one document", further.take_root().span.offset};
+      }
+    }
+    return builder.take_root();
+  } catch (const Refusal& refusal) {
+    diagnostics.error(refusal.code, refusal.message, source.range({refusal.offset, 1}), refusal.fix);
+  } catch (const YAML::ParserException& error) {
+    const std::size_t in_text = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
+    const std::size_t offset = std::min(skipped + spaced.original_offset(in_text), source.bytes.size());
+    const Refusal refusal = describe(error, source, offset);
+    diagnostics.error(refusal.code, refusal.message, source.range({refusal.offset, 1}), refusal.fix);
+  } catch (const YAML::Exception& error) {
+    diagnostics.error("yaml-syntax", "YAML error: " + error.msg, source.range({}));
+  }
+  return std::nullopt;
+}
+
+}  // namespace fca::text

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fits one camera model to rays and pixels: linear starts, then Levenberg-Marquardt on the geometric residual (pixels), bounds by
+// taking the active parameter out of the step. A template over the model concept: works for any model, listed or not.
+#pragma once
+
+#include "minimise.h"
+
+#include <fca/convert/convert.h>
+#include <fca/models/model_traits.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <ceres/jet.h>
+
+namespace fca::internal {
+
+/// A fitted model M.
+template <CameraModelType M>
+struct Fit {
+  std::array<double, kParameterCount<M>> parameters{};
+  double rms_px = 0.0;
+  int iterations = 0;
+  bool reaches_all = true;             ///< Every sample projects.
+  std::vector<std::string> at_bound;
+};
+
+/// Fits M to samples. Call it through fit_model().
+template <CameraModelType M>
+class Fitter {
+  static constexpr int kCount = static_cast<int>(kParameterCount<M>);
+  using Values = std::array<double, kParameterCount<M>>;
+  using Jet = ceres::Jet<double, kCount>;
+
+ public:
+  Fitter(std::span<const Correspondence> samples, std::span<const ParameterRange> ranges) : samples_(samples) {
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      const Parameter& p = M::kParameters[i];
+      // An open end of a model's range is not a camera: keep a hair's breadth away from it.
+      lower_[i] = p.lower;
+      upper_[i] = p.upper;
+      for (const ParameterRange& range : ranges) {
+        if (range.parameter != p.name) continue;
+        lower_[i] = std::max(lower_[i], range.lower);
+        upper_[i] = std::min(upper_[i], range.upper);
+      }
+    }
+  }
+
+  /// `central_focal`: fx, fy as radius per angle at the centre; `centre`: the principal point.
+  std::optional<Fit<M>> fit(const std::array<double, 2>& central_focal, const std::array<double, 2>& centre) {
+    std::optional<Candidate> best;
+    for (int start = 0; start < M::kStarts; ++start) {
+      Candidate candidate;
+      candidate.values = {central_focal[0], central_focal[1], centre[0], centre[1]};
+      M::initialise(samples_, start, candidate.values.data());
+      hold_fixed(candidate);
+      constexpr int kCoarseIterations = 12;
+      if (!polish(candidate, M::kStarts > 1 ? kCoarseIterations : kFullIterations)) continue;
+      if (!best || candidate.cost < best->cost) best = candidate;
+    }
+    if (!best) return std::nullopt;
+    if (M::kStarts > 1 && !polish(*best, kFullIterations)) return std::nullopt;
+    respect_bounds(*best);
+    return finish(*best);
+  }
+
+ private:
+  struct Candidate {
+    Values values{};
+    std::array<bool, kParameterCount<M>> fixed{};
+    double cost = 0.0;
+    int iterations = 0;
+  };
+  static constexpr int kFullIterations = 200;
+
+  void hold_fixed(Candidate& candidate) const {
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      candidate.fixed[i] = lower_[i] == upper_[i];
+      candidate.values[i] = std::clamp(candidate.values[i], lower_[i], upper_[i]);
+    }
+  }
+
+  static bool projects(const Values& values, const Correspondence& s) {
+    double pixel[2];
+    return M::project(values.data(), s.ray.data(), pixel) && std::isfinite(pixel[0]) && std::isfinite(pixel[1]);
+  }
+
+  /// A start may not reach every sample: fit those it reaches, then ask again with the better parameters.
+  bool polish(Candidate& candidate, int max_iterations) {
+    std::size_t before = 0;
+    for (int round = 0; round < 4; ++round) {
+      active_.clear();
+      for (const Correspondence& s : samples_) {
+        if (projects(candidate.values, s)) active_.push_back(s);
+      }
+      if (active_.size() * 2 < static_cast<std::size_t>(kCount) || (round > 0 && active_.size() <= before)) break;
+      before = active_.size();
+      if (!minimise_active(candidate, max_iterations)) return false;
+      if (active_.size() == samples_.size()) break;
+    }
+    return before > 0;
+  }
+
+  bool minimise_active(Candidate& candidate, int max_iterations) {
+    std::vector<double> free;
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      if (!candidate.fixed[i]) free.push_back(candidate.values[i]);
+    }
+    if (free.empty()) return true;
+    const Accumulate accumulate = [&](const double* p, bool derivatives, NormalEquations& sums) {
+      return this->accumulate(candidate, p, derivatives, sums);
+    };
+    const Minimum minimum = minimise(accumulate, max_iterations, free);
+    if (!minimum.converged) return false;
+    candidate.cost = minimum.cost;
+    candidate.iterations += minimum.iterations;
+    candidate.values = merged(candidate, free.data());
+    return true;
+  }
+
+  static Values merged(const Candidate& candidate, const double* free) {
+    Values values = candidate.values;
+    for (std::size_t i = 0, k = 0; i < kParameterCount<M>; ++i) {
+      if (!candidate.fixed[i]) values[i] = free[k++];
+    }
+    return values;
+  }
+
+  bool accumulate(const Candidate& candidate, const double* free, bool derivatives, NormalEquations& sums) const {
+    const Values values = merged(candidate, free);
+    if (!derivatives) {
+      for (const Correspondence& s : active_) {
+        double pixel[2];
+        if (!M::project(values.data(), s.ray.data(), pixel)) return false;
+        sums.cost += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
+      }
+      return true;
+    }
+    std::array<Jet, kParameterCount<M>> parameters;
+    int free_count = 0;
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      parameters[i] = Jet(values[i]);
+      if (!candidate.fixed[i]) parameters[i].v[free_count++] = 1.0;
+    }
+    Eigen::Matrix<double, kCount, kCount> normal = Eigen::Matrix<double, kCount, kCount>::Zero();
+    Eigen::Matrix<double, kCount, 1> gradient = Eigen::Matrix<double, kCount, 1>::Zero();
+    for (const Correspondence& s : active_) {
+      const Jet ray[3] = {Jet(s.ray[0]), Jet(s.ray[1]), Jet(s.ray[2])};
+      Jet pixel[2];
+      if (!M::project(parameters.data(), ray, pixel)) return false;
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double residual = pixel[axis].a - s.pixel[axis];
+        sums.cost += s.weight * residual * residual;
+        gradient.noalias() += (s.weight * residual) * pixel[axis].v;
+        normal.template selfadjointView<Eigen::Lower>().rankUpdate(pixel[axis].v, s.weight);
+      }
+    }
+    sums.gradient = gradient.head(free_count);
+    sums.normal = Eigen::Matrix<double, kCount, kCount>(normal.template selfadjointView<Eigen::Lower>())
+                      .topLeftCorner(free_count, free_count);
+    return true;
+  }
+
+  /// While a parameter lies outside its range: put the one furthest outside on its bound, hold it there, fit the others again.
+  void respect_bounds(Candidate& candidate) {
+    for (int round = 0; round < kCount; ++round) {
+      std::optional<std::size_t> worst;
+      double furthest = 0.0;
+      for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+        const double value = candidate.values[i];
+        const double outside = std::max(lower_[i] - value, value - upper_[i]) / (1.0 + std::abs(value));
+        if (!candidate.fixed[i] && outside > furthest) {
+          furthest = outside;
+          worst = i;
+        }
+      }
+      if (!worst) return;
+      candidate.values[*worst] = std::clamp(candidate.values[*worst], lower_[*worst], upper_[*worst]);
+      candidate.fixed[*worst] = true;
+      if (!polish(candidate, kFullIterations)) return;
+    }
+  }
+
+  Fit<M> finish(const Candidate& candidate) const {
+    Fit<M> result;
+    result.parameters = candidate.values;
+    result.iterations = candidate.iterations;
+    double weight = 0.0;
+    double sum = 0.0;
+    for (const Correspondence& s : samples_) {
+      double pixel[2];
+      if (!M::project(candidate.values.data(), s.ray.data(), pixel)) {
+        result.reaches_all = false;
+        continue;
+      }
+      weight += s.weight;
+      sum += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
+    }
+    result.rms_px = weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      if (candidate.fixed[i] && lower_[i] != upper_[i]) result.at_bound.emplace_back(M::kParameters[i].name);
+    }
+    return result;
+  }
+
+  std::span<const Correspondence> samples_;
+  std::vector<Correspondence> active_;
+  Values lower_{};
+  Values upper_{};
+};
+
+}  // namespace fca::internal

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One camera as another model would describe it. Steps, each in its own file: domain -> sample -> fit -> judge.
+#pragma once
+
+#include <fca/convert/report.h>
+#include <fca/diagnostics.h>
+#include <fca/rig/rig.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// A range for one parameter of the target, narrower than the model's own: what a program demands (EUCM alpha > 0.5, k3 = 0).
+/// lower = upper fixes it.
+struct ParameterRange {
+  std::string_view parameter;
+  double lower = 0.0;
+  double upper = 0.0;
+  bool operator==(const ParameterRange&) const = default;
+};
+
+struct ConvertOptions {
+  std::string model;                          ///< Id or alias of the target model.
+  std::optional<double> max_angle_rad;        ///< What counts as lens, from the axis; default: the whole image.
+  std::vector<ParameterRange> ranges;         ///< Of the target's parameters.
+  int samples = 200;
+};
+
+/// A converted camera (everything but the model is the source's) and how good it is.
+struct Conversion {
+  Camera camera;
+  ConversionReport report;
+};
+
+/// Converts `camera` to another model at the least-squares optimum in pixels over its domain. The same model, and a model that
+/// contains the source (ucm -> eucm, pinhole -> radtan, ...), are exact. Where the target cannot reach the whole domain (radtan from
+/// a wide lens), it is fitted to the largest cone around the axis on which it stays under 1 px rms and does not fold, with a
+/// warning. Errors: unknown model, no image size, parameters that are no camera, a domain without pixels.
+[[nodiscard]] std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics);
+
+/// Whether the model's parameters lie within the ranges.
+[[nodiscard]] bool within(const CameraModel& model, std::span<const ParameterRange> ranges);
+
+}  // namespace fca

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a conversion counts: the part of the image that is lens.
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/models/camera_model.h>
+#include <fca/rig/rig.h>
+
+#include <optional>
+#include <string>
+
+namespace fca {
+
+/// The pixels of [0, width - 1] x [0, height - 1] whose ray lies within max_angle of the axis.
+struct Domain {
+  ImageSize size;
+  double max_angle_rad = 0.0;   ///< From the axis; the largest angle in the domain.
+  std::string why;              ///< What decided max_angle, in words for people.
+
+  /// The source's ray of a pixel of the domain; nothing outside.
+  [[nodiscard]] std::optional<Ray> ray(const CameraModel& source, const Pixel& pixel) const;
+};
+
+/// Angle of a ray from the optical axis, in radians, [0, pi].
+[[nodiscard]] double angle_from_axis(const Ray& ray);
+
+/// The domain of a camera: the whole image, cut where the model itself ends, and at `limit_rad` from the axis if one is given.
+/// An error (and nothing) where the camera has no usable size or parameters, or no pixel of the image has a ray.
+[[nodiscard]] std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limit_rad, Diagnostics& diagnostics);
+
+}  // namespace fca

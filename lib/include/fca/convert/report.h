@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How good a conversion is, measured where people need it: pixel -> ray by the source -> pixel by the target.
+#pragma once
+
+#include <fca/models/camera_model.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// Errors over a weighted set of points, in pixels.
+struct ErrorSummary {
+  double rms = 0.0;
+  double mean = 0.0;
+  double p50 = 0.0;
+  double p95 = 0.0;
+  double p99 = 0.0;
+  double max = 0.0;      ///< Polished from the worst points of the lattice to the maximum between them.
+  Pixel max_at{};        ///< The source's pixel where it is.
+};
+
+/// Errors between two angles from the axis.
+struct ErrorBand {
+  double from_deg = 0.0;
+  double to_deg = 0.0;
+  double share = 0.0;    ///< Of the image's area.
+  double rms_px = 0.0;
+  double max_px = 0.0;
+};
+
+/// Which part of the image was scored, as shares of its area; they sum to 1.
+struct Coverage {
+  double max_angle_deg = 0.0;
+  std::string why;
+  double scored = 0.0;
+  double outside_lens = 0.0;      ///< No ray of the source, or beyond the domain's angle.
+  double unrepresentable = 0.0;   ///< The target cannot reach this ray.
+};
+
+/// What the judge says of a pair of models.
+struct Judgement {
+  Coverage coverage;
+  ErrorSummary error;
+  std::vector<ErrorBand> bands;
+};
+
+/// How the target was found.
+struct FitSummary {
+  int samples = 0;
+  int iterations = 0;
+  double time_us = 0.0;
+};
+
+/// The report of one camera's conversion.
+struct ConversionReport {
+  std::string from_model;
+  std::string to_model;
+  bool exact = false;                    ///< The target contains the source: same pixels by construction, no fit.
+  Judgement judgement;
+  FitSummary fit;
+  std::vector<std::string> at_bound;     ///< Parameters that ended at the edge of their range.
+};
+
+}  // namespace fca

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sampling by quadrature: a few hundred weighted points stand for every pixel of the domain.
+#pragma once
+
+#include <fca/convert/domain.h>
+#include <fca/models/camera_model.h>
+
+#include <vector>
+
+namespace fca {
+
+/// About `count` pixels of the domain with their rays; the weights are shares of the domain's area and sum to 1.
+///
+/// Where the whole image is the domain: a tensor of Gauss-Legendre nodes. Where the lens ends inside the image: polar around the
+/// principal point, Gauss-Legendre along the radius up to the domain's edge on that azimuth. A weighted sum over the points is then
+/// the integral over the area to far below what a fit can notice (LIMITS.md: within 1.004 of the optimum over all pixels at 200).
+[[nodiscard]] std::vector<Correspondence> sample(const CameraModel& source, const Domain& domain, int count = 200);
+
+}  // namespace fca

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of camera models, and one value type that holds any of them. A new model is one header and one line in ModelList.
+#pragma once
+
+#include <fca/models/ds.h>
+#include <fca/models/eucm.h>
+#include <fca/models/fov.h>
+#include <fca/models/kb4.h>
+#include <fca/models/mei.h>
+#include <fca/models/model_traits.h>
+#include <fca/models/pinhole.h>
+#include <fca/models/radtan.h>
+#include <fca/models/ucm.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace fca {
+
+/// A model with its parameters: a plain value.
+template <CameraModelType M>
+struct Intrinsics {
+  using Model = M;
+  std::array<double, kParameterCount<M>> values{};
+  bool operator==(const Intrinsics&) const = default;
+};
+
+namespace internal {
+template <CameraModelType... Ms>
+struct TypeList {
+  using Variant = std::variant<Intrinsics<Ms>...>;
+  /// Calls f.template operator()<M>() for every model.
+  template <class F>
+  static void for_each(F&& f) {
+    (f.template operator()<Ms>(), ...);
+  }
+};
+}  // namespace internal
+
+/// Every model fca knows, in the order in which they are listed to people.
+using ModelList = internal::TypeList<Pinhole, Radtan, Kb4, Ucm, Eucm, Ds, Mei, Fov>;
+
+/// Any camera model with its parameters. Compares by value.
+using CameraModel = ModelList::Variant;
+
+using Ray = std::array<double, 3>;    ///< x right, y down, z forward.
+using Pixel = std::array<double, 2>;  ///< u, v; centre of the top-left pixel = (0, 0).
+
+/// What is known of a model without its parameters.
+struct ModelInfo {
+  std::string_view id;
+  std::string_view title;
+  std::span<const std::string_view> aliases;
+  std::span<const Parameter> parameters;
+};
+
+/// All models, in the order of ModelList.
+[[nodiscard]] std::span<const ModelInfo> all_models();
+/// The model of that id or alias, in any case, '-' or '_'; null if there is none.
+[[nodiscard]] const ModelInfo* find_model(std::string_view name);
+
+/// A model of that exact id with all parameters 0; nothing if there is none.
+[[nodiscard]] std::optional<CameraModel> make_model(std::string_view id);
+
+[[nodiscard]] const ModelInfo& model_info(const CameraModel& model);
+[[nodiscard]] std::span<const double> parameter_values(const CameraModel& model);
+[[nodiscard]] std::span<double> parameter_values(CameraModel& model);
+/// The parameter of that name; nothing if the model has none of that name.
+[[nodiscard]] std::optional<double> parameter(const CameraModel& model, std::string_view name);
+/// False if the model has no parameter of that name.
+bool set_parameter(CameraModel& model, std::string_view name, double value);
+
+/// Ray (any positive length) -> pixel; nothing outside the model's domain or where the numbers overflow.
+[[nodiscard]] std::optional<Pixel> project(const CameraModel& model, const Ray& ray);
+/// Pixel -> unit ray; nothing where no ray of the domain has that pixel.
+[[nodiscard]] std::optional<Ray> unproject(const CameraModel& model, const Pixel& pixel);
+/// The limit of the model's domain, in radians from the axis.
+[[nodiscard]] double max_angle(const CameraModel& model);
+
+/// Why these parameters are not a camera, one sentence each: not finite, outside their range, focal length not positive.
+[[nodiscard]] std::vector<std::string> validate(const CameraModel& model);
+
+}  // namespace fca

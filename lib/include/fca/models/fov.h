@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Field-of-view model (Devernay & Faugeras 2001, "Straight lines have to be straight", eq. 13).
+//
+//   p      = fx fy cx cy [px]  w in (0, pi): the field of view of the ideal fisheye lens [rad]
+//   r      = |(x, y)|,  r_d = atan2(2 r tan(w / 2), z) / w
+//   pixel  = (fx r_d x / r + cx, fy r_d y / r + cy)
+//   domain : angle < pi (the formula, written with atan2, goes on smoothly beyond 90 degrees)
+//
+// Called: Kalibr pinhole-fov (valid there for w in [0.5, 1.5] and z > 0); PTAM/DSO ATAN, "FOV".
+#pragma once
+
+#include <fca/models/model_traits.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace fca {
+
+struct Fov {
+  static constexpr std::string_view kId = "fov";
+  static constexpr std::string_view kTitle = "Field of view (FOV, ATAN)";
+  static constexpr std::array<std::string_view, 2> kAliases = {"pinhole-fov", "atan"};
+  static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,
+                                             common_parameter::kCy,
+                                             Parameter{"w", "rad", 0.0, std::numbers::pi, ParameterGroup::kLens, true}};
+
+  template <class T>
+  static bool project(const T* p, const T* ray, T* pixel) {
+    using std::atan2;
+    using std::sqrt;
+    using std::tan;
+    if (!valid(internal::value_of(p[4]))) return false;
+    const T slope = T(2.0) * tan(p[4] * T(0.5));
+    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    if (!(internal::value_of(r2) > 0.0)) {  // on the axis, where r has no derivative
+      if (!(internal::value_of(ray[2]) > 0.0)) return false;
+      const T scale = slope / (p[4] * ray[2]);
+      internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
+      return true;
+    }
+    const T r = sqrt(r2);
+    const T scale = atan2(slope * r, ray[2]) / (p[4] * r);
+    internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
+    return true;
+  }
+
+  static bool unproject(const double* p, const double* pixel, double* ray) {
+    double mx = 0.0;
+    double my = 0.0;
+    if (!valid(p[4]) || !internal::to_plane(p, pixel, mx, my)) return false;
+    const double radius = std::sqrt(mx * mx + my * my);
+    const double bent = radius * p[4];
+    if (!(bent < std::numbers::pi)) return false;
+    internal::ray_at_angle(std::atan2(std::sin(bent), std::cos(bent) * 2.0 * std::tan(0.5 * p[4])), mx, my, radius, ray);
+    return true;
+  }
+
+  static double max_angle(const double* /*p*/) { return std::numbers::pi; }
+
+  /// w by a scan: the residual over w has one minimum, and one parameter costs little.
+  static constexpr int kStarts = 1;
+  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+    const std::array<double, 2> central = {p[0], p[1]};
+    double best = std::numeric_limits<double>::infinity();
+    std::array<double, 3> chosen = {p[0], p[1], 1.0};
+    for (double w = 0.1; w < 3.0; w += 0.1) {
+      const double to_fx = w / (2.0 * std::tan(0.5 * w));
+      const double candidate[5] = {central[0] * to_fx, central[1] * to_fx, p[2], p[3], w};
+      double cost = 0.0;
+      for (const Correspondence& s : samples) {
+        double pixel[2];
+        if (project(candidate, s.ray.data(), pixel)) {
+          cost += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
+        }
+      }
+      if (cost < best) {
+        best = cost;
+        chosen = {candidate[0], candidate[1], w};
+      }
+    }
+    p[0] = chosen[0];
+    p[1] = chosen[1];
+    p[4] = chosen[2];
+  }
+
+  static double central_focal_length(const double* p) { return p[0] * 2.0 * std::tan(0.5 * p[4]) / p[4]; }
+
+ private:
+  static bool valid(double w) { return w > 0.0 && w < std::numbers::pi; }
+};
+
+static_assert(CameraModelType<Fov>);
+
+}  // namespace fca

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Kannala-Brandt with four coefficients (Kannala & Brandt 2006, eq. 6, with the first coefficient in the focal length).
+//
+//   p      = fx fy cx cy [px]  k1 k2 k3 k4
+//   r      = |(x, y)|,  theta = atan2(r, z)
+//   d      = theta (1 + k1 theta^2 + k2 theta^4 + k3 theta^6 + k4 theta^8)
+//   pixel  = (fx d x / r + cx, fy d y / r + cy)
+//   domain : theta < pi and dd/dtheta > 0 on all of [0, theta]
+//
+// Differs from the paper (Lee, sec. II-D): its domain, all of R^3 but the origin, ignores that d may stop growing.
+// Called: Kalibr pinhole-equidistant; cv::fisheye; ORB-SLAM3 KannalaBrandt8; "equidistant" in ROS; VINS KANNALA_BRANDT
+// (k2..k5).
+#pragma once
+
+#include <fca/models/model_traits.h>
+#include <fca/models/polynomial.h>
+
+#include <numbers>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+namespace fca {
+
+struct Kb4 {
+  static constexpr std::string_view kId = "kb4";
+  static constexpr std::string_view kTitle = "Kannala-Brandt";
+  static constexpr std::array<std::string_view, 12> kAliases = {
+      "kb",          "kb8",  "kannala-brandt", "kannalabrandt",       "kannalabrandt8", "kannala-brandt4",
+      "equidistant", "equi", "pinhole-equi",   "pinhole-equidistant", "fisheye",        "opencv-fisheye"};
+  static constexpr std::array kParameters = {common_parameter::kFx,
+                                             common_parameter::kFy,
+                                             common_parameter::kCx,
+                                             common_parameter::kCy,
+                                             common_parameter::coefficient("k1"),
+                                             common_parameter::coefficient("k2"),
+                                             common_parameter::coefficient("k3"),
+                                             common_parameter::coefficient("k4")};
+
+  template <class T>
+  static bool project(const T* p, const T* ray, T* pixel) {
+    using std::atan2;
+    using std::sqrt;
+    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    if (!(internal::value_of(r2) > 0.0)) {  // on the axis, where r has no derivative
+      if (!(internal::value_of(ray[2]) > 0.0)) return false;
+      internal::to_pixel(p, T(ray[0] / ray[2]), T(ray[1] / ray[2]), pixel);
+      return true;
+    }
+    const T r = sqrt(r2);
+    const T theta = atan2(r, ray[2]);
+    const double values[4] = {internal::value_of(p[4]), internal::value_of(p[5]), internal::value_of(p[6]),
+                              internal::value_of(p[7])};
+    const double angle = internal::value_of(theta);
+    if (!(angle < std::numbers::pi) || !positive_on(slope(values), angle * angle)) return false;
+    const T t = theta * theta;
+    const T scale = theta * (T(1.0) + t * (p[4] + t * (p[5] + t * (p[6] + t * p[7])))) / r;
+    internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
+    return true;
+  }
+
+  static bool unproject(const double* p, const double* pixel, double* ray) {
+    double mx = 0.0;
+    double my = 0.0;
+    if (!internal::to_plane(p, pixel, mx, my)) return false;
+    const double radius = std::sqrt(mx * mx + my * my);
+    double theta = 0.0;
+    if (!angle_of_radius(p, radius, theta)) return false;
+    internal::ray_at_angle(theta, mx, my, radius, ray);
+    return true;
+  }
+
+  static double max_angle(const double* p) {
+    return std::sqrt(positive_until(slope(p + 4), std::numbers::pi * std::numbers::pi));
+  }
+
+  /// k1..k4 are linear in the radius: one radial row per point (ERRATA 8), d - theta = k1 theta^3 + ...
+  static constexpr int kStarts = 1;
+  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    for (const Correspondence& s : samples) {
+      const double theta = std::atan2(std::hypot(s.ray[0], s.ray[1]), s.ray[2]);
+      const double radius = std::hypot((s.pixel[0] - p[2]) / p[0], (s.pixel[1] - p[3]) / p[1]);
+      const double t = theta * theta;
+      const Eigen::Vector4d row = theta * Eigen::Vector4d(t, t * t, t * t * t, t * t * t * t);
+      normal += s.weight * row * row.transpose();
+      right += s.weight * row * (radius - theta);
+    }
+    const Eigen::Vector4d k = normal.fullPivLu().solve(right);
+    for (int i = 0; i < 4; ++i) p[4 + i] = k.allFinite() ? k[i] : 0.0;
+  }
+
+  static double central_focal_length(const double* p) { return p[0]; }
+
+ private:
+  /// dd/dtheta as a polynomial in theta^2.
+  static std::array<double, 5> slope(const double* k) { return {1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]}; }
+
+  /// d(theta) = radius. First Newton's method from theta = radius, nearly always enough; else the search inside the domain.
+  static bool angle_of_radius(const double* p, double radius, double& theta) {
+    const std::array<double, 5> slope_coefficients = slope(p + 4);
+    const auto d = [&](double x, double& value, double& derivative) {
+      const double t = x * x;
+      value = x * (1.0 + t * (p[4] + t * (p[5] + t * (p[6] + t * p[7]))));
+      derivative = evaluate_polynomial(slope_coefficients, t);
+    };
+    theta = radius;
+    constexpr int kMaxSteps = 10;
+    for (int i = 0; i < kMaxSteps; ++i) {
+      double value = 0.0;
+      double derivative = 0.0;
+      d(theta, value, derivative);
+      const double step = (value - radius) / derivative;
+      theta -= step;
+      if (!(std::abs(step) <= 1e-10 * theta)) continue;  // the next step would be about the square of this one
+      if (theta < std::numbers::pi && positive_on(slope_coefficients, theta * theta)) return true;
+      break;
+    }
+    theta = radius;
+    return invert_increasing(d, radius, max_angle(p), theta);
+  }
+};
+
+static_assert(CameraModelType<Kb4>);
+
+}  // namespace fca

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mei: the unified model with radial-tangential distortion (Mei & Rives 2007).
+//
+//   p      = fx fy cx cy [px]  xi >= 0  k1 k2 p1 p2
+//   (x, y) = ray / (z + xi |ray|), then radial-tangential distortion (radtan.h, k3 = 0)
+//   pixel  = (fx m_x + cx, fy m_y + cy)
+//   domain : z > -|ray| min(xi, 1 / xi), and the distortion's disc
+//
+// Without distortion this is UCM with alpha = xi / (1 + xi) and focal lengths f / (1 + xi).
+// Called: Kalibr omni-radtan (order xi fu fv pu pv); cv::omnidir; camodocal and VINS MEI. "Omni" in some forks.
+#pragma once
+
+#include <fca/models/radtan.h>
+
+namespace fca {
+
+struct Mei {
+  static constexpr std::string_view kId = "mei";
+  static constexpr std::string_view kTitle = "Mei (unified model with radial-tangential distortion)";
+  static constexpr std::array<std::string_view, 4> kAliases = {"omni", "omni-radtan", "omni-none", "omnidir"};
+  static constexpr std::array kParameters = {common_parameter::kFx,
+                                             common_parameter::kFy,
+                                             common_parameter::kCx,
+                                             common_parameter::kCy,
+                                             Parameter{"xi", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens},
+                                             common_parameter::coefficient("k1"),
+                                             common_parameter::coefficient("k2"),
+                                             common_parameter::coefficient("p1"),
+                                             common_parameter::coefficient("p2")};
+
+  template <class T>
+  static bool project(const T* p, const T* ray, T* pixel) {
+    using std::sqrt;
+    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const T d = sqrt(r2 + ray[2] * ray[2]);
+    if (!(internal::value_of(ray[2]) > -limit(internal::value_of(p[4])) * internal::value_of(d))) return false;
+    const T denominator = internal::unified_sum(p[4], d, T(1.0), ray[2], r2);
+    if (!(internal::value_of(denominator) > 0.0)) return false;
+    const T q[5] = {p[5], p[6], p[7], p[8], T(0.0)};
+    T m[2];
+    if (!internal::RadialTangential::distort(q, T(ray[0] / denominator), T(ray[1] / denominator), m)) return false;
+    internal::to_pixel(p, m[0], m[1], pixel);
+    return true;
+  }
+
+  static bool unproject(const double* p, const double* pixel, double* ray) {
+    const double xi = p[4];
+    const double q[5] = {p[5], p[6], p[7], p[8], 0.0};
+    double m[2];
+    if (!internal::to_plane(p, pixel, m[0], m[1]) || !internal::RadialTangential::undistort(q, m, ray)) return false;
+    // (x, y) = s / (c + xi) of the unit ray (s, c): lifted back to the unit sphere.
+    const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const double radicand = 1.0 + (1.0 - xi * xi) * r2;
+    if (!(radicand >= 0.0)) return false;
+    const double factor = (xi + std::sqrt(radicand)) / (1.0 + r2);
+    ray[0] *= factor;
+    ray[1] *= factor;
+    ray[2] = factor - xi;
+    return internal::normalise(ray);
+  }
+
+  /// Where the sphere ends or where the distortion's disc does: |(x, y)| = sin / (cos + xi) = r_max.
+  static double max_angle(const double* p) {
+    const double xi = p[4];
+    const double sphere = std::acos(-limit(xi));
+    const double q[5] = {p[5], p[6], p[7], p[8], 0.0};
+    const double r = internal::RadialTangential::max_radius(q);
+    const double radicand = 1.0 + (1.0 - xi * xi) * r * r;
+    if (!(radicand >= 0.0) || !std::isfinite(r * r)) return sphere;
+    const double factor = (xi + std::sqrt(radicand)) / (1.0 + r * r);
+    return std::min(sphere, std::atan2(factor * r, factor - xi));
+  }
+
+  /// Given xi = 1 the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi.
+  static constexpr int kStarts = 1;
+  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+    p[4] = 1.0;
+    p[0] *= 1.0 + p[4];
+    p[1] *= 1.0 + p[4];
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    for (const Correspondence& s : samples) {
+      const double denominator = s.ray[2] + p[4];
+      if (!(denominator > 0.05)) continue;
+      const double x = s.ray[0] / denominator;
+      const double y = s.ray[1] / denominator;
+      const double r2 = x * x + y * y;
+      const Eigen::Vector4d row_x(x * r2, x * r2 * r2, 2.0 * x * y, r2 + 2.0 * x * x);
+      const Eigen::Vector4d row_y(y * r2, y * r2 * r2, r2 + 2.0 * y * y, 2.0 * x * y);
+      normal += s.weight * (row_x * row_x.transpose() + row_y * row_y.transpose());
+      right += s.weight * (row_x * ((s.pixel[0] - p[2]) / p[0] - x) + row_y * ((s.pixel[1] - p[3]) / p[1] - y));
+    }
+    const Eigen::Vector4d q = normal.fullPivLu().solve(right);
+    for (int i = 0; i < 4; ++i) p[5 + i] = q.allFinite() ? q[i] : 0.0;
+  }
+
+  static double central_focal_length(const double* p) { return p[0] / (1.0 + p[4]); }
+
+ private:
+  /// For xi <= 1 the denominator reaches 0 at cos = -xi; for xi > 1 the radius stops growing at cos = -1 / xi.
+  static double limit(double xi) { return xi <= 1.0 ? xi : 1.0 / xi; }
+};
+
+static_assert(CameraModelType<Mei>);
+
+}  // namespace fca

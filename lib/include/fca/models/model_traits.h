@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every camera model is: a struct of statics over a plain array of parameters, so that values copy and compare, fits are
+// templates, and a model of one's own works without being registered anywhere.
+//
+// Conventions of all models. Rays are 3-vectors of any positive length, x right, y down, z forward (never z = 1: 90 degrees
+// from the axis and beyond must work). Pixels are (u, v) with the centre of the top-left pixel at (0, 0). "Angle" is the angle
+// from the optical axis.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace fca {
+
+/// What a parameter belongs to: the groups a fit may hold fixed, and the headings under which they are shown.
+enum class ParameterGroup { kFocalLength, kPrincipalPoint, kLens };
+
+/// One parameter of a model: its name in our files' and reports' language, unit, and the range in which the model is a camera.
+struct Parameter {
+  std::string_view name;
+  std::string_view unit;  ///< "px" or "" (no unit)
+  double lower;
+  double upper;
+  ParameterGroup group;
+  bool open = false;  ///< Are the bounds themselves excluded?
+};
+
+/// A pixel of the source and its ray: what a fit works on.
+struct Correspondence {
+  std::array<double, 3> ray{};  ///< Unit length.
+  std::array<double, 2> pixel{};
+  double weight = 1.0;  ///< Share of the domain's area; the weights of a fit sum to 1.
+};
+
+/// The parameters every model but OCamCalib begins with.
+namespace common_parameter {
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr Parameter kFx{"fx", "px", 0.0, kInfinity, ParameterGroup::kFocalLength, true};
+inline constexpr Parameter kFy{"fy", "px", 0.0, kInfinity, ParameterGroup::kFocalLength, true};
+inline constexpr Parameter kCx{"cx", "px", -kInfinity, kInfinity, ParameterGroup::kPrincipalPoint};
+inline constexpr Parameter kCy{"cy", "px", -kInfinity, kInfinity, ParameterGroup::kPrincipalPoint};
+/// A distortion coefficient without bounds.
+constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInfinity, kInfinity, ParameterGroup::kLens}; }
+}  // namespace common_parameter
+
+/// A camera model M: kId, kTitle, kAliases (other names people type, lower case with hyphens), kParameters, and functions over
+/// p, an array of doubles laid out as kParameters.
+///
+///   project(p, ray, pixel)     ray -> pixel for double and for automatic differentiation (any T with the usual functions);
+///                              false outside the model's domain: where its formula ends or its image radius stops growing.
+///   unproject(p, pixel, ray)   pixel -> unit ray, double only; false where no ray of the domain has that pixel.
+///   max_angle(p)               the domain's limit in radians from the axis (the smallest over all azimuths).
+///   kStarts, initialise(samples, start, p)
+///                              linear start for a fit, start = 0 .. kStarts - 1 (models with several basins have several).
+///                              Given in p: cx, cy, and as fx, fy the central focal lengths; found: the lens parameters (fx, fy
+///                              adapted to them).
+///   central_focal_length(p)    radius per angle at the centre, in pixels per radian (x direction): the pivot between models.
+template <class M>
+concept CameraModelType = requires(const double* p, double* out, const double* in, std::span<const Correspondence> samples) {
+  { M::kId } -> std::convertible_to<std::string_view>;
+  { M::kTitle } -> std::convertible_to<std::string_view>;
+  { M::kAliases.size() } -> std::convertible_to<std::size_t>;
+  { M::kParameters.size() } -> std::convertible_to<std::size_t>;
+  { M::template project<double>(p, in, out) } -> std::same_as<bool>;
+  { M::unproject(p, in, out) } -> std::same_as<bool>;
+  { M::max_angle(p) } -> std::same_as<double>;
+  { M::kStarts } -> std::convertible_to<int>;
+  { M::initialise(samples, int{}, out) } -> std::same_as<void>;
+  { M::central_focal_length(p) } -> std::same_as<double>;
+};
+
+/// Number of parameters of a model.
+template <CameraModelType M>
+inline constexpr std::size_t kParameterCount = M::kParameters.size();
+
+namespace internal {
+
+/// The number inside a differentiated scalar: domain decisions are made on values, never on derivatives.
+template <class T>
+[[nodiscard]] double value_of(const T& x) {
+  if constexpr (requires { x.a; }) {
+    return x.a;
+  } else {
+    return x;
+  }
+}
+
+/// Reads p[0..3] = fx fy cx cy and applies them to a point on the normalised image plane.
+template <class T>
+void to_pixel(const T* p, const T& mx, const T& my, T* pixel) {
+  pixel[0] = p[0] * mx + p[2];
+  pixel[1] = p[1] * my + p[3];
+}
+
+/// a d + b z, for d^2 = r2 + z^2 and a, b >= 0, without cancellation where z is near -d (as far from the axis as a ray can be).
+template <class T>
+T unified_sum(const T& a, const T& d, const T& b, const T& z, const T& r2) {
+  if (value_of(z) >= 0.0) return a * d + b * z;
+  return (a * a * r2 + (a - b) * (a + b) * z * z) / (a * d - b * z);
+}
+
+/// The inverse of to_pixel; false if the focal lengths or the pixel cannot be used.
+inline bool to_plane(const double* p, const double* pixel, double& mx, double& my) {
+  mx = (pixel[0] - p[2]) / p[0];
+  my = (pixel[1] - p[3]) / p[1];
+  return std::isfinite(mx) && std::isfinite(my);
+}
+
+/// The ray at `angle` from the axis in the direction of (mx, my), whose length is `radius`.
+inline void ray_at_angle(double angle, double mx, double my, double radius, double* ray) {
+  const double s = radius > 0.0 ? std::sin(angle) / radius : 0.0;
+  ray[0] = s * mx;
+  ray[1] = s * my;
+  ray[2] = std::cos(angle);
+}
+
+inline bool normalise(double* ray) {
+  const double length = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]);
+  if (!(length > 0.0) || !std::isfinite(length)) return false;
+  for (int i = 0; i < 3; ++i) ray[i] /= length;
+  return true;
+}
+
+}  // namespace internal
+}  // namespace fca

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pinhole: a lens without distortion.
+//
+//   p      = fx fy cx cy                                  [px]
+//   pixel  = (fx x / z + cx, fy y / z + cy)
+//   domain : z > 0
+//
+// Called: Kalibr pinhole-none; ORB-SLAM3 PinHole without k1, Rectified; OpenCV camera_matrix with zero distortion.
+#pragma once
+
+#include <fca/models/model_traits.h>
+
+#include <numbers>
+
+namespace fca {
+
+struct Pinhole {
+  static constexpr std::string_view kId = "pinhole";
+  static constexpr std::string_view kTitle = "Pinhole";
+  static constexpr std::array<std::string_view, 4> kAliases = {"none", "pinhole-none", "rectified", "perspective"};
+  static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,
+                                             common_parameter::kCy};
+
+  template <class T>
+  static bool project(const T* p, const T* ray, T* pixel) {
+    if (!(internal::value_of(ray[2]) > 0.0)) return false;
+    internal::to_pixel(p, T(ray[0] / ray[2]), T(ray[1] / ray[2]), pixel);
+    return true;
+  }
+
+  static bool unproject(const double* p, const double* pixel, double* ray) {
+    if (!internal::to_plane(p, pixel, ray[0], ray[1])) return false;
+    ray[2] = 1.0;
+    return internal::normalise(ray);
+  }
+
+  static double max_angle(const double* /*p*/) { return 0.5 * std::numbers::pi; }
+  static constexpr int kStarts = 1;
+  static void initialise(std::span<const Correspondence> /*samples*/, int /*start*/, double* /*p*/) {}
+  static double central_focal_length(const double* p) { return p[0]; }
+};
+
+static_assert(CameraModelType<Pinhole>);
+
+}  // namespace fca

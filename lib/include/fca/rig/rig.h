@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a calibration means, whatever file it came from. Units: metres, radians, seconds, pixels.
+#pragma once
+
+#include <fca/models/camera_model.h>
+#include <fca/rig/transform.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+  bool operator==(const ImageSize&) const = default;
+};
+
+/// One camera. Pixel coordinates have their origin at the centre of the top-left pixel.
+struct Camera {
+  std::string name;                     ///< "cam0", "cam1", ... or the file's own name; unique in its rig.
+  std::optional<ImageSize> image_size;  ///< Nothing where the file does not say.
+  CameraModel model;
+  std::optional<double> time_offset_s;  ///< t_imu = t_cam + time_offset_s
+  std::optional<double> frame_rate_hz;
+  std::string topic;  ///< ROS topic; empty if none.
+  bool operator==(const Camera&) const = default;
+};
+
+/// Noise of an IMU as continuous-time densities; nothing where the file does not say.
+struct Imu {
+  std::string name = "imu0";
+  std::optional<double> gyroscope_noise_density;      ///< rad/s/sqrt(Hz)
+  std::optional<double> gyroscope_random_walk;        ///< rad/s^2/sqrt(Hz)
+  std::optional<double> accelerometer_noise_density;  ///< m/s^2/sqrt(Hz)
+  std::optional<double> accelerometer_random_walk;    ///< m/s^3/sqrt(Hz)
+  std::optional<double> rate_hz;
+  std::string topic;
+  bool operator==(const Imu&) const = default;
+};
+
+/// Cameras, IMUs and how they sit to each other. May hold no camera (imu.yaml).
+struct Rig {
+  std::vector<Camera> cameras;
+  std::vector<Imu> imus;
+  /// Poses as edges of a graph, as read. A file that says both T_cam_imu and T_cn_cnm1 keeps both.
+  std::vector<PoseEdge> poses;
+  /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
+  std::optional<double> baseline_m;
+
+  [[nodiscard]] const Camera* find_camera(std::string_view name) const;
+
+  /// The edge a-b exactly as a file stated it, in that direction; null if there is none.
+  [[nodiscard]] const Transform* stated(std::string_view a, std::string_view b) const;
+
+  /// T_a_b along the shortest path of edges (each taken forwards or inverted); nothing if a and b are not connected, or an
+  /// inverse on the way does not exist. Among equally short paths the edge that was read first wins.
+  [[nodiscard]] std::optional<Transform> resolve(std::string_view a, std::string_view b) const;
+
+  bool operator==(const Rig&) const = default;
+};
+
+}  // namespace fca

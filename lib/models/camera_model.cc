@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/models/camera_model.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace fca {
+
+namespace {
+
+template <CameraModelType M>
+constexpr ModelInfo info_of() {
+  return {M::kId, M::kTitle, M::kAliases, M::kParameters};
+}
+
+template <CameraModelType... Ms>
+constexpr auto info_table(internal::TypeList<Ms...> /*models*/) {
+  return std::array{info_of<Ms>()...};
+}
+
+constexpr auto kModels = info_table(ModelList{});
+
+std::string spelled(double value) {
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+/// "lie in [0, 1]", "be greater than -1", ...
+std::string range_of(const Parameter& p) {
+  if (std::isfinite(p.upper)) {
+    return std::string("lie in ") + (p.open ? "(" : "[") + spelled(p.lower) + ", " + spelled(p.upper) + (p.open ? ")" : "]");
+  }
+  return (p.open ? "be greater than " : "be at least ") + spelled(p.lower);
+}
+
+bool is_finite(const Ray& ray) { return std::isfinite(ray[0]) && std::isfinite(ray[1]) && std::isfinite(ray[2]); }
+
+/// Scaled to a length near 1 (by a power of two, so exactly) if its square would over- or underflow.
+Ray of_usable_length(const Ray& ray) {
+  const double largest = std::max({std::abs(ray[0]), std::abs(ray[1]), std::abs(ray[2])});
+  constexpr double kSmallest = 1e-60;
+  constexpr double kLargest = 1e60;
+  if (!(largest > 0.0) || (largest > kSmallest && largest < kLargest)) return ray;
+  const int exponent = std::ilogb(largest);
+  return {std::scalbn(ray[0], -exponent), std::scalbn(ray[1], -exponent), std::scalbn(ray[2], -exponent)};
+}
+
+/// Same letters, in any case, '-' or '_'.
+bool same_name(std::string_view a, std::string_view b) {
+  const auto fold = [](char c) {
+    if (c == '_') return '-';
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  };
+  return std::ranges::equal(a, b, {}, fold, fold);
+}
+
+}  // namespace
+
+std::span<const ModelInfo> all_models() { return kModels; }
+
+const ModelInfo* find_model(std::string_view name) {
+  const auto matches = [name](const ModelInfo& info) {
+    return same_name(info.id, name) ||
+           std::ranges::any_of(info.aliases, [name](std::string_view alias) { return same_name(alias, name); });
+  };
+  const auto* const found = std::ranges::find_if(kModels, matches);
+  return found == kModels.end() ? nullptr : found;
+}
+
+std::optional<CameraModel> make_model(std::string_view id) {
+  std::optional<CameraModel> result;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if (M::kId == id) result = Intrinsics<M>{};
+  });
+  return result;
+}
+
+const ModelInfo& model_info(const CameraModel& model) { return kModels[model.index()]; }
+
+std::span<const double> parameter_values(const CameraModel& model) {
+  return std::visit([](const auto& m) { return std::span<const double>(m.values); }, model);
+}
+
+std::span<double> parameter_values(CameraModel& model) {
+  return std::visit([](auto& m) { return std::span<double>(m.values); }, model);
+}
+
+namespace {
+
+std::optional<std::size_t> index_of(const CameraModel& model, std::string_view name) {
+  const std::span<const Parameter> parameters = model_info(model).parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> parameter(const CameraModel& model, std::string_view name) {
+  const std::optional<std::size_t> index = index_of(model, name);
+  if (!index) return std::nullopt;
+  return parameter_values(model)[*index];
+}
+
+bool set_parameter(CameraModel& model, std::string_view name, double value) {
+  const std::optional<std::size_t> index = index_of(model, name);
+  if (!index) return false;
+  parameter_values(model)[*index] = value;
+  return true;
+}
+
+std::optional<Pixel> project(const CameraModel& model, const Ray& ray) {
+  if (!is_finite(ray)) return std::nullopt;
+  const Ray usable = of_usable_length(ray);
+  return std::visit(
+      [&]<class M>(const Intrinsics<M>& m) -> std::optional<Pixel> {
+        Pixel pixel{};
+        if (!M::project(m.values.data(), usable.data(), pixel.data())) return std::nullopt;
+        if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;
+        return pixel;
+      },
+      model);
+}
+
+std::optional<Ray> unproject(const CameraModel& model, const Pixel& pixel) {
+  return std::visit(
+      [&]<class M>(const Intrinsics<M>& m) -> std::optional<Ray> {
+        Ray ray{};
+        if (!M::unproject(m.values.data(), pixel.data(), ray.data())) return std::nullopt;
+        return ray;
+      },
+      model);
+}
+
+double max_angle(const CameraModel& model) {
+  return std::visit([]<class M>(const Intrinsics<M>& m) { return M::max_angle(m.values.data()); }, model);
+}
+
+std::vector<std::string> validate(const CameraModel& model) {
+  std::vector<std::string> problems;
+  const std::span<const Parameter> parameters = model_info(model).parameters;
+  const std::span<const double> values = parameter_values(model);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& p = parameters[i];
+    const std::string name(p.name);
+    // Beyond this no double arithmetic of a projection stays finite, and no lens has such numbers.
+    constexpr double kLargest = 1e100;
+    if (!std::isfinite(values[i])) {
+      problems.push_back(name + " is " + spelled(values[i]) + ", not a finite number");
+    } else if (std::abs(values[i]) > kLargest) {
+      problems.push_back(name + " is " + spelled(values[i]) + ", too large to compute with");
+    } else if (p.group == ParameterGroup::kFocalLength && !(values[i] > 0.0)) {
+      problems.push_back(name + " is " + spelled(values[i]) + "; a focal length is positive");
+    } else if (values[i] < p.lower || values[i] > p.upper || (p.open && (values[i] == p.lower || values[i] == p.upper))) {
+      problems.push_back(name + " is " + spelled(values[i]) + "; it must " + range_of(p));
+    }
+  }
+  return problems;
+}
+
+}  // namespace fca

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/rig/rig.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+
+namespace fca {
+
+const Camera* Rig::find_camera(std::string_view name) const {
+  const auto found = std::ranges::find(cameras, name, &Camera::name);
+  return found == cameras.end() ? nullptr : &*found;
+}
+
+const Transform* Rig::stated(std::string_view a, std::string_view b) const {
+  const auto found = std::ranges::find_if(poses, [&](const PoseEdge& edge) { return edge.a == a && edge.b == b; });
+  return found == poses.end() ? nullptr : &found->T_a_b;
+}
+
+std::optional<Transform> Rig::resolve(std::string_view a, std::string_view b) const {
+  // Breadth-first from a: reached[x] = T_a_x.
+  std::map<std::string, Transform, std::less<>> reached;
+  reached.emplace(a, Transform{});
+  std::deque<std::string> queue = {std::string(a)};
+  while (!queue.empty()) {
+    const std::string here = queue.front();
+    queue.pop_front();
+    const Transform T_a_here = reached.at(here);
+    if (here == b) return T_a_here;
+    for (const PoseEdge& edge : poses) {
+      const bool forwards = edge.a == here;
+      if (!forwards && edge.b != here) continue;
+      const std::string& next = forwards ? edge.b : edge.a;
+      if (reached.contains(next)) continue;
+      const std::optional<Transform> T_here_next = forwards ? std::optional(edge.T_a_b) : inverse(edge.T_a_b);
+      if (!T_here_next) continue;
+      reached.emplace(next, T_a_here * *T_here_next);
+      queue.push_back(next);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace fca

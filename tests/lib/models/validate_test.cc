@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// validate(): which parameters are a camera, and what is said of those that are not.
+#include "model_test_support.h"
+
+namespace fca::test {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+CameraModel with(const char* id, std::initializer_list<double> values) {
+  CameraModel model = *make_model(id);
+  std::ranges::copy(values, parameter_values(model).begin());
+  return model;
+}
+
+TEST(Validate, EveryCameraOfTheTablesIsOne) {
+  for_each_model([]<CameraModelType M>() {
+    for (const TestCamera<M>& camera : cameras_and_neighbours_of<M>(5)) {
+      EXPECT_TRUE(validate(camera.intrinsics).empty()) << camera.name << ": " << validate(camera.intrinsics)[0];
+    }
+  });
+}
+
+TEST(Validate, EveryParameterMustBeAReasonableNumber) {
+  for_each_model([]<CameraModelType M>() {
+    const TestCamera<M> camera = cameras_of<M>()[0];
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      for (const double value : {kNaN, kInf, -kInf, 1e308, -1e308}) {
+        Intrinsics<M> broken = camera.intrinsics;
+        broken.values[i] = value;
+        const std::vector<std::string> problems = validate(broken);
+        ASSERT_EQ(problems.size(), 1U) << M::kParameters[i].name << ' ' << value;
+        EXPECT_TRUE(problems[0].starts_with(std::string(M::kParameters[i].name) + " is ")) << problems[0];
+      }
+    }
+  });
+}
+
+TEST(Validate, EveryParameterMustLieInItsRange) {
+  for_each_model([]<CameraModelType M>() {
+    const TestCamera<M> camera = cameras_of<M>()[0];
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      const Parameter& p = M::kParameters[i];
+      SCOPED_TRACE(p.name);
+      for (const auto& [bound, outwards] : {std::pair(p.lower, -1.0), std::pair(p.upper, 1.0)}) {
+        if (!std::isfinite(bound)) continue;
+        Intrinsics<M> changed = camera.intrinsics;
+        changed.values[i] = bound + 1e-9 * outwards;
+        EXPECT_EQ(validate(changed).size(), 1U);
+        changed.values[i] = bound;
+        EXPECT_EQ(validate(changed).size(), p.open ? 1U : 0U);
+      }
+    }
+  });
+}
+
+// What validate() lets through projects: the ray on the axis has a pixel, the principal point.
+TEST(Validate, ValidCamerasSeeTheAxis) {
+  for_each_model([]<CameraModelType M>() {
+    const TestCamera<M> camera = cameras_of<M>()[0];
+    for (std::size_t i = 4; i < kParameterCount<M>; ++i) {
+      for (const double value : {-2.0, -1.0, -0.999, 0.0, 1e-9, 0.5, 1.0, 3.0, std::numbers::pi, 4.0}) {
+        Intrinsics<M> changed = camera.intrinsics;
+        changed.values[i] = value;
+        if (!validate(changed).empty()) continue;
+        EXPECT_TRUE(project(changed, {0, 0, 1})) << M::kParameters[i].name << ' ' << value;
+        EXPECT_TRUE(unproject(changed, {changed.values[2], changed.values[3]})) << M::kParameters[i].name << ' ' << value;
+        EXPECT_GT(max_angle(changed), 0.0);
+      }
+    }
+  });
+}
+
+TEST(Validate, SaysWhatIsWrong) {
+  using Problems = std::vector<std::string>;
+  EXPECT_EQ(validate(with("pinhole", {-400, 0, 320, kNaN})),
+            (Problems{"fx is -400; a focal length is positive", "fy is 0; a focal length is positive",
+                      "cy is nan, not a finite number"}));
+  EXPECT_EQ(validate(with("eucm", {400, 400, 320, 240, 1.5, 0})),
+            (Problems{"alpha is 1.5; it must lie in [0, 1]", "beta is 0; it must be greater than 0"}));
+  EXPECT_EQ(validate(with("ds", {400, 400, 320, 240, 0.5, -1})), (Problems{"xi is -1; it must be greater than -1"}));
+  EXPECT_EQ(validate(with("mei", {400, 400, 320, 240, -0.5, 0, 0, 0, 1e308})),
+            (Problems{"xi is -0.5; it must be at least 0", "p2 is 1e+308, too large to compute with"}));
+}
+
+}  // namespace
+}  // namespace fca::test
