@@ -44,6 +44,11 @@ std::string report_text(const ConversionReport& report) {
   text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" + fixed(j.error.max_at[0], 1) + ", " +
           fixed(j.error.max_at[1], 1) + ")\n";
   if (!report.exact) {
+    // A file cannot tell black corners from glass, and the choice changes the error tenfold.
+    constexpr double kSideways = 90.0;
+    if (j.coverage.max_angle_deg > kSideways && j.coverage.why.starts_with("the whole image")) {
+      text += "          (if the lens ends earlier and the corners are black, say so: --max-angle DEG fits only the lens)\n";
+    }
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) + ", 99 % " + pixels(j.error.p99) + "\n";
     text += band_table(j.bands);
   }

@@ -66,7 +66,9 @@ std::string readers_text(const Readers& readers) {
     text += "  " + program.program + ": ";
     if (program.loads) {
       text += program.sensors.empty() ? "yes\n" : "yes, as " + enumerated(program.sensors) + "\n";
-      for (const std::string& warning : program.warnings) text += "    but: " + warning + "\n";
+      constexpr std::size_t kMostWarnings = 2;
+      for (std::size_t i = 0; i < std::min(kMostWarnings, program.warnings.size()); ++i) text += "    but: " + program.warnings[i] + "\n";
+      if (program.warnings.size() > kMostWarnings) text += "    and " + std::to_string(program.warnings.size() - kMostWarnings) + " more (--json lists them)\n";
     } else {
       text += "no: " + (program.refusals.empty() ? std::string("it gives no reason") : program.refusals.front());
       if (program.refusals.size() > 1) text += " (and " + std::to_string(program.refusals.size() - 1) + " more)";

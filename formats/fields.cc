@@ -322,7 +322,9 @@ const Field* find_field(std::span<const Field> fields, std::string_view key) {
 
 }  // namespace
 
-std::string spell(const Field& field) { return field.key + ":" + spell_value(field); }
+std::string spell(const Field& field, std::size_t indentation) {
+  return std::string(indentation, ' ') + indented(field.key + ":" + spell_value(field), indentation, "\n");
+}
 
 void apply(text::Document& document, const Node& mapping, text::Dialect dialect, std::span<const Field> before,
            std::span<const Field> after) {

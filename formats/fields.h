@@ -84,8 +84,8 @@ struct Field {
 [[nodiscard]] Field rows(std::string key, const Transform& T);
 [[nodiscard]] Field matrix(std::string key, std::span<const double> values, int columns, std::string element_type);
 
-/// The lines of a field at no indentation, without a last line break.
-[[nodiscard]] std::string spell(const Field& field);
+/// The lines of a field behind `indentation` blanks, without a last line break.
+[[nodiscard]] std::string spell(const Field& field, std::size_t indentation = 0);
 
 /// A double-quoted YAML string.
 [[nodiscard]] std::string quote(std::string_view value);

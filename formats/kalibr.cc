@@ -349,10 +349,14 @@ std::vector<fields::Field> imu_fields(const Imu& imu) {
   return result;
 }
 
-/// A document with the right top-level keys and nothing in them yet but what makes it a mapping.
-std::optional<text::Document> skeleton(std::size_t cameras, Diagnostics& diagnostics) {
+/// A fresh camchain in Kalibr's own layout. Rows of transforms are indented deeper than their key, so that cv::FileStorage reads them,
+/// too.
+std::optional<text::Document> compose(const Rig& rig, Diagnostics& diagnostics) {
   std::string bytes;
-  for (std::size_t i = 0; i < cameras; ++i) bytes += indexed("cam", i) + ":\n  camera_model: pinhole\n";
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    bytes += indexed("cam", i) + ":\n";
+    for (const fields::Field& field : camera_fields(rig, i)) bytes += fields::spell(field, 2) + "\n";
+  }
   return text::parse_document({"camchain.yaml", bytes}, diagnostics);
 }
 
@@ -386,20 +390,36 @@ void list_losses(const Rig& rig, Written& written) {
   }
 }
 
-bool check_writable(const Rig& rig, Diagnostics& diagnostics) {
+bool check_models(const Rig& rig, Diagnostics& diagnostics) {
   bool good = true;
   for (const Camera& camera : rig.cameras) {
-    if (layout_for(camera.model) == nullptr) {
-      diagnostics.error("model-not-storable", camera.name + ": Kalibr has no " + std::string(model_info(camera.model).id) + " model");
-      good = false;
-    }
-    if (!camera.image_size) {
-      diagnostics.error("image-size-missing", camera.name + ": Kalibr demands a resolution and the input has none", {},
-                        "give it: --size WIDTHxHEIGHT");
-      good = false;
-    }
+    if (layout_for(camera.model) != nullptr) continue;
+    diagnostics.error("model-not-storable", camera.name + ": Kalibr has no " + std::string(model_info(camera.model).id) + " model");
+    good = false;
   }
   return good;
+}
+
+bool check_sizes(const Rig& rig, Diagnostics& diagnostics) {
+  bool good = true;
+  for (const Camera& camera : rig.cameras) {
+    if (camera.image_size) continue;
+    diagnostics.error("image-size-missing", camera.name + ": Kalibr demands a resolution and the input has none", {},
+                      "give it: --size WIDTHxHEIGHT");
+    good = false;
+  }
+  return good;
+}
+
+/// `base` with what differs between the two rigs changed.
+text::Document edited(const text::Document& base, const Rig& old, const Rig& rig) {
+  text::Document document = base;
+  const text::Dialect dialect = dialect_of(base);
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const Node* node = text::find(document.root(), old.cameras[i].name, dialect);
+    if (node != nullptr) fields::apply(document, *node, dialect, camera_fields(old, i), camera_fields(rig, i));
+  }
+  return document;
 }
 
 std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& /*options*/,
@@ -408,24 +428,24 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   Diagnostics ignored;
   std::optional<Rig> old;
   if (base != nullptr) old = read(std::span(base, 1), {}, ignored);
-  const bool edits = old && old->cameras.size() == rig.cameras.size() && !old->cameras.empty();
-  if (!edits && !check_writable(rig, diagnostics)) return std::nullopt;
+  if (base != nullptr && rig.cameras.empty()) {  // an imu.yaml: there is nothing in it that a conversion changes
+    Written unchanged;
+    unchanged.files.push_back({*base, {}});
+    unchanged.headline = "an imu.yaml for Kalibr";
+    unchanged.programs = {"kalibr-imu"};
+    return unchanged;
+  }
   if (rig.cameras.empty()) {
     diagnostics.error("no-camera", "a camchain needs a camera and the input has none");
     return std::nullopt;
   }
-  std::optional<text::Document> document = edits ? std::optional(*base) : skeleton(rig.cameras.size(), diagnostics);
+  const bool edits = old && old->cameras.size() == rig.cameras.size();
+  // A base that never stated a size need not begin to.
+  if (!check_models(rig, diagnostics) || (!edits && !check_sizes(rig, diagnostics))) return std::nullopt;
+  std::optional<text::Document> document = edits ? edited(*base, *old, rig) : compose(rig, diagnostics);
   if (!document) return std::nullopt;
 
   Written written;
-  const text::Dialect dialect = dialect_of(*document);
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    const Node* node = text::find(document->root(), edits ? old->cameras[i].name : indexed("cam", i), dialect);
-    if (node == nullptr) continue;
-    if (layout_for(rig.cameras[i].model) == nullptr) return check_writable(rig, diagnostics), std::nullopt;
-    const std::vector<fields::Field> before = edits ? camera_fields(*old, i) : std::vector<fields::Field>{};
-    fields::apply(*document, *node, dialect, before, camera_fields(rig, i));
-  }
   Written::File file{*std::move(document), {}};
   for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
   written.files.push_back(std::move(file));

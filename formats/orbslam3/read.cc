@@ -135,7 +135,9 @@ class SettingsReader {
       read_right_camera(first, rig);
       return;
     }
-    if (find("Camera2.fx") == nullptr) return;
+    // For PinHole the parser before V1.0 knows only rectified pairs: Camera.bf, and one set of intrinsics for both.
+    const bool rectified_pair = style_ != Style::kV1 && first.type != "KannalaBrandt8" && first.type != "DoubleSphere";
+    if (rectified_pair || find("Camera2.fx") == nullptr) return;
     const Layout* layout = &first;
     if (first.model == "pinhole" && find("Camera2.k1") != nullptr) layout = find_layout(style_, "radtan");
     if (first.model == "radtan" && style_ == Style::kV1 && find("Camera2.k1") == nullptr) layout = find_layout(style_, "pinhole");

@@ -121,7 +121,7 @@ void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   const Transform identity;
   if (T == nullptr) T = &identity;
   fields.push_back(fields::matrix(std::string(pose_keys(target.style).T_imu_c1), T->values, 4, "f"));
-  if (!target.sensor.inertial || target.style == Style::kSlamNoOpt) return;
+  if (!target.sensor.inertial) return;
   const Imu& imu = rig.imus.front();
   fields.push_back(fields::real("IMU.NoiseGyro", *imu.gyroscope_noise_density));
   fields.push_back(fields::real("IMU.NoiseAcc", *imu.accelerometer_noise_density));
@@ -151,8 +151,11 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   }
   if (sensor.depth && !rig.baseline_m && !second) missing.emplace_back("the baseline (--baseline METRES)");
   if (!sensor.inertial) return missing;
+  if (style == Style::kSlamNoOpt) {
+    missing.emplace_back("an inertial mode in slam_no_opt");
+    return missing;
+  }
   if (!rig.resolve("imu0", first.name)) missing.push_back("the pose of " + first.name + " to the IMU (T_cam_imu)");
-  if (style == Style::kSlamNoOpt) return missing;
   const Imu imu = rig.imus.empty() ? Imu{} : rig.imus.front();
   const bool noise = imu.gyroscope_noise_density && imu.accelerometer_noise_density && imu.gyroscope_random_walk && imu.accelerometer_random_walk;
   if (!noise) missing.emplace_back("the IMU's noise densities and random walks (--with imu.yaml)");
@@ -257,8 +260,8 @@ std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Ta
   return result;
 }
 
-std::string compose(const std::vector<Field>& fields, const Target& target, const Rig& rig) {
-  std::string text = "%YAML:1.0\n\n";
+std::string compose(const std::vector<Field>& fields, const Target& target, const Rig& rig, std::string_view headline) {
+  std::string text = "%YAML:1.0\n# " + std::string(headline) + "\n\n";
   for (const Field& field : fields) {
     for (const Heading& heading : kHeadings) {
       if (heading.key == field.key) text += "\n# " + std::string(heading.comment) + "\n";

@@ -44,7 +44,8 @@ struct Target {
 /// Which of the fields hold upstream's example value because no input states them.
 [[nodiscard]] std::vector<DefaultedValue> defaulted(const std::vector<fields::Field>& fields, const Target& target, const Rig& rig);
 
-/// A complete file: the fields under headings and comments, then ORBextractor and Viewer with upstream's values.
-[[nodiscard]] std::string compose(const std::vector<fields::Field>& fields, const Target& target, const Rig& rig);
+/// A complete file: `headline` as a comment, the fields under headings, then ORBextractor and Viewer with upstream's values.
+[[nodiscard]] std::string compose(const std::vector<fields::Field>& fields, const Target& target, const Rig& rig,
+                                  std::string_view headline);
 
 }  // namespace fca::orbslam3

@@ -49,7 +49,7 @@ Sensor richest_sensor(const Rig& rig, Style style, std::string& next) {
     if (!only_when_asked(sensor) && missing_for(rig, sensor, style).empty()) best = sensor;
   }
   const std::string_view wished = rig.cameras.size() > 1 ? "stereo-inertial" : "mono-inertial";
-  if (best.id != wished && best.id != "stereo-inertial") {
+  if (best.id != wished && best.id != "stereo-inertial" && style != Style::kSlamNoOpt) {
     next = std::string(wished) + " lacks " + joined(missing_for(rig, *find_sensor(wished), style));
   }
   return best;
@@ -75,11 +75,11 @@ void list_losses(const Rig& rig, const Target& target, Written& written) {
       written.losses.push_back({"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
     }
   }
-  if (!rig.imus.empty() && (!target.sensor.inertial || target.style == Style::kSlamNoOpt)) {
+  if (!rig.imus.empty() && !target.sensor.inertial) {
     written.losses.push_back({"imu-dropped", rig.imus.front().name + " noise and rate",
                               target.style == Style::kSlamNoOpt ? "slam_no_opt has no keys for them" : std::string(target.sensor.id) + " settings hold no IMU", ""});
   }
-  if (target.sensor.inertial && target.style != Style::kSlamNoOpt && !rig.imus.empty() && !rig.imus.front().topic.empty()) {
+  if (target.sensor.inertial && !rig.imus.front().topic.empty()) {
     written.losses.push_back({"topic-dropped", rig.imus.front().name + " " + rig.imus.front().topic, program + " takes topics on its command line", ""});
   }
   if (!target.sensor.inertial && target.style != Style::kSlamNoOpt && rig.resolve("imu0", rig.cameras.front().name)) {
@@ -124,22 +124,19 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
   return true;
 }
 
-std::string headline(const Target& target, std::string_view model, const std::string& next) {
-  std::string text;
+std::string who_reads(const Target& target, std::string_view model) {
   if (target.style == Style::kSlamNoOpt && model == "eucm") {
-    text = "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that); ";
-  } else if (target.style == Style::kSlamNoOpt) {
-    text = "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3; ";
-  } else if (model == "ds") {
-    text = "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that); ";
-  } else if (target.style == Style::kV1) {
-    text = "settings for ORB-SLAM3 V1.0, ";
-  } else {
-    text = "settings in the style before ORB-SLAM3 V1.0, ";
+    return "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
   }
-  text += std::string(target.sensor.id);
-  if (!next.empty()) text += " (" + next + ")";
-  return text;
+  if (target.style == Style::kSlamNoOpt) return "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3";
+  if (model == "ds") return "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)";
+  if (target.style == Style::kV1) return "settings for ORB-SLAM3 V1.0";
+  return "settings in the style before ORB-SLAM3 V1.0";
+}
+
+/// The first line people see: who reads the file, the mode, and what is missing for a richer one.
+std::string headline(const Target& target, std::string_view model, const std::string& next) {
+  return who_reads(target, model) + ", " + std::string(target.sensor.id) + (next.empty() ? "" : " (" + next + ")");
 }
 
 std::vector<std::string> programs_for(Style style, std::string_view model) {
@@ -204,7 +201,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.push_back({std::move(document), {}});
   } else {
     const std::vector<fields::Field> fields = settings_fields(rig, target);
-    std::optional<text::Document> document = text::parse_document({"settings.yaml", compose(fields, target, rig)}, diagnostics);
+    std::optional<text::Document> document = text::parse_document({"settings.yaml", compose(fields, target, rig, who_reads(target, model))}, diagnostics);
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}});
     written.defaults = defaulted(fields, target, rig);
