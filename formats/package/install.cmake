@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The package: find_package(fca-io) gives fca::core and fca::formats.
+# The package: find_package(fca-io) gives fca::core and fca::formats. One export for each, so that a program that wants only the
+# core need not have what the formats need.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/fca-io)
-install(TARGETS fca-core fca-formats EXPORT fca-io-targets)
+install(TARGETS fca-core EXPORT fca-io-core-targets)
+install(TARGETS fca-formats EXPORT fca-io-formats-targets)
+install(EXPORT fca-io-core-targets NAMESPACE fca:: DESTINATION ${package_dir})
+install(EXPORT fca-io-formats-targets NAMESPACE fca:: DESTINATION ${package_dir})
 install(DIRECTORY lib/include/ formats/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT fca-io-targets NAMESPACE fca:: DESTINATION ${package_dir})
+
 configure_package_config_file(formats/package/fca-io-config.cmake.in ${PROJECT_BINARY_DIR}/fca-io-config.cmake
                               INSTALL_DESTINATION ${package_dir})
+# Before 1.0, a minor version may change the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/fca-io-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/fca-io-config.cmake ${PROJECT_BINARY_DIR}/fca-io-config-version.cmake
         DESTINATION ${package_dir})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET fca-io)
   install(TARGETS fca-io)
 endif()

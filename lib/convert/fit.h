@@ -55,17 +55,19 @@ class Fitter {
   /// `central_focal`: fx, fy as radius per angle at the centre; `centre`: the principal point.
   std::optional<Fit<M>> fit(const std::array<double, 2>& central_focal, const std::array<double, 2>& centre) {
     std::optional<Candidate> best;
+    const std::span<const Correspondence> all = samples_;
+    const std::vector<Correspondence> few = every_nth(all, M::kStarts > 1 ? kCoarseSamples : all.size());
     for (int start = 0; start < M::kStarts; ++start) {
       Candidate candidate;
       candidate.values = {central_focal[0], central_focal[1], centre[0], centre[1]};
-      M::initialise(samples_, start, candidate.values.data());
+      M::initialise(all, start, candidate.values.data());
       hold_fixed(candidate);
-      constexpr int kCoarseIterations = 12;
-      if (!polish(candidate, M::kStarts > 1 ? kCoarseIterations : kFullIterations)) continue;
-      if (!best || candidate.cost < best->cost) best = candidate;
+      samples_ = few;
+      const bool usable = M::kStarts == 1 || polish(candidate, kCoarseIterations);
+      samples_ = all;
+      if (usable && (!best || candidate.cost < best->cost)) best = candidate;
     }
-    if (!best) return std::nullopt;
-    if (M::kStarts > 1 && !polish(*best, kFullIterations)) return std::nullopt;
+    if (!best || !polish(*best, kFullIterations)) return std::nullopt;
     respect_bounds(*best);
     return finish(*best);
   }
@@ -78,6 +80,16 @@ class Fitter {
     int iterations = 0;
   };
   static constexpr int kFullIterations = 200;
+  static constexpr int kCoarseIterations = 20;
+  static constexpr std::size_t kCoarseSamples = 48;
+
+  /// At least `count` of the samples, evenly spread (all, if there are no more).
+  static std::vector<Correspondence> every_nth(std::span<const Correspondence> samples, std::size_t count) {
+    const std::size_t stride = std::max<std::size_t>(1, samples.size() / std::max<std::size_t>(1, count));
+    std::vector<Correspondence> chosen;
+    for (std::size_t i = 0; i < samples.size(); i += stride) chosen.push_back(samples[i]);
+    return chosen;
+  }
 
   void hold_fixed(Candidate& candidate) const {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
@@ -113,11 +125,11 @@ class Fitter {
       if (!candidate.fixed[i]) free.push_back(candidate.values[i]);
     }
     if (free.empty()) return true;
-    const Accumulate accumulate = [&](const double* p, bool derivatives, NormalEquations& sums) {
-      return this->accumulate(candidate, p, derivatives, sums);
+    const Residuals residuals_of = [&](const double* p, double* residuals, double* jacobian) {
+      return this->evaluate(candidate, p, residuals, jacobian);
     };
-    const Minimum minimum = minimise(accumulate, max_iterations, free);
-    if (!minimum.converged) return false;
+    const Minimum minimum = minimise(residuals_of, static_cast<int>(2 * active_.size()), max_iterations, free);
+    if (!minimum.usable) return false;
     candidate.cost = minimum.cost;
     candidate.iterations += minimum.iterations;
     candidate.values = merged(candidate, free.data());
@@ -132,13 +144,15 @@ class Fitter {
     return values;
   }
 
-  bool accumulate(const Candidate& candidate, const double* free, bool derivatives, NormalEquations& sums) const {
+  /// Residuals in pixels, times the root of the sample's weight; derivatives with respect to the free parameters.
+  bool evaluate(const Candidate& candidate, const double* free, double* residuals, double* jacobian) const {
     const Values values = merged(candidate, free);
-    if (!derivatives) {
+    if (jacobian == nullptr) {
       for (const Correspondence& s : active_) {
         double pixel[2];
         if (!M::project(values.data(), s.ray.data(), pixel)) return false;
-        sums.cost += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
+        const double root = std::sqrt(s.weight);
+        for (std::size_t axis = 0; axis < 2; ++axis) *residuals++ = root * (pixel[axis] - s.pixel[axis]);
       }
       return true;
     }
@@ -148,22 +162,16 @@ class Fitter {
       parameters[i] = Jet(values[i]);
       if (!candidate.fixed[i]) parameters[i].v[free_count++] = 1.0;
     }
-    Eigen::Matrix<double, kCount, kCount> normal = Eigen::Matrix<double, kCount, kCount>::Zero();
-    Eigen::Matrix<double, kCount, 1> gradient = Eigen::Matrix<double, kCount, 1>::Zero();
     for (const Correspondence& s : active_) {
       const Jet ray[3] = {Jet(s.ray[0]), Jet(s.ray[1]), Jet(s.ray[2])};
       Jet pixel[2];
       if (!M::project(parameters.data(), ray, pixel)) return false;
+      const double root = std::sqrt(s.weight);
       for (std::size_t axis = 0; axis < 2; ++axis) {
-        const double residual = pixel[axis].a - s.pixel[axis];
-        sums.cost += s.weight * residual * residual;
-        gradient.noalias() += (s.weight * residual) * pixel[axis].v;
-        normal.template selfadjointView<Eigen::Lower>().rankUpdate(pixel[axis].v, s.weight);
+        *residuals++ = root * (pixel[axis].a - s.pixel[axis]);
+        for (int k = 0; k < free_count; ++k) *jacobian++ = root * pixel[axis].v[k];
       }
     }
-    sums.gradient = gradient.head(free_count);
-    sums.normal = Eigen::Matrix<double, kCount, kCount>(normal.template selfadjointView<Eigen::Lower>())
-                      .topLeftCorner(free_count, free_count);
     return true;
   }
 

@@ -6,28 +6,19 @@
 #include <functional>
 #include <vector>
 
-#include <Eigen/Core>
-
 namespace fca::internal {
 
-/// Sums over all points: cost = sum w |r|^2, gradient = J^T W r, normal = J^T W J.
-struct NormalEquations {
-  double cost = 0.0;
-  Eigen::VectorXd gradient;
-  Eigen::MatrixXd normal;
-};
-
-/// Fills the sums at `parameters` (gradient and normal only if `derivatives`); false where a point cannot be projected: the
-/// solver then rejects the step.
-using Accumulate = std::function<bool(const double* parameters, bool derivatives, NormalEquations& sums)>;
+/// Fills `residuals` and, unless it is null, `jacobian` (row-major, one row per residual, one column per parameter). False where a
+/// point cannot be projected: the solver then rejects the step.
+using Residuals = std::function<bool(const double* parameters, double* residuals, double* jacobian)>;
 
 struct Minimum {
-  bool converged = false;  ///< false: not even the start could be evaluated
-  double cost = 0.0;
+  bool usable = false;  ///< false: not even the start could be evaluated
+  double cost = 0.0;    ///< sum of squared residuals
   int iterations = 0;
 };
 
-/// Minimises the cost from `parameters`, in place.
-Minimum minimise(const Accumulate& accumulate, int max_iterations, std::vector<double>& parameters);
+/// Minimises the sum of squared residuals from `parameters`, in place.
+Minimum minimise(const Residuals& evaluate, int residuals, int max_iterations, std::vector<double>& parameters);
 
 }  // namespace fca::internal

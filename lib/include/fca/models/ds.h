@@ -88,11 +88,12 @@ struct Ds {
     return std::acos(std::clamp(c, -1.0, 1.0));
   }
 
-  /// Two basins, xi < 0 and xi > 0, and a singular ridge at xi = 0: one start in each (LIMITS.md). Given xi, alpha is linear:
+  /// Several basins on both sides of a singular ridge at xi = 0: two starts on each. Given xi, alpha is linear:
   /// (u - c)(alpha d2 + (1 - alpha) k) = f (x, y).
-  static constexpr int kStarts = 2;
+  static constexpr std::array kStartXi = {-0.6, -0.2, 0.3, 0.7};
+  static constexpr int kStarts = static_cast<int>(kStartXi.size());
   static void initialise(std::span<const Correspondence> samples, int start, double* p) {
-    const double xi = start == 0 ? -0.2 : 0.3;
+    const double xi = kStartXi[static_cast<std::size_t>(start)];
     p[0] *= 1.0 + xi;
     p[1] *= 1.0 + xi;
     p[5] = xi;

@@ -12,13 +12,11 @@
 // (k2..k5).
 #pragma once
 
+#include <fca/models/linear_fit.h>
 #include <fca/models/model_traits.h>
 #include <fca/models/polynomial.h>
 
 #include <numbers>
-
-#include <Eigen/Core>
-#include <Eigen/LU>
 
 namespace fca {
 
@@ -77,18 +75,14 @@ struct Kb4 {
   /// k1..k4 are linear in the radius: one radial row per point (ERRATA 8), d - theta = k1 theta^3 + ...
   static constexpr int kStarts = 1;
   static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    internal::LinearFit<4> fit;
     for (const Correspondence& s : samples) {
       const double theta = std::atan2(std::hypot(s.ray[0], s.ray[1]), s.ray[2]);
       const double radius = std::hypot((s.pixel[0] - p[2]) / p[0], (s.pixel[1] - p[3]) / p[1]);
       const double t = theta * theta;
-      const Eigen::Vector4d row = theta * Eigen::Vector4d(t, t * t, t * t * t, t * t * t * t);
-      normal += s.weight * row * row.transpose();
-      right += s.weight * row * (radius - theta);
+      fit.add({theta * t, theta * t * t, theta * t * t * t, theta * t * t * t * t}, radius - theta, s.weight);
     }
-    const Eigen::Vector4d k = normal.fullPivLu().solve(right);
-    for (int i = 0; i < 4; ++i) p[4 + i] = k.allFinite() ? k[i] : 0.0;
+    fit.solve(p + 4);
   }
 
   static double central_focal_length(const double* p) { return p[0]; }

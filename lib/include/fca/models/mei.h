@@ -77,21 +77,17 @@ struct Mei {
     p[4] = 1.0;
     p[0] *= 1.0 + p[4];
     p[1] *= 1.0 + p[4];
-    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    internal::LinearFit<4> fit;
     for (const Correspondence& s : samples) {
       const double denominator = s.ray[2] + p[4];
       if (!(denominator > 0.05)) continue;
       const double x = s.ray[0] / denominator;
       const double y = s.ray[1] / denominator;
       const double r2 = x * x + y * y;
-      const Eigen::Vector4d row_x(x * r2, x * r2 * r2, 2.0 * x * y, r2 + 2.0 * x * x);
-      const Eigen::Vector4d row_y(y * r2, y * r2 * r2, r2 + 2.0 * y * y, 2.0 * x * y);
-      normal += s.weight * (row_x * row_x.transpose() + row_y * row_y.transpose());
-      right += s.weight * (row_x * ((s.pixel[0] - p[2]) / p[0] - x) + row_y * ((s.pixel[1] - p[3]) / p[1] - y));
+      fit.add({x * r2, x * r2 * r2, 2.0 * x * y, r2 + 2.0 * x * x}, (s.pixel[0] - p[2]) / p[0] - x, s.weight);
+      fit.add({y * r2, y * r2 * r2, r2 + 2.0 * y * y, 2.0 * x * y}, (s.pixel[1] - p[3]) / p[1] - y, s.weight);
     }
-    const Eigen::Vector4d q = normal.fullPivLu().solve(right);
-    for (int i = 0; i < 4; ++i) p[5 + i] = q.allFinite() ? q[i] : 0.0;
+    fit.solve(p + 5);
   }
 
   static double central_focal_length(const double* p) { return p[0] / (1.0 + p[4]); }

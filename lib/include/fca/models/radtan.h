@@ -13,14 +13,12 @@
 // Called: Kalibr pinhole-radtan (no k3); ORB-SLAM3 PinHole; OpenCV 4- and 5-vectors; ROS plumb_bob; "Brown-Conrady".
 #pragma once
 
+#include <fca/models/linear_fit.h>
 #include <fca/models/model_traits.h>
 #include <fca/models/polynomial.h>
 
 #include <algorithm>
 #include <numbers>
-
-#include <Eigen/Core>
-#include <Eigen/LU>
 
 namespace fca {
 
@@ -191,10 +189,7 @@ struct Radtan {
   /// All coefficients are linear: m - (x, y) = k1 r^2 (x, y) + ...
   static constexpr int kStarts = 1;
   static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
-    using Matrix5 = Eigen::Matrix<double, 5, 5>;
-    using Vector5 = Eigen::Matrix<double, 5, 1>;
-    Matrix5 normal = Matrix5::Zero();
-    Vector5 right = Vector5::Zero();
+    internal::LinearFit<5> fit;
     for (const Correspondence& s : samples) {
       if (!(s.ray[2] > 0.0)) continue;
       const double x = s.ray[0] / s.ray[2];
@@ -202,13 +197,10 @@ struct Radtan {
       const double r2 = x * x + y * y;
       const double mx = (s.pixel[0] - p[2]) / p[0];
       const double my = (s.pixel[1] - p[3]) / p[1];
-      const Vector5 row_x(x * r2, x * r2 * r2, 2.0 * x * y, r2 + 2.0 * x * x, x * r2 * r2 * r2);
-      const Vector5 row_y(y * r2, y * r2 * r2, r2 + 2.0 * y * y, 2.0 * x * y, y * r2 * r2 * r2);
-      normal += s.weight * (row_x * row_x.transpose() + row_y * row_y.transpose());
-      right += s.weight * (row_x * (mx - x) + row_y * (my - y));
+      fit.add({x * r2, x * r2 * r2, 2.0 * x * y, r2 + 2.0 * x * x, x * r2 * r2 * r2}, mx - x, s.weight);
+      fit.add({y * r2, y * r2 * r2, r2 + 2.0 * y * y, 2.0 * x * y, y * r2 * r2 * r2}, my - y, s.weight);
     }
-    const Vector5 q = normal.fullPivLu().solve(right);
-    for (int i = 0; i < 5; ++i) p[4 + i] = q.allFinite() ? q[i] : 0.0;
+    fit.solve(p + 4);
   }
 
   static double central_focal_length(const double* p) { return p[0]; }

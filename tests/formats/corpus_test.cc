@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every real file of the corpus is read, or refused for its actual defect; and what its own program refuses is said so. The folder is
+// not part of the repository: without it all is skipped.
+#include "formats/test_files.h"
+
+#include <fca/formats/proof.h>
+
+#include <cstdio>
+#include <map>
+
+namespace fca::test {
+namespace {
+
+/// A file we refuse, and why it deserves it.
+struct Refused {
+  const char* file;
+  const char* code;
+  const char* why;
+};
+
+constexpr Refused kRefused[] = {
+    {"placeholder", "placeholder", "placeholder"},
+};
+
+const Refused* find_refused(const std::string& file) {
+  const auto* const found = std::ranges::find(kRefused, file, [](const Refused& row) { return std::string(row.file); });
+  return found == std::end(kRefused) ? nullptr : &*found;
+}
+
+bool has_corpus() { return fs::exists(shared_dir() / "corpus" / "kalibr"); }
+
+std::vector<fs::path> corpus_files() {
+  std::vector<fs::path> files;
+  for (const char* format : {"kalibr", "orbslam3"}) {
+    const std::vector<fs::path> found = files_in(shared_dir() / "corpus" / format);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+std::string name_of(const fs::path& path) { return path.parent_path().filename().string() + "/" + path.filename().string(); }
+
+struct Outcome {
+  std::optional<Calibration> calibration;
+  Diagnostics diagnostics;
+};
+
+Outcome read(const fs::path& path) {
+  Outcome outcome;
+  std::optional<text::Document> document = text::read_document(path.string(), outcome.diagnostics);
+  if (document) outcome.calibration = read_calibration({*std::move(document)}, nullptr, {}, outcome.diagnostics);
+  return outcome;
+}
+
+const Diagnostic* first_error(const Diagnostics& diagnostics) {
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (entry.severity == Severity::kError) return &entry;
+  }
+  return nullptr;
+}
+
+TEST(Corpus, EveryFileIsReadOrRefusedForItsDefect) {
+  if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  std::map<std::string, int> counted;
+  std::size_t refused = 0;
+  for (const fs::path& path : corpus_files()) {
+    const std::string name = name_of(path);
+    const Outcome outcome = read(path);
+    const Refused* expected = find_refused(name);
+    const Diagnostic* error = first_error(outcome.diagnostics);
+    EXPECT_EQ(outcome.calibration.has_value(), error == nullptr) << name;
+    if (outcome.calibration) {
+      EXPECT_EQ(expected, nullptr) << name << " is read, and the table says that it is refused";
+      EXPECT_EQ(std::string(outcome.calibration->format->id), path.parent_path().filename().string()) << name << ": " << outcome.calibration->why;
+      EXPECT_FALSE(outcome.calibration->rig.cameras.empty() && outcome.calibration->rig.imus.empty()) << name << " is read as nothing at all";
+      ++counted["read"];
+      for (const Diagnostic& entry : outcome.diagnostics.entries()) ++counted["  with warning " + entry.code];
+      continue;
+    }
+    ++refused;
+    ++counted["refused: " + (error != nullptr ? error->code : std::string("without a word"))];
+    std::printf("%-100s %s: %s\n", name.c_str(), error->code.c_str(), error->message.c_str());
+    if (expected == nullptr) {
+      ADD_FAILURE() << name << " is refused: " << error->message << " [" << error->code << "]";
+    } else {
+      EXPECT_EQ(error->code, expected->code) << name << ": " << expected->why;
+    }
+  }
+  for (const auto& [what, count] : counted) std::printf("%4d %s\n", count, what.c_str());
+  EXPECT_EQ(refused, std::size(kRefused));
+}
+
+TEST(Corpus, ReadAndWrittenBackIsTheSameBytes) {
+  if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  int compared = 0;
+  for (const fs::path& path : corpus_files()) {
+    const Outcome outcome = read(path);
+    if (!outcome.calibration) continue;
+    const Calibration& calibration = *outcome.calibration;
+    Diagnostics diagnostics;
+    const std::optional<Written> written = calibration.format->write(&calibration.documents.front(), calibration.rig, {}, diagnostics);
+    const Diagnostic* error = first_error(diagnostics);
+    ASSERT_TRUE(written) << name_of(path) << ": " << (error != nullptr ? error->message : "nothing said");
+    ASSERT_EQ(written->files.size(), 1U) << name_of(path);
+    EXPECT_EQ(written->files.front().document.bytes(), read_file(path)) << name_of(path);
+    ++compared;
+  }
+  std::printf("%d files written back\n", compared);
+  EXPECT_GT(compared, 150);
+}
+
+/// The program a verdict of SUMMARY.tsv is of. Its "orbslam3" had V1.0 and the parser before it, as the program itself.
+std::string program_of(const std::string& consumer) { return std::string(consumers::find_consumer(consumer)->program); }
+
+// oracles/SUMMARY.tsv was printed by the real programs. A file they refuse we may read, but we say so.
+TEST(Corpus, WhatTheProgramRefusesIsSaid) {
+  if (!has_corpus() || !fs::exists(shared_dir() / "oracles" / "SUMMARY.tsv")) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  std::map<std::string, int> refused;
+  std::map<std::string, int> loaded;
+  for (const std::string& line : split(read_file(shared_dir() / "oracles" / "SUMMARY.tsv"), '\n')) {
+    const std::vector<std::string> fields = split(line, '\t');
+    if (fields.size() < 4 || fields[0] != fields[2] || (fields[2] != "kalibr" && fields[2] != "orbslam3")) continue;
+    const fs::path path = shared_dir() / "corpus" / fields[0] / fields[1];
+    const std::string bytes = read_file(path);
+    ASSERT_FALSE(bytes.empty()) << path;
+    // The oracle loaded this file camera by camera; Kalibr's chain reader counts its extra top-level key as a camera (MANIFEST.tsv).
+    if (fields[1].find("4seasons_calib__camchain") != std::string::npos) continue;
+    const Readers readers = ask_readers(fields[0], bytes);
+    const auto program = std::ranges::find(readers.programs, program_of(fields[2]), &Readers::Program::program);
+    ASSERT_NE(program, readers.programs.end()) << fields[2];
+    const bool rejected = fields[3].starts_with("rejected");
+    EXPECT_EQ(program->loads, !rejected) << fields[1] << ": " << fields[3].substr(0, 120);
+    if (rejected) {
+      EXPECT_FALSE(program->refusals.empty()) << fields[1];
+    }
+    ++(rejected ? refused : loaded)[fields[2]];
+  }
+  for (const char* consumer : {"kalibr", "orbslam3"}) std::printf("%s: %d refused, %d loaded\n", consumer, refused[consumer], loaded[consumer]);
+  EXPECT_GE(refused["kalibr"], 10);
+  EXPECT_GE(loaded["kalibr"], 15);
+  EXPECT_GE(refused["orbslam3"], 25);
+  EXPECT_GE(loaded["orbslam3"], 10);
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Kalibr and ORB-SLAM3 printed for real files (oracles/README.md), against fca::project on the camera our reader gives.
+//
+// A row is compared where both have a pixel. Excepted, and counted:
+//   nan       the program itself calls the ray invalid;
+//   mirrored  the program divides by z and prints the mirror image of a ray at or behind 90 degrees;
+//   folded    the program prints a pixel although its image radius has stopped growing on the way out to that ray (we say nothing);
+//   misread   ORB-SLAM3's second camera with the first one's lens coefficients (FORMATS.md 3.2).
+// Mirrored and folded are established from the program's own formula (formats/consumers), not from our answer.
+#include "formats/test_files.h"
+
+#include <fca/formats/consumers/consumer.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace fca::test {
+namespace {
+
+struct Row {
+  Ray ray;
+  Pixel pixel;
+};
+
+struct Table {
+  fs::path path;
+  std::string file;
+  std::size_t camera = 0;
+  std::vector<Row> rows;
+};
+
+Table read_table(const fs::path& path) {
+  Table table;
+  table.path = path;
+  for (const std::string& line : split(read_file(path), '\n')) {
+    const std::vector<std::string> fields = split(line, '\t');
+    if (line.starts_with("# corpus file: ")) {
+      table.file = fields.at(0).substr(std::string("# corpus file: ").size());
+      table.camera = std::stoul(fields.at(1).substr(std::string("camera index: ").size()));
+    } else if (line.starts_with("project\t")) {
+      table.rows.push_back({{std::stod(fields.at(1)), std::stod(fields.at(2)), std::stod(fields.at(3))}, {std::stod(fields.at(4)), std::stod(fields.at(5))}});
+    }
+  }
+  return table;
+}
+
+struct Counts {
+  int compared = 0;
+  int nan = 0;
+  int mirrored = 0;
+  int folded = 0;
+  int misread = 0;
+  int behind = 0;    ///< Compared at or beyond 90 degrees.
+  double worst = 0.0;
+};
+
+/// Whether the program's image radius falls anywhere between the axis and the ray, on the ray's azimuth.
+bool folds_before(const consumers::ConsumerCamera& camera, const Ray& ray) {
+  const double r = std::hypot(ray[0], ray[1]);
+  const double end = std::atan2(r, ray[2]);
+  const auto centre = camera.project({0.0, 0.0, 1.0});
+  if (!centre || r == 0.0) return false;
+  constexpr int kSteps = 4000;
+  double last = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double angle = end * i / kSteps;
+    const auto pixel = camera.project({std::sin(angle) * ray[0] / r, std::sin(angle) * ray[1] / r, std::cos(angle)});
+    if (!pixel) return true;
+    const double radius = std::hypot((*pixel)[0] - (*centre)[0], (*pixel)[1] - (*centre)[1]);
+    if (radius < last) return true;
+    last = radius;
+  }
+  return false;
+}
+
+/// theta (1 + k1 theta^2 + ... + k4 theta^8) written out here: right at any angle.
+Pixel kannala_brandt(const CameraModel& model, const Ray& ray) {
+  const auto p = [&model](const char* name) { return parameter(model, name).value(); };
+  const double r = std::hypot(ray[0], ray[1]);
+  const double theta = std::atan2(r, ray[2]);
+  const double distorted = theta * (1.0 + p("k1") * std::pow(theta, 2) + p("k2") * std::pow(theta, 4) + p("k3") * std::pow(theta, 6) + p("k4") * std::pow(theta, 8));
+  const double scale = r > 0.0 ? distorted / r : 1.0;
+  return {p("fx") * scale * ray[0] + p("cx"), p("fy") * scale * ray[1] + p("cy")};
+}
+
+double distance(const Pixel& a, const Pixel& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+class OracleTables {
+ public:
+  explicit OracleTables(const std::string& id) : consumer_(*consumers::find_consumer(id)), id_(id) {}
+
+  void compare_all(int fewest_tables) {
+    int tables = 0;
+    std::printf("%-100s cam compared  (>= 90 deg)   nan mirrored folded misread  worst px\n", "file");
+    for (const fs::path& path : files_in(shared_dir() / "oracles" / id_)) {
+      if (!path.string().ends_with("." + id_ + ".tsv")) continue;
+      const Table table = read_table(path);
+      const Counts counts = compare(table);
+      std::printf("%-100s %3zu %8d %12d %6d %8d %6d %7d  %.2g\n", table.file.c_str(), table.camera, counts.compared, counts.behind, counts.nan,
+                  counts.mirrored, counts.folded, counts.misread, counts.worst);
+      ++tables;
+      total_ += counts.compared;
+    }
+    EXPECT_GE(tables, fewest_tables);
+  }
+
+  [[nodiscard]] int total() const { return total_; }
+
+ private:
+  Counts compare(const Table& table) {
+    SCOPED_TRACE(table.file);
+    Counts counts;
+    const std::string bytes = read_file(shared_dir() / "corpus" / table.file);
+    const Calibration calibration = calibration_of(bytes);
+    if (calibration.rig.cameras.size() <= table.camera) {
+      ADD_FAILURE() << "our reader finds " << calibration.rig.cameras.size() << " cameras";
+      return counts;
+    }
+    const CameraModel& model = calibration.rig.cameras[table.camera].model;
+    consumers::ConsumerView view = consumer_.load(bytes, {"mono"});
+    if (view.cameras.size() <= table.camera) view = consumer_.load(bytes, {"stereo"});
+    if (view.cameras.size() <= table.camera) {
+      // A chain Kalibr's own reader stops at, whose cameras the oracle loaded one by one: MANIFEST.tsv.
+      EXPECT_NE(table.file.find("4seasons"), std::string::npos);
+      view = consumer_.load(bytes.substr(0, bytes.find("T_cam1_cam0")), {"mono"});
+    }
+    const consumers::ConsumerCamera& theirs = view.cameras.at(table.camera);
+    for (const Row& row : table.rows) compare_row(row, model, theirs, counts);
+    EXPECT_GE(counts.compared + counts.misread, 15) << "too few rows compared";
+    return counts;
+  }
+
+  void compare_row(const Row& row, const CameraModel& model, const consumers::ConsumerCamera& theirs, Counts& counts) {
+    const std::optional<Pixel> ours = project(model, row.ray);
+    const bool kb4 = model_info(model).id == "kb4";
+    if (kb4 && ours) {
+      EXPECT_LE(distance(*ours, kannala_brandt(model, row.ray)), 1e-9) << "z " << row.ray[2];
+    }
+    if (std::isnan(row.pixel[0])) {
+      ++counts.nan;
+      return;
+    }
+    const bool divides_by_z = id_ == "kalibr" && (kb4 || model_info(model).id == "radtan" || model_info(model).id == "pinhole" || model_info(model).id == "fov");
+    const bool v1_pinhole = id_ == "orbslam3" && !kb4;
+    if (row.ray[2] <= 0.0 && (divides_by_z || v1_pinhole)) {
+      ++counts.mirrored;
+      EXPECT_TRUE(kb4 || !ours) << "a pixel for a ray behind a pinhole";
+      return;
+    }
+    if (theirs.misread) {
+      ++counts.misread;
+      return;
+    }
+    if (!ours) {
+      ++counts.folded;
+      EXPECT_TRUE(folds_before(theirs, row.ray)) << "we have no pixel for the ray " << row.ray[0] << " " << row.ray[1] << " " << row.ray[2] << ", the program "
+                                                 << row.pixel[0] << " " << row.pixel[1] << " and does not fold on the way there";
+      return;
+    }
+    ++counts.compared;
+    if (row.ray[2] <= 0.0) ++counts.behind;
+    const double tolerance = id_ == "kalibr" ? 1e-9 : 2e-4 * std::max({1.0, std::abs(row.pixel[0]) / 1000.0, std::abs(row.pixel[1]) / 1000.0});
+    const Pixel scaled = {(*ours)[0] * theirs.scale[0], (*ours)[1] * theirs.scale[1]};
+    const double difference = distance(scaled, row.pixel);
+    EXPECT_LE(difference, tolerance) << "at " << row.pixel[0] << " " << row.pixel[1];
+    counts.worst = std::max(counts.worst, difference);
+  }
+
+  const consumers::Consumer& consumer_;
+  std::string id_;
+  int total_ = 0;
+};
+
+bool has_oracles() { return fs::exists(shared_dir() / "oracles" / "kalibr"); }
+
+TEST(ModelOracle, Kalibr) {
+  if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  OracleTables tables("kalibr");
+  tables.compare_all(10);
+  EXPECT_GE(tables.total(), 400);
+}
+
+TEST(ModelOracle, OrbSlam3) {
+  if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  OracleTables tables("orbslam3");
+  tables.compare_all(12);
+  EXPECT_GE(tables.total(), 400);
+}
+
+// Where Kalibr mirrors, the lens does not: a kb4 camera of TUM-VI beyond 90 degrees against the written-out formula.
+TEST(ModelOracle, KannalaBrandtIsRightBeyondNinetyDegrees) {
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "kalibr" / "good" / "tumvi.yaml"));
+  const CameraModel& model = calibration.rig.cameras.front().model;
+  int compared = 0;
+  for (double degrees = 80.0; degrees <= 105.0; degrees += 0.5) {
+    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 15.0) {
+      const double theta = degrees * std::numbers::pi / 180.0;
+      const double phi = azimuth * std::numbers::pi / 180.0;
+      const Ray ray = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+      const std::optional<Pixel> pixel = project(model, ray);
+      ASSERT_TRUE(pixel) << degrees;
+      EXPECT_LE(distance(*pixel, kannala_brandt(model, ray)), 1e-9) << degrees;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tests of the formats share: files, parsing with its diagnostics, and the leaves of a tree.
+#pragma once
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/text/read_document.h>
+#include <fca/formats/text/render.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fca::test {
+
+namespace fs = std::filesystem;
+
+inline fs::path shared_dir() { return FCA_SHARED_DIR; }
+inline fs::path testdata_dir() { return fs::path(FCA_TESTDATA_DIR) / "formats"; }
+
+inline std::string read_file(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The regular files of a folder with that extension ("" for all), sorted by name.
+inline std::vector<fs::path> files_in(const fs::path& folder, const std::string& extension = "") {
+  std::vector<fs::path> result;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && (extension.empty() || entry.path().extension() == extension)) result.push_back(entry.path());
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+inline std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+/// What parsing (and reading) came to, with everything that was said.
+struct Parsed {
+  std::optional<text::Document> document;
+  Diagnostics diagnostics;
+  text::Source source;
+
+  [[nodiscard]] std::string codes() const {
+    std::string result;
+    for (const Diagnostic& entry : diagnostics.entries()) result += (result.empty() ? "" : " ") + entry.code;
+    return result;
+  }
+  [[nodiscard]] std::string rendered() const {
+    std::string result;
+    for (const Diagnostic& entry : diagnostics.entries()) result += text::render(entry, std::span(&source, 1));
+    return result;
+  }
+};
+
+inline Parsed parse(const std::string& bytes, const std::string& name = "file.yaml") {
+  Parsed parsed;
+  parsed.source = {name, bytes};
+  parsed.document = text::parse_document(parsed.source, parsed.diagnostics);
+  return parsed;
+}
+
+/// A document that is known to parse.
+inline text::Document document_of(const std::string& bytes) {
+  Parsed parsed = parse(bytes);
+  EXPECT_TRUE(parsed.document) << parsed.rendered() << bytes;
+  return parsed.document ? *std::move(parsed.document) : text::Document();
+}
+
+/// The rig of bytes that are known to be a calibration.
+inline Calibration calibration_of(const std::string& bytes) {
+  Diagnostics diagnostics;
+  std::optional<Calibration> calibration = read_calibration({document_of(bytes)}, nullptr, {}, diagnostics);
+  EXPECT_TRUE(calibration) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message) << "\n" << bytes;
+  return calibration ? *std::move(calibration) : Calibration();
+}
+
+/// Every scalar of a tree, keys included, in file order.
+inline void collect_scalars(const text::Node& node, std::vector<const text::Node*>& scalars) {
+  if (node.is_scalar()) scalars.push_back(&node);
+  for (const text::Node& item : node.items) collect_scalars(item, scalars);
+  for (const text::Entry& entry : node.entries) {
+    collect_scalars(entry.key, scalars);
+    collect_scalars(entry.value, scalars);
+  }
+}
+
+inline std::vector<const text::Node*> scalars_of(const text::Document& document) {
+  std::vector<const text::Node*> scalars;
+  collect_scalars(document.root(), scalars);
+  return scalars;
+}
+
+/// The node under "cam0/intrinsics/2": keys of mappings (the first of that name) and indices of sequences.
+inline const text::Node& at(const text::Document& document, const std::string& path) {
+  static const text::Node kMissing;
+  const text::Node* node = &document.root();
+  for (const std::string& step : split(path, '/')) {
+    const text::Node* next = nullptr;
+    if (node->is_sequence()) {
+      const std::size_t index = std::stoul(step);
+      if (index < node->items.size()) next = &node->items[index];
+    } else {
+      for (const text::Entry& entry : node->entries) {
+        if (next == nullptr && entry.key.value == step) next = &entry.value;
+      }
+    }
+    if (next == nullptr) {
+      ADD_FAILURE() << "no " << path;
+      return kMissing;
+    }
+    node = next;
+  }
+  return *node;
+}
+
+inline const text::Entry& entry_at(const text::Node& mapping, const std::string& key) {
+  static const text::Entry kMissing;
+  const auto found = std::ranges::find_if(mapping.entries, [&key](const text::Entry& entry) { return entry.key.value == key; });
+  EXPECT_NE(found, mapping.entries.end()) << key;
+  return found == mapping.entries.end() ? kMissing : *found;
+}
+
+/// `text` with the one occurrence of `from` replaced by `to`.
+inline std::string with_replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t place = text.find(from);
+  EXPECT_NE(place, std::string::npos) << from;
+  EXPECT_EQ(text.find(from, place + 1), std::string::npos) << from << " stands twice";
+  return place == std::string::npos ? text : text.replace(place, from.size(), to);
+}
+
+}  // namespace fca::test

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cameras with published parameters, and the error that the best camera of another model reaches on them: least squares over every
+// pixel from many starts, computed once with independent prototypes and printed to the digits given.
+#pragma once
+
+#include <fca/rig/rig.h>
+
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca::test {
+
+inline constexpr double kRadians = std::numbers::pi / 180.0;
+
+inline Camera make_camera(const CameraModel& model, ImageSize size) {
+  Camera camera;
+  camera.name = "cam0";
+  camera.model = model;
+  camera.image_size = size;
+  return camera;
+}
+
+/// Kalibr's sample data set, calibrated with ds (Kalibr's authors).
+inline Camera kalibr_ds() {
+  return make_camera(Intrinsics<Ds>{{348.112754378549, 347.1109973814674, 365.8121721753254, 249.3555778487899, 0.5657413673629862,
+                                     -0.24425190195168348}},
+                     {752, 480});
+}
+/// The same with eucm.
+inline Camera kalibr_eucm() {
+  return make_camera(Intrinsics<Eucm>{{460.92588889854693, 459.59327980206865, 365.81762690405503, 248.93674967920276,
+                                       0.5864679700626143, 1.139248617863534}},
+                     {752, 480});
+}
+/// The same with kb4.
+inline Camera kalibr_kb4() {
+  return make_camera(Intrinsics<Kb4>{{461.58688085556616, 460.2811732644195, 366.28603126815506, 249.08026891791644,
+                                      -0.012523386218579752, 0.057836801948828065, -0.08495347810986263, 0.04362766880887814}},
+                     {752, 480});
+}
+/// EuRoC MAV data set, cam0 (Burri et al. 2016).
+inline Camera euroc() {
+  return make_camera(
+      Intrinsics<Radtan>{{458.654, 457.296, 367.215, 248.375, -0.28340811, 0.07395907, 0.00019359, 1.76187114e-05, 0.0}}, {752, 480});
+}
+/// TUM-VI, cam0, 512 x 512 (Schubert et al. 2018); the lens reaches 97.5 degrees from the axis.
+inline Camera tumvi() {
+  return make_camera(Intrinsics<Kb4>{{190.97847715128717, 190.9733070521226, 254.93170605935475, 256.8974428996504,
+                                      0.0034823894022493434, 0.0007150348452162257, -0.0020532361418706202, 0.00020293673591811182}},
+                     {512, 512});
+}
+/// Like an Intel T265's, not a real one.
+inline Camera t265_like() {
+  return make_camera(Intrinsics<Kb4>{{286.3, 286.3, 417.2, 399.1, -0.00604, 0.0452, -0.0425, 0.00776}}, {848, 800});
+}
+/// A 220-degree lens, not a real one.
+inline Camera lens_220() {
+  return make_camera(Intrinsics<Kb4>{{265.1, 264.9, 513.3, 509.7, -0.012, 0.004, -0.0015, 0.0002}}, {1024, 1024});
+}
+
+}  // namespace fca::test
