@@ -40,22 +40,9 @@ std::optional<internal::FittedModel> fit(const Job& job, std::span<const Corresp
   return internal::fit_model(job.target.id, samples, job.central_focal, job.centre, job.options.ranges);
 }
 
-/// A cone around the axis, as a part of the domain.
-std::vector<Correspondence> inside_cone(std::span<const Correspondence> samples, double angle) {
-  std::vector<Correspondence> inside;
-  double total = 0.0;
-  for (const Correspondence& s : samples) {
-    if (angle_from_axis(s.ray) > angle) continue;
-    inside.push_back(s);
-    total += s.weight;
-  }
-  for (Correspondence& s : inside) s.weight /= total;
-  return inside;
-}
-
 /// The largest cone, in steps of 5 degrees, on which the target reaches every ray and stays under 1 px rms; failing that, the
 /// largest on which it reaches every ray.
-std::optional<internal::FittedModel> fit_largest_cone(const Job& job, std::span<const Correspondence> samples, double& cone_rad) {
+std::optional<internal::FittedModel> fit_largest_cone(const Job& job, double& cone_rad) {
   constexpr double kLimitRms = 1.0;  // px
   constexpr int kWidestDeg = 85;
   constexpr int kNarrowestDeg = 20;
@@ -65,7 +52,9 @@ std::optional<internal::FittedModel> fit_largest_cone(const Job& job, std::span<
   for (int degrees = kWidestDeg; degrees >= kNarrowestDeg; degrees -= kStepDeg) {
     const double angle = degrees * kRadiansPerDegree;
     if (angle >= job.domain.max_angle_rad) continue;
-    const std::vector<Correspondence> inside = inside_cone(samples, angle);
+    Domain cone = job.domain;
+    cone.max_angle_rad = angle;
+    const std::vector<Correspondence> inside = sample(job.camera.model, cone, job.options.samples);
     if (inside.size() * 2 < job.target.parameters.size()) break;
     std::optional<internal::FittedModel> candidate = fit(job, inside);
     if (!candidate || !candidate->reaches_all || max_angle(candidate->model) < angle) continue;
@@ -113,7 +102,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, double& reach_rad, D
   std::optional<internal::FittedModel> fitted = fit(job, samples);
   if (!fitted || !fitted->reaches_all) {
     double cone_rad = 0.0;
-    if (std::optional<internal::FittedModel> narrower = fit_largest_cone(job, samples, cone_rad)) {
+    if (std::optional<internal::FittedModel> narrower = fit_largest_cone(job, cone_rad)) {
       fitted = std::move(narrower);
       reach_rad = cone_rad;
       warn_of_cone(job, cone_rad, diagnostics);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fits one camera model to rays and pixels: linear starts, then Levenberg-Marquardt on the geometric residual (pixels), bounds by
-// taking the active parameter out of the step. A template over the model concept: works for any model, listed or not.
+// taking the active parameter out of the step. Whether the fitted camera folds inside the samples is asked afterwards. A template over the model concept: works for any model, listed or not.
 #pragma once
 
 #include "minimise.h"
@@ -56,7 +56,7 @@ class Fitter {
   std::optional<Fit<M>> fit(const std::array<double, 2>& central_focal, const std::array<double, 2>& centre) {
     std::optional<Candidate> best;
     const std::span<const Correspondence> all = samples_;
-    const std::vector<Correspondence> few = every_nth(all, M::kStarts > 1 ? kCoarseSamples : all.size());
+    const std::vector<Correspondence> few = spread(all, kCoarseSamples);
     for (int start = 0; start < M::kStarts; ++start) {
       Candidate candidate;
       candidate.values = {central_focal[0], central_focal[1], centre[0], centre[1]};
@@ -83,11 +83,16 @@ class Fitter {
   static constexpr int kCoarseIterations = 20;
   static constexpr std::size_t kCoarseSamples = 48;
 
-  /// At least `count` of the samples, evenly spread (all, if there are no more).
-  static std::vector<Correspondence> every_nth(std::span<const Correspondence> samples, std::size_t count) {
-    const std::size_t stride = std::max<std::size_t>(1, samples.size() / std::max<std::size_t>(1, count));
+  /// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again and
+  /// again from samples that come in rows.
+  static std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count) {
+    if (count >= samples.size()) return {samples.begin(), samples.end()};
+    constexpr double kGoldenRatio = 0.6180339887498949;
     std::vector<Correspondence> chosen;
-    for (std::size_t i = 0; i < samples.size(); i += stride) chosen.push_back(samples[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double turn = static_cast<double>(i) * kGoldenRatio;
+      chosen.push_back(samples[static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(samples.size()))]);
+    }
     return chosen;
   }
 
@@ -98,9 +103,9 @@ class Fitter {
     }
   }
 
-  static bool projects(const Values& values, const Correspondence& s) {
+  static bool evaluates(const Values& values, const Correspondence& s) {
     double pixel[2];
-    return M::project(values.data(), s.ray.data(), pixel) && std::isfinite(pixel[0]) && std::isfinite(pixel[1]);
+    return M::formula(values.data(), s.ray.data(), pixel) && std::isfinite(pixel[0]) && std::isfinite(pixel[1]);
   }
 
   /// A start may not reach every sample: fit those it reaches, then ask again with the better parameters.
@@ -109,7 +114,7 @@ class Fitter {
     for (int round = 0; round < 4; ++round) {
       active_.clear();
       for (const Correspondence& s : samples_) {
-        if (projects(candidate.values, s)) active_.push_back(s);
+        if (evaluates(candidate.values, s)) active_.push_back(s);
       }
       if (active_.size() * 2 < static_cast<std::size_t>(kCount) || (round > 0 && active_.size() <= before)) break;
       before = active_.size();
@@ -150,7 +155,7 @@ class Fitter {
     if (jacobian == nullptr) {
       for (const Correspondence& s : active_) {
         double pixel[2];
-        if (!M::project(values.data(), s.ray.data(), pixel)) return false;
+        if (!M::formula(values.data(), s.ray.data(), pixel)) return false;
         const double root = std::sqrt(s.weight);
         for (std::size_t axis = 0; axis < 2; ++axis) *residuals++ = root * (pixel[axis] - s.pixel[axis]);
       }
@@ -165,7 +170,7 @@ class Fitter {
     for (const Correspondence& s : active_) {
       const Jet ray[3] = {Jet(s.ray[0]), Jet(s.ray[1]), Jet(s.ray[2])};
       Jet pixel[2];
-      if (!M::project(parameters.data(), ray, pixel)) return false;
+      if (!M::formula(parameters.data(), ray, pixel)) return false;
       const double root = std::sqrt(s.weight);
       for (std::size_t axis = 0; axis < 2; ++axis) {
         *residuals++ = root * (pixel[axis].a - s.pixel[axis]);

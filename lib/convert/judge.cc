@@ -18,7 +18,7 @@ constexpr double kBandDegrees = 10.0;
 struct Scored {
   Pixel pixel;
   double error;
-  double weight;  ///< share of the image's area
+  double weight;  ///< pixels, then share of the image
   double angle_deg;
 };
 
@@ -76,63 +76,87 @@ class Judge {
   /// 1/12 each corner (exact for cubics; the trapezoidal rule is 2 % off where errors soar at the edge of a lens); one that the
   /// domain's edge crosses is split into 6 x 6 parts, each judged at its centre.
   [[nodiscard]] std::vector<Scored> score_lattice(Coverage& coverage) const {
-    const auto [columns, rows] = lattice_size();
-    const double width = domain_.size.width - 1.0;
-    const double height = domain_.size.height - 1.0;
+    const Lattice lattice = make_lattice();
     std::vector<Point> points;
-    for (int j = 0; j < rows; ++j) {
-      for (int i = 0; i < columns; ++i) {
-        points.push_back(at({columns > 1 ? width * i / (columns - 1) : 0.0, rows > 1 ? height * j / (rows - 1) : 0.0}));
-      }
+    for (const double y : lattice.y) {
+      for (const double x : lattice.x) points.push_back(at({x, y}));
     }
-    const auto corner = [&](int i, int j) -> std::size_t {
-      return static_cast<std::size_t>(std::min(j, rows - 1)) * static_cast<std::size_t>(columns) +
-             static_cast<std::size_t>(std::min(i, columns - 1));
-    };
-    std::vector<double> weights(points.size(), 0.0);
+    std::vector<double> weights = border_weights(lattice);
     std::vector<Scored> scored;
-    const int cells_across = std::max(columns - 1, 1);
-    const int cells_down = std::max(rows - 1, 1);
-    const double share = 1.0 / (static_cast<double>(cells_across) * cells_down);
-    for (int j = 0; j < cells_down; ++j) {
-      for (int i = 0; i < cells_across; ++i) {
-        const std::array<std::size_t, 4> corners = {corner(i, j), corner(i + 1, j), corner(i, j + 1), corner(i + 1, j + 1)};
-        const Verdict verdict = points[corners[0]].verdict;
-        const Pixel& first = points[corners[0]].pixel;
-        const Pixel& last = points[corners[3]].pixel;
+    for (std::size_t j = 0; j + 1 < lattice.y.size(); ++j) {
+      for (std::size_t i = 0; i + 1 < lattice.x.size(); ++i) {
+        const std::array corners = {lattice.at(i, j), lattice.at(i + 1, j), lattice.at(i, j + 1), lattice.at(i + 1, j + 1)};
+        const Pixel& first = points[corners.front()].pixel;
+        const Pixel& last = points[corners.back()].pixel;
+        const double area = (last[0] - first[0]) * (last[1] - first[1]);
         const Point centre = at({0.5 * (first[0] + last[0]), 0.5 * (first[1] + last[1])});
-        const bool whole = centre.verdict == verdict &&
-                           std::ranges::all_of(corners, [&](std::size_t c) { return points[c].verdict == verdict; });
-        if (whole) {
-          for (const std::size_t c : corners) weights[c] += share / 12.0;
-          add(centre, share * (2.0 / 3.0), coverage, scored);
+        if (std::ranges::all_of(corners, [&](std::size_t c) { return points[c].verdict == centre.verdict; })) {
+          for (const std::size_t c : corners) weights[c] += area / 12.0;
+          add(centre, area * (2.0 / 3.0), coverage, scored);
         } else {
-          score_split_cell(first, last, share, coverage, scored);
+          score_split_cell(first, last, area, coverage, scored);
         }
       }
     }
     for (std::size_t k = 0; k < points.size(); ++k) add(points[k], weights[k], coverage, scored);
-    // Thousands of additions leave a few units in the last place: the shares are to sum to 1.
+    // From pixels to shares of the image, which sum to 1.
     const double total = coverage.scored + coverage.outside_lens + coverage.unrepresentable;
     for (double* part : {&coverage.scored, &coverage.outside_lens, &coverage.unrepresentable}) *part /= total;
     for (Scored& s : scored) s.weight /= total;
     return scored;
   }
 
-  [[nodiscard]] std::pair<int, int> lattice_size() const {
+  /// The coordinates of the lattice's columns and rows, and the numbering of its points.
+  struct Lattice {
+    std::vector<double> x;
+    std::vector<double> y;
+    [[nodiscard]] std::size_t at(std::size_t column, std::size_t row) const { return row * x.size() + column; }
+  };
+
+  [[nodiscard]] Lattice make_lattice() const {
     // 51 x 51 corners and 50 x 50 centres on a square image; the longer side gets more, so that cells stay square.
     constexpr double kPointsPerSide = 51.0;
     const double aspect = std::sqrt(static_cast<double>(domain_.size.width) / domain_.size.height);
-    const auto side = [](double points, int pixels) { return std::min(pixels, std::clamp(static_cast<int>(std::lround(points)), 17, 300)); };
-    return {side(kPointsPerSide * aspect, domain_.size.width), side(kPointsPerSide / aspect, domain_.size.height)};
+    return {lattice_side(domain_.size.width, kPointsPerSide * aspect), lattice_side(domain_.size.height, kPointsPerSide / aspect)};
   }
 
-  void score_split_cell(const Pixel& first, const Pixel& last, double share, Coverage& coverage, std::vector<Scored>& scored) const {
+  /// From 0 to pixels - 1, denser towards both ends: errors are steepest in the corners of an image.
+  [[nodiscard]] static std::vector<double> lattice_side(int pixels, double points) {
+    const int last = std::min(pixels, std::clamp(static_cast<int>(std::lround(points)), 17, 300)) - 1;
+    std::vector<double> positions = {0.0};
+    for (int i = 1; i <= last; ++i) positions.push_back(0.5 * (pixels - 1.0) * (1.0 - std::cos(std::numbers::pi * i / last)));
+    return positions;
+  }
+
+  /// Pixels on the border reach half a pixel beyond [0, w - 1] x [0, h - 1]: with these strips a sum over the lattice stands for the
+  /// sum over all pixels.
+  [[nodiscard]] static std::vector<double> border_weights(const Lattice& lattice) {
+    std::vector<double> weights(lattice.x.size() * lattice.y.size(), 0.0);
+    constexpr double kHalfStripPerEnd = 0.25;
+    const std::size_t right = lattice.x.size() - 1;
+    const std::size_t bottom = lattice.y.size() - 1;
+    for (std::size_t i = 0; i < right; ++i) {
+      for (const std::size_t row : {std::size_t{0}, bottom}) {
+        for (const std::size_t end : {i, i + 1}) weights[lattice.at(end, row)] += kHalfStripPerEnd * (lattice.x[i + 1] - lattice.x[i]);
+      }
+    }
+    for (std::size_t j = 0; j < bottom; ++j) {
+      for (const std::size_t column : {std::size_t{0}, right}) {
+        for (const std::size_t end : {j, j + 1}) weights[lattice.at(column, end)] += kHalfStripPerEnd * (lattice.y[j + 1] - lattice.y[j]);
+      }
+    }
+    for (const std::size_t column : {std::size_t{0}, right}) {
+      for (const std::size_t row : {std::size_t{0}, bottom}) weights[lattice.at(column, row)] += 0.25;
+    }
+    return weights;
+  }
+
+  void score_split_cell(const Pixel& first, const Pixel& last, double area, Coverage& coverage, std::vector<Scored>& scored) const {
     constexpr int kParts = 6;
     for (int i = 0; i < kParts; ++i) {
       for (int j = 0; j < kParts; ++j) {
         const Pixel centre = {first[0] + (last[0] - first[0]) * (i + 0.5) / kParts, first[1] + (last[1] - first[1]) * (j + 0.5) / kParts};
-        add(at(centre), share / (kParts * kParts), coverage, scored);
+        add(at(centre), area / (kParts * kParts), coverage, scored);
       }
     }
   }
@@ -151,14 +175,25 @@ class Judge {
     }
   }
 
-  /// Points along the edge of the lens, where errors are often largest: no share of the area, but candidates for the maximum.
-  [[nodiscard]] std::vector<Point> edge_points() const {
+  /// The worst point of the edge of the lens, where errors are often largest: none of the area, but a candidate for the maximum.
+  [[nodiscard]] std::optional<Point> worst_edge_point() const {
     constexpr int kAzimuths = 720;
-    std::vector<Point> points;
-    for (int i = 0; i < kAzimuths; ++i) {
-      if (const std::optional<Point> point = edge_point(2.0 * std::numbers::pi * i / kAzimuths)) points.push_back(*point);
+    constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
+    std::optional<Point> worst;
+    double azimuth = 0.0;
+    const auto keep_if_worse_at = [&](double candidate) {
+      const std::optional<Point> point = edge_point(candidate);
+      if (!point || (worst && point->error <= worst->error)) return false;
+      worst = point;
+      azimuth = candidate;
+      return true;
+    };
+    for (int i = 0; i < kAzimuths; ++i) keep_if_worse_at(kSpacing * i);
+    constexpr double kFinest = 1e-6;
+    for (double step = 0.5 * kSpacing; worst && step > kFinest;) {
+      if (!keep_if_worse_at(azimuth + step) && !keep_if_worse_at(azimuth - step)) step *= 0.5;
     }
-    return points;
+    return worst;
   }
 
   [[nodiscard]] std::optional<Point> edge_point(double azimuth) const {
@@ -208,9 +243,7 @@ class Judge {
   void polish_maximum(const std::vector<Scored>& sorted, Judgement& result) const {
     constexpr std::size_t kCandidates = 12;
     for (std::size_t n = 0; n < std::min(kCandidates, sorted.size()); ++n) keep_if_worse(climb(sorted[sorted.size() - 1 - n].pixel), result);
-    const std::vector<Point> edge = edge_points();
-    const auto worst = std::ranges::max_element(edge, {}, &Point::error);
-    if (worst != edge.end()) keep_if_worse(climb(worst->pixel), result);
+    if (const std::optional<Point> edge = worst_edge_point()) keep_if_worse(climb(edge->pixel), result);
   }
 
   static void keep_if_worse(const Point& point, Judgement& result) {

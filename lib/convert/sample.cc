@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fca {
@@ -59,52 +60,90 @@ std::vector<Correspondence> sample_rectangle(const CameraModel& source, const Do
   return samples;
 }
 
-/// From `centre` along `direction`: how far the domain reaches. Angles grow along the way, so bisection finds the edge.
-double reach(const CameraModel& source, const Domain& domain, const Pixel& centre, const Pixel& direction) {
+/// How far the domain reaches from a centre on one azimuth, and what ends it there.
+struct Reach {
+  double distance = 0.0;
+  bool at_border = true;  ///< else the lens ends first
+};
+
+/// Angles grow along the way, so bisection finds the lens's edge.
+Reach reach(const CameraModel& source, const Domain& domain, const Pixel& centre, double azimuth) {
+  const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
+  const Pixel last = {domain.size.width - 1.0, domain.size.height - 1.0};
   double far = std::numeric_limits<double>::infinity();
-  const std::array<double, 2> last = {domain.size.width - 1.0, domain.size.height - 1.0};
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
+  for (std::size_t k = 0; k < direction.size(); ++k) {
     if (direction[k] > 0.0) far = std::min(far, (last[k] - centre[k]) / direction[k]);
     if (direction[k] < 0.0) far = std::min(far, -centre[k] / direction[k]);
   }
   const auto inside = [&](double distance) {
     return domain.ray(source, {centre[0] + distance * direction[0], centre[1] + distance * direction[1]}).has_value();
   };
-  if (inside(far)) return far;
+  constexpr double kJustInside = 1.0 - 1e-12;  // rounding must not put the border outside the image
+  if (inside(far * kJustInside)) return {far * kJustInside, true};
   double near = 0.0;
-  for (int i = 0; i < 40; ++i) {
+  constexpr int kHalvings = 40;
+  for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (near + far);
     (inside(middle) ? near : far) = middle;
   }
-  return near;
+  return {near, false};
 }
 
-/// Polar around the principal point. The azimuths are split at the image's corners, where the edge's distance has its kinks.
-std::vector<Correspondence> sample_polar(const CameraModel& source, const Domain& domain, const Pixel& centre, int count) {
+/// Azimuths between which the domain's edge is smooth: the image's corners, and where the edge changes between border and lens.
+std::vector<double> smooth_pieces(const CameraModel& source, const Domain& domain, const Pixel& centre) {
   const double width = domain.size.width - 1.0;
   const double height = domain.size.height - 1.0;
-  std::array<double, 5> kinks{};
-  const std::array<Pixel, 4> corners = {{{width, height}, {0.0, height}, {0.0, 0.0}, {width, 0.0}}};
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    kinks[i] = std::atan2(corners[i][1] - centre[1], corners[i][0] - centre[0]);
-    if (i > 0 && kinks[i] < kinks[i - 1]) kinks[i] += 2.0 * std::numbers::pi;
+  std::vector<double> corners;
+  for (const Pixel& corner : {Pixel{width, height}, Pixel{0.0, height}, Pixel{0.0, 0.0}, Pixel{width, 0.0}}) {
+    double azimuth = std::atan2(corner[1] - centre[1], corner[0] - centre[0]);
+    if (!corners.empty() && azimuth < corners.back()) azimuth += 2.0 * std::numbers::pi;
+    corners.push_back(azimuth);
   }
-  kinks[4] = kinks[0] + 2.0 * std::numbers::pi;
+  corners.push_back(corners.front() + 2.0 * std::numbers::pi);
 
-  constexpr int kRadii = 10;
-  const std::vector<Node> radii = gauss_legendre(kRadii);
-  const std::vector<Node> azimuths = gauss_legendre(std::max(3, count / (4 * kRadii)));
+  const auto at_border = [&](double azimuth) { return reach(source, domain, centre, azimuth).at_border; };
+  constexpr int kStepsPerSide = 12;
+  std::vector<double> pieces = {corners.front()};
+  for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
+    const double span = corners[side + 1] - corners[side];
+    // The corners themselves belong to two sides: look a hair inside.
+    const auto azimuth_of = [&](int step) { return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, 1e-9, 1.0 - 1e-9); };
+    for (int step = 0; step < kStepsPerSide; ++step) {
+      double before = azimuth_of(step);
+      double after = azimuth_of(step + 1);
+      const bool kind = at_border(before);
+      if (at_border(after) == kind) continue;
+      constexpr int kHalvings = 30;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (before + after);
+        (at_border(middle) == kind ? before : after) = middle;
+      }
+      pieces.push_back(0.5 * (before + after));
+    }
+    pieces.push_back(corners[side + 1]);
+  }
+  return pieces;
+}
+
+/// Polar around the principal point.
+std::vector<Correspondence> sample_polar(const CameraModel& source, const Domain& domain, const Pixel& centre, int count) {
+  const std::vector<double> pieces = smooth_pieces(source, domain, centre);
+  // Errors change fast along the radius (tan^7 for radtan) and slowly around it: three azimuths a piece, and radii as many as are left.
+  constexpr int kAzimuthsPerPiece = 3;
+  constexpr int kFewestRadii = 10;
+  constexpr int kMostRadii = 40;
+  const int radial = std::clamp(count / (kAzimuthsPerPiece * static_cast<int>(pieces.size() - 1)), kFewestRadii, kMostRadii);
+  const std::vector<Node> radii = gauss_legendre(radial);
+  const double azimuths_per_radian = count / (radial * 2.0 * std::numbers::pi);
   std::vector<Correspondence> samples;
-  for (std::size_t side = 0; side + 1 < kinks.size(); ++side) {
-    const double span = kinks[side + 1] - kinks[side];
-    for (const Node& azimuth : azimuths) {
-      const double phi = kinks[side] + azimuth.position * span;
-      const Pixel direction = {std::cos(phi), std::sin(phi)};
-      const double edge = reach(source, domain, centre, direction);
+  for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
+    const double span = pieces[piece + 1] - pieces[piece];
+    for (const Node& azimuth : gauss_legendre(std::max(kAzimuthsPerPiece, static_cast<int>(std::lround(azimuths_per_radian * span))))) {
+      const double phi = pieces[piece] + azimuth.position * span;
+      const double edge = reach(source, domain, centre, phi).distance;
       for (const Node& radius : radii) {
         const double distance = radius.position * edge;
-        add_if_seen(source, domain, {centre[0] + distance * direction[0], centre[1] + distance * direction[1]},
+        add_if_seen(source, domain, {centre[0] + distance * std::cos(phi), centre[1] + distance * std::sin(phi)},
                     azimuth.weight * span * radius.weight * edge * distance, samples);
       }
     }

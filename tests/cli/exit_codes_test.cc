@@ -10,7 +10,7 @@ const std::string kImu = testdata("../formats/kalibr/good/imu.yaml");
 const std::string kEucm = testdata("../formats/kalibr/good/eucm.yaml");
 const std::vector<std::string> kSubcommands = {"convert", "show", "project", "unproject", "formats", "models", "programs"};
 
-void expect_failure(const Run& run, int code, const std::string& word = "error") {
+void expect_failure(const RunResult& run, int code, const std::string& word = "error") {
   EXPECT_EQ(run.signal, 0);
   EXPECT_EQ(run.code, code) << run.err << run.out;
   EXPECT_TRUE(contains(run.err, word)) << run.err;
@@ -18,7 +18,7 @@ void expect_failure(const Run& run, int code, const std::string& word = "error")
 }
 
 TEST(ExitCodes, NoArgumentIsUsage) {
-  const Run run = run_program({});
+  const RunResult run = run_program({});
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(run.out, "");
   EXPECT_TRUE(contains(run.err, "convert")) << run.err;
@@ -26,14 +26,14 @@ TEST(ExitCodes, NoArgumentIsUsage) {
 
 TEST(ExitCodes, HelpHasAnExampleEverywhere) {
   for (const char* flag : {"--help", "-h"}) {
-    const Run run = run_program({flag});
+    const RunResult run = run_program({flag});
     EXPECT_EQ(run.code, 0);
     EXPECT_EQ(run.err, "");
     EXPECT_TRUE(contains(run.out, "Example")) << run.out;
     EXPECT_TRUE(contains(run.out, "fca-io convert")) << run.out;
   }
   for (const std::string& subcommand : kSubcommands) {
-    const Run run = run_program({subcommand, "--help"});
+    const RunResult run = run_program({subcommand, "--help"});
     EXPECT_EQ(run.code, 0) << subcommand;
     EXPECT_TRUE(contains(run.out, "Example")) << subcommand << run.out;
     EXPECT_TRUE(contains(run.out, "fca-io " + subcommand)) << subcommand << run.out;
@@ -41,7 +41,7 @@ TEST(ExitCodes, HelpHasAnExampleEverywhere) {
 }
 
 TEST(ExitCodes, Version) {
-  const Run run = run_program({"--version"});
+  const RunResult run = run_program({"--version"});
   EXPECT_EQ(run.code, 0);
   EXPECT_TRUE(run.out.starts_with("fca-io ")) << run.out;
   EXPECT_EQ(run.err, "");
@@ -60,7 +60,7 @@ TEST(ExitCodes, UnknownNamesAreUsageWithTheNearest) {
 
 TEST(ExitCodes, UnknownCameraIsUsageAndSaysWhichThereAre) {
   for (const char* camera : {"cam7", "7", "-1", "0,0", "", "left", "0,,1"}) {
-    const Run run = run_program({"show", kTumvi, std::string("--camera=") + camera});
+    const RunResult run = run_program({"show", kTumvi, std::string("--camera=") + camera});
     EXPECT_EQ(run.code, 3) << "'" << camera << "' " << run.err;
     EXPECT_FALSE(run.err.empty()) << camera;
   }
@@ -124,12 +124,12 @@ TEST(ExitCodes, ImpossibleNumbersAreBadInput) {
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"convert", path, "--to", "orbslam3", "-o", output},
                                                                                      {"convert", path, "--to", "kalibr", "--model", "eucm", "-o", output},
                                                                                      {"convert", path, "--to", "orbslam3", "--model", "ds", "-o", output}}) {
-      const Run run = run_program(words);
+      const RunResult run = run_program(words);
       EXPECT_EQ(run.code, 2) << name << " " << words[3] << ": " << run.err;
       EXPECT_TRUE(contains(run.err, "error")) << name;
       EXPECT_FALSE(fs::exists(output)) << name;
     }
-    const Run points = run_program({"project", path}, {.input = "0 0 1\n"});
+    const RunResult points = run_program({"project", path}, {.input = "0 0 1\n"});
     EXPECT_EQ(points.code, 2) << name << points.out;
     EXPECT_EQ(points.out, "") << name;
   }
@@ -140,9 +140,9 @@ TEST(ExitCodes, AlphaOneIsNotWrittenForKalibr) {
   const TemporaryFolder folder;
   const std::string path = folder.write("alpha-one.yaml", with_replaced(read_file(kEucm), "0.6291060881178562", "1.0"));
   const std::string output = folder / "out.yaml";
-  const Run shown = run_program({"show", path});
+  const RunResult shown = run_program({"show", path});
   EXPECT_TRUE(shown.code == 2 || contains(shown.out, "Kalibr: no")) << shown.out << shown.err;
-  const Run run = run_program({"convert", path, "--to", "kalibr", "-o", output});
+  const RunResult run = run_program({"convert", path, "--to", "kalibr", "-o", output});
   EXPECT_NE(run.code, 70) << run.err;
   if (run.code == 0) {
     EXPECT_FALSE(contains(read_file(output), "intrinsics: [1.0,")) << read_file(output);
@@ -162,7 +162,7 @@ TEST(ExitCodes, BadOptionValuesAreUsage) {
   for (const auto& [option, value] : kBad) {
     std::vector<std::string> words = convert;
     words.push_back(std::string(option) + "=" + value);
-    const Run run = run_program(words);
+    const RunResult run = run_program(words);
     EXPECT_EQ(run.code, 3) << option << " " << value << ": " << run.err;
     EXPECT_TRUE(contains(run.err, option)) << option << " " << value << ": " << run.err;
   }
@@ -180,11 +180,11 @@ TEST(ExitCodes, AFullDeviceIsInputOutput) {
                                                                                    {"programs"},
                                                                                    {"--help"},
                                                                                    {"--version"}}) {
-    const Run run = run_program(words, {.output_path = "/dev/full"});
+    const RunResult run = run_program(words, {.output_path = "/dev/full"});
     EXPECT_EQ(run.code, 4) << words[0] << " " << run.err;
     EXPECT_TRUE(contains(run.err, "standard output")) << words[0] << " " << run.err;
   }
-  const Run points = run_program({"project", kEucm}, {.input = "0 0 1\n", .output_path = "/dev/full"});
+  const RunResult points = run_program({"project", kEucm}, {.input = "0 0 1\n", .output_path = "/dev/full"});
   EXPECT_EQ(points.code, 4);
 }
 
@@ -193,7 +193,7 @@ TEST(ExitCodes, AFullOutputFileIsInputOutput) {
   for (const bool force : {false, true}) {
     std::vector<std::string> words = {"convert", kTumvi, "--to", "orbslam3", "-o", "/dev/full"};
     if (force) words.emplace_back("--force");
-    const Run run = run_program(words);
+    const RunResult run = run_program(words);
     EXPECT_EQ(run.code, 4) << run.err;
     EXPECT_TRUE(contains(run.err, "/dev/full")) << run.err;
     EXPECT_FALSE(contains(run.out, "wrote")) << run.out;
@@ -203,16 +203,16 @@ TEST(ExitCodes, AFullOutputFileIsInputOutput) {
 TEST(ExitCodes, OfSeveralInputsTheWorstIsReturnedAndAllAreTried) {
   const TemporaryFolder folder;
   const std::string empty = folder.write("empty.yaml", "");
-  const Run shown = run_program({"show", empty, kTumvi});
+  const RunResult shown = run_program({"show", empty, kTumvi});
   EXPECT_EQ(shown.code, 2);
   EXPECT_TRUE(contains(shown.out, "cam1")) << shown.out;
-  const Run missing = run_program({"show", empty, kTumvi, folder / "missing.yaml"});
+  const RunResult missing = run_program({"show", empty, kTumvi, folder / "missing.yaml"});
   EXPECT_EQ(missing.code, 4);
   EXPECT_TRUE(contains(missing.err, "empty.yaml") && contains(missing.err, "missing.yaml")) << missing.err;
 }
 
 TEST(ExitCodes, StandardInputIsAFile) {
-  const Run run = run_program({"show", "-"}, {.input = read_file(kTumvi)});
+  const RunResult run = run_program({"show", "-"}, {.input = read_file(kTumvi)});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "cam1"));
   EXPECT_EQ(run_program({"convert", "-", "--to", "orbslam3"}, {.input = read_file(kTumvi)}).code, 0);
@@ -221,7 +221,7 @@ TEST(ExitCodes, StandardInputIsAFile) {
 }
 
 TEST(ExitCodes, AFileAloneIsShown) {
-  const Run run = run_program({kTumvi});
+  const RunResult run = run_program({kTumvi});
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.out, run_program({"show", kTumvi}).out);
 }

@@ -69,7 +69,7 @@ inline std::string read_file(const fs::path& path) {
 }
 
 /// How a run ended.
-struct Run {
+struct RunResult {
   int code = -1;     ///< The exit code; -1 if a signal ended it.
   int signal = 0;
   bool timed_out = false;
@@ -80,13 +80,13 @@ struct Run {
 
 struct RunOptions {
   std::string input;                ///< Standard input.
-  std::string output_path;          ///< Where standard output goes instead of into Run::out ("/dev/full").
+  std::string output_path;          ///< Where standard output goes instead of into RunResult::out ("/dev/full").
   std::string folder;               ///< Working directory; empty: a fresh one.
   double limit_seconds = 60.0;
 };
 
 /// Runs `words` (the program's path in front is added).
-inline Run run_program(const std::vector<std::string>& words, const RunOptions& options = {}) {
+inline RunResult run_program(const std::vector<std::string>& words, const RunOptions& options = {}) {
   const TemporaryFolder files;
   const std::string in = files.write("in", options.input);
   const std::string out = options.output_path.empty() ? files / "out" : options.output_path;
@@ -106,7 +106,7 @@ inline Run run_program(const std::vector<std::string>& words, const RunOptions& 
   for (std::string& word : all) argv.push_back(word.data());
   argv.push_back(nullptr);
 
-  Run run;
+  RunResult run;
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   pid_t child = 0;

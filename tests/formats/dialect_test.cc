@@ -6,6 +6,7 @@
 
 #include <fca/formats/text/dialect.h>
 
+#include <opencv2/core.hpp>
 #include <opencv2/core/persistence.hpp>
 
 namespace fca::text {

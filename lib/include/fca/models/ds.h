@@ -37,21 +37,11 @@ struct Ds {
 
   template <class T>
   static bool project(const T* p, const T* ray, T* pixel) {
-    using std::sqrt;
-    const T& alpha = p[4];
-    const T& xi = p[5];
-    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
-    const T d1 = sqrt(r2 + ray[2] * ray[2]);
-    const T k = internal::value_of(xi) > 0.0 ? internal::unified_sum(xi, d1, T(1.0), ray[2], r2) : T(xi * d1 + ray[2]);
-    const T d2 = sqrt(r2 + k * k);
-    if (!in_domain(internal::value_of(alpha), internal::value_of(xi), internal::value_of(ray[2]), internal::value_of(d1),
-                   internal::value_of(k), internal::value_of(d2))) {
-      return false;
-    }
-    const T denominator = internal::unified_sum(alpha, d2, T(T(1.0) - alpha), k, r2);
-    if (!(internal::value_of(denominator) > 0.0)) return false;
-    internal::to_pixel(p, T(ray[0] / denominator), T(ray[1] / denominator), pixel);
-    return true;
+    return map<true>(p, ray, pixel);
+  }
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return map<false>(p, ray, pixel);
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
@@ -115,6 +105,25 @@ struct Ds {
   static double central_focal_length(const double* p) { return p[0] / (1.0 + p[5]); }
 
  private:
+  template <bool kWithinDomain, class T>
+  static bool map(const T* p, const T* ray, T* pixel) {
+    using std::sqrt;
+    const T& alpha = p[4];
+    const T& xi = p[5];
+    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const T d1 = sqrt(r2 + ray[2] * ray[2]);
+    const T k = internal::value_of(xi) > 0.0 ? internal::unified_sum(xi, d1, T(1.0), ray[2], r2) : T(xi * d1 + ray[2]);
+    const T d2 = sqrt(r2 + k * k);
+    if (kWithinDomain && !in_domain(internal::value_of(alpha), internal::value_of(xi), internal::value_of(ray[2]),
+                                    internal::value_of(d1), internal::value_of(k), internal::value_of(d2))) {
+      return false;
+    }
+    const T denominator = internal::unified_sum(alpha, d2, T(T(1.0) - alpha), k, r2);
+    if (!(internal::value_of(denominator) > 0.0)) return false;
+    internal::to_pixel(p, T(ray[0] / denominator), T(ray[1] / denominator), pixel);
+    return true;
+  }
+
   static double limit(double alpha) { return alpha <= 0.5 ? alpha / (1.0 - alpha) : (1.0 - alpha) / alpha; }
 
   static bool in_domain(double alpha, double xi, double z, double d1, double k, double d2) {

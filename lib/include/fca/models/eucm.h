@@ -26,13 +26,13 @@ struct UnifiedPlane {
   /// The domain's limit of z / d.
   static double min_z_over_d(double alpha) { return alpha <= 0.5 ? -alpha / (1.0 - alpha) : -(1.0 - alpha) / alpha; }
 
-  /// (x, y, z) -> m; false outside the domain.
-  template <class T>
+  /// (x, y, z) -> m; false where the formula has no value or, if that is asked, outside the domain.
+  template <bool kWithinDomain, class T>
   static bool project(const T& alpha, const T& beta, const T* ray, T* m) {
     using std::sqrt;
     const T r2 = beta * (ray[0] * ray[0] + ray[1] * ray[1]);
     const T d = sqrt(r2 + ray[2] * ray[2]);
-    if (!(value_of(ray[2]) > min_z_over_d(value_of(alpha)) * value_of(d))) return false;
+    if (kWithinDomain && !(value_of(ray[2]) > min_z_over_d(value_of(alpha)) * value_of(d))) return false;
     const T denominator = unified_sum(alpha, d, T(T(1.0) - alpha), ray[2], r2);
     if (!(value_of(denominator) > 0.0)) return false;
     m[0] = ray[0] / denominator;
@@ -90,10 +90,11 @@ struct Eucm {
 
   template <class T>
   static bool project(const T* p, const T* ray, T* pixel) {
-    T m[2];
-    if (!internal::UnifiedPlane::project(p[4], p[5], ray, m)) return false;
-    internal::to_pixel(p, m[0], m[1], pixel);
-    return true;
+    return map<true>(p, ray, pixel);
+  }
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return map<false>(p, ray, pixel);
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
@@ -111,6 +112,15 @@ struct Eucm {
   }
 
   static double central_focal_length(const double* p) { return p[0]; }
+
+ private:
+  template <bool kWithinDomain, class T>
+  static bool map(const T* p, const T* ray, T* pixel) {
+    T m[2];
+    if (!internal::UnifiedPlane::project<kWithinDomain>(p[4], p[5], ray, m)) return false;
+    internal::to_pixel(p, m[0], m[1], pixel);
+    return true;
+  }
 };
 
 static_assert(CameraModelType<Eucm>);

@@ -44,6 +44,11 @@ struct Fov {
     return true;
   }
 
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return project(p, ray, pixel);
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     double mx = 0.0;
     double my = 0.0;

@@ -37,24 +37,11 @@ struct Kb4 {
 
   template <class T>
   static bool project(const T* p, const T* ray, T* pixel) {
-    using std::atan2;
-    using std::sqrt;
-    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
-    if (!(internal::value_of(r2) > 0.0)) {  // on the axis, where r has no derivative
-      if (!(internal::value_of(ray[2]) > 0.0)) return false;
-      internal::to_pixel(p, T(ray[0] / ray[2]), T(ray[1] / ray[2]), pixel);
-      return true;
-    }
-    const T r = sqrt(r2);
-    const T theta = atan2(r, ray[2]);
-    const double values[4] = {internal::value_of(p[4]), internal::value_of(p[5]), internal::value_of(p[6]),
-                              internal::value_of(p[7])};
-    const double angle = internal::value_of(theta);
-    if (!(angle < std::numbers::pi) || !positive_on(slope(values), angle * angle)) return false;
-    const T t = theta * theta;
-    const T scale = theta * (T(1.0) + t * (p[4] + t * (p[5] + t * (p[6] + t * p[7])))) / r;
-    internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
-    return true;
+    return map<true>(p, ray, pixel);
+  }
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return map<false>(p, ray, pixel);
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
@@ -88,6 +75,28 @@ struct Kb4 {
   static double central_focal_length(const double* p) { return p[0]; }
 
  private:
+  template <bool kWithinDomain, class T>
+  static bool map(const T* p, const T* ray, T* pixel) {
+    using std::atan2;
+    using std::sqrt;
+    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    if (!(internal::value_of(r2) > 0.0)) {  // on the axis, where r has no derivative
+      if (!(internal::value_of(ray[2]) > 0.0)) return false;
+      internal::to_pixel(p, T(ray[0] / ray[2]), T(ray[1] / ray[2]), pixel);
+      return true;
+    }
+    const T r = sqrt(r2);
+    const T theta = atan2(r, ray[2]);
+    const double values[4] = {internal::value_of(p[4]), internal::value_of(p[5]), internal::value_of(p[6]),
+                              internal::value_of(p[7])};
+    const double angle = internal::value_of(theta);
+    if (kWithinDomain && (!(angle < std::numbers::pi) || !positive_on(slope(values), angle * angle))) return false;
+    const T t = theta * theta;
+    const T scale = theta * (T(1.0) + t * (p[4] + t * (p[5] + t * (p[6] + t * p[7])))) / r;
+    internal::to_pixel(p, T(scale * ray[0]), T(scale * ray[1]), pixel);
+    return true;
+  }
+
   /// dd/dtheta as a polynomial in theta^2.
   static std::array<double, 5> slope(const double* k) { return {1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]}; }
 

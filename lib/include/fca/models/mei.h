@@ -30,17 +30,11 @@ struct Mei {
 
   template <class T>
   static bool project(const T* p, const T* ray, T* pixel) {
-    using std::sqrt;
-    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
-    const T d = sqrt(r2 + ray[2] * ray[2]);
-    if (!(internal::value_of(ray[2]) > -limit(internal::value_of(p[4])) * internal::value_of(d))) return false;
-    const T denominator = internal::unified_sum(p[4], d, T(1.0), ray[2], r2);
-    if (!(internal::value_of(denominator) > 0.0)) return false;
-    const T q[5] = {p[5], p[6], p[7], p[8], T(0.0)};
-    T m[2];
-    if (!internal::RadialTangential::distort(q, T(ray[0] / denominator), T(ray[1] / denominator), m)) return false;
-    internal::to_pixel(p, m[0], m[1], pixel);
-    return true;
+    return map<true>(p, ray, pixel);
+  }
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return map<false>(p, ray, pixel);
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
@@ -93,6 +87,21 @@ struct Mei {
   static double central_focal_length(const double* p) { return p[0] / (1.0 + p[4]); }
 
  private:
+  template <bool kWithinDomain, class T>
+  static bool map(const T* p, const T* ray, T* pixel) {
+    using std::sqrt;
+    const T r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const T d = sqrt(r2 + ray[2] * ray[2]);
+    if (kWithinDomain && !(internal::value_of(ray[2]) > -limit(internal::value_of(p[4])) * internal::value_of(d))) return false;
+    const T denominator = internal::unified_sum(p[4], d, T(1.0), ray[2], r2);
+    if (!(internal::value_of(denominator) > 0.0)) return false;
+    const T q[5] = {p[5], p[6], p[7], p[8], T(0.0)};
+    T m[2];
+    if (!internal::RadialTangential::distort<kWithinDomain>(q, T(ray[0] / denominator), T(ray[1] / denominator), m)) return false;
+    internal::to_pixel(p, m[0], m[1], pixel);
+    return true;
+  }
+
   /// For xi <= 1 the denominator reaches 0 at cos = -xi; for xi > 1 the radius stops growing at cos = -1 / xi.
   static double limit(double xi) { return xi <= 1.0 ? xi : 1.0 / xi; }
 };

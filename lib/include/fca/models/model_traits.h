@@ -53,6 +53,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///
 ///   project(p, ray, pixel)     ray -> pixel for double and for automatic differentiation (any T with the usual functions);
 ///                              false outside the model's domain: where its formula ends or its image radius stops growing.
+///   formula(p, ray, pixel)     the same without the domain: false only where the formula has no value. Fits walk through
+///                              parameters whose domain is too small for their rays on the way to ones whose is not.
 ///   unproject(p, pixel, ray)   pixel -> unit ray, double only; false where no ray of the domain has that pixel.
 ///   max_angle(p)               the domain's limit in radians from the axis (the smallest over all azimuths).
 ///   kStarts, initialise(samples, start, p)
@@ -67,6 +69,7 @@ concept CameraModelType = requires(const double* p, double* out, const double* i
   { M::kAliases.size() } -> std::convertible_to<std::size_t>;
   { M::kParameters.size() } -> std::convertible_to<std::size_t>;
   { M::template project<double>(p, in, out) } -> std::same_as<bool>;
+  { M::template formula<double>(p, in, out) } -> std::same_as<bool>;
   { M::unproject(p, in, out) } -> std::same_as<bool>;
   { M::max_angle(p) } -> std::same_as<double>;
   { M::kStarts } -> std::convertible_to<int>;

@@ -28,6 +28,11 @@ struct Pinhole {
     return true;
   }
 
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return project(p, ray, pixel);
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     if (!internal::to_plane(p, pixel, ray[0], ray[1])) return false;
     ray[2] = 1.0;

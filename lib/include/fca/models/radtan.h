@@ -35,11 +35,12 @@ namespace internal {
 /// up to r implies L > 3 P r. So r_max is the first root of A - 6 P r or A + 3 L - 16 P r. Where the second comes first (6 of a
 /// million random lenses) the disc is a few percent smaller than the largest possible one.
 struct RadialTangential {
-  template <class T>
+  /// false outside the disc, if that is asked.
+  template <bool kWithinDomain, class T>
   static bool distort(const T* q, const T& x, const T& y, T* m) {
     const T r2 = x * x + y * y;
     const double values[5] = {value_of(q[0]), value_of(q[1]), value_of(q[2]), value_of(q[3]), value_of(q[4])};
-    if (!inside(values, std::sqrt(value_of(r2)))) return false;
+    if (kWithinDomain && !inside(values, std::sqrt(value_of(r2)))) return false;
     apply(q, x, y, r2, m);
     return true;
   }
@@ -169,11 +170,11 @@ struct Radtan {
 
   template <class T>
   static bool project(const T* p, const T* ray, T* pixel) {
-    if (!(internal::value_of(ray[2]) > 0.0)) return false;
-    T m[2];
-    if (!internal::RadialTangential::distort(p + 4, T(ray[0] / ray[2]), T(ray[1] / ray[2]), m)) return false;
-    internal::to_pixel(p, m[0], m[1], pixel);
-    return true;
+    return map<true>(p, ray, pixel);
+  }
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return map<false>(p, ray, pixel);
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
@@ -204,6 +205,16 @@ struct Radtan {
   }
 
   static double central_focal_length(const double* p) { return p[0]; }
+
+ private:
+  template <bool kWithinDomain, class T>
+  static bool map(const T* p, const T* ray, T* pixel) {
+    if (!(internal::value_of(ray[2]) > 0.0)) return false;
+    T m[2];
+    if (!internal::RadialTangential::distort<kWithinDomain>(p + 4, T(ray[0] / ray[2]), T(ray[1] / ray[2]), m)) return false;
+    internal::to_pixel(p, m[0], m[1], pixel);
+    return true;
+  }
 };
 
 static_assert(CameraModelType<Radtan>);

@@ -24,10 +24,11 @@ struct Ucm {
 
   template <class T>
   static bool project(const T* p, const T* ray, T* pixel) {
-    T m[2];
-    if (!internal::UnifiedPlane::project(p[4], T(1.0), ray, m)) return false;
-    internal::to_pixel(p, m[0], m[1], pixel);
-    return true;
+    return map<true>(p, ray, pixel);
+  }
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return map<false>(p, ray, pixel);
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
@@ -44,6 +45,15 @@ struct Ucm {
   }
 
   static double central_focal_length(const double* p) { return p[0]; }
+
+ private:
+  template <bool kWithinDomain, class T>
+  static bool map(const T* p, const T* ray, T* pixel) {
+    T m[2];
+    if (!internal::UnifiedPlane::project<kWithinDomain>(p[4], T(1.0), ray, m)) return false;
+    internal::to_pixel(p, m[0], m[1], pixel);
+    return true;
+  }
 };
 
 static_assert(CameraModelType<Ucm>);

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The main job, as people and scripts see it: what is written, what is said of it, and the JSON of CLI.md.
+#include "cli/run_program.h"
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/proof.h>
+#include <fca/formats/text/read_document.h>
+
+#include <cmath>
+
+#include <rapidjson/document.h>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("../formats/kalibr/good/tumvi.yaml");
+const std::string kDs = testdata("../formats/kalibr/good/ds.yaml");
+const std::string kEucm = testdata("../formats/kalibr/good/eucm.yaml");
+const std::string kImu = testdata("../formats/kalibr/good/imu.yaml");
+const std::string kReaders = "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
+
+using Json = rapidjson::Document;
+using Value = rapidjson::Value;
+
+Json json_of(const RunResult& run) {
+  Json document;
+  document.Parse<rapidjson::kParseValidateEncodingFlag>(run.out.c_str(), run.out.size());
+  EXPECT_FALSE(document.HasParseError()) << run.out << run.err;
+  return document;
+}
+
+Rig rig_in(const std::string& bytes) {
+  Diagnostics diagnostics;
+  std::optional<text::Document> document = text::parse_document({"output", bytes}, diagnostics);
+  if (!document) {
+    ADD_FAILURE() << bytes;
+    return {};
+  }
+  const std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
+  EXPECT_TRUE(calibration) << bytes;
+  return calibration ? calibration->rig : Rig();
+}
+
+bool loads(const char* consumer, const std::string& bytes, const char* sensor) { return consumers::find_consumer(consumer)->load(bytes, {sensor}).loads(); }
+
+TEST(Convert, TumViBecomesAStereoInertialV1File) {
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(first_line(run.err), "stereo-inertial")) << run.err;
+  EXPECT_TRUE(loads("orbslam3", run.out, "stereo-inertial")) << run.out;
+  const Rig rig = rig_in(run.out);
+  ASSERT_EQ(rig.cameras.size(), 2U);
+  EXPECT_EQ(rig.cameras[0].model, rig_in(read_file(kTumvi)).cameras[0].model) << "kb4 is kept to the last bit";
+}
+
+TEST(Convert, TheFirstLineSaysWhatIsMissingForMore) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(first_line(run.err), "stereo")) << run.err;
+  EXPECT_TRUE(contains(first_line(run.err), "--with imu.yaml")) << run.err;
+}
+
+TEST(Convert, TheEucmDialectSaysWhoReadsIt) {
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--model", "eucm"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(first_line(run.err).starts_with(kReaders)) << run.err;
+  EXPECT_FALSE(contains(run.out, "File.version"));
+  EXPECT_TRUE(contains(run.out, "Camera.type: \"EUCM\"")) << run.out;
+  EXPECT_TRUE(loads("slam_no_opt", run.out, "mono"));
+  EXPECT_TRUE(loads("slam_no_opt", run.out, "stereo"));
+  EXPECT_FALSE(loads("orbslam3", run.out, "mono"));
+  for (const Camera& camera : rig_in(run.out).cameras) EXPECT_GT(parameter(camera.model, "alpha").value_or(0.0), 0.5);
+}
+
+// FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted anew with alpha above.
+TEST(Convert, AnEucmWithSmallAlphaIsNotPassedThrough) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("small.yaml", with_replaced(with_replaced(read_file(kEucm), "0.6291060881178562", "0.45"), "1.0418067381860868", "1.6"));
+  const RunResult run = run_program({"convert", path, "--to", "orbslam3", "--model", "eucm", "--max-angle", "60"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_GT(parameter(rig_in(run.out).cameras.at(0).model, "alpha").value(), 0.5);
+}
+
+TEST(Convert, ADoubleSphereChainBecomesKannalaBrandt8) {
+  const RunResult run = run_program({"convert", kDs, "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "Camera.type: \"KannalaBrandt8\"")) << run.out;
+  EXPECT_TRUE(contains(run.err, "ds -> kb4")) << run.err;
+  EXPECT_TRUE(loads("orbslam3", run.out, "stereo"));
+}
+
+TEST(Convert, TheReportNamesWhatCliMdAsksFor) {
+  const RunResult run = run_program({"convert", kDs, "--to", "orbslam3"});
+  for (const char* said : {"cam0", "cam1", "fx", "k4", "deg from the axis", "rms", "max", " at (", "share", "lost:", "proof: ORB-SLAM3 V1.0", "Camera.fps", "Camera.RGB", "ORBextractor", "Viewer"}) {
+    EXPECT_TRUE(contains(run.err, said)) << said << " is not in\n" << run.err;
+  }
+}
+
+TEST(Convert, TimeOffsetsAreLostWithTheirSignAndARemedy) {
+  const RunResult run = run_program({"convert", kDs, "--to", "orbslam3"});
+  EXPECT_TRUE(contains(run.err, "add 0.0021 s to every image time stamp")) << run.err;
+  EXPECT_TRUE(contains(run.err, "-0.0035 s")) << run.err;
+  const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--json"}));
+  int offsets = 0;
+  for (const Value& loss : json["losses"].GetArray()) {
+    for (const char* key : {"code", "what", "why", "do"}) EXPECT_TRUE(loss[key].IsString()) << key;
+    if (std::string(loss["code"].GetString()) == "time-offset-dropped") ++offsets;
+  }
+  EXPECT_EQ(offsets, 2);
+}
+
+TEST(Convert, ThereAndBackThroughTheCommand) {
+  const TemporaryFolder folder;
+  const std::string settings = folder / "settings.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "-o", settings}).code, 0);
+  const RunResult run = run_program({"convert", settings, "--to", "kalibr", "-o", folder / "back/"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Rig start = rig_in(read_file(kTumvi));
+  const Rig back = rig_in(read_file(folder / "back/settings.kalibr.yaml"));
+  ASSERT_EQ(back.cameras.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.cameras[i].model, start.cameras[i].model);
+  for (const auto& [a, b] : {std::pair{"cam1", "cam0"}, std::pair{"cam0", "imu0"}}) {
+    for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(back.resolve(a, b).value().values[i], start.resolve(a, b).value().values[i], 1e-12);
+  }
+  EXPECT_TRUE(fs::exists(folder / "back/imu.yaml"));
+}
+
+TEST(Convert, TheSameFormatWithoutAChangeIsTheSameBytes) {
+  const std::vector<std::pair<std::string, std::string>> kFiles = {
+      {"kalibr", "../formats/kalibr/good/tumvi.yaml"}, {"kalibr", "../formats/kalibr/good/crlf.yaml"}, {"kalibr", "../formats/kalibr/good/block-style.yaml"},
+      {"orbslam3", "../formats/orbslam3/good/v1-stereo-inertial.yaml"}, {"orbslam3", "../formats/orbslam3/good/v1-pinhole.yaml"}};
+  for (const auto& [format, file] : kFiles) {
+    const RunResult run = run_program({"convert", testdata(file), "--to", format});
+    EXPECT_EQ(run.code, 0) << file << run.err;
+    EXPECT_EQ(run.out, read_file(testdata(file))) << file;
+  }
+}
+
+TEST(Convert, ChosenCamerasComeInTheirOrderWithTheirPoses) {
+  const RunResult swapped = run_program({"convert", kTumvi, "--camera", "1,0", "--to", "kalibr"});
+  ASSERT_EQ(swapped.code, 0) << swapped.err;
+  const Rig start = rig_in(read_file(kTumvi));
+  const Rig rig = rig_in(swapped.out);
+  ASSERT_EQ(rig.cameras.size(), 2U);
+  EXPECT_EQ(rig.cameras[0].name, "cam0");
+  EXPECT_EQ(rig.cameras[0].model, start.cameras[1].model);
+  EXPECT_EQ(rig.cameras[1].model, start.cameras[0].model);
+  for (std::size_t i = 0; i < 16; ++i) {
+    EXPECT_NEAR(rig.resolve("cam1", "cam0").value().values[i], start.resolve("cam0", "cam1").value().values[i], 1e-12);
+    EXPECT_NEAR(rig.resolve("cam0", "imu0").value().values[i], start.resolve("cam1", "imu0").value().values[i], 1e-12);
+  }
+  const RunResult one = run_program({"convert", kTumvi, "--camera", "cam1", "--to", "orbslam3", "--with", kImu});
+  ASSERT_EQ(one.code, 0) << one.err;
+  const Rig mono = rig_in(one.out);
+  ASSERT_EQ(mono.cameras.size(), 1U);
+  EXPECT_EQ(mono.cameras[0].model, start.cameras[1].model);
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(mono.resolve("cam0", "imu0").value().values[i], start.resolve("cam1", "imu0").value().values[i], 1e-12);
+}
+
+TEST(Convert, SensorsAreServedOrRefused) {
+  for (const char* sensor : {"mono", "stereo", "mono-inertial", "stereo-inertial"}) {
+    const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--sensor", sensor});
+    EXPECT_EQ(run.code, 0) << sensor << run.err;
+    EXPECT_TRUE(loads("orbslam3", run.out, sensor)) << sensor;
+  }
+  const RunResult refused = run_program({"convert", kTumvi, "--to", "orbslam3", "--sensor", "mono-inertial"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.out, "");
+  EXPECT_TRUE(contains(refused.err, "imu.yaml")) << refused.err;
+  const RunResult depth = run_program({"convert", kEucm, "--to", "orbslam3", "--sensor", "rgbd", "--baseline", "0.05", "--max-angle", "60"});
+  EXPECT_EQ(depth.code, 0) << depth.err;
+  EXPECT_TRUE(loads("orbslam3", depth.out, "rgbd"));
+  EXPECT_TRUE(contains(depth.out, "Stereo.b: 0.05")) << depth.out;
+}
+
+TEST(Convert, AStatedFrameRateIsNoDefault) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--fps", "30"});
+  EXPECT_TRUE(contains(run.out, "Camera.fps: 30\n")) << run.out;
+  EXPECT_FALSE(contains(run.err, "Camera.fps")) << run.err;
+}
+
+TEST(Convert, AnImuAloneIsAnsweredWithTheCommandThatWasMeant) {
+  const RunResult run = run_program({"convert", kImu, "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(contains(run.err, "holds an IMU and no camera")) << run.err;
+  EXPECT_TRUE(contains(run.err, "fca-io convert camchain.yaml --with " + kImu)) << run.err;
+  const RunResult both = run_program({"convert", kTumvi, kImu, "--to", "orbslam3", "-o", "out/"});
+  EXPECT_EQ(both.code, 2);
+  EXPECT_TRUE(contains(both.err, "--with " + kImu)) << both.err;
+  EXPECT_TRUE(contains(both.err, "convert " + kTumvi)) << "the other input is the chain that was meant: " << both.err;
+}
+
+TEST(Convert, MaxAngleIsTheDomain) {
+  const Json whole = json_of(run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--json"}));
+  const Json lens = json_of(run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--max-angle", "97.5", "--json"}));
+  const Value& all = whole["cameras"][0];
+  const Value& cut = lens["cameras"][0];
+  EXPECT_NEAR(cut["domain"]["max_angle_deg"].GetDouble(), 97.5, 1e-6);
+  EXPECT_GT(all["domain"]["max_angle_deg"].GetDouble(), 97.5);
+  EXPECT_GT(cut["domain"]["outside_lens_share"].GetDouble(), 0.01);
+  EXPECT_LT(cut["error_px"]["rms"].GetDouble(), all["error_px"]["rms"].GetDouble());
+  EXPECT_TRUE(contains(cut["domain"]["why"].GetString(), "max-angle")) << cut["domain"]["why"].GetString();
+}
+
+void expect_numbers(const Value& object, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
+    ASSERT_TRUE(object.HasMember(key)) << key;
+    EXPECT_TRUE(object[key].IsNumber()) << key;
+  }
+}
+
+// CLI.md's example, key by key ("bound" comes later).
+TEST(Convert, JsonHasTheContractsKeysAndTypes) {
+  const TemporaryFolder folder;
+  const std::string output = folder / "out.yaml";
+  const RunResult run = run_program({"convert", kDs, "--to", "orbslam3", "--model", "eucm", "--max-angle", "95", "-o", output, "--json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "") << "one document on stdout, nothing else";
+  const Json json = json_of(run);
+  for (const char* key : {"fca_io", "input", "from", "to"}) EXPECT_TRUE(json[key].IsString()) << key;
+  EXPECT_STREQ(json["from"].GetString(), "kalibr");
+  EXPECT_STREQ(json["to"].GetString(), "orbslam3");
+  EXPECT_EQ(json["exit_code"].GetInt(), 0);
+  ASSERT_EQ(json["outputs"].Size(), 1U);
+  EXPECT_EQ(std::string(json["outputs"][0]["path"].GetString()), output);
+  EXPECT_TRUE(fs::exists(output));
+  EXPECT_STREQ(json["outputs"][0]["cameras"][0].GetString(), "cam0");
+  ASSERT_EQ(json["cameras"].Size(), 2U);
+  for (const Value& camera : json["cameras"].GetArray()) {
+    for (const char* key : {"name", "from_model", "to_model"}) EXPECT_TRUE(camera[key].IsString()) << key;
+    EXPECT_TRUE(camera["exact"].IsBool());
+    expect_numbers(camera["parameters"], {"fx", "fy", "cx", "cy", "alpha", "beta"});
+    EXPECT_TRUE(camera["at_bound"].IsArray());
+    const Value& domain = camera["domain"];
+    expect_numbers(domain, {"max_angle_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
+    EXPECT_TRUE(domain["why"].IsString());
+    EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() + domain["unrepresentable_share"].GetDouble(), 1.0, 1e-9);
+    const Value& error = camera["error_px"];
+    expect_numbers(error, {"rms", "mean", "p50", "p95", "p99", "max"});
+    ASSERT_EQ(error["max_at"].Size(), 2U);
+    EXPECT_LE(error["mean"].GetDouble(), error["rms"].GetDouble());
+    EXPECT_LE(error["p50"].GetDouble(), error["p95"].GetDouble());
+    EXPECT_LE(error["p95"].GetDouble(), error["p99"].GetDouble());
+    EXPECT_LE(error["p99"].GetDouble(), error["max"].GetDouble());
+    EXPECT_LE(error["rms"].GetDouble(), error["max"].GetDouble());
+    double share = 0.0;
+    double square_sum = 0.0;
+    double last = 0.0;
+    for (const Value& band : camera["bands"].GetArray()) {
+      expect_numbers(band, {"from_deg", "to_deg", "share", "rms_px", "max_px"});
+      EXPECT_EQ(band["from_deg"].GetDouble(), last);
+      last = band["to_deg"].GetDouble();
+      share += band["share"].GetDouble();
+      square_sum += band["share"].GetDouble() * std::pow(band["rms_px"].GetDouble(), 2);
+      EXPECT_LE(band["max_px"].GetDouble(), error["max"].GetDouble() * (1.0 + 1e-9));
+    }
+    EXPECT_NEAR(share, domain["scored_share"].GetDouble(), 1e-9) << "the bands are the scored part";
+    EXPECT_NEAR(std::sqrt(square_sum / share), error["rms"].GetDouble(), 1e-9 + 1e-6 * error["rms"].GetDouble());
+    expect_numbers(camera["fit"], {"samples", "iterations", "time_us"});
+  }
+  for (const Value& proof : json["proof"].GetArray()) {
+    EXPECT_TRUE(proof["program"].IsString());
+    EXPECT_TRUE(proof["loads"].IsBool());
+    EXPECT_TRUE(proof["max_diff_px"].IsNumber());
+    EXPECT_TRUE(proof["warnings"].IsArray());
+  }
+  EXPECT_GE(json["proof"].Size(), 1U);
+  EXPECT_TRUE(json["losses"].IsArray());
+  EXPECT_TRUE(json["diagnostics"].IsArray());
+}
+
+// CLI.md: {"key": "Camera.fps", "value": 20, "look_at_it": true} - a number is a number.
+TEST(Convert, JsonDefaultsHaveTheTypeOfTheirValue) {
+  const Json json = json_of(run_program({"convert", kTumvi, "--to", "orbslam3", "--json"}));
+  bool seen = false;
+  for (const Value& value : json["defaults"].GetArray()) {
+    EXPECT_TRUE(value["key"].IsString());
+    EXPECT_TRUE(value["look_at_it"].IsBool());
+    if (std::string(value["key"].GetString()) != "Camera.fps") continue;
+    seen = true;
+    EXPECT_TRUE(value["look_at_it"].GetBool());
+    EXPECT_TRUE(value["value"].IsNumber());
+    if (value["value"].IsNumber()) EXPECT_EQ(value["value"].GetDouble(), 20.0);
+  }
+  EXPECT_TRUE(seen);
+}
+
+TEST(Convert, JsonWithoutAnOutputHoldsTheFile) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--json"});
+  EXPECT_EQ(run.err, "");
+  const Json json = json_of(run);
+  ASSERT_EQ(json["outputs"].Size(), 1U);
+  EXPECT_EQ(std::string(json["outputs"][0]["text"].GetString()), run_program({"convert", kTumvi, "--to", "orbslam3"}).out);
+}
+
+TEST(Convert, JsonOfFailuresSaysSo) {
+  const TemporaryFolder folder;
+  const RunResult judged = run_program({"convert", kDs, "--to", "orbslam3", "--strict", "--json"});
+  EXPECT_EQ(judged.code, 1);
+  const Json strict = json_of(judged);
+  EXPECT_EQ(strict["exit_code"].GetInt(), 1);
+  EXPECT_EQ(strict["outputs"].Size(), 0U);
+  const RunResult missing = run_program({"convert", folder / "missing.yaml", "--to", "orbslam3", "--json"});
+  EXPECT_EQ(missing.code, 4);
+  EXPECT_EQ(json_of(missing)["exit_code"].GetInt(), 4);
+  const RunResult bad = run_program({"convert", folder.write("bad.yaml", "a: 1\n"), "--to", "orbslam3", "--json"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_STREQ(json_of(bad)["diagnostics"][0]["code"].GetString(), "unknown-format");
+  const RunResult two = run_program({"convert", kTumvi, kDs, "--to", "orbslam3", "--json"});
+  EXPECT_EQ(two.code, 0);
+  EXPECT_EQ(json_of(two)["conversions"].Size(), 2U);
+}
+
+TEST(Convert, MaxErrorJudgesTheWorstPixel) {
+  const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--json"}));
+  double worst = 0.0;
+  for (const Value& camera : json["cameras"].GetArray()) worst = std::max(worst, camera["error_px"]["max"].GetDouble());
+  ASSERT_GT(worst, 0.0);
+  const RunResult above = run_program({"convert", kDs, "--to", "orbslam3", "--max-error", std::to_string(worst * 1.01)});
+  EXPECT_EQ(above.code, 0) << above.err;
+  const RunResult below = run_program({"convert", kDs, "--to", "orbslam3", "--max-error", std::to_string(worst * 0.99)});
+  EXPECT_EQ(below.code, 1) << below.err;
+  EXPECT_EQ(below.out, "");
+}
+
+TEST(Convert, StrictPassesWhereNothingIsLost) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "kb4", "--strict"});
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
+// Exactness through any language: the numbers do not depend on the locale's decimal sign.
+TEST(Convert, LocalesDoNotMatter) {
+  ::setenv("LC_ALL", "de_DE.UTF-8", 1);
+  const RunResult german = run_program({"convert", kTumvi, "--to", "orbslam3"});
+  ::unsetenv("LC_ALL");
+  EXPECT_EQ(german.out, run_program({"convert", kTumvi, "--to", "orbslam3"}).out);
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What convert does to the file system: a path holds the old content or the new, nothing else is touched, nothing is left behind.
+#include "cli/run_program.h"
+
+#include <sys/stat.h>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("../formats/kalibr/good/tumvi.yaml");
+const std::string kDs = testdata("../formats/kalibr/good/ds.yaml");
+const std::string kOld = "an old file\n";
+
+RunResult convert(const std::vector<std::string>& more, const std::string& input = kTumvi) {
+  std::vector<std::string> words = {"convert", input, "--to", "orbslam3"};
+  words.insert(words.end(), more.begin(), more.end());
+  return run_program(words);
+}
+
+bool is_settings(const std::string& bytes) { return bytes.starts_with("%YAML:1.0\n") && contains(bytes, "Camera1.fx") && bytes.ends_with("\n"); }
+
+mode_t mode_of(const std::string& path) {
+  struct stat status {};
+  EXPECT_EQ(::stat(path.c_str(), &status), 0) << path;
+  return status.st_mode & 07777;
+}
+
+TEST(OutputFile, IsWrittenAndSaid) {
+  const TemporaryFolder folder;
+  const RunResult run = convert({"-o", folder / "out.yaml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(is_settings(read_file(folder / "out.yaml")));
+  EXPECT_TRUE(contains(run.out, "wrote " + folder / "out.yaml")) << run.out;
+  EXPECT_EQ(folder.names(), std::set<std::string>{"out.yaml"});
+}
+
+TEST(OutputFile, IsTheSameOnStandardOutput) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(convert({"-o", folder / "out.yaml"}).code, 0);
+  const RunResult bare = convert({});
+  EXPECT_EQ(bare.out, read_file(folder / "out.yaml"));
+  EXPECT_TRUE(contains(bare.err, "settings for ORB-SLAM3")) << "the report goes to stderr";
+  EXPECT_EQ(convert({"-o", "-"}).out, bare.out);
+}
+
+TEST(OutputFile, AnExistingOneIsUntouchedWithoutForce) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("out.yaml", kOld);
+  const RunResult run = convert({"-o", path});
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_TRUE(contains(run.err, "--force")) << run.err;
+  EXPECT_EQ(read_file(path), kOld);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"out.yaml"});
+  EXPECT_FALSE(contains(run.out, "wrote"));
+}
+
+TEST(OutputFile, AnExistingOneIsReplacedWithForceAndKeepsItsPermissions) {
+  for (const mode_t mode : {0600U, 0644U, 0664U, 0755U}) {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("out.yaml", kOld);
+    ::chmod(path.c_str(), mode);
+    EXPECT_EQ(convert({"-o", path, "--force"}).code, 0);
+    EXPECT_TRUE(is_settings(read_file(path)));
+    EXPECT_EQ(mode_of(path), mode);
+    EXPECT_EQ(folder.names(), std::set<std::string>{"out.yaml"});
+  }
+}
+
+TEST(OutputFile, ANewOneHasTheUsersMask) {
+  const TemporaryFolder folder;
+  const mode_t mask = ::umask(027);
+  EXPECT_EQ(convert({"-o", folder / "out.yaml"}).code, 0);
+  ::umask(mask);
+  EXPECT_EQ(mode_of(folder / "out.yaml"), 0640U);
+}
+
+TEST(OutputFile, ASymbolicLinkIsWrittenThrough) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "elsewhere");
+  const std::string target = folder.write("elsewhere/real.yaml", kOld);
+  fs::create_symlink(target, folder / "link.yaml");
+  EXPECT_EQ(convert({"-o", folder / "link.yaml"}).code, 4);
+  EXPECT_EQ(read_file(target), kOld);
+  EXPECT_EQ(convert({"-o", folder / "link.yaml", "--force"}).code, 0);
+  EXPECT_TRUE(fs::is_symlink(folder / "link.yaml"));
+  EXPECT_TRUE(is_settings(read_file(target)));
+}
+
+// The link says where the file is wanted, also before there is one.
+TEST(OutputFile, ADanglingLinkIsWrittenThrough) {
+  const TemporaryFolder folder;
+  fs::create_symlink(folder / "later.yaml", folder / "link.yaml");
+  const RunResult run = convert({"-o", folder / "link.yaml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(fs::is_symlink(folder / "link.yaml"));
+  EXPECT_TRUE(is_settings(read_file(folder / "later.yaml")));
+}
+
+TEST(OutputFile, OutputMayBeTheInputWithForce) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("chain.yaml", read_file(kTumvi));
+  EXPECT_EQ(convert({"-o", path}, path).code, 4);
+  EXPECT_EQ(read_file(path), read_file(kTumvi));
+  EXPECT_EQ(convert({"-o", path, "--force"}, path).code, 0);
+  EXPECT_TRUE(is_settings(read_file(path)));
+  EXPECT_EQ(folder.names(), std::set<std::string>{"chain.yaml"});
+}
+
+TEST(OutputFile, AMissingFolderIsAnErrorUnlessNamedAsOne) {
+  const TemporaryFolder folder;
+  const RunResult run = convert({"-o", folder / "no/such/out.yaml"});
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_TRUE(contains(run.err, "no/such/out.yaml")) << run.err;
+  EXPECT_TRUE(folder.names().empty());
+  EXPECT_EQ(convert({"-o", folder / "new/"}).code, 0);
+  EXPECT_TRUE(is_settings(read_file(folder / "new/tumvi.orbslam3.yaml")));
+}
+
+TEST(OutputFile, AFolderGetsANameOfItsOwn) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(convert({"-o", folder.path().string()}).code, 0);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"tumvi.orbslam3.yaml"});
+}
+
+TEST(OutputFile, AFolderOrAFileThatCannotBeWrittenIsAnError) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root writes everywhere";
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_EQ(convert({"-o", folder / "out.yaml"}).code, 4);
+  fs::permissions(folder.path(), fs::perms::owner_all);
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(OutputFile, AFileInTheWayOfAFolderIsAnError) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("file", kOld);
+  EXPECT_EQ(convert({"-o", path + "/out.yaml", "--force"}).code, 4);
+  EXPECT_EQ(convert({"-o", path + "/", "--force"}).code, 4);
+  EXPECT_EQ(read_file(path), kOld);
+}
+
+TEST(OutputFile, DryRunWritesNothing) {
+  const TemporaryFolder folder;
+  const RunResult run = convert({"-o", folder / "out.yaml", "--dry-run"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(folder.names().empty());
+  EXPECT_FALSE(contains(run.out, "wrote " + folder / "out.yaml")) << "nothing was written:\n" << run.out;
+  EXPECT_TRUE(contains(run.out, "cam0")) << run.out;
+}
+
+TEST(OutputFile, AJudgementAgainstItWritesNothingAndSparesTheOld) {
+  const TemporaryFolder folder;
+  const std::string old = folder.write("old.yaml", kOld);
+  for (const std::vector<std::string>& limit : std::vector<std::vector<std::string>>{{"--max-error", "1e-9"}, {"--strict"}}) {
+    for (const std::string& path : {old, folder / "new.yaml"}) {
+      std::vector<std::string> words = {"-o", path, "--force"};
+      words.insert(words.end(), limit.begin(), limit.end());
+      const RunResult run = convert(words, kDs);
+      EXPECT_EQ(run.code, 1) << limit[0] << run.err;
+      EXPECT_TRUE(contains(run.err, limit[0])) << run.err;
+      EXPECT_FALSE(contains(run.out, "wrote")) << run.out;
+    }
+  }
+  EXPECT_EQ(read_file(old), kOld);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"old.yaml"});
+  const RunResult piped = convert({"--strict"}, kDs);
+  EXPECT_EQ(piped.code, 1);
+  EXPECT_EQ(piped.out, "") << "a judged-bad file must not go to a pipe either";
+}
+
+TEST(OutputFile, SeveralInputsGoIntoAFolder) {
+  const TemporaryFolder folder;
+  const RunResult run = run_program({"convert", kTumvi, kDs, "--to", "orbslam3", "-o", folder / "out/"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(is_settings(read_file(folder / "out/tumvi.orbslam3.yaml")));
+  EXPECT_TRUE(is_settings(read_file(folder / "out/ds.orbslam3.yaml")));
+  const RunResult pattern = run_program({"convert", kTumvi, kDs, "--to", "orbslam3", "-o", folder / "{format}-{stem}-{camera}.yaml"});
+  EXPECT_EQ(pattern.code, 0) << pattern.err;
+  EXPECT_TRUE(fs::exists(folder / "orbslam3-ds-cam0-cam1.yaml")) << pattern.out;
+  EXPECT_EQ(run_program({"convert", kTumvi, kDs, "--to", "orbslam3"}).code, 3);
+  EXPECT_EQ(run_program({"convert", kTumvi, kDs, "--to", "orbslam3", "-o", folder / "one.yaml"}).code, 3);
+}
+
+TEST(OutputFile, OfSeveralInputsTheGoodOnesAreWritten) {
+  const TemporaryFolder folder;
+  const std::string empty = folder.write("empty.yaml", "");
+  const RunResult run = run_program({"convert", empty, kTumvi, "--to", "orbslam3", "-o", folder / "out/"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(is_settings(read_file(folder / "out/tumvi.orbslam3.yaml")));
+  EXPECT_FALSE(fs::exists(folder / "out/empty.orbslam3.yaml"));
+}
+
+TEST(OutputFile, CollisionsAreRefusedBeforeAnythingIsWritten) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "a");
+  const std::string twin = folder.write("a/tumvi.yaml", read_file(kTumvi));
+  for (const std::string& output : {folder / "out/", folder / "{format}.yaml"}) {
+    const RunResult run = run_program({"convert", kTumvi, twin, "--to", "orbslam3", "-o", output, "--force"});
+    EXPECT_EQ(run.code, 3) << run.err;
+    EXPECT_TRUE(contains(run.err, "two outputs")) << run.err;
+  }
+  // The same file under two spellings of its path.
+  const RunResult spelled = run_program({"convert", kTumvi, twin, "--to", "orbslam3", "-o", folder / "{camera}/../x.yaml", "--force"});
+  EXPECT_NE(spelled.code, 0);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"a"});
+}
+
+TEST(OutputFile, TheImuOfACamchainGoesBesideIt) {
+  const TemporaryFolder folder;
+  const std::string settings = testdata("../formats/orbslam3/good/v1-stereo-inertial.yaml");
+  const RunResult run = run_program({"convert", settings, "--to", "kalibr", "-o", folder / "out/"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(read_file(folder / "out/imu.yaml"), "accelerometer_noise_density")) << run.out;
+  EXPECT_TRUE(contains(read_file(folder / "out/v1-stereo-inertial.kalibr.yaml"), "camera_model")) << run.out;
+  // With one output there is no room for it, and that is a loss.
+  const RunResult piped = run_program({"convert", settings, "--to", "kalibr", "--strict"});
+  EXPECT_EQ(piped.code, 1);
+  EXPECT_TRUE(contains(piped.err, "imu.yaml")) << piped.err;
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nothing ever crashes: every subcommand over every real file and over seeded ruins of ours ends with a code of the contract, in time.
+#include "cli/run_program.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <random>
+
+namespace fca::test {
+namespace {
+
+constexpr double kLimitSeconds = 5.0;
+
+const std::vector<std::vector<std::string>> kCommands = {
+    {"show"}, {"show", "--json"}, {"convert", "--to", "orbslam3"}, {"convert", "--to", "kalibr"}, {"convert", "--to", "orbslam3", "--model", "eucm", "--json"},
+    {"project", "--camera", "0"}, {"unproject", "--camera", "0"}};
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+class Watch {
+ public:
+  void run(std::vector<std::string> command, const std::string& path, const std::string& what) {
+    command.insert(command.begin() + 1, path);
+    const RunResult run = run_program(command, {.input = "0.1 0.2 1\n", .limit_seconds = kLimitSeconds});
+    std::string spelled;
+    for (const std::string& word : command) spelled += word + " ";
+    EXPECT_FALSE(run.timed_out) << what << ": " << spelled << " takes more than " << kLimitSeconds << " s";
+    EXPECT_TRUE(run.timed_out || (run.signal == 0 && run.code >= 0 && run.code <= 4)) << what << ": " << spelled << " ends with code " << run.code << ", signal " << run.signal << "\n" << run.err;
+    EXPECT_TRUE(run.code == 0 || run.code == 1 || !run.err.empty() || contains(run.out, "\"severity\"")) << what << ": " << spelled << " fails without a word";
+    if (run.seconds > slowest_) {
+      slowest_ = run.seconds;
+      slowest_what_ = what + ": " + spelled;
+    }
+    ++codes_[run.code];
+    ++runs_;
+  }
+
+  void print() const {
+    for (const auto& [code, count] : codes_) std::printf("exit code %d: %d runs\n", code, count);
+    std::printf("slowest: %.2f s, %s\n", slowest_, slowest_what_.c_str());
+  }
+
+  [[nodiscard]] int runs() const { return runs_; }
+
+ private:
+  std::map<int, int> codes_;
+  double slowest_ = 0.0;
+  std::string slowest_what_;
+  int runs_ = 0;
+};
+
+TEST(Robustness, EverySubcommandOverTheCorpus) {
+  const fs::path corpus = fs::path(FCA_SHARED_DIR) / "corpus";
+  if (!fs::exists(corpus)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  Watch watch;
+  for (const char* format : {"kalibr", "orbslam3"}) {
+    for (const fs::path& path : files_in(corpus / format)) {
+      for (const std::vector<std::string>& command : kCommands) watch.run(command, path.string(), path.filename().string());
+    }
+  }
+  watch.print();
+  EXPECT_GT(watch.runs(), 1000);
+}
+
+/// A cut, a flipped byte, a doubled or lost piece, a number turned into an odd one.
+std::string ruined(std::string bytes, std::mt19937& random) {
+  const auto place = [&random](const std::string& text) { return text.empty() ? std::size_t{0} : random() % text.size(); };
+  static const std::vector<std::string> kOdd = {"1.0e+308", "-1.0e+308", ".nan", "-.inf", "0", "0.0", "-0.0", "1e-320", "99999999999999999999", "[", "]", "{", "}", "\"", "'", "&a ", "*a", "!!x ", "|", ">",
+                                                "\t", "\r", std::string(1, '\0'), "\xFF", "\xEF\xBB\xBF", "---\n", "%YAML:1.0\n", "- ", ": ", "#", "? ", ",", "0x10", "1_0", "~"};
+  switch (random() % 6) {
+    case 0:
+      return bytes.substr(0, place(bytes));
+    case 1:
+      if (!bytes.empty()) bytes[place(bytes)] = static_cast<char>(random() % 256);
+      return bytes;
+    case 2:
+      return bytes.erase(place(bytes), 1 + random() % 40);
+    case 3:
+      return bytes.insert(place(bytes), bytes.substr(place(bytes), 1 + random() % 200));
+    case 4:
+      return bytes.insert(place(bytes), kOdd[random() % kOdd.size()]);
+    default: {
+      // A number, where the damage passes the syntax and reaches the models.
+      std::size_t at = bytes.find_first_of("0123456789", place(bytes));
+      if (at == std::string::npos) return bytes;
+      const std::size_t end = std::min(bytes.find_first_not_of("0123456789.eE+-", at), bytes.size());
+      return bytes.replace(at, end - at, kOdd[random() % 9]);
+    }
+  }
+}
+
+TEST(Robustness, SeededRuins) {
+  std::vector<std::string> sources;
+  for (const char* format : {"kalibr", "orbslam3"}) {
+    for (const fs::path& path : files_in(fs::path(FCA_TESTDATA_DIR) / "formats" / format / "good")) sources.push_back(read_file(path));
+  }
+  ASSERT_GE(sources.size(), 10U);
+  std::mt19937 random(500);
+  const TemporaryFolder folder;
+  Watch watch;
+  constexpr int kRuins = 500;
+  for (int i = 0; i < kRuins; ++i) {
+    std::string bytes = ruined(sources[random() % sources.size()], random);
+    if (random() % 3 == 0) bytes = ruined(bytes, random);
+    const std::string path = folder.write("ruin.yaml", bytes);
+    const bool failed_before = testing::Test::HasFailure();
+    watch.run(kCommands[static_cast<std::size_t>(i) % kCommands.size()], path, "ruin " + std::to_string(i));
+    // The bytes that did it, to be looked at.
+    if (!failed_before && testing::Test::HasFailure()) std::printf("---- ruin %d\n%s\n----\n", i, bytes.c_str());
+  }
+  watch.print();
+  EXPECT_EQ(watch.runs(), kRuins);
+}
+
+TEST(Robustness, OptionsAloneDoNotCrash) {
+  for (const char* subcommand : {"convert", "show", "project", "unproject", "formats", "models", "programs", "--json", "-", "--", "", "."}) {
+    const RunResult run = run_program({subcommand}, {.limit_seconds = kLimitSeconds});
+    EXPECT_EQ(run.signal, 0) << subcommand;
+    EXPECT_TRUE(run.code >= 0 && run.code <= 4) << subcommand << " " << run.code << run.err;
+  }
+}
+
+}  // namespace
+}  // namespace fca::test
