@@ -103,7 +103,8 @@ std::string convert_text(const ConvertOutcome& outcome) {
   std::string text = outcome.written.headline + "\n";
   for (const CameraOutcome& camera : outcome.cameras) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
-    if (camera.report) text += report_text(*camera.report);
+    // A kept model has nothing to report: its pixels are the source's.
+    if (camera.report && camera.source.model != camera.target.model) text += report_text(*camera.report);
   }
   text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome.proofs);
   if (outcome.code == ExitCode::kGood) {

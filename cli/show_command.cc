@@ -12,7 +12,8 @@ ShownFile read_file(const std::string& file, const ShowArguments& arguments, Con
   shown.file = file;
   shown.calibration = read_input(file, arguments.reading, console, shown.diagnostics);
   if (shown.calibration) {
-    shown.readers = ask_readers(shown.calibration->format->id, shown.calibration->documents.front().source().bytes);
+    shown.readers = ask_readers(shown.calibration->format->id, shown.calibration->documents.front().source().bytes,
+                                !shown.calibration->rig.cameras.empty());
   }
   return shown;
 }

@@ -80,10 +80,10 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
 
 bool Readers::any_loads() const { return std::ranges::any_of(programs, &Program::loads); }
 
-Readers ask_readers(std::string_view format, std::string_view bytes) {
+Readers ask_readers(std::string_view format, std::string_view bytes, std::optional<bool> with_cameras) {
   Readers readers;
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
-    if (consumer.format != format) continue;
+    if (consumer.format != format || (with_cameras && consumer.cameras != *with_cameras)) continue;
     Readers::Program program;
     program.program = consumer.program;
     std::size_t fewest = SIZE_MAX;

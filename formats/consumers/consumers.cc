@@ -14,7 +14,7 @@ constexpr double kFloatPrecisionPx = 2e-4;
 
 constexpr std::array kConsumers{
     Consumer{"kalibr", "Kalibr", "kalibr", kDoublePrecisionPx, &load_kalibr},
-    Consumer{"kalibr-imu", "Kalibr (imu.yaml)", "kalibr", kDoublePrecisionPx, &load_kalibr_imu},
+    Consumer{"kalibr-imu", "Kalibr (imu.yaml)", "kalibr", kDoublePrecisionPx, &load_kalibr_imu, false},
     Consumer{"orbslam3", "ORB-SLAM3 V1.0", "orbslam3", kFloatPrecisionPx, &load_orbslam3},
     Consumer{"orbslam2", "ORB-SLAM2", "orbslam3", kFloatPrecisionPx, &load_orbslam2},
     Consumer{"slam_no_opt", "ns15417/slam_no_opt", "orbslam3", kFloatPrecisionPx, &load_slam_no_opt},

@@ -5,9 +5,9 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("../formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("../formats/kalibr/good/imu.yaml");
-const std::string kEucm = testdata("../formats/kalibr/good/eucm.yaml");
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
 const std::vector<std::string> kSubcommands = {"convert", "show", "project", "unproject", "formats", "models", "programs"};
 
 void expect_failure(const RunResult& run, int code, const std::string& word = "error") {

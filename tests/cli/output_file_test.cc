@@ -7,8 +7,8 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("../formats/kalibr/good/tumvi.yaml");
-const std::string kDs = testdata("../formats/kalibr/good/ds.yaml");
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kOld = "an old file\n";
 
 RunResult convert(const std::vector<std::string>& more, const std::string& input = kTumvi) {
@@ -207,7 +207,7 @@ TEST(OutputFile, CollisionsAreRefusedBeforeAnythingIsWritten) {
 
 TEST(OutputFile, TheImuOfACamchainGoesBesideIt) {
   const TemporaryFolder folder;
-  const std::string settings = testdata("../formats/orbslam3/good/v1-stereo-inertial.yaml");
+  const std::string settings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
   const RunResult run = run_program({"convert", settings, "--to", "kalibr", "-o", folder / "out/"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(read_file(folder / "out/imu.yaml"), "accelerometer_noise_density")) << run.out;

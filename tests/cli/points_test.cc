@@ -10,8 +10,8 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("../formats/kalibr/good/tumvi.yaml");
-const std::string kEucm = testdata("../formats/kalibr/good/eucm.yaml");
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
 
 std::vector<std::vector<double>> rows_of(const std::string& text) {
   std::vector<std::vector<double>> rows;
@@ -131,7 +131,7 @@ TEST(Points, Json) {
 }
 
 TEST(Show, SaysWhatTheFileMeans) {
-  const RunResult run = run_program({"show", kTumvi, "--with", testdata("../formats/kalibr/good/imu.yaml")});
+  const RunResult run = run_program({"show", kTumvi, "--with", testdata("formats/kalibr/good/imu.yaml")});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   for (const char* said : {"kb4", "KannalaBrandt8", "190.978", "512 x 512", "T_cam1_cam0", "takes points in cam0 to points in cam1", "gyroscope", "200 Hz", "Kalibr: yes", "10.11"}) {

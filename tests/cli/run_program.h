@@ -143,7 +143,7 @@ inline std::string with_replaced(std::string text, const std::string& from, cons
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// The test's own file in testdata/cli.
-inline std::string testdata(const std::string& name) { return std::string(FCA_TESTDATA_DIR) + "/cli/" + name; }
+/// A file of testdata.
+inline std::string testdata(const std::string& name) { return std::string(FCA_TESTDATA_DIR) + "/" + name; }
 
 }  // namespace fca::test

@@ -19,7 +19,10 @@ struct Refused {
 };
 
 constexpr Refused kRefused[] = {
-    {"placeholder", "placeholder", "placeholder"},
+    {"kalibr/lukasvst__dm-vio__configs__oakd_calib__camchain.yaml", "missing-key", "it holds poses only; Kalibr, too, misses camera_model"},
+    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain__70a02b7.yaml", "unknown-model", "camera_model: onmi/radial"},
+    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain_yaml__camchain_Kannala.yaml", "unknown-model", "camera_model: pinhole/radial"},
+    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__imu_3Dx-GX3-35__11d5c0d.yaml", "merge-conflict", "git's markers stand in it"},
 };
 
 const Refused* find_refused(const std::string& file) {

@@ -201,6 +201,10 @@ TEST(KalibrWrite, ARadtanWithK3IsNotCutShort) {
   Rig rig = sample_rig("radtan", {false, false});
   ASSERT_TRUE(set_parameter(rig.cameras[0].model, "k3", 0.01));
   EXPECT_FALSE(within(rig.cameras[0].model, find_stored_model(kalibr(), "radtan", true)->ranges)) << "the caller is to fit it";
+  // The writer is the last guard: a k3 it would drop is refused.
+  Diagnostics diagnostics;
+  EXPECT_FALSE(kalibr().write(nullptr, rig, {}, diagnostics));
+  EXPECT_TRUE(diagnostics.has_errors());
 }
 
 }  // namespace

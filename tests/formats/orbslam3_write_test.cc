@@ -143,7 +143,8 @@ TEST(OrbSlam3Write, EveryModeHasExactlyTheKeysAndTypesOfV1) {
         EXPECT_EQ(static_cast<int>(type_of(node)), static_cast<int>(type)) << key;
       }
       std::set<std::string> seen;
-      for (const text::Entry& entry : document_of(bytes).root().entries) {
+      const text::Document document = document_of(bytes);
+      for (const text::Entry& entry : document.root().entries) {
         EXPECT_TRUE(expected.contains(entry.key.value)) << entry.key.value << " is no key of this mode";
         EXPECT_TRUE(seen.insert(entry.key.value).second) << entry.key.value << " stands twice";
       }

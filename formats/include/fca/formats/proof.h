@@ -6,6 +6,7 @@
 #include <fca/formats/consumers/consumer.h>
 #include <fca/rig/rig.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,7 +44,7 @@ struct Readers {
   [[nodiscard]] bool any_loads() const;
 };
 
-/// Asks every consumer of the format.
-[[nodiscard]] Readers ask_readers(std::string_view format, std::string_view bytes);
+/// Asks every consumer of the format; only those that read files with (or without) cameras, if that is said.
+[[nodiscard]] Readers ask_readers(std::string_view format, std::string_view bytes, std::optional<bool> with_cameras = {});
 
 }  // namespace fca

@@ -61,6 +61,7 @@ struct Consumer {
   std::string_view format;     ///< Id of the format it reads.
   double tolerance_px;         ///< What its own precision allows: 1e-9 for double, 2e-4 (times max(1, |u| / 1000)) for float.
   ConsumerView (*load)(std::string_view bytes, const LoadOptions& options);
+  bool cameras = true;         ///< false: it reads files without a camera (Kalibr's imu.yaml).
 };
 
 /// All consumers, in the order in which they are asked.
