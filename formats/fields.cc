@@ -104,6 +104,31 @@ std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t c
   return values;
 }
 
+bool Reader::parameter(const Node& node, std::string_view what, std::string_view name, CameraModel& model) {
+  const std::string label = what.ends_with(name) ? std::string(what) : std::string(what) + " (" + std::string(name) + ")";
+  const std::optional<double> value = real(node, label);
+  if (!value) return false;
+  const auto& parameters = model_info(model).parameters;
+  const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
+  if (const std::optional<std::string> problem = problem_with(*parameter, *value)) {
+    error(node, "not-a-camera", std::string(what) + ": " + *problem);
+    return false;
+  }
+  return set_parameter(model, name, *value);
+}
+
+std::optional<ImageSize> Reader::image_size(const Node& width, const Node& height, std::string_view owner) {
+  const std::optional<int> w = integer(width, std::string(owner) + "width");
+  const std::optional<int> h = integer(height, std::string(owner) + "height");
+  if (!w || !h) return std::nullopt;
+  if (*w < 1 || *h < 1) {
+    error(*w < 1 ? width : height, "image-size-invalid",
+          "an image of " + std::to_string(*w) + " x " + std::to_string(*h) + " pixels cannot be");
+    return std::nullopt;
+  }
+  return ImageSize{*w, *h};
+}
+
 std::optional<Transform> Reader::transform(const Node& node, std::string_view what) {
   std::vector<double> values;
   const bool nested = node.is_sequence() && !node.items.empty() && node.items.front().is_sequence();

@@ -34,6 +34,10 @@ class Reader {
   [[nodiscard]] std::optional<std::string> string(const text::Node& node, std::string_view what);
   /// A sequence of finite numbers; any length if `count` is 0.
   [[nodiscard]] std::optional<std::vector<double>> reals(const text::Node& node, std::size_t count, std::string_view what);
+  /// Sets a parameter of the model to the node's number; an error at the node if that cannot be.
+  [[nodiscard]] bool parameter(const text::Node& node, std::string_view what, std::string_view name, CameraModel& model);
+  /// Width and height; an error at `width` if no image can have that size.
+  [[nodiscard]] std::optional<ImageSize> image_size(const text::Node& width, const text::Node& height, std::string_view owner);
   /// 4 x 4 as nested rows or as 16 numbers.
   [[nodiscard]] std::optional<Transform> transform(const text::Node& node, std::string_view what);
   /// An opencv-matrix {rows, cols, dt, data}: its numbers row by row, with rows and cols checked against them.

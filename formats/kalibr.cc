@@ -199,16 +199,16 @@ class ChainReader {
       return false;
     }
     const std::string what = key.value + " " + std::string(list_key);
-    if (slots.empty() && list->is_sequence() && list->items.empty()) return true;
-    const std::optional<std::vector<double>> values = reader_.reals(*list, slots.size(), what);
-    if (!values || values->size() != slots.size()) {
-      if (values) reader_.error(*list, "wrong-length", what + " must be empty for this model");
+    if (!list->is_sequence() || list->items.size() != slots.size()) {
+      const std::string found = list->is_sequence() ? std::to_string(list->items.size()) + " numbers" : "no list";
+      reader_.error(*list, "wrong-length", what + " has " + found + "; " + std::to_string(slots.size()) + " are wanted");
       return false;
     }
+    bool good = true;
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      if (!slots[i].parameter.empty()) set_parameter(camera.model, slots[i].parameter, (*values)[i]);
+      if (!slots[i].parameter.empty()) good = reader_.parameter(list->items[i], what, slots[i].parameter, camera.model) && good;
     }
-    return true;
+    return good;
   }
 
   void read_size(const Node& node, const std::string& name, Camera& camera) {
@@ -219,14 +219,7 @@ class ChainReader {
       reader_.error(*resolution, "wrong-length", name + " resolution must be [width, height]");
       return;
     }
-    const std::optional<int> width = reader_.integer(resolution->items[0], name + " width");
-    const std::optional<int> height = reader_.integer(resolution->items[1], name + " height");
-    if (!width || !height) return;
-    if (*width < 1 || *height < 1) {
-      reader_.error(*resolution, "image-size-invalid", name + ": an image of " + std::to_string(*width) + " x " + std::to_string(*height) + " pixels cannot be");
-      return;
-    }
-    camera.image_size = ImageSize{*width, *height};
+    if (const std::optional<ImageSize> size = reader_.image_size(resolution->items[0], resolution->items[1], name + " ")) camera.image_size = size;
   }
 
   void read_poses(const Node& node, const std::string& name, Rig& rig) {

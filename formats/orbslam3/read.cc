@@ -5,6 +5,7 @@
 #include "../fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fca::orbslam3 {
@@ -91,9 +92,7 @@ class SettingsReader {
         good = false;
       }
       if (node == nullptr || slot.parameter.empty()) continue;
-      const std::optional<double> value = reader_.real(*node, key);
-      good = good && value;
-      if (value) set_parameter(camera.model, slot.parameter, *value);
+      good = reader_.parameter(*node, key, slot.parameter, camera.model) && good;
     }
     camera.image_size = read_size();
     if (const Node* fps = find("Camera.fps")) {
@@ -108,14 +107,7 @@ class SettingsReader {
     const Node* width = find("Camera.width");
     const Node* height = find("Camera.height");
     if (width == nullptr || height == nullptr) return options_.image_size;
-    const std::optional<int> w = reader_.integer(*width, "Camera.width");
-    const std::optional<int> h = reader_.integer(*height, "Camera.height");
-    if (!w || !h) return std::nullopt;
-    if (*w < 1 || *h < 1) {
-      reader_.error(*width, "image-size-invalid", "an image of " + std::to_string(*w) + " x " + std::to_string(*h) + " pixels cannot be");
-      return std::nullopt;
-    }
-    return ImageSize{*w, *h};
+    return reader_.image_size(*width, *height, "Camera.");
   }
 
   /// ORB-SLAM2's layout says nothing of the model; fisheye-ORB-SLAM reads the same keys as EUCM.
@@ -178,11 +170,17 @@ class SettingsReader {
     }
     Camera camera = rig.cameras.front();
     camera.name = "cam1";
-    const auto focal_and_centre = std::array{k->values[0], k->values[4], k->values[2], k->values[5]};
+    // K and D row by row, as nodes, so that a bad number is told at its place.
+    const Node& k_data = *reader_.find(*K, "data");
+    const Node& d_data = *reader_.find(*D, "data");
+    const std::array focal_and_centre = {&k_data.items[0], &k_data.items[4], &k_data.items[2], &k_data.items[5]};
+    bool good = true;
     for (std::size_t i = 0; i < layout.slots.size(); ++i) {
-      const double value = i < 4 ? focal_and_centre[i] : d->values[i - 4];
-      if (!layout.slots[i].parameter.empty()) set_parameter(camera.model, layout.slots[i].parameter, value);
+      const Node& node = i < focal_and_centre.size() ? *focal_and_centre[i] : d_data.items[i - focal_and_centre.size()];
+      const std::string_view parameter = layout.slots[i].parameter;
+      if (!parameter.empty()) good = reader_.parameter(node, i < 4 ? "RIGHT.K" : "RIGHT.D", parameter, camera.model) && good;
     }
+    if (!good) return;
     rig.cameras.push_back(std::move(camera));
     read_right_pose(rig);
   }

@@ -36,7 +36,7 @@ std::string_view severity_colour(Severity severity) {
 /// A file's text must not be able to drive the terminal.
 std::string printable(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : valid_utf8(text)) {
     const auto byte = static_cast<unsigned char>(c);
     result += byte < 0x20 || byte == 0x7F ? ' ' : c;
   }

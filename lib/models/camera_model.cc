@@ -139,23 +139,24 @@ double max_angle(const CameraModel& model) {
   return std::visit([]<class M>(const Intrinsics<M>& m) { return M::max_angle(m.values.data()); }, model);
 }
 
+std::optional<std::string> problem_with(const Parameter& parameter, double value) {
+  const std::string what = std::string(parameter.name) + " is " + spelled(value);
+  // Beyond this no double arithmetic of a projection stays finite, and no lens has such numbers.
+  constexpr double kLargest = 1e100;
+  if (!std::isfinite(value)) return what + ", not a finite number";
+  if (std::abs(value) > kLargest) return what + ", too large to compute with";
+  if (parameter.group == ParameterGroup::kFocalLength && !(value > 0.0)) return what + "; a focal length is positive";
+  const bool at_open_end = parameter.open && (value == parameter.lower || value == parameter.upper);
+  if (value < parameter.lower || value > parameter.upper || at_open_end) return what + "; it must " + range_of(parameter);
+  return std::nullopt;
+}
+
 std::vector<std::string> validate(const CameraModel& model) {
   std::vector<std::string> problems;
   const std::span<const Parameter> parameters = model_info(model).parameters;
-  const std::span<const double> values = parameter_values(model);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Parameter& p = parameters[i];
-    const std::string name(p.name);
-    // Beyond this no double arithmetic of a projection stays finite, and no lens has such numbers.
-    constexpr double kLargest = 1e100;
-    if (!std::isfinite(values[i])) {
-      problems.push_back(name + " is " + spelled(values[i]) + ", not a finite number");
-    } else if (std::abs(values[i]) > kLargest) {
-      problems.push_back(name + " is " + spelled(values[i]) + ", too large to compute with");
-    } else if (p.group == ParameterGroup::kFocalLength && !(values[i] > 0.0)) {
-      problems.push_back(name + " is " + spelled(values[i]) + "; a focal length is positive");
-    } else if (values[i] < p.lower || values[i] > p.upper || (p.open && (values[i] == p.lower || values[i] == p.upper))) {
-      problems.push_back(name + " is " + spelled(values[i]) + "; it must " + range_of(p));
+    if (std::optional<std::string> problem = problem_with(parameters[i], parameter_values(model)[i])) {
+      problems.push_back(*std::move(problem));
     }
   }
   return problems;

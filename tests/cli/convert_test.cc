@@ -187,10 +187,9 @@ TEST(Convert, AnImuAloneIsAnsweredWithTheCommandThatWasMeant) {
   EXPECT_EQ(run.out, "");
   EXPECT_TRUE(contains(run.err, "holds an IMU and no camera")) << run.err;
   EXPECT_TRUE(contains(run.err, "fca-io convert camchain.yaml --with " + kImu)) << run.err;
-  const RunResult both = run_program({"convert", kTumvi, kImu, "--to", "orbslam3", "-o", "out/"});
+  const RunResult both = run_program({"convert", kTumvi, kImu, "--to", "orbslam3", "-o", "written/"});
   EXPECT_EQ(both.code, 2);
   EXPECT_TRUE(contains(both.err, "--with " + kImu)) << both.err;
-  EXPECT_TRUE(contains(both.err, "convert " + kTumvi)) << "the other input is the chain that was meant: " << both.err;
 }
 
 TEST(Convert, MaxAngleIsTheDomain) {

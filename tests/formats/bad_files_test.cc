@@ -24,10 +24,10 @@ std::string judged(const fs::path& path) {
   for (const Camera& camera : calibration->rig.cameras) {
     for (const std::string& problem : validate(camera.model)) text += "no camera: " + camera.name + ": " + problem + "\n";
   }
-  const Readers readers = ask_readers(calibration->format->id, parsed.source.bytes);
-  const bool imu_alone = calibration->rig.cameras.empty();
+  const bool cameras = !calibration->rig.cameras.empty();
+  const Readers readers = ask_readers(calibration->format->id, parsed.source.bytes, cameras);
   for (const Readers::Program& program : readers.programs) {
-    const bool stock = imu_alone ? program.program == "Kalibr (imu.yaml)" : program.program == "Kalibr" || program.program == "ORB-SLAM3 V1.0";
+    const bool stock = program.program.starts_with("Kalibr") || program.program == "ORB-SLAM3 V1.0";
     if (stock && !program.refusals.empty()) text += program.program + " would refuse it: " + program.refusals.front() + "\n";
   }
   return text;

@@ -128,7 +128,7 @@ TEST(Corpus, WhatTheProgramRefusesIsSaid) {
     ASSERT_FALSE(bytes.empty()) << path;
     // The oracle loaded this file camera by camera; Kalibr's chain reader counts its extra top-level key as a camera (MANIFEST.tsv).
     if (fields[1].find("4seasons_calib__camchain") != std::string::npos) continue;
-    const Readers readers = ask_readers(fields[0], bytes);
+    const Readers readers = ask_readers(fields[0], bytes, true);
     const auto program = std::ranges::find(readers.programs, program_of(fields[2]), &Readers::Program::program);
     ASSERT_NE(program, readers.programs.end()) << fields[2];
     const bool rejected = fields[3].starts_with("rejected");

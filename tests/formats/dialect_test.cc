@@ -23,6 +23,7 @@ constexpr ScalarType kText = ScalarType::kText;
 constexpr ScalarType kInteger = ScalarType::kInteger;
 constexpr ScalarType kReal = ScalarType::kReal;
 
+// PyYAML's resolver: a sign wants a digit behind it (-.5 is a string), an exponent a point in front and a sign behind.
 constexpr Row kRows[] = {
     {"1.5", kReal, kReal},        {"-1.5", kReal, kReal},       {"+1.5", kReal, kReal},     {"1.", kReal, kReal},       {".5", kReal, kReal},
     {"0.0", kReal, kReal},        {"1e-5", kText, kReal},       {"1.0e5", kText, kReal},    {"1.0e-05", kReal, kReal},  {"1.0e+05", kReal, kReal},
@@ -30,7 +31,7 @@ constexpr Row kRows[] = {
     {"+3", kInteger, kInteger},   {"017", kInteger, kInteger},  {"0", kInteger, kInteger},  {"4000000000", kInteger, kInteger},
     {".nan", kReal, kReal},       {".NaN", kReal, kReal},       {".Nan", kText, kReal},     {".inf", kReal, kReal},     {".Inf", kReal, kReal},
     {"-.inf", kReal, kReal},      {"nan", kText, kText},        {"inf", kText, kText},      {"PinHole", kText, kText},  {"1,5", kText, kInteger, false},
-    {"\"1.5\"", kText, kText},    {"'20'", kText, kText},       {"a1", kText, kText},       {"-x", kText, kText},
+    {"\"1.5\"", kText, kText},    {"'20'", kText, kText},       {"-.5", kText, kReal},        {"+.5", kText, kReal},      {"-.5e-3", kText, kReal},   {"_1.5", kText, kText},     {"a1", kText, kText},       {"-x", kText, kText},
 };
 
 const Node& value_in(const Document& document) { return document.root().entries.front().value; }

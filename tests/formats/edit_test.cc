@@ -119,11 +119,13 @@ TEST(Edit, KalibrFilesSayWhatTheyWereAskedToSay) {
       change.apply(rig);
       const std::string bytes = written_over(calibration, rig);
       Parsed parsed = parse(bytes);
-      ASSERT_TRUE(parsed.document) << parsed.rendered() << bytes;
+      EXPECT_TRUE(parsed.document) << parsed.rendered() << bytes;
+      if (!parsed.document) continue;
       const std::optional<Calibration> back = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
-      ASSERT_TRUE(back) << parsed.rendered() << bytes;
-      EXPECT_EQ(back->rig.cameras, rig.cameras) << bytes;
-      EXPECT_EQ(back->rig.poses, rig.poses) << bytes;
+      EXPECT_TRUE(back) << parsed.rendered() << bytes;
+      if (!back) continue;
+      EXPECT_TRUE(back->rig.cameras == rig.cameras) << bytes;
+      EXPECT_TRUE(back->rig.poses == rig.poses) << bytes;
     }
   }
 }
@@ -165,9 +167,9 @@ TEST(Edit, OrbSlam3FilesSayWhatTheyWereAskedToSay) {
       if (!rig.imus.empty()) rig.imus[0].rate_hz = 400.0;
       const std::string bytes = written_over(calibration, rig);
       const Rig back = calibration_of(bytes).rig;
-      EXPECT_EQ(back.cameras, rig.cameras) << bytes;
-      EXPECT_EQ(back.imus, rig.imus) << bytes;
-      EXPECT_EQ(back.poses, rig.poses) << bytes;
+      EXPECT_TRUE(back.cameras == rig.cameras) << bytes;
+      EXPECT_TRUE(back.imus == rig.imus) << bytes;
+      EXPECT_TRUE(back.poses == rig.poses) << bytes;
       EXPECT_EQ(document_of(bytes).syntax(), text::Syntax::kOpenCvYaml);
       const bool crlf = read_file(path).find("\r\n") != std::string::npos;
       const auto breaks = std::ranges::count(bytes, '\n');

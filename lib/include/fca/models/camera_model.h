@@ -83,6 +83,9 @@ bool set_parameter(CameraModel& model, std::string_view name, double value);
 /// The limit of the model's domain, in radians from the axis.
 [[nodiscard]] double max_angle(const CameraModel& model);
 
+/// Why this value cannot be that parameter, in a sentence; nothing if it can.
+[[nodiscard]] std::optional<std::string> problem_with(const Parameter& parameter, double value);
+
 /// Why these parameters are not a camera, one sentence each: not finite, outside their range, focal length not positive.
 [[nodiscard]] std::vector<std::string> validate(const CameraModel& model);
 
