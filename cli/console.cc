@@ -34,8 +34,9 @@ ExitCode Console::finish(ExitCode code) const {
 
 ExitCode code_of(const Diagnostics& diagnostics) {
   if (!diagnostics.has_errors()) return ExitCode::kGood;
-  const bool io = std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) { return entry.code == "cannot-read"; });
-  return io ? ExitCode::kIo : ExitCode::kBadInput;
+  const auto has = [&diagnostics](std::string_view code) { return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) != diagnostics.entries().end(); };
+  if (has("cannot-read")) return ExitCode::kIo;
+  return has("unknown-camera") ? ExitCode::kUsage : ExitCode::kBadInput;
 }
 
 }  // namespace fca::cli

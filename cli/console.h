@@ -22,6 +22,10 @@ class Console {
   /// Renders to stderr, with colour on a terminal unless NO_COLOR is set.
   void show(const Diagnostics& diagnostics) const;
   void error(const std::string& message, const std::string& fix = {}) const;
+  /// Text for people, without control characters that a file may have brought in; to stdout, or beside it to stderr.
+  void say(std::string_view text) const { out(text::printable(text, true)); }
+  void say_aside(std::string_view text) const { err(text::printable(text, true)); }
+  /// Bytes as they are.
   void out(std::string_view text) const;
   void err(std::string_view text) const;
 

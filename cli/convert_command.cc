@@ -25,6 +25,13 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6)) return "--fps wants a positive number";
   if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6)) return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
+  const std::span<const std::string_view> modes = find_format(arguments.to)->modes;
+  if (!arguments.sensor.empty() && std::ranges::find(modes, arguments.sensor) == modes.end()) {
+    const std::vector<std::string> names(modes.begin(), modes.end());
+    if (names.empty()) return "--sensor is for orbslam3; " + arguments.to + " has no modes";
+    const std::vector<std::string> near = nearest(arguments.sensor, names);
+    return "unknown sensor mode '" + arguments.sensor + "'" + (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
+  }
   const bool many = arguments.inputs.size() > 1;
   const bool one_path = !arguments.output.empty() && arguments.output.find('{') == std::string::npos && !fs::is_directory(arguments.output) &&
                         !arguments.output.ends_with('/');
@@ -86,16 +93,24 @@ Rig converted_rig(const Calibration& calibration, const std::vector<CameraOutcom
   return rig;
 }
 
-void verify(const Rig& rig, ConvertOutcome& outcome) {
+std::string disagreement(const ProofResult& proof) {
+  if (!proof.loads) return "it would refuse the file: " + enumerated(proof.refusals);
+  if (!proof.poses_agree) return "an element of its poses differs by " + pixels(proof.max_diff_pose);
+  if (proof.compared_share == 0.0) return "it has no pixel where we have one";
+  return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
+}
+
+/// `unchanged`: the output is the input's bytes. Then a program's refusal is the input's own defect: told, not held against us.
+void verify(const Rig& rig, bool unchanged, ConvertOutcome& outcome) {
   for (const std::string& id : outcome.written.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     ProofResult proof = prove(*consumer, outcome.outputs.front().bytes, {outcome.written.sensor.empty() ? "mono" : outcome.written.sensor}, rig);
-    if (!proof.agrees) {
-      const std::string why = !proof.loads              ? "it would refuse the file: " + enumerated(proof.refusals)
-                              : proof.max_diff_px > 0.0 ? "its pixels differ by up to " + pixels(proof.max_diff_px) + " px"
-                                                        : "it has no pixel where we have one";
-      outcome.diagnostics.error("proof-failed", std::string(consumer->program) + " would not understand what was to be written: " + why);
+    const std::string program(consumer->program);
+    if (!proof.agrees() && unchanged) {
+      outcome.diagnostics.warning("program-refuses", "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof));
+    } else if (!proof.agrees()) {
+      outcome.diagnostics.error("proof-failed", program + " would not understand what was to be written: " + disagreement(proof));
       outcome.code = worse(outcome.code, ExitCode::kJudgedBad);
     }
     outcome.proofs.push_back(std::move(proof));
@@ -121,7 +136,7 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
 
 /// Same layout in and out: the input document is edited, nothing is composed anew.
 const text::Document* base_document(const Calibration& calibration, const Format& to, const ConvertArguments& arguments) {
-  const bool same = calibration.format == &to && arguments.reading.cameras.empty() && arguments.reading.with.empty() && arguments.sensor.empty();
+  const bool same = calibration.format == &to && !arguments.reading.cameras && arguments.reading.with.empty() && arguments.sensor.empty();
   return same ? &calibration.documents.front() : nullptr;
 }
 
@@ -131,7 +146,8 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
   outcome.to = find_format(arguments.to);
   const std::optional<Calibration> calibration = read_input(input, arguments.reading, console, outcome.diagnostics);
   const auto failed = [&outcome]() -> ConvertOutcome {
-    outcome.code = worse(outcome.code, worse(code_of(outcome.diagnostics), ExitCode::kBadInput));
+    const ExitCode code = code_of(outcome.diagnostics);
+    outcome.code = worse(outcome.code, code == ExitCode::kGood ? ExitCode::kBadInput : code);
     return std::move(outcome);
   };
   if (!calibration) return failed();
@@ -146,12 +162,13 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
   outcome.cameras = *std::move(cameras);
 
   const Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
-  std::optional<Written> written = outcome.to->write(base_document(*calibration, *outcome.to, arguments), rig,
-                                                     {arguments.sensor, arguments.fps}, outcome.diagnostics);
+  const text::Document* base = base_document(*calibration, *outcome.to, arguments);
+  std::optional<Written> written = outcome.to->write(base, rig, {arguments.sensor, arguments.fps}, outcome.diagnostics);
   if (!written) return failed();
   outcome.written = *std::move(written);
   place_outputs(arguments, outcome);
-  if (!arguments.no_verify) verify(rig, outcome);
+  const bool unchanged = base != nullptr && !outcome.written.files.front().document.edited();
+  if (!arguments.no_verify) verify(rig, unchanged, outcome);
   judge_limits(arguments, outcome);
   return outcome;
 }
@@ -204,8 +221,8 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
     write_outputs(arguments, outcome, console);
     if (!arguments.json) {
       if (!outcome.cameras.empty() && !outcome.outputs.empty()) {
-        const std::string report = convert_text(outcome);
-        file_on_stdout && !arguments.dry_run ? console.err(report) : console.out(report);
+        const std::string report = convert_text(outcome, !arguments.dry_run);
+        file_on_stdout && !arguments.dry_run ? console.say_aside(report) : console.say(report);
       }
       console.show(outcome.diagnostics);
     }

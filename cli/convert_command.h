@@ -59,7 +59,7 @@ struct ConvertOutcome {
 void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run);
 
 /// The report for people (convert_text.cc) and for scripts (convert_json.cc).
-[[nodiscard]] std::string convert_text(const ConvertOutcome& outcome);
+[[nodiscard]] std::string convert_text(const ConvertOutcome& outcome, bool written);
 [[nodiscard]] std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console);
 
 }  // namespace fca::cli

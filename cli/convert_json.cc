@@ -3,6 +3,8 @@
 #include "diagnostics_json.h"
 #include "json.h"
 
+#include <fca/formats/text/numbers.h>
+
 namespace fca::cli {
 
 namespace {
@@ -78,7 +80,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
     json.object([&] {
       json.put("program", proof.program);
       json.put("loads", proof.loads);
-      json.put("agrees", proof.agrees);
+      json.put("agrees", proof.agrees());
       json.put("max_diff_px", proof.max_diff_px);
       json.put("misread_px", proof.misread_px);
       json.put("refusals", std::span<const std::string>(proof.refusals));
@@ -88,7 +90,13 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
   json.array("defaults", outcome.written.defaults, [&](const DefaultedValue& value) {
     json.object([&] {
       json.put("key", value.key);
-      json.put("value", value.value);
+      if (const std::optional<int> whole = text::parse_int(value.value)) {
+        json.put("value", *whole);
+      } else if (const std::optional<double> number = text::parse_real(value.value)) {
+        json.put("value", *number);
+      } else {
+        json.put("value", value.value);
+      }
       json.put("look_at_it", value.look_at_it);
     });
   });

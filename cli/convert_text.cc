@@ -99,7 +99,7 @@ std::string proofs_text(const std::vector<ProofResult>& proofs) {
 
 }  // namespace
 
-std::string convert_text(const ConvertOutcome& outcome) {
+std::string convert_text(const ConvertOutcome& outcome, bool written) {
   std::string text = outcome.written.headline + "\n";
   for (const CameraOutcome& camera : outcome.cameras) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
@@ -107,7 +107,7 @@ std::string convert_text(const ConvertOutcome& outcome) {
     if (camera.report && camera.source.model != camera.target.model) text += report_text(*camera.report);
   }
   text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome.proofs);
-  if (outcome.code == ExitCode::kGood) {
+  if (outcome.code == ExitCode::kGood && written) {
     for (const ConvertOutcome::Output& output : outcome.outputs) {
       if (!output.path.empty()) text += "wrote " + output.path + "\n";
     }

@@ -84,7 +84,9 @@ std::optional<std::string> write_file(const std::string& path, std::string_view 
   const mode_t mask = ::umask(0);
   ::umask(mask);
   std::error_code error;
-  const fs::path target = exists ? fs::canonical(path, error) : fs::path(path);
+  // Written through a symbolic link, also one whose target is yet to come.
+  fs::path target = exists ? fs::canonical(path, error) : fs::path(path);
+  if (!exists && fs::is_symlink(path)) target = fs::path(path).parent_path() / fs::read_symlink(path, error);
   if (error) return path + ": " + error.message();
   return replace(target.string(), bytes, exists ? status.st_mode & 07777 : 0666 & ~mask, sync);
 }

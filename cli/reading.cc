@@ -98,8 +98,8 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
   }
   const Format* format = options.from.empty() ? nullptr : find_format(options.from);
   std::optional<Calibration> calibration = read_calibration(std::move(documents), format, {parse_size(options.size)}, diagnostics);
-  if (!calibration || options.cameras.empty()) return calibration;
-  const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, options.cameras, diagnostics);
+  if (!calibration || !options.cameras) return calibration;
+  const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, *options.cameras, diagnostics);
   if (!indices) return std::nullopt;
   std::vector<Camera> cameras;
   for (const std::size_t index : *indices) cameras.push_back(calibration->rig.cameras[index]);

@@ -29,7 +29,7 @@ ExitCode run_show(const ShowArguments& arguments, Console& console) {
     files.push_back(read_file(file, arguments, console));
     code = worse(code, code_of(files.back().diagnostics));
     if (!arguments.json) {
-      if (files.back().calibration) console.out((files.size() > 1 ? "\n" : "") + show_text(files.back()));
+      if (files.back().calibration) console.say((files.size() > 1 ? "\n" : "") + show_text(files.back()));
       console.show(files.back().diagnostics);
     }
   }

@@ -149,10 +149,21 @@ std::optional<Transform> Reader::transform(const Node& node, std::string_view wh
   }
   Transform T;
   std::ranges::copy(values, T.values.begin());
-  const double last_row[] = {values[12], values[13], values[14], values[15] - 1.0};
+  return checked(T, node, what);
+}
+
+std::optional<Transform> Reader::checked(const Transform& T, const Node& node, std::string_view what) {
+  const double last_row[] = {T(3, 0), T(3, 1), T(3, 2), T(3, 3) - 1.0};
   if (std::ranges::any_of(last_row, [](double v) { return std::abs(v) > 1e-9; })) {
     error(node, "not-a-transform", std::string(what) + ": the last row of a transform is 0 0 0 1");
     return std::nullopt;
+  }
+  constexpr double kPrintedWithThreeDigits = 2e-3;
+  const double defect = rotation_defect(T);
+  if (defect > kPrintedWithThreeDigits) {
+    warning(node, "not-a-rotation", std::string(what) + ": its 3 x 3 part is not a rotation, R^T R differs from the identity by " + text::format_short(defect, 3));
+  } else if (rotation_determinant(T) < 0.0) {
+    warning(node, "not-a-rotation", std::string(what) + ": its 3 x 3 part is a mirror image, not a rotation");
   }
   return T;
 }
@@ -262,6 +273,19 @@ std::string spell_value(const Field& field) {
   return text;
 }
 
+/// The value on one line, as it stands inside a flow mapping.
+std::string spell_flow_value(const Field& field) {
+  if (field.shape == Shape::kScalar || field.shape == Shape::kList) return spell_value(field);
+  std::string text;
+  for_each_row(field, [&](const std::string& row, bool last) {
+    text += field.shape == Shape::kRows ? "[" + row + "]" : row;
+    if (!last) text += ", ";
+  });
+  if (field.shape == Shape::kRows) return " [" + text + "]";
+  return " !!opencv-matrix {rows: " + std::to_string(static_cast<int>(field.tokens.size()) / field.columns) +
+         ", cols: " + std::to_string(field.columns) + ", dt: " + field.element_type + ", data: [" + text + "]}";
+}
+
 /// Does the scalar already say what the token says? Numbers by value, anything else by its text.
 bool says(const Node& node, const std::string& token) {
   if (!node.is_scalar()) return false;
@@ -331,13 +355,13 @@ std::string indented(std::string_view text, std::size_t columns, std::string_vie
   return result;
 }
 
-void replace_value(text::Document& document, const text::Entry& entry, const Field& field) {
+void replace_value(text::Document& document, const Node& mapping, const text::Entry& entry, const Field& field) {
   const text::Source& source = document.source();
   const std::size_t column = entry.key.span.offset - source.line_at(entry.key.span.offset).offset;
   const std::size_t colon = source.bytes.find(':', entry.key.span.end());
   const std::size_t start = colon == std::string::npos ? entry.key.span.end() : colon + 1;
   const std::size_t end = std::max(start, entry.value.span.end());
-  document.replace({start, end - start}, indented(spell_value(field), column, source.line_break()));
+  document.replace({start, end - start}, mapping.flow ? spell_flow_value(field) : indented(spell_value(field), column, source.line_break()));
 }
 
 const Field* find_field(std::span<const Field> fields, std::string_view key) {
@@ -362,16 +386,16 @@ void apply(text::Document& document, const Node& mapping, text::Dialect dialect,
       if (old != nullptr && *old == field) continue;
       const text::Entry* anchor = predecessor;
       if (anchor == nullptr && !mapping.entries.empty()) anchor = &mapping.entries.back();
-      if (anchor != nullptr) document.insert_after(*anchor, spell(field));
+      if (anchor != nullptr) document.insert_after(mapping, *anchor, mapping.flow ? field.key + ":" + spell_flow_value(field) : spell(field));
       continue;
     }
     predecessor = entry;
     if (old != nullptr && *old == field) continue;
-    if (!edit_in_place(document, entry->value, dialect, field)) replace_value(document, *entry, field);
+    if (!edit_in_place(document, entry->value, dialect, field)) replace_value(document, mapping, *entry, field);
   }
   for (const Field& field : before) {
     if (find_field(after, field.key) != nullptr) continue;
-    if (const text::Entry* entry = text::find_entry(mapping, field.key, dialect)) document.remove_entry(*entry);
+    if (const text::Entry* entry = text::find_entry(mapping, field.key, dialect)) document.remove_entry(mapping, *entry);
   }
 }
 

@@ -40,6 +40,8 @@ class Reader {
   [[nodiscard]] std::optional<ImageSize> image_size(const text::Node& width, const text::Node& height, std::string_view owner);
   /// 4 x 4 as nested rows or as 16 numbers.
   [[nodiscard]] std::optional<Transform> transform(const text::Node& node, std::string_view what);
+  /// The same transform: an error (and nothing) if its last row is not 0 0 0 1, a warning if its 3 x 3 part is no rotation.
+  [[nodiscard]] std::optional<Transform> checked(const Transform& T, const text::Node& node, std::string_view what);
   /// An opencv-matrix {rows, cols, dt, data}: its numbers row by row, with rows and cols checked against them.
   struct Matrix {
     int rows = 0;

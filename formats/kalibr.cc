@@ -103,6 +103,9 @@ ProbeResult probe(const text::Document& document) {
       }
     }
   }
+  for (const text::Entry& entry : root.entries) {
+    if (index_in(entry.key.value, "cam")) return {60, "a top-level " + entry.key.value};
+  }
   if (holds_noise(root)) return {80, "the noise keys of Kalibr's imu.yaml"};
   for (const text::Entry& entry : root.entries) {
     if (index_in(entry.key.value, "imu") && entry.value.is_mapping() && holds_noise(entry.value)) {
@@ -187,8 +190,18 @@ class ChainReader {
       return false;
     }
     camera.model = *make_model(layout->model);
-    return read_slots(node, key, "intrinsics", layout->intrinsics, camera) &&
-           read_slots(node, key, "distortion_coeffs", layout->coefficients, camera);
+    if (!read_slots(node, key, "intrinsics", layout->intrinsics, camera) ||
+        !read_slots(node, key, "distortion_coeffs", layout->coefficients, camera)) {
+      return false;
+    }
+    const StoredModel* stored = find_stored_model(kFormat, layout->model, true);
+    for (const ParameterRange& range : stored->ranges) {
+      if (within(camera.model, std::span(&range, 1))) continue;
+      reader_.warning(*reader_.find(node, "intrinsics"), "program-refuses",
+                      name + ": Kalibr refuses " + std::string(range.parameter) + " = " +
+                          text::format_short(*parameter(camera.model, range.parameter)) + "; it must be less than 1");
+    }
+    return true;
   }
 
   bool read_slots(const Node& node, const Node& key, std::string_view list_key, std::span<const Slot> slots, Camera& camera) {
@@ -200,8 +213,10 @@ class ChainReader {
     }
     const std::string what = key.value + " " + std::string(list_key);
     if (!list->is_sequence() || list->items.size() != slots.size()) {
-      const std::string found = list->is_sequence() ? std::to_string(list->items.size()) + " numbers" : "no list";
-      reader_.error(*list, "wrong-length", what + " has " + found + "; " + std::to_string(slots.size()) + " are wanted");
+      const std::string wanted = std::to_string(slots.size());
+      reader_.error(*list, "wrong-length",
+                    list->is_sequence() ? what + " has " + std::to_string(list->items.size()) + " numbers; " + wanted + " are wanted"
+                                        : what + " must be a list of " + wanted + " numbers");
       return false;
     }
     bool good = true;
@@ -273,6 +288,10 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     ChainReader(document, options, found).read_into(rig);
     for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
     if (found.has_errors()) return std::nullopt;
+  }
+  if (rig.cameras.empty() && rig.imus.empty()) {
+    diagnostics.error("no-calibration", "neither a camera (cam0) nor an IMU's noise stands here", {documents.front().source().name, 0, 0});
+    return std::nullopt;
   }
   return rig;
 }
@@ -383,10 +402,16 @@ void list_losses(const Rig& rig, Written& written) {
   }
 }
 
-bool check_models(const Rig& rig, Diagnostics& diagnostics) {
+/// Can a camchain hold the models? One that is already there (in `old`) is not asked again.
+bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
   bool good = true;
-  for (const Camera& camera : rig.cameras) {
-    if (layout_for(camera.model) != nullptr) continue;
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const Camera& camera = rig.cameras[i];
+    if (old != nullptr && old->cameras[i].model == camera.model) continue;
+    if (layout_for(camera.model) != nullptr) {
+      good = stored_within(kFormat, camera, diagnostics) && good;
+      continue;
+    }
     diagnostics.error("model-not-storable", camera.name + ": Kalibr has no " + std::string(model_info(camera.model).id) + " model");
     good = false;
   }
@@ -434,7 +459,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   }
   const bool edits = old && old->cameras.size() == rig.cameras.size();
   // A base that never stated a size need not begin to.
-  if (!check_models(rig, diagnostics) || (!edits && !check_sizes(rig, diagnostics))) return std::nullopt;
+  if (!check_models(rig, edits ? &*old : nullptr, diagnostics) || (!edits && !check_sizes(rig, diagnostics))) return std::nullopt;
   std::optional<text::Document> document = edits ? edited(*base, *old, rig) : compose(rig, diagnostics);
   if (!document) return std::nullopt;
 

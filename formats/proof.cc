@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/proof.h>
 
+#include <fca/formats/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,13 +11,18 @@ namespace fca {
 
 namespace {
 
-constexpr std::array kSensorModes = {"mono", "stereo", "rgbd", "mono-inertial", "stereo-inertial", "rgbd-inertial"};
+/// `tolerance` is what separates two implementations that hold the same numbers; the parameters, too, are rounded when a program
+/// stores them as floats (2.6e-4 px on a T265).
+constexpr double kRounding = 5.0;
+/// Kalibr's fov takes a series near the axis: 1.5e-6 px (FovDistortion.hpp).
+constexpr double kApproximation = 1e-5;
 
 struct Comparison {
   double worst = 0.0;
   double misread = 0.0;
   int asked = 0;
   int compared = 0;
+  int misread_points = 0;
   bool agrees = true;
 };
 
@@ -36,18 +43,27 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
       ++result.compared;
       const double difference = std::hypot((*image)[0] - pixel[0] * theirs.scale[0], (*image)[1] - pixel[1] * theirs.scale[1]);
       if (theirs.misread) {
+        ++result.misread_points;
         result.misread = std::max(result.misread, difference);
         continue;
       }
       result.worst = std::max(result.worst, difference);
-      const double allowed = tolerance * std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
+      const double allowed = std::max(kRounding * tolerance, kApproximation) * std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
       if (!(difference <= allowed)) result.agrees = false;
     }
   }
 }
 
-double pose_difference(const Rig& rig, const consumers::ConsumerPose& pose) {
-  const std::optional<Transform> T = rig.resolve(pose.a, pose.b);
+/// Programs count their cameras; the rig may name them otherwise.
+std::string name_in(const Rig& rig, const consumers::ConsumerView& view, const std::string& name) {
+  for (std::size_t i = 0; i < std::min(rig.cameras.size(), view.cameras.size()); ++i) {
+    if (view.cameras[i].name == name) return rig.cameras[i].name;
+  }
+  return name;
+}
+
+double pose_difference(const Rig& rig, const consumers::ConsumerView& view, const consumers::ConsumerPose& pose) {
+  const std::optional<Transform> T = rig.resolve(name_in(rig, view, pose.a), name_in(rig, view, pose.b));
   if (!T) return 0.0;
   double worst = 0.0;
   for (std::size_t i = 0; i < T->values.size(); ++i) worst = std::max(worst, std::abs(T->values[i] - pose.T_a_b[i]));
@@ -73,34 +89,37 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.misread_px = comparison.misread;
   result.compared_share = comparison.asked > 0 ? static_cast<double>(comparison.compared) / comparison.asked : 0.0;
   constexpr double kPosePrecision = 1e-6;  // float formats
-  for (const consumers::ConsumerPose& pose : view.poses) result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, pose));
-  result.agrees = comparison.agrees && comparison.compared > 0 && result.max_diff_pose <= kPosePrecision;
+  for (const consumers::ConsumerPose& pose : view.poses) result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));
+  result.pixels_agree = comparison.agrees && (comparison.compared > 0 || comparison.misread_points > 0 || comparison.asked == 0);
+  result.poses_agree = result.max_diff_pose <= kPosePrecision;
   return result;
 }
 
 bool Readers::any_loads() const { return std::ranges::any_of(programs, &Program::loads); }
 
-Readers ask_readers(std::string_view format, std::string_view bytes, std::optional<bool> with_cameras) {
+Readers ask_readers(std::string_view format_id, std::string_view bytes, std::optional<bool> with_cameras) {
   Readers readers;
+  const Format* format = find_format(format_id);
+  constexpr std::array<std::string_view, 1> kNoModes = {""};
+  const bool has_modes = format != nullptr && !format->modes.empty();
+  const std::span<const std::string_view> modes = has_modes ? format->modes : std::span<const std::string_view>(kNoModes);
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
-    if (consumer.format != format || (with_cameras && consumer.cameras != *with_cameras)) continue;
+    if (consumer.format != format_id || (with_cameras && consumer.cameras != *with_cameras)) continue;
     Readers::Program program;
     program.program = consumer.program;
     std::size_t fewest = SIZE_MAX;
-    for (const char* mode : kSensorModes) {
-      const consumers::ConsumerView view = consumer.load(bytes, {mode});
+    for (const std::string_view mode : modes) {
+      const consumers::ConsumerView view = consumer.load(bytes, {std::string(mode)});
       if (view.loads()) {
         if (!program.loads) program.warnings = view.warnings;
         program.loads = true;
-        program.sensors.emplace_back(mode);
+        if (has_modes) program.sensors.emplace_back(mode);
       } else if (view.refusals.size() < fewest) {
         fewest = view.refusals.size();
         program.refusals = view.refusals;
       }
-      if (format != "orbslam3") break;  // the others have no modes
     }
     if (program.loads) program.refusals.clear();
-    if (format != "orbslam3") program.sensors.clear();
     readers.programs.push_back(std::move(program));
   }
   return readers;

@@ -3,6 +3,8 @@
 #include "kalibr.h"
 #include "orbslam3/orbslam3.h"
 
+#include <fca/formats/text/numbers.h>
+
 #include <algorithm>
 #include <array>
 
@@ -38,6 +40,21 @@ const Format* find_format(std::string_view name) {
 const StoredModel* find_stored_model(const Format& format, std::string_view model, bool stock_only) {
   const auto found = std::ranges::find_if(format.models, [&](const StoredModel& row) { return row.model == model && (row.stock || !stock_only); });
   return found == format.models.end() ? nullptr : &*found;
+}
+
+bool stored_within(const Format& format, const Camera& camera, Diagnostics& diagnostics) {
+  const StoredModel* stored = find_stored_model(format, model_info(camera.model).id, false);
+  if (stored == nullptr || within(camera.model, stored->ranges)) return true;
+  for (const ParameterRange& range : stored->ranges) {
+    const double value = parameter(camera.model, range.parameter).value_or(range.lower);
+    if (value >= range.lower && value <= range.upper) continue;
+    diagnostics.error("parameter-not-storable",
+                      camera.name + ": " + std::string(range.parameter) + " = " + text::format_short(value) + " cannot be stored as " +
+                          std::string(stored->file_name) + " (" + std::string(format.title) + "); it must lie in [" +
+                          text::format_short(range.lower) + ", " + text::format_short(range.upper) + "]",
+                      {}, "convert the camera to this format's ranges first");
+  }
+  return false;
 }
 
 }  // namespace fca

@@ -21,6 +21,8 @@ constexpr std::array kModels = {
     StoredModel{"ds", "DoubleSphere", false, "urbste/ORB_SLAM3 (branch feature/gopro_slam)", {}},
 };
 
+constexpr std::array<std::string_view, 6> kModes = {"mono", "stereo", "rgbd", "mono-inertial", "stereo-inertial", "rgbd-inertial"};
+
 ProbeResult probe(const text::Document& document) {
   if (find_key(document, "Camera1.fx") != nullptr) return {95, "the key Camera1.fx"};
   if (find_key(document, "Camera.fx") != nullptr) return {90, "the key Camera.fx"};
@@ -40,6 +42,7 @@ const Format kFormat = {
     .extrinsics = true,
     .imu = true,
     .image_size = true,
+    .modes = kModes,
     .models = kModels,
     .probe = probe,
     .read = read,

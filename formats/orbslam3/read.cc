@@ -72,8 +72,14 @@ class SettingsReader {
       return l.style == style_ && l.type == name && (distorted || style_ != Style::kV1 || l.model != "radtan");
     });
     if (found == rows.end()) {
-      reader_.error(*type, "unknown-model",
-                    "Camera.type '" + name + "' is none of PinHole, Rectified, KannalaBrandt8 (ORB-SLAM3), EUCM, KB, DoubleSphere (forks)");
+      std::string known;
+      for (const Layout& row : rows) {
+        const std::string type_name(row.type);
+        if (row.style == style_ && known.find(type_name) == std::string::npos) known += (known.empty() ? "" : ", ") + type_name;
+      }
+      const bool fork_type = std::ranges::any_of(rows, [&](const Layout& l) { return l.type == name; });
+      reader_.error(*type, "unknown-model", "Camera.type '" + name + "' is none of " + known + ", which settings of this style know",
+                    fork_type ? "forks read this type from files with Camera.fx (not Camera1.fx) and without File.version" : "");
       return nullptr;
     }
     return &*found;
@@ -153,7 +159,7 @@ class SettingsReader {
     }
     Transform T;
     std::copy_n(matrix->values.begin(), matrix->values.size(), T.values.begin());
-    return T;
+    return reader_.checked(T, node, key);
   }
 
   /// slam_no_opt's second camera: RIGHT.K, RIGHT.D in the order of Camera.k1 k2 p1 p2, and p_right = CAMERA.R p_left + CAMERA.T.
@@ -203,7 +209,7 @@ class SettingsReader {
       }
       T_right_left(row, 3) = translation->values[static_cast<std::size_t>(row)];
     }
-    rig.poses.push_back({"cam1", "cam0", T_right_left});
+    if (reader_.checked(T_right_left, *R, "CAMERA.R")) rig.poses.push_back({"cam1", "cam0", T_right_left});
   }
 
   /// Of a rectified pair or a depth sensor: Stereo.b, or bf / fx. With a posed second camera the poses say it.

@@ -107,6 +107,7 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
       diagnostics.error("model-not-storable", camera.name + ": these settings cannot hold " + std::string(model_info(camera.model).id));
       return false;
     }
+    if (!stored_within(kFormat, camera, diagnostics)) return false;
     if (!camera.image_size) {
       diagnostics.error("image-size-missing", camera.name + ": the settings demand Camera.width and Camera.height and the input has none", {},
                         "give it: --size WIDTHxHEIGHT");

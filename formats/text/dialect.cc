@@ -14,24 +14,28 @@ std::size_t skip_digits(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Decimal part of PyYAML's YAML 1.1 resolver: an integer is digits; a real needs a point, and an exponent needs a sign.
+/// Behind "12." or ".5": nothing, or an exponent with its sign.
+bool ends_as_real(std::string_view rest) {
+  if (rest.empty()) return true;
+  if (rest.size() < 3 || (rest[0] != 'e' && rest[0] != 'E') || (rest[1] != '+' && rest[1] != '-')) return false;
+  return std::ranges::all_of(rest.substr(2), is_digit);
+}
+
+/// Decimal part of PyYAML's YAML 1.1 resolver: an integer is digits; a real needs a point, an exponent its sign, and what begins with
+/// the point takes no sign.
 ScalarType pyyaml_type(std::string_view text) {
-  std::size_t at = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
-  const std::string_view rest = text.substr(at);
+  const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  const std::string_view rest = text.substr(sign);
   if (rest == ".inf" || rest == ".Inf" || rest == ".INF") return ScalarType::kReal;
   if (text == ".nan" || text == ".NaN" || text == ".NAN") return ScalarType::kReal;
-  const std::size_t whole_end = skip_digits(text, at);
-  const bool has_whole = whole_end > at && is_digit(text[at]);
-  if (whole_end == text.size()) return has_whole ? ScalarType::kInteger : ScalarType::kText;
+  if (sign == 0 && text.size() > 1 && text[0] == '.' && is_digit(text[1])) {
+    return ends_as_real(text.substr(skip_digits(text, 1))) ? ScalarType::kReal : ScalarType::kText;
+  }
+  if (rest.empty() || !is_digit(rest[0])) return ScalarType::kText;
+  const std::size_t whole_end = skip_digits(text, sign);
+  if (whole_end == text.size()) return ScalarType::kInteger;
   if (text[whole_end] != '.') return ScalarType::kText;
-  at = skip_digits(text, whole_end + 1);
-  if (!has_whole && at == whole_end + 1) return ScalarType::kText;
-  if (at == text.size()) return ScalarType::kReal;
-  if (text[at] != 'e' && text[at] != 'E') return ScalarType::kText;
-  ++at;
-  if (at >= text.size() || (text[at] != '+' && text[at] != '-')) return ScalarType::kText;
-  const std::size_t exponent_end = skip_digits(text, at + 1);
-  return exponent_end == text.size() && exponent_end > at + 1 ? ScalarType::kReal : ScalarType::kText;
+  return ends_as_real(text.substr(skip_digits(text, whole_end + 1))) ? ScalarType::kReal : ScalarType::kText;
 }
 
 /// cv::FileStorage 4.6, persistence_yml.cpp: after sign and leading digits, '.' or 'e' makes it a real, anything else strtol's int.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/text/numbers.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -25,20 +26,36 @@ std::optional<double> parse_special(std::string_view text) {
   return std::nullopt;
 }
 
+/// Is a literal that from_chars cannot represent too large (or too small)? Decided by the place of its first non-zero digit.
+bool beyond_largest(std::string_view literal) {
+  const std::size_t exponent_at = std::min(literal.find_first_of("eE"), literal.size());
+  const std::string_view mantissa = literal.substr(0, exponent_at);
+  constexpr long kMostDigits = 1'000'000'000;
+  long exponent = 0;
+  if (exponent_at < literal.size()) {
+    const std::string_view digits = without_plus(literal.substr(exponent_at + 1));
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    if (error == std::errc::result_out_of_range) exponent = digits.starts_with('-') ? -kMostDigits : kMostDigits;
+  }
+  const auto point = static_cast<long>(std::min(mantissa.find('.'), mantissa.size()));
+  const auto first = static_cast<long>(std::min(mantissa.find_first_of("123456789"), mantissa.size()));
+  return exponent + (point - first) > 0;
+}
+
 }  // namespace
 
 std::optional<double> parse_real(std::string_view text) {
   text = without_plus(text);
   if (const std::optional<double> special = parse_special(text)) return special;
+  // from_chars takes "nan" and "infinity" in letters; no file format does.
+  if (text.find_first_not_of("+-.0123456789eE") != std::string_view::npos) return std::nullopt;
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (end != text.data() + text.size() || text.empty()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
     // Too small is zero to every consumer; too large is infinite to them, and that is what the caller must see.
-    const std::size_t exponent = text.find_first_of("eE");
-    const bool tiny = exponent != std::string_view::npos && exponent + 1 < text.size() && text[exponent + 1] == '-';
-    if (tiny) return text.starts_with('-') ? -0.0 : 0.0;
-    return text.starts_with('-') ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+    const double limit = beyond_largest(text) ? std::numeric_limits<double>::infinity() : 0.0;
+    return text.starts_with('-') ? -limit : limit;
   }
   if (error != std::errc()) return std::nullopt;
   return value;

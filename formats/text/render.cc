@@ -33,14 +33,9 @@ std::string_view severity_colour(Severity severity) {
   return "";
 }
 
-/// A file's text must not be able to drive the terminal.
-std::string printable(std::string_view text) {
-  std::string result;
-  for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte == 0x7F ? ' ' : c;
-  }
-  return result;
+/// Characters, not bytes.
+std::size_t count_characters(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
 /// The line and a caret under the range; long lines are cut around it.
@@ -50,12 +45,9 @@ std::string excerpt(const Source& source, const SourceRange& where) {
   const std::size_t offset = std::clamp(where.offset, line.offset, line.end());
   if (offset - start > kLongestLine / 2) start = offset - kLongestLine / 2;
   const std::size_t end = std::min(line.end(), start + kLongestLine);
-  std::string caret;
-  for (std::size_t i = start; i < offset; ++i) {
-    const bool continuation = (static_cast<unsigned char>(source.bytes[i]) & 0xC0u) == 0x80u;
-    if (!continuation) caret += ' ';
-  }
-  const std::size_t length = std::clamp<std::size_t>(where.length, 1, std::max<std::size_t>(1, end - std::min(end, offset)));
+  const std::string caret(count_characters(source.text({start, offset - start})), ' ');
+  const std::size_t marked_end = std::clamp(where.offset + where.length, std::min(offset, end), end);
+  const std::size_t length = std::max<std::size_t>(1, count_characters(source.text({offset, marked_end - offset})));
   return "    " + printable(source.text({start, end - start})) + "\n    " + caret + "^" + std::string(length - 1, '~') + "\n";
 }
 
@@ -68,9 +60,9 @@ std::string render(const Diagnostic& diagnostic, std::span<const Source> sources
                       (diagnostic.where.offset > 0 || diagnostic.where.length > 0);
   if (placed) {
     const Position position = source->position(diagnostic.where.offset);
-    text += source->name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+    text += printable(source->name) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
   } else if (!diagnostic.where.file.empty()) {
-    text += diagnostic.where.file + ": ";
+    text += printable(diagnostic.where.file) + ": ";
   }
   if (colour) text += severity_colour(diagnostic.severity);
   text += severity_word(diagnostic.severity);

@@ -31,15 +31,50 @@ std::string_view Source::line_break() const {
   return newline != std::string::npos && newline > 0 && bytes[newline - 1] == '\r' ? "\r\n" : "\n";
 }
 
+namespace {
+
+/// Length of the UTF-8 character at `at`; 0 if the bytes there are none (RFC 3629: no overlong forms, no surrogates, none beyond
+/// U+10FFFF).
+std::size_t character_length(std::string_view bytes, std::size_t at) {
+  const auto byte = [&](std::size_t i) -> unsigned { return at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0u; };
+  const auto continues = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return 1;
+  if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF) {
+    const bool overlong = lead == 0xE0 && byte(1) < 0xA0;
+    const bool surrogate = lead == 0xED && byte(1) > 0x9F;
+    return continues(1) && continues(2) && !overlong && !surrogate ? 3 : 0;
+  }
+  if (lead >= 0xF0 && lead <= 0xF4) {
+    const bool overlong = lead == 0xF0 && byte(1) < 0x90;
+    const bool too_large = lead == 0xF4 && byte(1) > 0x8F;
+    return continues(1) && continues(2) && continues(3) && !overlong && !too_large ? 4 : 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
 std::string valid_utf8(std::string_view bytes) {
   std::string text(bytes);
   for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = character_length(text, i);
+    if (length == 0) text[i] = '?';
+    i += std::max<std::size_t>(1, length);
+  }
+  return text;
+}
+
+std::string printable(std::string_view bytes, bool keep_line_breaks) {
+  std::string text = valid_utf8(bytes);
+  for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    const std::size_t length = byte < 0x80 ? 1 : (byte >> 5) == 0x6 ? 2 : (byte >> 4) == 0xE ? 3 : (byte >> 3) == 0x1E ? 4 : 0;
-    bool good = length > 0 && i + length <= text.size();
-    for (std::size_t k = 1; good && k < length; ++k) good = (static_cast<unsigned char>(text[i + k]) & 0xC0u) == 0x80u;
-    if (!good) text[i] = '?';
-    i += good ? length : 1;
+    const bool line_break = byte == '\n' && keep_line_breaks;
+    if ((byte < 0x20 && !line_break) || byte == 0x7F) text[i] = ' ';
+    // U+0080 .. U+009F are control characters, too: U+009B opens an escape sequence.
+    const bool c1 = byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (c1) text.replace(i, 2, "?");
   }
   return text;
 }

@@ -26,7 +26,7 @@ struct Refusal {
   std::size_t offset;
 };
 
-/// Where a quoted scalar that opens at `open` ends (behind the closing quote).
+/// Where a quoted scalar that opens at `open` ends (behind the closing quote). yaml-cpp forgives a quote that the file's end cuts off.
 std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
   const char quote = bytes[open];
   for (std::size_t i = open + 1; i < bytes.size(); ++i) {
@@ -40,7 +40,7 @@ std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
       }
     }
   }
-  return bytes.size();
+  throw Refusal{"yaml-syntax", "YAML syntax error: a quote that is never closed", "close it", open};
 }
 
 /// Where a flow collection that opens at `open` ends (behind its bracket).
@@ -71,8 +71,9 @@ class TreeBuilder : public YAML::EventHandler {
 
   Node take_root() { return std::move(root_); }
   [[nodiscard]] bool has_content() const { return has_content_; }
+  [[nodiscard]] std::size_t document_start() const { return document_start_; }
 
-  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  void OnDocumentStart(const YAML::Mark& mark) override { document_start_ = offset(mark); }
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -175,6 +176,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (parent.node.is_sequence()) {
       parent.node.items.push_back(std::move(node));
     } else if (!parent.has_key) {
+      refuse_odd_key(node, parent.node.flow);
       parent.key = std::move(node);
       parent.has_key = true;
     } else {
@@ -185,9 +187,19 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
+  /// A key is a name. yaml-cpp also takes lists for keys, no key at all, and, on the last line of a file, a name without a colon.
+  void refuse_odd_key(const Node& key, bool flow) const {
+    if (!key.is_scalar()) throw Refusal{"yaml-key", "a key that is no name", "", key.span.offset};
+    if (flow || key.span.length == 0) return;
+    const std::size_t next = source_.bytes.find_first_not_of(" \t", key.span.end());
+    if (next != std::string::npos && source_.bytes[next] == ':') return;
+    throw Refusal{"yaml-syntax", "YAML syntax error: a key without its colon", "is a blank missing behind the colon?", key.span.offset};
+  }
+
   const Source& source_;
   const SpacedText& spaced_;
   std::size_t skipped_;
+  std::size_t document_start_ = 0;
   std::vector<Open> stack_;
   Node root_;
   bool has_content_ = false;
@@ -231,11 +243,17 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     TreeBuilder builder(source, spaced, skipped);
     parser.HandleNextDocument(builder);
     TreeBuilder further(source, spaced, skipped);
+    std::size_t last_start = builder.document_start();
     while (parser.HandleNextDocument(further)) {
       if (further.has_content()) {
         throw Refusal{"yaml-documents", "several YAML documents in one file; the programs read the first only",
                       "keep one document", further.take_root().span.offset};
       }
+      // On a token that begins nothing yaml-cpp reports empty documents without end.
+      if (further.document_start() <= last_start) {
+        throw Refusal{"yaml-syntax", "YAML syntax error: nothing can begin here", "", further.document_start()};
+      }
+      last_start = further.document_start();
     }
     return builder.take_root();
   } catch (const Refusal& refusal) {

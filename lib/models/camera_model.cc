@@ -141,8 +141,8 @@ double max_angle(const CameraModel& model) {
 
 std::optional<std::string> problem_with(const Parameter& parameter, double value) {
   const std::string what = std::string(parameter.name) + " is " + spelled(value);
-  // Beyond this no double arithmetic of a projection stays finite, and no lens has such numbers.
-  constexpr double kLargest = 1e100;
+  // No lens has such numbers, and their powers overflow a projection.
+  constexpr double kLargest = 1e12;
   if (!std::isfinite(value)) return what + ", not a finite number";
   if (std::abs(value) > kLargest) return what + ", too large to compute with";
   if (parameter.group == ParameterGroup::kFocalLength && !(value > 0.0)) return what + "; a focal length is positive";

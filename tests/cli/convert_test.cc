@@ -24,7 +24,7 @@ using Value = rapidjson::Value;
 
 Json json_of(const RunResult& run) {
   Json document;
-  document.Parse<rapidjson::kParseValidateEncodingFlag>(run.out.c_str(), run.out.size());
+  document.Parse<rapidjson::kParseValidateEncodingFlag | rapidjson::kParseFullPrecisionFlag>(run.out.c_str(), run.out.size());
   EXPECT_FALSE(document.HasParseError()) << run.out << run.err;
   return document;
 }
@@ -328,6 +328,17 @@ TEST(Convert, MaxErrorJudgesTheWorstPixel) {
 TEST(Convert, StrictPassesWhereNothingIsLost) {
   const RunResult run = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "kb4", "--strict"});
   EXPECT_EQ(run.code, 0) << run.err;
+}
+
+// ORB-SLAM2's monocular examples state no image size. Nothing can be compared then, which is no disagreement.
+TEST(Convert, ASettingsFileWithoutASizeIsNotCalledWrong) {
+  const TemporaryFolder folder;
+  std::string bytes = read_file(testdata("formats/orbslam3/good/orbslam2-tight.yaml"));
+  bytes = with_replaced(with_replaced(bytes, "Camera.width: 640\n", ""), "Camera.height:480\n", "");
+  bytes = with_replaced(bytes, "ORBextractor.nFeatures: 1000\n", "ORBextractor.nFeatures: 1000\nORBextractor.nLevels: 8\nORBextractor.scaleFactor: 1.2\n");
+  const RunResult run = run_program({"convert", folder.write("orbslam2.yaml", bytes), "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, bytes);
 }
 
 // Exactness through any language: the numbers do not depend on the locale's decimal sign.

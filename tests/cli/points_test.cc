@@ -27,7 +27,7 @@ std::vector<std::vector<double>> rows_of(const std::string& text) {
 
 rapidjson::Document json_of(const RunResult& run) {
   rapidjson::Document document;
-  document.Parse<rapidjson::kParseValidateEncodingFlag>(run.out.c_str(), run.out.size());
+  document.Parse<rapidjson::kParseValidateEncodingFlag | rapidjson::kParseFullPrecisionFlag>(run.out.c_str(), run.out.size());
   EXPECT_FALSE(document.HasParseError()) << run.out;
   return document;
 }

@@ -90,9 +90,9 @@ TEST(DocumentEdit, InsertAfterKeepsIndentationAndLineBreaks) {
     };
     Document document = document_of(lines({"cam0:", "    a: 1   # first", "    rows:", "    - [1, 2]", "    - [3, 4]", "b: 2"}));
     const Node& camera = at(document, "cam0");
-    document.insert_after(entry_at(camera, "a"), "new: 5");
-    document.insert_after(entry_at(camera, "rows"), "more:\n  - 6");
-    document.insert_after(entry_at(document.root(), "b"), "last: 7");
+    document.insert_after(camera, entry_at(camera, "a"), "new: 5");
+    document.insert_after(camera, entry_at(camera, "rows"), "more:\n  - 6");
+    document.insert_after(document.root(), entry_at(document.root(), "b"), "last: 7");
     EXPECT_EQ(document.bytes(), lines({"cam0:", "    a: 1   # first", "    new: 5", "    rows:", "    - [1, 2]", "    - [3, 4]", "    more:", "      - 6",
                                        "b: 2", "last: 7"}));
   }
@@ -100,15 +100,15 @@ TEST(DocumentEdit, InsertAfterKeepsIndentationAndLineBreaks) {
 
 TEST(DocumentEdit, InsertAfterTheLastLineWithoutItsBreak) {
   Document document = document_of("a: 1\nb: 2");
-  document.insert_after(entry_at(document.root(), "b"), "c: 3");
+  document.insert_after(document.root(), entry_at(document.root(), "b"), "c: 3");
   EXPECT_EQ(document.bytes(), "a: 1\nb: 2\nc: 3");
   EXPECT_EQ(at(document_of(document.bytes()), "c").value, "3");
 }
 
 TEST(DocumentEdit, InsertionsAtOnePlaceKeepTheirOrder) {
   Document document = document_of("a: 1\nz: 2\n");
-  document.insert_after(entry_at(document.root(), "a"), "b: 1");
-  document.insert_after(entry_at(document.root(), "a"), "c: 2");
+  document.insert_after(document.root(), entry_at(document.root(), "a"), "b: 1");
+  document.insert_after(document.root(), entry_at(document.root(), "a"), "c: 2");
   EXPECT_EQ(document.bytes(), "a: 1\nb: 1\nc: 2\nz: 2\n");
 }
 
@@ -121,18 +121,18 @@ TEST(DocumentEdit, RemoveEntryTakesItsLinesOnly) {
     };
     const std::string bytes = lines({"# head", "cam0:", "  a: 1 # gone with its comment", "  T:", "  - [1, 2]", "  - [3,", "     4] # end", "  z: 9", "# tail"});
     Document without_T = document_of(bytes);
-    without_T.remove_entry(entry_at(at(without_T, "cam0"), "T"));
+    without_T.remove_entry(at(without_T, "cam0"), entry_at(at(without_T, "cam0"), "T"));
     EXPECT_EQ(without_T.bytes(), lines({"# head", "cam0:", "  a: 1 # gone with its comment", "  z: 9", "# tail"}));
     Document without_a = document_of(bytes);
-    without_a.remove_entry(entry_at(at(without_a, "cam0"), "a"));
+    without_a.remove_entry(at(without_a, "cam0"), entry_at(at(without_a, "cam0"), "a"));
     EXPECT_EQ(without_a.bytes(), lines({"# head", "cam0:", "  T:", "  - [1, 2]", "  - [3,", "     4] # end", "  z: 9", "# tail"}));
   }
 }
 
 TEST(DocumentEdit, RemoveEntryWithoutAValueAndAtTheEnd) {
   Document document = document_of("a:\nb: 2\nc: 3");
-  document.remove_entry(entry_at(document.root(), "a"));
-  document.remove_entry(entry_at(document.root(), "c"));
+  document.remove_entry(document.root(), entry_at(document.root(), "a"));
+  document.remove_entry(document.root(), entry_at(document.root(), "c"));
   EXPECT_EQ(document.bytes(), "b: 2\n");
 }
 
@@ -145,7 +145,7 @@ TEST(DocumentEdit, WhatWasInsertedCanBeRemoved) {
     if (document.root().flow) continue;
     document.insert_after(document.root().entries.front(), "inserted:\n  - [1.0, 2.0]");
     Document again = document_of(document.bytes());
-    again.remove_entry(entry_at(again.root(), "inserted"));
+    again.remove_entry(again.root(), entry_at(again.root(), "inserted"));
     EXPECT_EQ(again.bytes(), bytes) << path;
   }
 }

@@ -52,7 +52,7 @@ struct Counts {
   int folded = 0;
   int misread = 0;
   int behind = 0;    ///< Compared at or beyond 90 degrees.
-  double worst = 0.0;
+  double worst = 0.0;   ///< In units of what the row allows.
 };
 
 /// Whether the program's image radius falls anywhere between the axis and the ray, on the ray's azimuth.
@@ -92,7 +92,7 @@ class OracleTables {
 
   void compare_all(int fewest_tables) {
     int tables = 0;
-    std::printf("%-100s cam compared  (>= 90 deg)   nan mirrored folded misread  worst px\n", "file");
+    std::printf("%-100s cam compared  (>= 90 deg)   nan mirrored folded misread  worst / allowed\n", "file");
     for (const fs::path& path : files_in(shared_dir() / "oracles" / id_)) {
       if (!path.string().ends_with("." + id_ + ".tsv")) continue;
       const Table table = read_table(path);
@@ -164,7 +164,7 @@ class OracleTables {
     const Pixel scaled = {(*ours)[0] * theirs.scale[0], (*ours)[1] * theirs.scale[1]};
     const double difference = distance(scaled, row.pixel);
     EXPECT_LE(difference, tolerance) << "at " << row.pixel[0] << " " << row.pixel[1];
-    counts.worst = std::max(counts.worst, difference);
+    counts.worst = std::max(counts.worst, difference / tolerance);
   }
 
   const consumers::Consumer& consumer_;

@@ -28,7 +28,7 @@ std::vector<fca::Camera> nonsense() {
   std::vector<fca::Camera> cameras;
   for (const fca::ModelInfo& info : fca::all_models()) {
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-      for (const double value : {kNaN, kInfinity, -kInfinity, 1e308, -1e308, 0.0, -1.0, 1.0, 1e-300, 50.0}) {
+      for (const double value : {kNaN, -kInfinity, kInfinity, 1e308, 0.0, -1.0, 50.0}) {
         fca::CameraModel model = *fca::make_model(info.id);
         const std::span<double> values = fca::parameter_values(model);
         values[0] = values[1] = 300.0;
@@ -85,8 +85,10 @@ int main() {
   std::vector<fca::Camera> cameras = good_cameras();
   if (!all_converted(cameras)) return 2;
   const std::vector<fca::Camera> bad = nonsense();
-  cameras.insert(cameras.end(), bad.begin(), bad.end());
+  convert_all(bad);
 
+  // A part is enough for the threads.
+  for (std::size_t i = 0; i < bad.size(); i += 10) cameras.push_back(bad[i]);
   const std::vector<std::uint64_t> alone = convert_all(cameras);
   std::vector<std::vector<std::uint64_t>> together(4);
   std::vector<std::thread> threads;

@@ -80,6 +80,7 @@ struct Format {
   bool extrinsics = true;
   bool imu = true;
   bool image_size = true;
+  std::span<const std::string_view> modes = {};   ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const StoredModel> models;
 
   ProbeResult (*probe)(const text::Document& document);
@@ -99,5 +100,9 @@ struct Format {
 
 /// The row of `format` for a model; stock rows first. Null if it cannot store it.
 [[nodiscard]] const StoredModel* find_stored_model(const Format& format, std::string_view model, bool stock_only);
+
+/// Can the format hold this camera's parameters? An error if not (EUCM's alpha for the forks, k3 in a camchain): the caller is to
+/// convert the camera first.
+[[nodiscard]] bool stored_within(const Format& format, const Camera& camera, Diagnostics& diagnostics);
 
 }  // namespace fca

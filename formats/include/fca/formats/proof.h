@@ -22,9 +22,11 @@ struct ProofResult {
   double misread_px = 0.0;              ///< The same for cameras the program is known to misread; not held against the file.
   double compared_share = 0.0;          ///< Of the rays asked, how many both answer.
   double max_diff_pose = 0.0;           ///< Largest difference of an element of a pose both state.
-  bool agrees = false;                  ///< Loads and differs by no more than its precision allows.
+  bool pixels_agree = false;            ///< To what its precision allows; also where there was nothing to compare (no image size).
+  bool poses_agree = false;
   std::vector<std::string> refusals;
   std::vector<std::string> warnings;    ///< What it silently misreads or ignores.
+  [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }
 };
 
 /// Would `consumer` load these bytes and understand the rig as we mean it? Rays: a lattice over each camera's image.

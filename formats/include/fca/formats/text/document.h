@@ -33,10 +33,11 @@ class Document {
   void replace(const Span& span, std::string text);
   /// Inserts before byte `offset`.
   void insert(std::size_t offset, std::string text) { replace({offset, 0}, std::move(text)); }
-  /// Removes the lines an entry of a block mapping stands on, with its value.
-  void remove_entry(const Entry& entry);
-  /// Adds `key: value` lines (given without line break) behind `entry`, at its key's indentation.
-  void insert_after(const Entry& entry, const std::string& line);
+  /// Removes an entry of a mapping: in block style the lines it stands on, in flow style it and one of its commas.
+  void remove_entry(const Node& mapping, const Entry& entry);
+  /// Adds `key: value` behind `entry` of a mapping: in block style as lines of their own at its key's indentation (`lines`, without a
+  /// last line break), in flow style behind a comma.
+  void insert_after(const Node& mapping, const Entry& entry, const std::string& lines);
 
   [[nodiscard]] bool edited() const { return !edits_.empty(); }
   /// The bytes with all edits applied.

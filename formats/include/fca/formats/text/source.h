@@ -47,5 +47,7 @@ struct Source {
 
 /// The same length, with one '?' for each byte that is not valid UTF-8.
 [[nodiscard]] std::string valid_utf8(std::string_view bytes);
+/// For a terminal: valid UTF-8 without control characters, so that a file's text cannot drive it.
+[[nodiscard]] std::string printable(std::string_view bytes, bool keep_line_breaks = false);
 
 }  // namespace fca::text
