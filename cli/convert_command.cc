@@ -136,7 +136,7 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
 
 /// Same layout in and out: the input document is edited, nothing is composed anew.
 const text::Document* base_document(const Calibration& calibration, const Format& to, const ConvertArguments& arguments) {
-  const bool same = calibration.format == &to && !arguments.reading.cameras && arguments.reading.with.empty() && arguments.sensor.empty();
+  const bool same = calibration.format == &to && !arguments.reading.cameras && arguments.reading.with.empty();
   return same ? &calibration.documents.front() : nullptr;
 }
 
@@ -188,6 +188,13 @@ bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console
 
 void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, const Console& console) {
   if (outcome.code != ExitCode::kGood || arguments.dry_run) return;
+  // All or nothing: what would be refused is refused before the first file is written.
+  for (const ConvertOutcome::Output& output : outcome.outputs) {
+    if (output.path.empty() || arguments.force || !fs::is_regular_file(output.path)) continue;
+    outcome.diagnostics.error("cannot-write", output.path + " exists; --force overwrites it");
+    outcome.code = ExitCode::kIo;
+    return;
+  }
   for (const ConvertOutcome::Output& output : outcome.outputs) {
     if (output.path.empty()) {
       if (!arguments.json) console.out(output.bytes);

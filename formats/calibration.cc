@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/calibration.h>
 
+#include <fca/formats/text/numbers.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace fca {
 
@@ -61,8 +64,29 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
     }
   }
   rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
+  rig.as_read.insert(rig.as_read.end(), part.as_read.begin(), part.as_read.end());
   if (!rig.baseline_m) rig.baseline_m = part.baseline_m;
   return good;
+}
+
+/// A pose that is stated, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15.
+void warn_of_contradictions(const Rig& rig, const text::Document& document, Diagnostics& diagnostics) {
+  constexpr double kTolerance = 1e-3;  // a millimetre; a twentieth of a degree
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
+    Rig others = rig;
+    others.poses.erase(others.poses.begin() + static_cast<std::ptrdiff_t>(i));
+    const PoseEdge& edge = rig.poses[i];
+    const std::optional<Transform> around = others.resolve(edge.a, edge.b);
+    if (!around) continue;
+    double worst = 0.0;
+    for (std::size_t k = 0; k < around->values.size(); ++k) worst = std::max(worst, std::abs(around->values[k] - edge.T_a_b.values[k]));
+    if (worst <= kTolerance) continue;
+    diagnostics.warning("poses-contradict",
+                        "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses differ by up to " +
+                            text::format_short(worst, 3) + " in an element",
+                        {document.source().name, 0, 0}, "one of them is wrong; stated poses are used before derived ones");
+    return;  // each edge of the loop would say the same
+  }
 }
 
 }  // namespace
@@ -89,6 +113,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       return std::nullopt;
     }
   }
+  warn_of_contradictions(result.rig, documents.front(), diagnostics);
   result.documents = std::move(documents);
   return result;
 }

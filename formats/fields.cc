@@ -4,6 +4,7 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace fca::fields {
@@ -28,6 +29,19 @@ std::string kind_in_words(const Node& node) {
   return "";
 }
 
+/// "017": the programs that read it as a number at all take it for octal, fifteen.
+std::optional<int> octal(const Node& node) {
+  std::string_view text = node.value;
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (node.quoted || text.size() < 2 || text[0] != '0' || text.find_first_not_of("01234567") != std::string_view::npos) return std::nullopt;
+  constexpr int kOctal = 8;
+  int value = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value, kOctal);
+  if (failure != std::errc()) return std::nullopt;
+  return negative ? -value : value;
+}
+
 }  // namespace
 
 void Reader::error(const Node& node, std::string code, std::string message, std::string fix) {
@@ -49,6 +63,10 @@ const Node* Reader::require(const Node& mapping, std::string_view key, std::stri
 }
 
 std::optional<double> Reader::real(const Node& node, std::string_view what) {
+  if (const std::optional<int> value = node.is_scalar() ? octal(node) : std::nullopt) {
+    warning(node, "octal", std::string(what) + " is written " + quoted_text(node) + ", which the programs read as octal " + std::to_string(*value));
+    return *value;
+  }
   const std::optional<double> value = node.is_scalar() ? text::parse_real(node.value) : std::nullopt;
   if (!value) {
     error(node, "not-a-number", std::string(what) + " is " + kind_in_words(node) + "; a number is wanted");
@@ -61,12 +79,20 @@ std::optional<double> Reader::real(const Node& node, std::string_view what) {
   return value;
 }
 
+std::optional<double> Reader::positive(const Node& node, std::string_view what) {
+  const std::optional<double> value = real(node, what);
+  constexpr double kLargest = 1e9;
+  if (!value || (*value > 0.0 && *value <= kLargest)) return value;
+  error(node, "not-positive", std::string(what) + " is " + quoted_text(node) + "; it must be greater than 0" + (*value > 0.0 ? " and is too large" : ""));
+  return std::nullopt;
+}
+
 std::optional<int> Reader::integer(const Node& node, std::string_view what) {
   if (!node.is_scalar()) {
     error(node, "not-an-integer", std::string(what) + " is " + kind_in_words(node) + "; a whole number is wanted");
     return std::nullopt;
   }
-  if (const std::optional<int> value = text::parse_int(node.value)) return value;
+  if (const std::optional<int> value = text::parse_int(node.value); value && !octal(node)) return value;
   const std::optional<double> real_value = real(node, what);
   if (!real_value) return std::nullopt;
   constexpr double kLargestInt = 2147483647.0;

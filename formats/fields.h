@@ -30,6 +30,8 @@ class Reader {
 
   /// A finite number; integers count.
   [[nodiscard]] std::optional<double> real(const text::Node& node, std::string_view what);
+  /// A number greater than 0 and not absurdly large (noise densities, rates, baselines).
+  [[nodiscard]] std::optional<double> positive(const text::Node& node, std::string_view what);
   [[nodiscard]] std::optional<int> integer(const text::Node& node, std::string_view what);
   [[nodiscard]] std::optional<std::string> string(const text::Node& node, std::string_view what);
   /// A sequence of finite numbers; any length if `count` is 0.

@@ -86,6 +86,12 @@ std::optional<std::size_t> index_in(std::string_view key, std::string_view prefi
 constexpr std::string_view kNoiseKeys[] = {"accelerometer_noise_density", "accelerometer_random_walk", "gyroscope_noise_density",
                                            "gyroscope_random_walk"};
 
+/// The keys that become fields of a Rig.
+constexpr std::string_view kCameraKeys[] = {"camera_model", "intrinsics", "distortion_model", "distortion_coeffs", "resolution", "rostopic",
+                                            "T_cam_imu", "T_imu_cam", "T_cn_cnm1", "timeshift_cam_imu"};
+constexpr std::string_view kImuKeys[] = {"accelerometer_noise_density", "accelerometer_random_walk", "gyroscope_noise_density",
+                                         "gyroscope_random_walk", "update_rate", "rostopic"};
+
 bool holds_noise(const Node& mapping) {
   return std::ranges::any_of(kNoiseKeys, [&mapping](std::string_view key) {
     return text::find(mapping, key, text::Dialect::kPyYaml) != nullptr;
@@ -94,7 +100,6 @@ bool holds_noise(const Node& mapping) {
 
 ProbeResult probe(const text::Document& document) {
   const Node& root = document.root();
-  constexpr std::string_view kCameraKeys[] = {"camera_model", "intrinsics", "distortion_model", "T_cam_imu", "T_imu_cam", "T_cn_cnm1"};
   for (const text::Entry& entry : root.entries) {
     if (!index_in(entry.key.value, "cam") || !entry.value.is_mapping()) continue;
     for (const std::string_view key : kCameraKeys) {
@@ -139,6 +144,8 @@ class ChainReader {
         read_named_pose(entry, rig);
       }
     }
+    // Kalibr counts cam0, cam1, ... wherever they stand.
+    std::ranges::stable_sort(rig.cameras, {}, [](const Camera& camera) { return *index_in(camera.name, "cam"); });
   }
 
  private:
@@ -157,7 +164,17 @@ class ChainReader {
       camera.time_offset_s = reader_.real(*shift, name + " timeshift_cam_imu");
     }
     read_poses(node, name, rig);
+    keep_unread(node, name, kCameraKeys, rig);
     rig.cameras.push_back(std::move(camera));
+  }
+
+  /// What the file says and a Rig has no place for (line_delay, T_i_b, ...): a format without those keys must be able to say so.
+  void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
+    for (const text::Entry& entry : node.entries) {
+      if (std::ranges::find(known, entry.key.value) != known.end()) continue;
+      const std::string value = entry.value.is_scalar() ? " " + entry.value.value : "";
+      rig.as_read.push_back(owner + " " + entry.key.value + value);
+    }
   }
 
   bool read_model(const Node& node, const Node& key, Camera& camera) {
@@ -266,7 +283,7 @@ class ChainReader {
     Imu imu;
     imu.name = name;
     const auto read_number = [&](std::string_view key, std::optional<double>& target) {
-      if (const Node* value = reader_.find(node, key)) target = reader_.real(*value, name + " " + std::string(key));
+      if (const Node* value = reader_.find(node, key)) target = reader_.positive(*value, name + " " + std::string(key));
     };
     read_number("accelerometer_noise_density", imu.accelerometer_noise_density);
     read_number("accelerometer_random_walk", imu.accelerometer_random_walk);
@@ -274,6 +291,7 @@ class ChainReader {
     read_number("gyroscope_random_walk", imu.gyroscope_random_walk);
     read_number("update_rate", imu.rate_hz);
     if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr && topic->is_scalar()) imu.topic = topic->value;
+    keep_unread(node, name, kImuKeys, rig);
     rig.imus.push_back(std::move(imu));
   }
 
@@ -312,16 +330,14 @@ std::vector<double> slot_values(const CameraModel& model, std::span<const Slot> 
   return values;
 }
 
-/// What a camera's block says, in Kalibr's (alphabetic) order. `names`: the rig's camera names in the order of the chain.
+/// What a camera's block says, in Kalibr's (alphabetic) order.
 std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index) {
   const Camera& camera = rig.cameras[index];
   const Layout& layout = *layout_for(camera.model);
   std::vector<fields::Field> result;
-  if (!rig.imus.empty() || rig.resolve(camera.name, "imu0")) {
-    if (const std::optional<Transform> T = rig.resolve(camera.name, "imu0")) {
-      const Transform* stated = rig.stated(camera.name, "imu0");
-      result.push_back(fields::rows("T_cam_imu", stated != nullptr ? *stated : *T));
-    }
+  if (const std::optional<Transform> T = rig.resolve(camera.name, "imu0")) {
+    const Transform* stated = rig.stated(camera.name, "imu0");
+    result.push_back(fields::rows("T_cam_imu", stated != nullptr ? *stated : *T));
   }
   if (index > 0) {
     const std::string& previous = rig.cameras[index - 1].name;
@@ -361,8 +377,8 @@ std::vector<fields::Field> imu_fields(const Imu& imu) {
   return result;
 }
 
-/// A fresh camchain in Kalibr's own layout. Rows of transforms are indented deeper than their key, so that cv::FileStorage reads them,
-/// too.
+/// A fresh camchain in Kalibr's own layout, but with the rows of transforms indented deeper than their key: OpenVINS then needs only
+/// its first line added.
 std::optional<text::Document> compose(const Rig& rig, Diagnostics& diagnostics) {
   std::string bytes;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
@@ -396,7 +412,7 @@ void list_losses(const Rig& rig, Written& written) {
                                 "a camchain has no key for it", ""});
     }
   }
-  if (rig.baseline_m && rig.cameras.size() < 2) {
+  if (rig.baseline_m) {
     written.losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m of a rectified pair or depth sensor",
                               "a camchain states poses of cameras, and the second camera is not in the input", ""});
   }
@@ -457,7 +473,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     diagnostics.error("no-camera", "a camchain needs a camera and the input has none");
     return std::nullopt;
   }
-  const bool edits = old && old->cameras.size() == rig.cameras.size();
+  const bool edits = old && std::ranges::equal(old->cameras, rig_as_named.cameras, {}, &Camera::name, &Camera::name);
   // A base that never stated a size need not begin to.
   if (!check_models(rig, edits ? &*old : nullptr, diagnostics) || (!edits && !check_sizes(rig, diagnostics))) return std::nullopt;
   std::optional<text::Document> document = edits ? edited(*base, *old, rig) : compose(rig, diagnostics);
@@ -474,8 +490,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
       std::optional<text::Document> imu_document = bytes.empty() ? std::nullopt : text::parse_document({"imu.yaml", bytes}, diagnostics);
       if (imu_document) written.files.push_back({*std::move(imu_document), {}});
     }
-    list_losses(rig, written);
   }
+  list_losses(rig, written);
   written.headline = "a camchain for Kalibr";
   written.programs = {"kalibr"};
   return written;

@@ -14,8 +14,6 @@ namespace {
 /// `tolerance` is what separates two implementations that hold the same numbers; the parameters, too, are rounded when a program
 /// stores them as floats (2.6e-4 px on a T265).
 constexpr double kRounding = 5.0;
-/// Kalibr's fov takes a series near the axis: 1.5e-6 px (FovDistortion.hpp).
-constexpr double kApproximation = 1e-5;
 
 struct Comparison {
   double worst = 0.0;
@@ -48,7 +46,7 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
         continue;
       }
       result.worst = std::max(result.worst, difference);
-      const double allowed = std::max(kRounding * tolerance, kApproximation) * std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
+      const double allowed = (kRounding * tolerance + theirs.approximation_px) * std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
       if (!(difference <= allowed)) result.agrees = false;
     }
   }
@@ -66,7 +64,10 @@ double pose_difference(const Rig& rig, const consumers::ConsumerView& view, cons
   const std::optional<Transform> T = rig.resolve(name_in(rig, view, pose.a), name_in(rig, view, pose.b));
   if (!T) return 0.0;
   double worst = 0.0;
-  for (std::size_t i = 0; i < T->values.size(); ++i) worst = std::max(worst, std::abs(T->values[i] - pose.T_a_b[i]));
+  // Relative for long translations: floats are.
+  for (std::size_t i = 0; i < T->values.size(); ++i) {
+    worst = std::max(worst, std::abs(T->values[i] - pose.T_a_b[i]) / std::max(1.0, std::abs(T->values[i])));
+  }
   return worst;
 }
 
@@ -94,8 +95,6 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.poses_agree = result.max_diff_pose <= kPosePrecision;
   return result;
 }
-
-bool Readers::any_loads() const { return std::ranges::any_of(programs, &Program::loads); }
 
 Readers ask_readers(std::string_view format_id, std::string_view bytes, std::optional<bool> with_cameras) {
   Readers readers;

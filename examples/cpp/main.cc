@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-int main() {  // TUM VI's left camera, of Kannala and Brandt's model, as EUCM: as far as the lens sees, 97.5 degrees from the axis.
+int main() {  // TUM VI's left camera (Kannala-Brandt) as EUCM, as far as its lens sees: 97.5 degrees from the axis.
   const fca::Intrinsics<fca::Kb4> lens{{190.978, 190.973, 254.932, 256.897, 0.00348, 0.000715, -0.00205, 0.000203}};
   fca::Diagnostics diagnostics;
   const auto result = fca::convert({"left", fca::ImageSize{512, 512}, lens, {}, {}, {}}, {"eucm", 1.7017, {}}, diagnostics);

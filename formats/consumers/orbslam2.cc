@@ -31,8 +31,8 @@ int read_size(Settings& settings, std::string_view key) {
   return size >= 0.0F && size < 1e6F ? static_cast<int>(size) : 0;
 }
 
-void warn_about_imu(Settings& settings, const Sensor& sensor) {
-  if (sensor.inertial) settings.warn(settings.program() + " has no inertial mode; the IMU keys are ignored");
+void refuse_imu(Settings& settings, const Sensor& sensor) {
+  if (sensor.inertial) settings.refuse(settings.program() + " has no inertial mode");
 }
 
 void warn_about_depth(Settings& settings, const Sensor& sensor) {
@@ -42,8 +42,9 @@ void warn_about_depth(Settings& settings, const Sensor& sensor) {
 }
 
 void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerView& view) {
-  warn_about_imu(settings, sensor);
+  refuse_imu(settings, sensor);
   const Intrinsics k = read_intrinsics(settings);
+  if (k.fx == 0.0F) settings.refuse("Camera.fx is missing or 0; ORB-SLAM2 takes 0 and divides by it");
   const cv::FileNode type = settings.node("Camera.type");
   if (!type.empty() && !(type.isString() && type.string() == "PinHole")) {
     settings.warn("Camera.type is " + describe(type) +
@@ -131,7 +132,7 @@ void read_tbc(Settings& settings, ConsumerView& view) {
 }
 
 void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, ConsumerView& view) {
-  warn_about_imu(settings, sensor);
+  refuse_imu(settings, sensor);
   const cv::FileNode node = settings.node("Camera.type");
   const std::string type = node.isString() ? node.string() : std::string();
   if (type != "EUCM" && type != "KB") {

@@ -103,9 +103,10 @@ class Parser {
   void drop_distortion_without_k1(PinholeDistortion& distortion) {
     if (distortion.front() != 0.0F) return;
     const bool bent = std::any_of(distortion.begin(), distortion.end(), [](float value) { return value != 0.0F; });
-    if (bent)
+    if (bent) {
       settings_.warn("Camera.k1 is 0.0, so " + settings_.program() +
                      " skips the whole undistortion and k2 p1 p2 k3 are ignored");
+    }
     distortion = {};
   }
 

@@ -253,7 +253,7 @@ class Parser {
     if (!is_pinhole() || sensor_.stereo || first_.pinhole.front() != 0.0F) return;
     const bool bent = std::any_of(first_.pinhole.begin(), first_.pinhole.end(), [](float value) { return value != 0.0F; });
     if (bent) settings_.warn("Camera1.k1 is 0.0, so ORB-SLAM3 V1.0 skips the whole undistortion and k2 p1 p2 k3 are ignored");
-    first_.misread = bent;
+    first_.misread = first_.misread || bent;
     first_.pinhole = {};
   }
 

@@ -255,7 +255,7 @@ ConsumerView with_settings(std::string_view bytes, std::string_view program, con
   try {
     cv::FileStorage storage(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (!storage.isOpened()) throw cv::Exception(0, "no document", "", "", 0);
-    Settings settings(std::move(storage), program, view);
+    Settings settings(storage, program, view);
     body(settings, *sensor, view);
   } catch (const cv::Exception& error) {
     view.refusals.push_back("OpenCV's reader, which " + std::string(program) +

@@ -46,8 +46,8 @@ using PinholeDistortion = std::array<float, 5>;
 /// A settings file that is open in cv::FileStorage, and the sentences about it.
 class Settings {
  public:
-  Settings(cv::FileStorage storage, std::string_view program, ConsumerView& view)
-      : storage_(std::move(storage)), program_(program), view_(view) {}
+  Settings(const cv::FileStorage& storage, std::string_view program, ConsumerView& view)
+      : storage_(storage), program_(program), view_(view) {}
 
   void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
   void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }

@@ -102,7 +102,7 @@ class SettingsReader {
     }
     camera.image_size = read_size();
     if (const Node* fps = find("Camera.fps")) {
-      camera.frame_rate_hz = reader_.real(*fps, "Camera.fps");
+      camera.frame_rate_hz = reader_.positive(*fps, "Camera.fps");
       good = good && camera.frame_rate_hz;
     }
     rig.cameras.push_back(std::move(camera));
@@ -229,7 +229,7 @@ class SettingsReader {
     bool any = false;
     const auto read_number = [&](const std::string& key, std::optional<double>& target) {
       if (const Node* node = find(key)) {
-        target = reader_.real(*node, key);
+        target = reader_.positive(*node, key);
         any = true;
       }
     };

@@ -19,11 +19,6 @@ constexpr std::array kSensors = {
     Sensor{"stereo", true, false, false},         Sensor{"stereo-inertial", true, false, true},
 };
 
-/// Upstream's values in Examples/*/*.yaml.
-constexpr double kThDepth = 40.0;
-constexpr double kDepthMapFactor = 1000.0;
-constexpr int kColourOrderRgb = 1;
-
 const Transform* stated_or(const Rig& rig, std::string_view a, std::string_view b, std::optional<Transform>& storage) {
   if (const Transform* T = rig.stated(a, b)) return T;
   storage = rig.resolve(a, b);
@@ -32,8 +27,8 @@ const Transform* stated_or(const Rig& rig, std::string_view a, std::string_view 
 
 bool rectified(const Rig& rig) { return rig.cameras.size() == 1 && rig.baseline_m && model_info(rig.cameras[0].model).id == "pinhole"; }
 
-double baseline(const Rig& rig) {
-  if (rig.cameras.size() < 2) return rig.baseline_m.value_or(0.0);
+double baseline(const Rig& rig, const Sensor& sensor) {
+  if (sensor.depth || rig.cameras.size() < 2) return rig.baseline_m.value_or(0.0);
   const std::optional<Transform> T = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
   return T ? std::hypot((*T)(0, 3), (*T)(1, 3), (*T)(2, 3)) : 0.0;
 }
@@ -51,8 +46,10 @@ void add_camera(const Camera& camera, const Layout& layout, std::string_view pre
 void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& fields) {
   const auto add_side = [&](std::string_view side, const Camera& camera) {
     const auto value = [&camera](std::string_view name) { return name.empty() ? 0.0 : parameter(camera.model, name).value_or(0.0); };
-    fields.push_back(fields::integer(std::string(side) + ".height", camera.image_size->height));
-    fields.push_back(fields::integer(std::string(side) + ".width", camera.image_size->width));
+    if (camera.image_size) {
+      fields.push_back(fields::integer(std::string(side) + ".height", camera.image_size->height));
+      fields.push_back(fields::integer(std::string(side) + ".width", camera.image_size->width));
+    }
     std::vector<double> d;
     for (const Slot& slot : std::span(layout.slots).subspan(4)) d.push_back(value(slot.parameter));
     d.push_back(0.0);
@@ -82,7 +79,7 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
   const bool v1 = target.style == Style::kV1;
   // Tlr is read as 3 x 4 (Tracking.cc), T_c1_c2 as 4 x 4.
   fields.push_back(fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
-  if (layout.type != "KannalaBrandt8" && layout.type != "DoubleSphere") return;
+  if ((layout.type != "KannalaBrandt8" && layout.type != "DoubleSphere") || !rig.cameras[0].image_size) return;
   const std::string_view first_prefix = camera_prefix(target.style, 0);
   const std::string_view begin = v1 ? "overlappingBegin" : "lappingBegin";
   const std::string_view end = v1 ? "overlappingEnd" : "lappingEnd";
@@ -100,17 +97,17 @@ void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields)
   const auto whole_rate = static_cast<int>(std::lround(target.frame_rate_hz));
   fields.push_back(target.style == Style::kV1 ? fields::integer("Camera.fps", whole_rate)
                                               : fields::real("Camera.fps", target.frame_rate_hz));
-  fields.push_back(fields::integer("Camera.RGB", kColourOrderRgb));
+  fields.push_back(fields::integer("Camera.RGB", target.tuning.colour_order));
 }
 
 void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   if (!target.sensor.two_cameras && !target.sensor.depth) return;
   const bool v1 = target.style == Style::kV1;
   const bool states_baseline = target.sensor.depth || rectified(rig);
-  if (v1 && states_baseline) fields.push_back(fields::real("Stereo.b", baseline(rig)));
-  if (!v1) fields.push_back(fields::real("Camera.bf", baseline(rig) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
-  fields.push_back(fields::real(v1 ? "Stereo.ThDepth" : "ThDepth", kThDepth));
-  if (target.sensor.depth) fields.push_back(fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", kDepthMapFactor));
+  if (v1 && states_baseline) fields.push_back(fields::real("Stereo.b", baseline(rig, target.sensor)));
+  if (!v1) fields.push_back(fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
+  fields.push_back(fields::real(v1 ? "Stereo.ThDepth" : "ThDepth", target.tuning.th_depth));
+  if (target.sensor.depth) fields.push_back(fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", target.tuning.depth_map_factor));
 }
 
 void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -149,7 +146,8 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name)) {
     missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name);
   }
-  if (sensor.depth && !rig.baseline_m && !second) missing.emplace_back("the baseline (--baseline METRES)");
+  if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras) missing.emplace_back("one image size for both cameras");
+  if (sensor.depth && !rig.baseline_m) missing.emplace_back("the baseline (--baseline METRES)");
   if (!sensor.inertial) return missing;
   if (style == Style::kSlamNoOpt) {
     missing.emplace_back("an inertial mode in slam_no_opt");
@@ -161,6 +159,22 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   if (!noise) missing.emplace_back("the IMU's noise densities and random walks (--with imu.yaml)");
   if (!imu.rate_hz) missing.emplace_back("the IMU's rate (update_rate in imu.yaml)");
   return missing;
+}
+
+Tuning tuning_of(const text::Document& document) {
+  Tuning tuning;
+  const auto number = [&document](std::initializer_list<std::string_view> keys) -> std::optional<double> {
+    for (const std::string_view key : keys) {
+      const text::Node* node = find_key(document, key);
+      const std::optional<double> value = node != nullptr && node->is_scalar() ? text::parse_real(node->value) : std::nullopt;
+      if (value && std::isfinite(*value)) return value;
+    }
+    return std::nullopt;
+  };
+  if (number({"Camera.RGB"}) == 0.0) tuning.colour_order = 0;
+  tuning.th_depth = number({"Stereo.ThDepth", "ThDepth"}).value_or(tuning.th_depth);
+  tuning.depth_map_factor = number({"RGBD.DepthMapFactor", "DepthMapFactor"}).value_or(tuning.depth_map_factor);
+  return tuning;
 }
 
 std::vector<Field> settings_fields(const Rig& rig, const Target& target) {

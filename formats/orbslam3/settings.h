@@ -26,16 +26,25 @@ struct Sensor {
 [[nodiscard]] std::span<const Sensor> sensors();
 [[nodiscard]] const Sensor* find_sensor(std::string_view id);
 
+/// What a file states beyond the rig and a change of style or sensor must keep; else upstream's example values.
+struct Tuning {
+  int colour_order = 1;               ///< Camera.RGB: 1 is RGB
+  double th_depth = 40.0;             ///< close/far threshold in baselines
+  double depth_map_factor = 1000.0;   ///< depth image units per metre
+};
+[[nodiscard]] Tuning tuning_of(const text::Document& document);
+
 /// What one settings file is to be.
 struct Target {
   Style style = Style::kV1;
   Sensor sensor;
   double frame_rate_hz = 0.0;
   bool frame_rate_known = false;
+  Tuning tuning = {};
 };
 
-/// The fields of the camera, stereo and IMU parts, in the order of upstream's examples. Precondition: serves() found nothing
-/// missing, and the style can store the models.
+/// The fields of the camera, stereo and IMU parts, in the order of upstream's examples. Precondition: missing_for() found
+/// nothing, and the style can store the models.
 [[nodiscard]] std::vector<fields::Field> settings_fields(const Rig& rig, const Target& target);
 
 /// What the rig lacks for a sensor mode, in words with the option that would give it; empty: it serves.

@@ -23,11 +23,11 @@ Style style_for(std::string_view model) {
 }
 
 /// The sensor mode a base file is written for.
-Sensor sensor_of(const text::Document& document, const Rig& rig) {
+Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
   Sensor sensor = *find_sensor("mono");
   const bool two = rig.cameras.size() > 1 && rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
   const bool depth = find_key(document, "RGBD.DepthMapFactor") != nullptr || find_key(document, "DepthMapFactor") != nullptr;
-  const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style_of(document)).empty();
+  const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty();
   for (const Sensor& candidate : sensors()) {
     if (candidate.two_cameras == two && candidate.depth == (depth && !two) && candidate.inertial == inertial) sensor = candidate;
   }
@@ -89,6 +89,9 @@ void list_losses(const Rig& rig, const Target& target, Written& written) {
     written.losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", "mono settings hold none",
                               "--sensor rgbd writes it"});
   }
+  for (const std::string& what : rig.as_read) {
+    written.losses.push_back({"not-carried", what, program + "'s settings have no place for it", ""});
+  }
   const bool whole_fps = target.style == Style::kV1;
   if (whole_fps && target.frame_rate_known && target.frame_rate_hz != std::round(target.frame_rate_hz)) {
     written.losses.push_back({"frame-rate-rounded", text::format_short(target.frame_rate_hz) + " Hz", "Camera.fps must be an int", ""});
@@ -127,7 +130,9 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
 
 std::string who_reads(const Target& target, std::string_view model) {
   if (target.style == Style::kSlamNoOpt && model == "eucm") {
-    return "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
+    // The layout of a second camera is slam_no_opt's own.
+    const std::string_view readers = target.sensor.two_cameras ? "ns15417/slam_no_opt" : "ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM";
+    return "read by " + std::string(readers) + ", NOT by stock ORB-SLAM3 (leave out --model for that)";
   }
   if (target.style == Style::kSlamNoOpt) return "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3";
   if (model == "ds") return "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)";
@@ -184,19 +189,30 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (!sensor) return std::nullopt;
     target.sensor = *sensor;
   } else {
-    target.sensor = old ? sensor_of(*base, rig) : richest_sensor(rig, target.style, next);
+    target.sensor = old ? sensor_of(*base, rig, target.style) : richest_sensor(rig, target.style, next);
   }
   const std::optional<double> stated_rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
   target.frame_rate_known = stated_rate.has_value();
   target.frame_rate_hz = stated_rate.value_or(kUpstreamFrameRate);
+  constexpr double kLargestRate = 1e6;
+  const bool rate_fits = target.frame_rate_hz >= (target.style == Style::kV1 ? 0.5 : 1e-6) && target.frame_rate_hz <= kLargestRate;
+  if (!rate_fits) {
+    diagnostics.error("rate-not-storable", "a frame rate of " + text::format_short(target.frame_rate_hz) + " Hz cannot be stored: Camera.fps is a positive int");
+    return std::nullopt;
+  }
+  if (target.sensor.inertial && rig.imus.front().rate_hz && (*rig.imus.front().rate_hz < 0.5 || *rig.imus.front().rate_hz > kLargestRate)) {
+    diagnostics.error("rate-not-storable", "an IMU rate of " + text::format_short(*rig.imus.front().rate_hz) + " Hz cannot be stored in IMU.Frequency");
+    return std::nullopt;
+  }
   // A base that never stated a size need not begin to.
   const bool unchanged_style = old && target.style == style_of(*base);
   if (!unchanged_style && !check_cameras(rig, target, diagnostics)) return std::nullopt;
 
   Written written;
   if (old) {
-    Target before{style_of(*base), sensor_of(*base, *old), old->cameras.front().frame_rate_hz.value_or(kUpstreamFrameRate),
-                  old->cameras.front().frame_rate_hz.has_value()};
+    target.tuning = tuning_of(*base);
+    Target before{style_of(*base), sensor_of(*base, *old, style_of(*base)), old->cameras.front().frame_rate_hz.value_or(kUpstreamFrameRate),
+                  old->cameras.front().frame_rate_hz.has_value(), target.tuning};
     text::Document document = *base;
     fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(*old, before), settings_fields(rig, target));
     written.files.push_back({std::move(document), {}});

@@ -150,6 +150,10 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
     return angle_from_axis(ray) <= reach_rad ? project(model, ray) : std::nullopt;
   };
   conversion->report.judgement = judge(camera.model, target_within_reach, job.domain);
+  if (!(conversion->report.judgement.coverage.scored > 0.0)) {
+    diagnostics.error("nothing-to-compare", camera.name + ": no part of the image could be compared with " + std::string(target->id));
+    return std::nullopt;
+  }
   return conversion;
 }
 

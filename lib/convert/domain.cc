@@ -29,6 +29,21 @@ double largest_angle(const CameraModel& model, const ImageSize& size, double lim
   return largest;
 }
 
+/// Does every pixel of the border have a ray? If not, the lens ends inside the image.
+bool border_is_covered(const CameraModel& model, const ImageSize& size) {
+  constexpr int kSteps = 64;
+  const double width = size.width - 1.0;
+  const double height = size.height - 1.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double x = width * i / kSteps;
+    const double y = height * i / kSteps;
+    for (const Pixel& pixel : {Pixel{x, 0.0}, Pixel{x, height}, Pixel{0.0, y}, Pixel{width, y}}) {
+      if (!unproject(model, pixel)) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 double angle_from_axis(const Ray& ray) { return std::atan2(std::hypot(ray[0], ray[1]), ray[2]); }
@@ -75,8 +90,8 @@ std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limi
   if (limit_rad && largest_angle(camera.model, size, std::numbers::pi) > limit) {
     domain.max_angle_rad = limit;
     domain.why = "given (--max-angle)";
-  } else if (largest >= 0.98 * model_limit && !unproject(camera.model, {0.0, 0.0})) {
-    domain.max_angle_rad = model_limit;
+  } else if (!border_is_covered(camera.model, size)) {
+    domain.max_angle_rad = std::min(model_limit, limit);
     domain.why = "the source model ends there, inside the image";
   } else {
     // Corners are lattice points, so this is the image's own largest angle; the slack keeps rounding from dropping them.

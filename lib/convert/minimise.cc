@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "minimise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -21,7 +22,13 @@ class BatchedCost : public ceres::CostFunction {
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    return evaluate_(parameters[0], residuals, jacobians != nullptr ? jacobians[0] : nullptr);
+    double* const jacobian = jacobians != nullptr ? jacobians[0] : nullptr;
+    if (!evaluate_(parameters[0], residuals, jacobian)) return false;
+    // A derivative that is no number (at an edge of the domain) would be reported on Ceres' log, whatever the logging type is.
+    if (jacobian != nullptr) {
+      std::replace_if(jacobian, jacobian + num_residuals() * parameter_block_sizes()[0], [](double d) { return !std::isfinite(d); }, 0.0);
+    }
+    return true;
   }
 
  private:

@@ -143,7 +143,7 @@ TEST(DocumentEdit, WhatWasInsertedCanBeRemoved) {
     if (!bytes.ends_with('\n')) continue;
     Document document = document_of(bytes);
     if (document.root().flow) continue;
-    document.insert_after(document.root().entries.front(), "inserted:\n  - [1.0, 2.0]");
+    document.insert_after(document.root(), document.root().entries.front(), "inserted:\n  - [1.0, 2.0]");
     Document again = document_of(document.bytes());
     again.remove_entry(again.root(), entry_at(again.root(), "inserted"));
     EXPECT_EQ(again.bytes(), bytes) << path;

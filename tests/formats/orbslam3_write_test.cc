@@ -164,7 +164,7 @@ TEST(OrbSlam3Write, OrbSlam3LoadsItInItsModeAndAgrees) {
     EXPECT_EQ(written.programs, std::vector<std::string>{"orbslam3"});
     const ProofResult proof = prove(*consumers::find_consumer("orbslam3"), bytes_of(written), {mode.sensor}, rig);
     EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : proof.refusals.front());
-    EXPECT_TRUE(proof.agrees) << proof.max_diff_px << " px, poses " << proof.max_diff_pose << ", compared " << proof.compared_share;
+    EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose << ", compared " << proof.compared_share;
     EXPECT_GT(proof.compared_share, 0.5);
   }
 }
@@ -197,7 +197,7 @@ TEST(OrbSlam3Write, AT265Agrees) {
                                           -0.0354852788150311, 0.00590010220184922});
   rig.cameras[0].image_size = ImageSize{848, 800};
   const ProofResult proof = prove(*consumers::find_consumer("orbslam3"), bytes_of(write(rig)), {"mono"}, rig);
-  EXPECT_TRUE(proof.agrees) << proof.max_diff_px << " px, compared " << proof.compared_share;
+  EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, compared " << proof.compared_share;
   EXPECT_LT(proof.max_diff_px, 1e-3);
 }
 
@@ -307,7 +307,7 @@ TEST(OrbSlam3Write, DialectsAreReadByTheirForkAndNotByStock) {
       EXPECT_EQ(static_cast<std::string>(storage["Camera.type"]), dialect.type);
       const ProofResult proof = prove(*consumers::find_consumer(dialect.program), bytes, {sensor}, rig);
       EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : proof.refusals.front());
-      EXPECT_TRUE(proof.agrees) << proof.max_diff_px << " px, poses " << proof.max_diff_pose;
+      EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose;
       EXPECT_FALSE(consumers::find_consumer("orbslam3")->load(bytes, {sensor}).loads());
       const Rig back = calibration_of(bytes).rig;
       ASSERT_EQ(back.cameras.size(), rig.cameras.size());

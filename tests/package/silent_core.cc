@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts good cameras and nonsense to every model, from one thread and from four at once. Prints nothing itself, so that whatever
-// is printed comes from fca::core or from below. Exit code 1: two threads disagree; 2: the good cameras could not be converted.
+// Converts good cameras and nonsense to every model, from one thread and from four at once. Prints nothing itself, so that
+// whatever is printed comes from fca::core or from below. Exit code 1: two threads disagree; 2: the good cameras could not be
+// converted.
 #include <fca/convert/convert.h>
 
 #include <bit>
@@ -15,10 +16,13 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-fca::Camera camera(const fca::CameraModel& model, fca::ImageSize size = {640, 480}) { return {"cam0", size, model, {}, {}, {}}; }
+fca::Camera camera(const fca::CameraModel& model, fca::ImageSize size = {640, 480}) {
+  return {"cam0", size, model, {}, {}, {}};
+}
 
 std::vector<fca::Camera> good_cameras() {
-  return {camera(fca::Intrinsics<fca::Kb4>{{190.978, 190.973, 254.932, 256.897, 0.00348, 0.000715, -0.00205, 0.000203}}, {512, 512}),
+  return {camera(fca::Intrinsics<fca::Kb4>{{190.978, 190.973, 254.932, 256.897, 0.00348, 0.000715, -0.00205, 0.000203}},
+                 {512, 512}),
           camera(fca::Intrinsics<fca::Ds>{{156.9, 156.9, 254.0, 256.0, 0.59, -0.18}}, {512, 512}),
           camera(fca::Intrinsics<fca::Pinhole>{{400.0, 401.0, 320.0, 240.0}})};
 }
@@ -53,7 +57,8 @@ void append(const std::optional<fca::Conversion>& conversion, std::vector<std::u
   bits.push_back(conversion ? 1 : 0);
   if (!conversion) return;
   const fca::ErrorSummary& error = conversion->report.judgement.error;
-  for (const double value : fca::parameter_values(conversion->camera.model)) bits.push_back(std::bit_cast<std::uint64_t>(value));
+  for (const double value : fca::parameter_values(conversion->camera.model))
+    bits.push_back(std::bit_cast<std::uint64_t>(value));
   for (const double value : {error.rms, error.max, error.p50, error.max_at[0], error.max_at[1]}) {
     bits.push_back(std::bit_cast<std::uint64_t>(value));
   }

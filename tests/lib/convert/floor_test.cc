@@ -73,8 +73,8 @@ TEST_P(FloorTest, FitReachesTheOptimum) {
   EXPECT_EQ(j.coverage.unrepresentable, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cameras, FloorTest, testing::ValuesIn(floors()), [](const testing::TestParamInfo<Floor>& info) {
-  std::string name = std::string(info.param.camera_name) + "_" + info.param.target;
+INSTANTIATE_TEST_SUITE_P(Cameras, FloorTest, testing::ValuesIn(floors()), [](const testing::TestParamInfo<Floor>& floor) {
+  std::string name = std::string(floor.param.camera_name) + "_" + floor.param.target;
   for (char& c : name) c = c == '-' ? '_' : c;
   return name;
 });

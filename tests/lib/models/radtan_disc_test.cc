@@ -89,7 +89,7 @@ TEST(RadtanDisc, NoPointInsideFolds) {
         const double point[2] = {share * edge * std::cos(azimuth), share * edge * std::sin(azimuth)};
         double image[2];
         double back[2];
-        ASSERT_TRUE(internal::RadialTangential::distort(q.data(), point[0], point[1], image));
+        ASSERT_TRUE(internal::RadialTangential::distort<true>(q.data(), point[0], point[1], image));
         ASSERT_TRUE(internal::RadialTangential::undistort(q.data(), image, back)) << share << ' ' << azimuth;
         const double slope = static_cast<double>(smaller_eigenvalue(q, share * edge, azimuth));
         const double tolerance = 1e-14 * (1.0 + edge) / std::min(1.0, slope);

@@ -43,7 +43,6 @@ struct Readers {
     std::vector<std::string> warnings;
   };
   std::vector<Program> programs;
-  [[nodiscard]] bool any_loads() const;
 };
 
 /// Asks every consumer of the format; only those that read files with (or without) cameras, if that is said.

@@ -30,6 +30,8 @@ struct ConsumerCamera {
   /// The program is known to take this camera's numbers from the wrong place of a right file (`warnings` says how): a difference
   /// from the file's meaning is the program's, not the file's.
   bool misread = false;
+  /// Where the program approximates its own formula: by how much, in pixels.
+  double approximation_px = 0.0;
 };
 
 /// T_a_b as the program holds it: takes points in b to points in a. Row-major 4 x 4, metres.
