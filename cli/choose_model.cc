@@ -73,14 +73,16 @@ std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Came
     const ModelInfo& model = *find_model(choice.model);
     const StoredModel* stored = find_stored_model(format, model.id, false);
     if (stored == nullptr) {
-      diagnostics.error("model-not-storable", std::string(format.title) + " cannot hold " + std::string(model.id) + "; it holds " + enumerated(storable(format)));
+      diagnostics.error("model-not-storable", std::string(format.title) + " cannot hold " + std::string(model.id) +
+                                                  "; it holds " + enumerated(storable(format)));
       return std::nullopt;
     }
     return convert_all(cameras, *stored, choice, diagnostics);
   }
 
   for (const StoredModel& stored : format.models) {
-    const bool all_keep = stored.stock && std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
+    const bool all_keep =
+        stored.stock && std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
     if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
   }
   std::optional<std::vector<CameraOutcome>> best;

@@ -18,13 +18,14 @@ struct CameraOutcome {
 };
 
 struct ModelChoice {
-  std::string model;     ///< As asked for; empty: chosen for the stock program.
+  std::string model;  ///< As asked for; empty: chosen for the stock program.
   std::optional<double> max_angle_rad;
 };
 
-/// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it exactly and
-/// all agree, else all take the stock model that covers most of the images and, among equals, fits best.
-[[nodiscard]] std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Camera>& cameras, const Format& format,
-                                                                        const ModelChoice& choice, Diagnostics& diagnostics);
+/// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it
+/// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best.
+[[nodiscard]] std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Camera>& cameras,
+                                                                        const Format& format, const ModelChoice& choice,
+                                                                        Diagnostics& diagnostics);
 
 }  // namespace fca::cli

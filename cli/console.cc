@@ -34,7 +34,9 @@ ExitCode Console::finish(ExitCode code) const {
 
 ExitCode code_of(const Diagnostics& diagnostics) {
   if (!diagnostics.has_errors()) return ExitCode::kGood;
-  const auto has = [&diagnostics](std::string_view code) { return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) != diagnostics.entries().end(); };
+  const auto has = [&diagnostics](std::string_view code) {
+    return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) != diagnostics.entries().end();
+  };
   if (has("cannot-read")) return ExitCode::kIo;
   return has("unknown-camera") ? ExitCode::kUsage : ExitCode::kBadInput;
 }

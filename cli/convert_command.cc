@@ -23,18 +23,20 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
   if (!arguments.model.empty() && find_model(arguments.model) == nullptr) return unknown_model(arguments.model);
   if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6)) return "--fps wants a positive number";
-  if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6)) return "--baseline wants a positive number of metres";
+  if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6))
+    return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
   const std::span<const std::string_view> modes = find_format(arguments.to)->modes;
   if (!arguments.sensor.empty() && std::ranges::find(modes, arguments.sensor) == modes.end()) {
     const std::vector<std::string> names(modes.begin(), modes.end());
     if (names.empty()) return "--sensor is for orbslam3; " + arguments.to + " has no modes";
     const std::vector<std::string> near = nearest(arguments.sensor, names);
-    return "unknown sensor mode '" + arguments.sensor + "'" + (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
+    return "unknown sensor mode '" + arguments.sensor + "'" +
+           (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
   }
   const bool many = arguments.inputs.size() > 1;
-  const bool one_path = !arguments.output.empty() && arguments.output.find('{') == std::string::npos && !fs::is_directory(arguments.output) &&
-                        !arguments.output.ends_with('/');
+  const bool one_path = !arguments.output.empty() && arguments.output.find('{') == std::string::npos &&
+                        !fs::is_directory(arguments.output) && !arguments.output.ends_with('/');
   if (many && one_path) return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'";
   if (many && arguments.output.empty() && !arguments.json) return "several inputs need -o FOLDER/ (or --json)";
   return std::nullopt;
@@ -48,7 +50,8 @@ std::string replaced(std::string text, std::string_view placeholder, std::string
 }
 
 /// Where the file number `index` of a conversion goes; empty: standard output.
-std::string output_path(const ConvertArguments& arguments, const std::string& input, const Written& written, std::size_t index) {
+std::string output_path(const ConvertArguments& arguments, const std::string& input, const Written& written,
+                        std::size_t index) {
   if (arguments.output.empty() || arguments.output == "-") return "";
   const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
   const Format& format = *find_format(arguments.to);
@@ -58,7 +61,8 @@ std::string output_path(const ConvertArguments& arguments, const std::string& in
     return replaced(replaced(replaced(arguments.output, "{stem}", stem), "{format}", format.id), "{camera}", camera);
   }
   if (!fs::is_directory(arguments.output) && !arguments.output.ends_with('/')) return arguments.output;
-  const std::string name = index == 0 ? stem + "." + std::string(format.id) + ".yaml" : written.files[index].document.source().name;
+  const std::string name =
+      index == 0 ? stem + "." + std::string(format.id) + ".yaml" : written.files[index].document.source().name;
   return (fs::path(arguments.output) / name).string();
 }
 
@@ -69,7 +73,8 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
     const Written::File& file = outcome.written.files[i];
     if (i > 0 && !folder) {
       outcome.written.losses.push_back({"second-file-dropped", file.document.source().name + " (the IMU's noise and rate)",
-                                        "a camchain has no place for it and there is one output", "-o FOLDER/ writes it beside the camchain"});
+                                        "a camchain has no place for it and there is one output",
+                                        "-o FOLDER/ writes it beside the camchain"});
       continue;
     }
     outcome.outputs.push_back({output_path(arguments, outcome.input, outcome.written, i), file.document.bytes(), file.cameras});
@@ -77,13 +82,15 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
 }
 
 /// A file without a camera was probably meant as a further part.
-void explain_no_camera(const ConvertArguments& arguments, const std::string& input, const Calibration& calibration, Diagnostics& diagnostics) {
+void explain_no_camera(const ConvertArguments& arguments, const std::string& input, const Calibration& calibration,
+                       Diagnostics& diagnostics) {
   const std::string what = calibration.rig.imus.empty() ? "no camera" : "an IMU and no camera";
   diagnostics.error("no-camera", input + " holds " + what, {input, 0, 0},
                     "did you mean: fca-io convert camchain.yaml --with " + input + " --to " + arguments.to);
 }
 
-Rig converted_rig(const Calibration& calibration, const std::vector<CameraOutcome>& cameras, const ConvertArguments& arguments) {
+Rig converted_rig(const Calibration& calibration, const std::vector<CameraOutcome>& cameras,
+                  const ConvertArguments& arguments) {
   Rig rig = calibration.rig;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     rig.cameras[i] = cameras[i].target;
@@ -105,12 +112,15 @@ void verify(const Rig& rig, bool unchanged, ConvertOutcome& outcome) {
   for (const std::string& id : outcome.written.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
-    ProofResult proof = prove(*consumer, outcome.outputs.front().bytes, {outcome.written.sensor.empty() ? "mono" : outcome.written.sensor}, rig);
+    ProofResult proof = prove(*consumer, outcome.outputs.front().bytes,
+                              {outcome.written.sensor.empty() ? "mono" : outcome.written.sensor}, rig);
     const std::string program(consumer->program);
     if (!proof.agrees() && unchanged) {
-      outcome.diagnostics.warning("program-refuses", "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof));
+      outcome.diagnostics.warning("program-refuses", "nothing was changed, and " + program +
+                                                         " does not understand the input itself: " + disagreement(proof));
     } else if (!proof.agrees()) {
-      outcome.diagnostics.error("proof-failed", program + " would not understand what was to be written: " + disagreement(proof));
+      outcome.diagnostics.error("proof-failed",
+                                program + " would not understand what was to be written: " + disagreement(proof));
       outcome.code = worse(outcome.code, ExitCode::kJudgedBad);
     }
     outcome.proofs.push_back(std::move(proof));
@@ -122,8 +132,8 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
     if (!arguments.max_error_px || !camera.report) continue;
     const double worst = camera.report->judgement.error.max;
     if (worst <= *arguments.max_error_px) continue;
-    outcome.diagnostics.error("error-limit", camera.source.name + ": the worst pixel is off by " + pixels(worst) + " px, more than --max-error " +
-                                                 pixels(*arguments.max_error_px));
+    outcome.diagnostics.error("error-limit", camera.source.name + ": the worst pixel is off by " + pixels(worst) +
+                                                 " px, more than --max-error " + pixels(*arguments.max_error_px));
     outcome.code = ExitCode::kJudgedBad;
   }
   if (arguments.strict && !outcome.written.losses.empty()) {
@@ -156,8 +166,8 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
     explain_no_camera(arguments, input, *calibration, outcome.diagnostics);
     return failed();
   }
-  std::optional<std::vector<CameraOutcome>> cameras =
-      convert_cameras(calibration->rig.cameras, *outcome.to, {arguments.model, max_angle_rad(arguments.reading)}, outcome.diagnostics);
+  std::optional<std::vector<CameraOutcome>> cameras = convert_cameras(
+      calibration->rig.cameras, *outcome.to, {arguments.model, max_angle_rad(arguments.reading)}, outcome.diagnostics);
   if (!cameras) return failed();
   outcome.cameras = *std::move(cameras);
 
@@ -242,16 +252,27 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
 }  // namespace
 
 void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command = *app.add_subcommand("convert", "Convert a calibration to another format, and to another camera model if need be");
+  CLI::App& command =
+      *app.add_subcommand("convert", "Convert a calibration to another format, and to another camera model if need be");
   command.add_option("INPUT", arguments.inputs, "Calibration file(s); '-' is standard input")->required();
   command.add_option("--to", arguments.to, "The format to write")->required()->type_name("FORMAT");
-  command.add_option("--model", arguments.model, "The camera model to write (default: kept, else the best that the stock program reads)")->type_name("MODEL");
-  command.add_option("-o,--output", arguments.output, "A path, a folder, or a pattern with {stem}, {camera}, {format} (default: standard output)")->type_name("PATH");
+  command
+      .add_option("--model", arguments.model,
+                  "The camera model to write (default: kept, else the best that the stock program reads)")
+      ->type_name("MODEL");
+  command
+      .add_option("-o,--output", arguments.output,
+                  "A path, a folder, or a pattern with {stem}, {camera}, {format} (default: standard output)")
+      ->type_name("PATH");
   add_reading_options(command, arguments.reading);
-  command.add_option("--sensor", arguments.sensor, "orbslam3: mono, stereo, rgbd, mono-inertial or stereo-inertial (default: the richest the input serves)")->type_name("MODE");
+  command
+      .add_option("--sensor", arguments.sensor,
+                  "orbslam3: mono, stereo, rgbd, mono-inertial or stereo-inertial (default: the richest the input serves)")
+      ->type_name("MODE");
   command.add_option("--fps", arguments.fps, "Frame rate, for formats that state it")->type_name("HZ");
   command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")->type_name("METRES");
-  command.add_option("--max-error", arguments.max_error_px, "Fail (exit 1, nothing written) if the worst pixel is off by more")->type_name("PX");
+  command.add_option("--max-error", arguments.max_error_px, "Fail (exit 1, nothing written) if the worst pixel is off by more")
+      ->type_name("PX");
   command.add_flag("--strict", arguments.strict, "Fail if anything of the input cannot be carried");
   command.add_flag("--no-verify", arguments.no_verify, "Do not ask the real program's reader about the written bytes");
   command.add_flag("--dry-run", arguments.dry_run, "Report, write nothing");

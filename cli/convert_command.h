@@ -40,7 +40,7 @@ struct ConvertArguments {
 /// One input's conversion, for the text and the JSON.
 struct ConvertOutcome {
   struct Output {
-    std::string path;    ///< Empty: standard output (or the JSON).
+    std::string path;  ///< Empty: standard output (or the JSON).
     std::string bytes;
     std::vector<std::string> cameras;
   };

@@ -120,7 +120,8 @@ std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Cons
     if (outcomes.size() == 1) {
       put_conversion(json, outcomes.front(), console);
     } else {
-      json.array("conversions", outcomes, [&](const ConvertOutcome& outcome) { json.object([&] { put_conversion(json, outcome, console); }); });
+      json.array("conversions", outcomes,
+                 [&](const ConvertOutcome& outcome) { json.object([&] { put_conversion(json, outcome, console); }); });
     }
   });
   return json.document();

@@ -31,8 +31,8 @@ std::string band_table(const std::vector<ErrorBand>& bands) {
   std::string text = "    " + padded("deg", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
   for (const ErrorBand& band : bands) {
     if (band.share <= 0.0) continue;
-    text += "    " + padded(fixed(band.from_deg, 0) + "-" + fixed(band.to_deg, 0), kWidth) + padded(percent(band.share), kWidth) +
-            padded(pixels(band.rms_px), kWidth) + pixels(band.max_px) + "\n";
+    text += "    " + padded(fixed(band.from_deg, 0) + "-" + fixed(band.to_deg, 0), kWidth) +
+            padded(percent(band.share), kWidth) + padded(pixels(band.rms_px), kWidth) + pixels(band.max_px) + "\n";
   }
   return text;
 }
@@ -41,15 +41,16 @@ std::string report_text(const ConversionReport& report) {
   const Judgement& j = report.judgement;
   std::string text = "  domain: " + angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + "\n";
   text += "          " + coverage_text(j.coverage) + "\n";
-  text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" + fixed(j.error.max_at[0], 1) + ", " +
-          fixed(j.error.max_at[1], 1) + ")\n";
+  text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" +
+          fixed(j.error.max_at[0], 1) + ", " + fixed(j.error.max_at[1], 1) + ")\n";
   if (!report.exact) {
     // A file cannot tell black corners from glass, and the choice changes the error tenfold.
     constexpr double kSideways = 90.0;
     if (j.coverage.max_angle_deg > kSideways && j.coverage.why.starts_with("the whole image")) {
       text += "          (if the lens ends earlier and the corners are black, say so: --max-angle DEG fits only the lens)\n";
     }
-    text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) + ", 99 % " + pixels(j.error.p99) + "\n";
+    text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
+            ", 99 % " + pixels(j.error.p99) + "\n";
     text += band_table(j.bands);
   }
   if (!report.at_bound.empty()) text += "  at the edge of its range: " + enumerated(report.at_bound) + "\n";

@@ -6,7 +6,7 @@ namespace fca::cli {
 /// Part of the command's contract. Of several inputs, the largest is returned.
 enum class ExitCode {
   kGood = 0,
-  kJudgedBad = 1,   ///< Error limit exceeded, proof failed, --strict with a loss: nothing is written.
+  kJudgedBad = 1,  ///< Error limit exceeded, proof failed, --strict with a loss: nothing is written.
   kBadInput = 2,
   kUsage = 3,
   kIo = 4,

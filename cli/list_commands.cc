@@ -52,8 +52,8 @@ ExitCode list_formats(const ListArguments& arguments, Console& console) {
   if (arguments.markdown) {
     console.out("| format | what | syntax | cameras | models | models only forks read |\n|---|---|---|---|---|---|\n");
     for (const Format& format : all_formats()) {
-      console.out("| `" + std::string(format.id) + "` | " + std::string(format.title) + " | " + std::string(format.syntaxes) + " | " +
-                  (format.many_cameras ? "1..n" : "1") + " | " + enumerated(model_names(format, true), "and") + " | " +
+      console.out("| `" + std::string(format.id) + "` | " + std::string(format.title) + " | " + std::string(format.syntaxes) +
+                  " | " + (format.many_cameras ? "1..n" : "1") + " | " + enumerated(model_names(format, true), "and") + " | " +
                   enumerated(model_names(format, false), "and") + " |\n");
     }
     return ExitCode::kGood;
@@ -61,8 +61,8 @@ ExitCode list_formats(const ListArguments& arguments, Console& console) {
   for (const Format& format : all_formats()) {
     console.out(padded(format.id, 12) + std::string(format.title) + " (" + std::string(format.syntaxes) + ")\n");
     for (const StoredModel& row : format.models) {
-      console.out("  " + padded(row.model, 10) + padded("as " + std::string(row.file_name), 34) + "read by " + std::string(row.read_by) +
-                  (row.stock ? "" : "; only with --model") + "\n");
+      console.out("  " + padded(row.model, 10) + padded("as " + std::string(row.file_name), 34) + "read by " +
+                  std::string(row.read_by) + (row.stock ? "" : "; only with --model") + "\n");
     }
   }
   return ExitCode::kGood;
@@ -145,8 +145,9 @@ ExitCode compare_models(const ListArguments& arguments, Console& console) {
       });
       return;
     }
-    console.out("  " + padded(model.id, 10) + padded(pixels(j.error.rms), 11) + padded(pixels(j.error.max), 11) + padded(percent(j.coverage.scored), 10) +
-                padded(percent(j.coverage.unrepresentable), 13) + enumerated(names_elsewhere(model.id)) + "\n");
+    console.out("  " + padded(model.id, 10) + padded(pixels(j.error.rms), 11) + padded(pixels(j.error.max), 11) +
+                padded(percent(j.coverage.scored), 10) + padded(percent(j.coverage.unrepresentable), 13) +
+                enumerated(names_elsewhere(model.id)) + "\n");
   };
   if (arguments.json) {
     json.object([&] {
@@ -164,8 +165,8 @@ ExitCode compare_models(const ListArguments& arguments, Console& console) {
     return code;
   }
   for (const Camera& camera : calibration->rig.cameras) {
-    console.out(camera.name + " (" + std::string(model_info(camera.model).id) + ") as\n  " + padded("model", 10) + padded("rms px", 11) +
-                padded("max px", 11) + padded("scored", 10) + padded("unreachable", 13) + "stored by\n");
+    console.out(camera.name + " (" + std::string(model_info(camera.model).id) + ") as\n  " + padded("model", 10) +
+                padded("rms px", 11) + padded("max px", 11) + padded("scored", 10) + padded("unreachable", 13) + "stored by\n");
     for (const ModelInfo& model : all_models()) each_model(camera, model);
   }
   return code;
@@ -209,7 +210,9 @@ void add_list_commands(CLI::App& app, ListArguments& arguments, std::function<Ex
   models.add_flag("--json", arguments.json, "One JSON document on standard output");
   models.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
   models.callback([&] {
-    run = [&arguments](Console& console) { return arguments.file.empty() ? list_models(arguments, console) : compare_models(arguments, console); };
+    run = [&arguments](Console& console) {
+      return arguments.file.empty() ? list_models(arguments, console) : compare_models(arguments, console);
+    };
   });
 
   CLI::App& programs = *app.add_subcommand("programs", "The programs whose readers fca-io imitates to prove what it writes");

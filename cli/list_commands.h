@@ -14,7 +14,7 @@ class App;
 namespace fca::cli {
 
 struct ListArguments {
-  std::string file;   ///< models FILE
+  std::string file;  ///< models FILE
   ReadingOptions reading;
   bool json = false;
   bool markdown = false;

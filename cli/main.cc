@@ -19,7 +19,8 @@ namespace {
 
 std::vector<std::string> subcommand_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(subcommand->get_name());
+  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(subcommand->get_name());
   return names;
 }
 
@@ -29,7 +30,8 @@ void insert_show(std::vector<std::string>& words, const CLI::App& app, bool& mis
   const std::vector<std::string> names = subcommand_names(app);
   const std::string& first = words.front();
   if (std::ranges::find(names, first) != names.end()) return;
-  const bool path = first.find_first_of("./") != std::string::npos || CLI::detail::check_path(first.c_str()) != CLI::detail::path_type::nonexistent;
+  const bool path = first.find_first_of("./") != std::string::npos ||
+                    CLI::detail::check_path(first.c_str()) != CLI::detail::path_type::nonexistent;
   if (path) {
     words.insert(words.begin(), "show");
   } else {
@@ -38,15 +40,17 @@ void insert_show(std::vector<std::string>& words, const CLI::App& app, bool& mis
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("fca-io makes camera calibration files interoperable: reads them, says what they mean, converts them to other formats\n"
-               "and camera models, and proves that the program that reads the result understands it as meant.");
+  CLI::App app(
+      "fca-io makes camera calibration files interoperable: reads them, says what they mean, converts them to other formats\n"
+      "and camera models, and proves that the program that reads the result understands it as meant.");
   app.name("fca-io");
   app.set_version_flag("--version", "fca-io " FCA_VERSION);
   app.require_subcommand(0, 1);
-  app.footer("fca-io FILE is short for fca-io show FILE.\n\n"
-             "Example:\n"
-             "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n\n"
-             "Exit codes: 0 good; 1 done but judged bad, nothing written; 2 bad input; 3 usage; 4 input/output; 70 a bug.");
+  app.footer(
+      "fca-io FILE is short for fca-io show FILE.\n\n"
+      "Example:\n"
+      "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n\n"
+      "Exit codes: 0 good; 1 done but judged bad, nothing written; 2 bad input; 3 usage; 4 input/output; 70 a bug.");
 
   Console console;
   std::function<ExitCode(Console&)> chosen;
@@ -65,7 +69,8 @@ int run(int argc, char** argv) {
   if (mistyped) {
     const std::vector<std::string> names = subcommand_names(app);
     const std::vector<std::string> near = nearest(words.front(), names);
-    console.error("unknown command '" + words.front() + "'" + (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?"));
+    console.error("unknown command '" + words.front() + "'" +
+                  (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?"));
     return static_cast<int>(ExitCode::kUsage);
   }
   try {

@@ -48,7 +48,9 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
-std::string failure(const std::string& what, const std::string& path) { return what + " " + path + ": " + std::strerror(errno); }
+std::string failure(const std::string& what, const std::string& path) {
+  return what + " " + path + ": " + std::strerror(errno);
+}
 
 std::optional<std::string> write_directly(const std::string& path, std::string_view bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));

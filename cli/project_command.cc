@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 #include <CLI/CLI.hpp>
 
@@ -30,7 +31,10 @@ std::optional<std::array<double, N>> parse_numbers(std::string_view line) {
   std::size_t count = 0;
   for (std::size_t at = line.find_first_not_of(" \t\r,"); at != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(" \t\r,", at), line.size());
-    const std::optional<double> number = text::parse_real(line.substr(at, end - at));
+    const std::string_view word = line.substr(at, end - at);
+    // What `project` itself prints where there is no answer may come back.
+    const std::optional<double> number =
+        word == "nan" || word == "-nan" ? std::numeric_limits<double>::quiet_NaN() : text::parse_real(word);
     if (!number || count == N) return std::nullopt;
     numbers[count++] = *number;
     at = line.find_first_not_of(" \t\r,", end);
@@ -51,7 +55,8 @@ ExitCode map_lines(const CameraModel& model, Mapping<In, Out> mapping, bool as_j
     if (line.find_first_not_of(" \t\r") == std::string::npos || line.starts_with('#')) continue;
     const std::optional<std::array<double, In>> numbers = parse_numbers<In>(line);
     if (!numbers) {
-      console.error("standard input, line " + std::to_string(number) + ": " + std::to_string(In) + " numbers are wanted, got '" + line.substr(0, 60) + "'");
+      console.error("standard input, line " + std::to_string(number) + ": " + std::to_string(In) +
+                    " numbers are wanted, got '" + line.substr(0, 60) + "'");
       return ExitCode::kBadInput;
     }
     bool finite = true;
@@ -95,7 +100,8 @@ ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& 
   if (!calibration) return worse(code_of(diagnostics), ExitCode::kBadInput);
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   if (cameras.size() != 1) {
-    console.error(cameras.empty() ? "the file holds no camera" : "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
+    console.error(cameras.empty() ? "the file holds no camera"
+                                  : "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
     return cameras.empty() ? ExitCode::kBadInput : ExitCode::kUsage;
   }
   const CameraModel& model = cameras.front().model;
@@ -118,7 +124,8 @@ void add_project_commands(CLI::App& app, ProjectArguments& arguments, std::funct
   constexpr std::array kCommands = {
       Description{"project", "Rays 'x y z' per line on standard input -> pixels 'u v'; 'nan nan' where the model has no answer",
                   "Example:\n  echo '0.1 0.2 1' | fca-io project camchain.yaml --camera cam0\n", true},
-      Description{"unproject", "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
+      Description{"unproject",
+                  "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
                   "Example:\n  echo '320 240' | fca-io unproject camchain.yaml --camera cam0\n", false}};
   for (const Description& description : kCommands) {
     CLI::App& command = *app.add_subcommand(description.name, description.what);

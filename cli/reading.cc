@@ -14,13 +14,16 @@ namespace fca::cli {
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command.add_option("--from", options.from, "The input's format (default: found by its content)")->type_name("FORMAT");
-  command.add_option("--with", options.with, "A further part of the same calibration, e.g. imu.yaml; may be given several times")
+  command
+      .add_option("--with", options.with, "A further part of the same calibration, e.g. imu.yaml; may be given several times")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
   command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");
   command.add_option("--size", options.size, "Image size for files that do not state one: 640x480")->type_name("WxH");
-  command.add_option("--max-angle", options.max_angle_deg, "What counts as lens, in degrees from the axis (default: the whole image)")
+  command
+      .add_option("--max-angle", options.max_angle_deg,
+                  "What counts as lens, in degrees from the axis (default: the whole image)")
       ->type_name("DEG");
 }
 
@@ -72,7 +75,8 @@ std::string unknown_model(std::string_view typed) {
 
 std::optional<std::string> check(const ReadingOptions& options) {
   if (!options.from.empty() && find_format(options.from) == nullptr) return unknown_format(options.from);
-  if (!options.size.empty() && !parse_size(options.size)) return "--size wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.size + "'";
+  if (!options.size.empty() && !parse_size(options.size))
+    return "--size wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.size + "'";
   if (options.max_angle_deg && !(*options.max_angle_deg > 0.0 && *options.max_angle_deg <= 180.0)) {
     return "--max-angle wants degrees from the axis in (0, 180]";
   }
@@ -84,7 +88,8 @@ std::optional<double> max_angle_rad(const ReadingOptions& options) {
   return *options.max_angle_deg / kDegreesPerRadian;
 }
 
-std::optional<Calibration> read_input(const std::string& path, const ReadingOptions& options, Console& console, Diagnostics& diagnostics) {
+std::optional<Calibration> read_input(const std::string& path, const ReadingOptions& options, Console& console,
+                                      Diagnostics& diagnostics) {
   std::vector<std::string> paths = {path};
   paths.insert(paths.end(), options.with.begin(), options.with.end());
   std::vector<text::Document> documents;
@@ -97,7 +102,8 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
     documents.push_back(*std::move(document));
   }
   const Format* format = options.from.empty() ? nullptr : find_format(options.from);
-  std::optional<Calibration> calibration = read_calibration(std::move(documents), format, {parse_size(options.size)}, diagnostics);
+  std::optional<Calibration> calibration =
+      read_calibration(std::move(documents), format, {parse_size(options.size)}, diagnostics);
   if (!calibration || !options.cameras) return calibration;
   const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, *options.cameras, diagnostics);
   if (!indices) return std::nullopt;

@@ -19,8 +19,8 @@ namespace fca::cli {
 struct ReadingOptions {
   std::string from;
   std::vector<std::string> with;
-  std::optional<std::string> cameras;   ///< "1,0" or "cam1"
-  std::string size;        ///< "640x480"
+  std::optional<std::string> cameras;  ///< "1,0" or "cam1"
+  std::string size;                    ///< "640x480"
   std::optional<double> max_angle_deg;
 };
 

@@ -43,14 +43,16 @@ std::vector<std::string> names_elsewhere(std::string_view model) {
   std::vector<std::string> names;
   for (const Format& format : all_formats()) {
     for (const StoredModel& row : format.models) {
-      if (row.model == model) names.push_back(std::string(format.program) + " " + std::string(row.file_name) + (row.stock ? "" : " (forks)"));
+      if (row.model == model)
+        names.push_back(std::string(format.program) + " " + std::string(row.file_name) + (row.stock ? "" : " (forks)"));
     }
   }
   return names;
 }
 
 void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command = *app.add_subcommand("show", "What a file means: cameras, models, fields of view, poses, IMU, and who reads it");
+  CLI::App& command =
+      *app.add_subcommand("show", "What a file means: cameras, models, fields of view, poses, IMU, and who reads it");
   command.add_option("FILE", arguments.files, "Calibration file(s); '-' is standard input")->required();
   add_reading_options(command, arguments.reading);
   command.add_flag("--json", arguments.json, "One JSON document on standard output");

@@ -50,7 +50,8 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
     const Calibration& calibration = *shown.calibration;
     json.put("format", calibration.format->id);
     json.put("why", calibration.why);
-    json.array("cameras", calibration.rig.cameras, [&](const Camera& camera) { json.object([&] { put_camera(json, camera); }); });
+    json.array("cameras", calibration.rig.cameras,
+               [&](const Camera& camera) { json.object([&] { put_camera(json, camera); }); });
     json.array("imus", calibration.rig.imus, [&](const Imu& imu) { json.object([&] { put_imu(json, imu); }); });
     json.array("poses", calibration.rig.poses, [&](const PoseEdge& edge) {
       json.object([&] {

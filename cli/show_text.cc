@@ -11,7 +11,9 @@ namespace fca::cli {
 
 namespace {
 
-std::string degrees_or(const std::optional<double>& value) { return value ? fixed(*value, 1) + " deg" : std::string("not covered by the model"); }
+std::string degrees_or(const std::optional<double>& value) {
+  return value ? fixed(*value, 1) + " deg" : std::string("not covered by the model");
+}
 
 std::string camera_text(const Camera& camera) {
   const ModelInfo& model = model_info(camera.model);
@@ -20,14 +22,19 @@ std::string camera_text(const Camera& camera) {
   if (!elsewhere.empty()) text += "  called   " + enumerated(elsewhere, "and") + "\n";
   text += parameters_in_words(camera.model, "  ");
   if (camera.image_size) {
-    text += "  image    " + std::to_string(camera.image_size->width) + " x " + std::to_string(camera.image_size->height) + " px\n";
+    text +=
+        "  image    " + std::to_string(camera.image_size->width) + " x " + std::to_string(camera.image_size->height) + " px\n";
     const FieldsOfView view = fields_of_view(camera);
-    text += "  view     horizontal " + degrees_or(view.horizontal) + ", vertical " + degrees_or(view.vertical) + ", diagonal " + degrees_or(view.diagonal) + "\n";
+    text += "  view     horizontal " + degrees_or(view.horizontal) + ", vertical " + degrees_or(view.vertical) + ", diagonal " +
+            degrees_or(view.diagonal) + "\n";
     if (view.largest_from_axis) text += "           up to " + angle_in_words(*view.largest_from_axis) + "\n";
   } else {
     text += "  image    size not stated (--size WxH)\n";
   }
-  text += "  model    " + (validate(camera.model).empty() ? "valid up to " + angle_in_words(max_angle(camera.model) * kDegreesPerRadian) : enumerated(validate(camera.model))) + "\n";
+  text += "  model    " +
+          (validate(camera.model).empty() ? "valid up to " + angle_in_words(max_angle(camera.model) * kDegreesPerRadian)
+                                          : enumerated(validate(camera.model))) +
+          "\n";
   if (camera.time_offset_s) text += "  time     t_imu = t_cam + (" + text::format_short(*camera.time_offset_s, 9) + ") s\n";
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
   if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";
@@ -36,9 +43,11 @@ std::string camera_text(const Camera& camera) {
 
 std::string imu_text(const Imu& imu) {
   const auto line = [](std::string_view name, const std::optional<double>& value, std::string_view unit) {
-    return "  " + padded(name, 26) + (value ? text::format_short(*value) + " " + std::string(unit) : std::string("not stated")) + "\n";
+    return "  " + padded(name, 26) +
+           (value ? text::format_short(*value) + " " + std::string(unit) : std::string("not stated")) + "\n";
   };
-  return "\n" + imu.name + ": noise as continuous-time densities\n" + line("gyroscope noise", imu.gyroscope_noise_density, "rad/s/sqrt(Hz)") +
+  return "\n" + imu.name + ": noise as continuous-time densities\n" +
+         line("gyroscope noise", imu.gyroscope_noise_density, "rad/s/sqrt(Hz)") +
          line("gyroscope random walk", imu.gyroscope_random_walk, "rad/s^2/sqrt(Hz)") +
          line("accelerometer noise", imu.accelerometer_noise_density, "m/s^2/sqrt(Hz)") +
          line("accelerometer random walk", imu.accelerometer_random_walk, "m/s^3/sqrt(Hz)") + line("rate", imu.rate_hz, "Hz") +
@@ -51,12 +60,14 @@ std::string pose_text(const PoseEdge& edge) {
   const std::optional<Transform> T_b_a = inverse(edge.T_a_b);
   if (!T_b_a) return text + "; its 3 x 3 part is singular\n";
   const auto centimetres = [&](int row) { return fixed(100.0 * (*T_b_a)(row, 3), 2); };
-  text += ";\n    " + edge.a + " sits at (" + centimetres(0) + ", " + centimetres(1) + ", " + centimetres(2) + ") cm in " + edge.b;
+  text +=
+      ";\n    " + edge.a + " sits at (" + centimetres(0) + ", " + centimetres(1) + ", " + centimetres(2) + ") cm in " + edge.b;
   const double cosine = std::clamp((edge.T_a_b(0, 0) + edge.T_a_b(1, 1) + edge.T_a_b(2, 2) - 1.0) / 2.0, -1.0, 1.0);
   text += ", turned by " + fixed(std::acos(cosine) * kDegreesPerRadian, 2) + " deg";
   const double defect = rotation_defect(edge.T_a_b);
   constexpr double kPrintedRotation = 1e-3;
-  if (defect > kPrintedRotation || rotation_determinant(edge.T_a_b) < 0.0) text += " (NOT a rotation: off by " + text::format_short(defect, 2) + ")";
+  if (defect > kPrintedRotation || rotation_determinant(edge.T_a_b) < 0.0)
+    text += " (NOT a rotation: off by " + text::format_short(defect, 2) + ")";
   return text + "\n";
 }
 
@@ -67,8 +78,10 @@ std::string readers_text(const Readers& readers) {
     if (program.loads) {
       text += program.sensors.empty() ? "yes\n" : "yes, as " + enumerated(program.sensors) + "\n";
       constexpr std::size_t kMostWarnings = 2;
-      for (std::size_t i = 0; i < std::min(kMostWarnings, program.warnings.size()); ++i) text += "    but: " + program.warnings[i] + "\n";
-      if (program.warnings.size() > kMostWarnings) text += "    and " + std::to_string(program.warnings.size() - kMostWarnings) + " more (--json lists them)\n";
+      for (std::size_t i = 0; i < std::min(kMostWarnings, program.warnings.size()); ++i)
+        text += "    but: " + program.warnings[i] + "\n";
+      if (program.warnings.size() > kMostWarnings)
+        text += "    and " + std::to_string(program.warnings.size() - kMostWarnings) + " more (--json lists them)\n";
     } else {
       text += "no: " + (program.refusals.empty() ? std::string("it gives no reason") : program.refusals.front());
       if (program.refusals.size() > 1) text += " (and " + std::to_string(program.refusals.size() - 1) + " more)";
@@ -85,7 +98,8 @@ std::string show_text(const ShownFile& shown) {
   std::string text = shown.file + ": " + std::string(calibration.format->title) + " (" + calibration.why + ")\n";
   for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
-  if (calibration.rig.baseline_m) text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
+  if (calibration.rig.baseline_m)
+    text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
   for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge);
   return text + readers_text(shown.readers);

@@ -84,7 +84,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names) {
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const std::string& name : names) {
-    const std::size_t distance = name.starts_with(typed) || typed.starts_with(name) ? 1 : edit_distance(typed.substr(0, 64), name);
+    const std::size_t distance =
+        name.starts_with(typed) || typed.starts_with(name) ? 1 : edit_distance(typed.substr(0, 64), name);
     if (distance <= std::max<std::size_t>(2, name.size() / 2)) ranked.emplace_back(distance, name);
   }
   std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string>::first);

@@ -38,7 +38,7 @@ struct FieldsOfView {
   std::optional<double> horizontal;
   std::optional<double> vertical;
   std::optional<double> diagonal;
-  std::optional<double> largest_from_axis;   ///< Among the pixels that have a ray.
+  std::optional<double> largest_from_axis;  ///< Among the pixels that have a ray.
 };
 [[nodiscard]] FieldsOfView fields_of_view(const Camera& camera);
 

@@ -33,7 +33,8 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
   }
   if (best_score == second_score) {
     diagnostics.error("ambiguous-format",
-                      "could be " + std::string(best.format->id) + " (" + best.why + ") or " + std::string(second.format->id) + " (" + second.why + ")",
+                      "could be " + std::string(best.format->id) + " (" + best.why + ") or " + std::string(second.format->id) +
+                          " (" + second.why + ")",
                       where, "say which with --from");
     return std::nullopt;
   }
@@ -79,7 +80,8 @@ void warn_of_contradictions(const Rig& rig, const text::Document& document, Diag
     const std::optional<Transform> around = others.resolve(edge.a, edge.b);
     if (!around) continue;
     double worst = 0.0;
-    for (std::size_t k = 0; k < around->values.size(); ++k) worst = std::max(worst, std::abs(around->values[k] - edge.T_a_b.values[k]));
+    for (std::size_t k = 0; k < around->values.size(); ++k)
+      worst = std::max(worst, std::abs(around->values[k] - edge.T_a_b.values[k]));
     if (worst <= kTolerance) continue;
     diagnostics.warning("poses-contradict",
                         "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses differ by up to " +
@@ -91,8 +93,8 @@ void warn_of_contradictions(const Rig& rig, const text::Document& document, Diag
 
 }  // namespace
 
-std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format, const ReadOptions& options,
-                                            Diagnostics& diagnostics) {
+std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
+                                            const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.empty()) return std::nullopt;
   Calibration result;
   for (const text::Document& document : documents) {

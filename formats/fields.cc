@@ -34,7 +34,8 @@ std::optional<int> octal(const Node& node) {
   std::string_view text = node.value;
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
-  if (node.quoted || text.size() < 2 || text[0] != '0' || text.find_first_not_of("01234567") != std::string_view::npos) return std::nullopt;
+  if (node.quoted || text.size() < 2 || text[0] != '0' || text.find_first_not_of("01234567") != std::string_view::npos)
+    return std::nullopt;
   constexpr int kOctal = 8;
   int value = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value, kOctal);
@@ -64,7 +65,9 @@ const Node* Reader::require(const Node& mapping, std::string_view key, std::stri
 
 std::optional<double> Reader::real(const Node& node, std::string_view what) {
   if (const std::optional<int> value = node.is_scalar() ? octal(node) : std::nullopt) {
-    warning(node, "octal", std::string(what) + " is written " + quoted_text(node) + ", which the programs read as octal " + std::to_string(*value));
+    warning(node, "octal",
+            std::string(what) + " is written " + quoted_text(node) + ", which the programs read as octal " +
+                std::to_string(*value));
     return *value;
   }
   const std::optional<double> value = node.is_scalar() ? text::parse_real(node.value) : std::nullopt;
@@ -83,7 +86,9 @@ std::optional<double> Reader::positive(const Node& node, std::string_view what) 
   const std::optional<double> value = real(node, what);
   constexpr double kLargest = 1e9;
   if (!value || (*value > 0.0 && *value <= kLargest)) return value;
-  error(node, "not-positive", std::string(what) + " is " + quoted_text(node) + "; it must be greater than 0" + (*value > 0.0 ? " and is too large" : ""));
+  error(node, "not-positive",
+        std::string(what) + " is " + quoted_text(node) + "; it must be greater than 0" +
+            (*value > 0.0 ? " and is too large" : ""));
   return std::nullopt;
 }
 
@@ -117,8 +122,9 @@ std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t c
     return std::nullopt;
   }
   if (count != 0 && node.items.size() != count) {
-    error(node, "wrong-length",
-          std::string(what) + " has " + std::to_string(node.items.size()) + " numbers; " + std::to_string(count) + " are wanted");
+    error(
+        node, "wrong-length",
+        std::string(what) + " has " + std::to_string(node.items.size()) + " numbers; " + std::to_string(count) + " are wanted");
     return std::nullopt;
   }
   std::vector<double> values;
@@ -187,7 +193,9 @@ std::optional<Transform> Reader::checked(const Transform& T, const Node& node, s
   constexpr double kPrintedWithThreeDigits = 2e-3;
   const double defect = rotation_defect(T);
   if (defect > kPrintedWithThreeDigits) {
-    warning(node, "not-a-rotation", std::string(what) + ": its 3 x 3 part is not a rotation, R^T R differs from the identity by " + text::format_short(defect, 3));
+    warning(node, "not-a-rotation",
+            std::string(what) + ": its 3 x 3 part is not a rotation, R^T R differs from the identity by " +
+                text::format_short(defect, 3));
   } else if (rotation_determinant(T) < 0.0) {
     warning(node, "not-a-rotation", std::string(what) + ": its 3 x 3 part is a mirror image, not a rotation");
   }
@@ -208,7 +216,8 @@ std::optional<Reader::Matrix> Reader::opencv_matrix(const Node& node, std::strin
   if (!row_count || !column_count) return std::nullopt;
   constexpr int kLargestSide = 100'000;
   if (*row_count < 1 || *column_count < 1 || *row_count > kLargestSide || *column_count > kLargestSide) {
-    error(*rows, "wrong-length", std::string(what) + ": a matrix of " + std::to_string(*row_count) + " x " + std::to_string(*column_count));
+    error(*rows, "wrong-length",
+          std::string(what) + ": a matrix of " + std::to_string(*row_count) + " x " + std::to_string(*column_count));
     return std::nullopt;
   }
   const auto count = static_cast<std::size_t>(*row_count) * static_cast<std::size_t>(*column_count);
@@ -387,7 +396,8 @@ void replace_value(text::Document& document, const Node& mapping, const text::En
   const std::size_t colon = source.bytes.find(':', entry.key.span.end());
   const std::size_t start = colon == std::string::npos ? entry.key.span.end() : colon + 1;
   const std::size_t end = std::max(start, entry.value.span.end());
-  document.replace({start, end - start}, mapping.flow ? spell_flow_value(field) : indented(spell_value(field), column, source.line_break()));
+  document.replace({start, end - start},
+                   mapping.flow ? spell_flow_value(field) : indented(spell_value(field), column, source.line_break()));
 }
 
 const Field* find_field(std::span<const Field> fields, std::string_view key) {
@@ -412,7 +422,8 @@ void apply(text::Document& document, const Node& mapping, text::Dialect dialect,
       if (old != nullptr && *old == field) continue;
       const text::Entry* anchor = predecessor;
       if (anchor == nullptr && !mapping.entries.empty()) anchor = &mapping.entries.back();
-      if (anchor != nullptr) document.insert_after(mapping, *anchor, mapping.flow ? field.key + ":" + spell_flow_value(field) : spell(field));
+      if (anchor != nullptr)
+        document.insert_after(mapping, *anchor, mapping.flow ? field.key + ":" + spell_flow_value(field) : spell(field));
       continue;
     }
     predecessor = entry;

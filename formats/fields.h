@@ -67,10 +67,10 @@ class Reader {
 
 /// How a field's value is laid out.
 enum class Shape {
-  kScalar,         ///< key: 1.0
-  kList,           ///< key: [1.0, 2.0]
-  kRows,           ///< key: and one "- [..]" line per row of 4
-  kMatrix,         ///< key: !!opencv-matrix with rows, cols, dt, data
+  kScalar,  ///< key: 1.0
+  kList,    ///< key: [1.0, 2.0]
+  kRows,    ///< key: and one "- [..]" line per row of 4
+  kMatrix,  ///< key: !!opencv-matrix with rows, cols, dt, data
 };
 
 /// A key and what its value says, as tokens ready to be written.
@@ -78,8 +78,8 @@ struct Field {
   std::string key;
   Shape shape = Shape::kScalar;
   std::vector<std::string> tokens;
-  int columns = 0;            ///< kRows, kMatrix
-  std::string element_type;   ///< kMatrix: "f" or "d"
+  int columns = 0;           ///< kRows, kMatrix
+  std::string element_type;  ///< kMatrix: "f" or "d"
   bool operator==(const Field&) const = default;
 };
 

@@ -83,19 +83,23 @@ std::optional<std::size_t> index_in(std::string_view key, std::string_view prefi
   return index;
 }
 
-constexpr std::string_view kNoiseKeys[] = {"accelerometer_noise_density", "accelerometer_random_walk", "gyroscope_noise_density",
-                                           "gyroscope_random_walk"};
+constexpr std::string_view kNoiseKeys[] = {"accelerometer_noise_density", "accelerometer_random_walk",
+                                           "gyroscope_noise_density", "gyroscope_random_walk"};
 
 /// The keys that become fields of a Rig.
-constexpr std::string_view kCameraKeys[] = {"camera_model", "intrinsics", "distortion_model", "distortion_coeffs", "resolution", "rostopic",
-                                            "T_cam_imu", "T_imu_cam", "T_cn_cnm1", "timeshift_cam_imu"};
-constexpr std::string_view kImuKeys[] = {"accelerometer_noise_density", "accelerometer_random_walk", "gyroscope_noise_density",
-                                         "gyroscope_random_walk", "update_rate", "rostopic"};
+constexpr std::string_view kCameraKeys[] = {"camera_model", "intrinsics",       "distortion_model", "distortion_coeffs",
+                                            "resolution",   "rostopic",         "T_cam_imu",        "T_imu_cam",
+                                            "T_cn_cnm1",    "timeshift_cam_imu"};
+constexpr std::string_view kImuKeys[] = {"accelerometer_noise_density",
+                                         "accelerometer_random_walk",
+                                         "gyroscope_noise_density",
+                                         "gyroscope_random_walk",
+                                         "update_rate",
+                                         "rostopic"};
 
 bool holds_noise(const Node& mapping) {
-  return std::ranges::any_of(kNoiseKeys, [&mapping](std::string_view key) {
-    return text::find(mapping, key, text::Dialect::kPyYaml) != nullptr;
-  });
+  return std::ranges::any_of(
+      kNoiseKeys, [&mapping](std::string_view key) { return text::find(mapping, key, text::Dialect::kPyYaml) != nullptr; });
 }
 
 ProbeResult probe(const text::Document& document) {
@@ -168,7 +172,8 @@ class ChainReader {
     rig.cameras.push_back(std::move(camera));
   }
 
-  /// What the file says and a Rig has no place for (line_delay, T_i_b, ...): a format without those keys must be able to say so.
+  /// What the file says and a Rig has no place for (line_delay, T_i_b, ...): a format without those keys must be able to say
+  /// so.
   void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
     for (const text::Entry& entry : node.entries) {
       if (std::ranges::find(known, entry.key.value) != known.end()) continue;
@@ -193,17 +198,17 @@ class ChainReader {
 
     const auto& rows = layouts();
     const bool known_camera = std::ranges::any_of(rows, [&](const Layout& l) { return l.camera_model == *camera_model; });
-    const auto layout = std::ranges::find_if(rows, [&](const Layout& l) {
-      return l.camera_model == *camera_model && l.distortion_model == *distortion_model;
-    });
+    const auto layout = std::ranges::find_if(
+        rows, [&](const Layout& l) { return l.camera_model == *camera_model && l.distortion_model == *distortion_model; });
     if (!known_camera) {
       reader_.error(*reader_.find(node, "camera_model"), "unknown-model",
                     name + ": Kalibr has no camera_model '" + *camera_model + "'; it knows pinhole, omni, eucm and ds");
       return false;
     }
     if (layout == rows.end()) {
-      reader_.error(*reader_.find(node, "distortion_model"), "unknown-model",
-                    name + ": Kalibr has no camera_model " + *camera_model + " with distortion_model '" + *distortion_model + "'");
+      reader_.error(
+          *reader_.find(node, "distortion_model"), "unknown-model",
+          name + ": Kalibr has no camera_model " + *camera_model + " with distortion_model '" + *distortion_model + "'");
       return false;
     }
     camera.model = *make_model(layout->model);
@@ -232,8 +237,9 @@ class ChainReader {
     if (!list->is_sequence() || list->items.size() != slots.size()) {
       const std::string wanted = std::to_string(slots.size());
       reader_.error(*list, "wrong-length",
-                    list->is_sequence() ? what + " has " + std::to_string(list->items.size()) + " numbers; " + wanted + " are wanted"
-                                        : what + " must be a list of " + wanted + " numbers");
+                    list->is_sequence()
+                        ? what + " has " + std::to_string(list->items.size()) + " numbers; " + wanted + " are wanted"
+                        : what + " must be a list of " + wanted + " numbers");
       return false;
     }
     bool good = true;
@@ -251,7 +257,8 @@ class ChainReader {
       reader_.error(*resolution, "wrong-length", name + " resolution must be [width, height]");
       return;
     }
-    if (const std::optional<ImageSize> size = reader_.image_size(resolution->items[0], resolution->items[1], name + " ")) camera.image_size = size;
+    if (const std::optional<ImageSize> size = reader_.image_size(resolution->items[0], resolution->items[1], name + " "))
+      camera.image_size = size;
   }
 
   void read_poses(const Node& node, const std::string& name, Rig& rig) {
@@ -308,7 +315,8 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     if (found.has_errors()) return std::nullopt;
   }
   if (rig.cameras.empty() && rig.imus.empty()) {
-    diagnostics.error("no-calibration", "neither a camera (cam0) nor an IMU's noise stands here", {documents.front().source().name, 0, 0});
+    diagnostics.error("no-calibration", "neither a camera (cam0) nor an IMU's noise stands here",
+                      {documents.front().source().name, 0, 0});
     return std::nullopt;
   }
   return rig;
@@ -358,7 +366,8 @@ std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index) {
   const bool plain = !camera.topic.empty() && std::ranges::all_of(camera.topic, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '/' || c == '_';
   });
-  if (!camera.topic.empty()) result.push_back(fields::scalar("rostopic", plain && camera.topic[0] == '/' ? camera.topic : fields::quote(camera.topic)));
+  if (!camera.topic.empty())
+    result.push_back(fields::scalar("rostopic", plain && camera.topic[0] == '/' ? camera.topic : fields::quote(camera.topic)));
   if (camera.time_offset_s) result.push_back(fields::real("timeshift_cam_imu", *camera.time_offset_s));
   return result;
 }
@@ -377,8 +386,8 @@ std::vector<fields::Field> imu_fields(const Imu& imu) {
   return result;
 }
 
-/// A fresh camchain in Kalibr's own layout, but with the rows of transforms indented deeper than their key: OpenVINS then needs only
-/// its first line added.
+/// A fresh camchain in Kalibr's own layout, but with the rows of transforms indented deeper than their key: OpenVINS then needs
+/// only its first line added.
 std::optional<text::Document> compose(const Rig& rig, Diagnostics& diagnostics) {
   std::string bytes;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
@@ -413,7 +422,8 @@ void list_losses(const Rig& rig, Written& written) {
     }
   }
   if (rig.baseline_m) {
-    written.losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m of a rectified pair or depth sensor",
+    written.losses.push_back({"baseline-dropped",
+                              "baseline " + text::format_short(*rig.baseline_m) + " m of a rectified pair or depth sensor",
                               "a camchain states poses of cameras, and the second camera is not in the input", ""});
   }
 }
@@ -428,7 +438,8 @@ bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
       good = stored_within(kFormat, camera, diagnostics) && good;
       continue;
     }
-    diagnostics.error("model-not-storable", camera.name + ": Kalibr has no " + std::string(model_info(camera.model).id) + " model");
+    diagnostics.error("model-not-storable",
+                      camera.name + ": Kalibr has no " + std::string(model_info(camera.model).id) + " model");
     good = false;
   }
   return good;
@@ -475,7 +486,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   }
   const bool edits = old && std::ranges::equal(old->cameras, rig_as_named.cameras, {}, &Camera::name, &Camera::name);
   // A base that never stated a size need not begin to.
-  if (!check_models(rig, edits ? &*old : nullptr, diagnostics) || (!edits && !check_sizes(rig, diagnostics))) return std::nullopt;
+  if (!check_models(rig, edits ? &*old : nullptr, diagnostics) || (!edits && !check_sizes(rig, diagnostics)))
+    return std::nullopt;
   std::optional<text::Document> document = edits ? edited(*base, *old, rig) : compose(rig, diagnostics);
   if (!document) return std::nullopt;
 
@@ -487,7 +499,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     for (const Imu& imu : rig.imus) {
       std::string bytes;
       for (const fields::Field& field : imu_fields(imu)) bytes += fields::spell(field) + "\n";
-      std::optional<text::Document> imu_document = bytes.empty() ? std::nullopt : text::parse_document({"imu.yaml", bytes}, diagnostics);
+      std::optional<text::Document> imu_document =
+          bytes.empty() ? std::nullopt : text::parse_document({"imu.yaml", bytes}, diagnostics);
       if (imu_document) written.files.push_back({*std::move(imu_document), {}});
     }
   }

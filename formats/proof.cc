@@ -11,8 +11,8 @@ namespace fca {
 
 namespace {
 
-/// `tolerance` is what separates two implementations that hold the same numbers; the parameters, too, are rounded when a program
-/// stores them as floats (2.6e-4 px on a T265).
+/// `tolerance` is what separates two implementations that hold the same numbers; the parameters, too, are rounded when a
+/// program stores them as floats (2.6e-4 px on a T265).
 constexpr double kRounding = 5.0;
 
 struct Comparison {
@@ -37,7 +37,9 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
       const std::optional<std::array<double, 2>> image = theirs.project(*ray);
       if (!image) continue;
       // Beyond 90 degrees some programs mirror: that is their limit, told as a warning, not a fault of the file.
-      if ((*ray)[2] <= 0.0 && std::hypot((*image)[0] / theirs.scale[0] - pixel[0], (*image)[1] / theirs.scale[1] - pixel[1]) > 1.0) continue;
+      if ((*ray)[2] <= 0.0 &&
+          std::hypot((*image)[0] / theirs.scale[0] - pixel[0], (*image)[1] / theirs.scale[1] - pixel[1]) > 1.0)
+        continue;
       ++result.compared;
       const double difference = std::hypot((*image)[0] - pixel[0] * theirs.scale[0], (*image)[1] - pixel[1] * theirs.scale[1]);
       if (theirs.misread) {
@@ -46,7 +48,8 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
         continue;
       }
       result.worst = std::max(result.worst, difference);
-      const double allowed = (kRounding * tolerance + theirs.approximation_px) * std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
+      const double allowed = (kRounding * tolerance + theirs.approximation_px) *
+                             std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
       if (!(difference <= allowed)) result.agrees = false;
     }
   }
@@ -73,7 +76,8 @@ double pose_difference(const Rig& rig, const consumers::ConsumerView& view, cons
 
 }  // namespace
 
-ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options, const Rig& rig) {
+ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
+                  const Rig& rig) {
   const consumers::ConsumerView view = consumer.load(bytes, options);
   ProofResult result;
   result.program = consumer.program;
@@ -90,8 +94,10 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.misread_px = comparison.misread;
   result.compared_share = comparison.asked > 0 ? static_cast<double>(comparison.compared) / comparison.asked : 0.0;
   constexpr double kPosePrecision = 1e-6;  // float formats
-  for (const consumers::ConsumerPose& pose : view.poses) result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));
-  result.pixels_agree = comparison.agrees && (comparison.compared > 0 || comparison.misread_points > 0 || comparison.asked == 0);
+  for (const consumers::ConsumerPose& pose : view.poses)
+    result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));
+  result.pixels_agree =
+      comparison.agrees && (comparison.compared > 0 || comparison.misread_points > 0 || comparison.asked == 0);
   result.poses_agree = result.max_diff_pose <= kPosePrecision;
   return result;
 }

@@ -38,7 +38,8 @@ const Format* find_format(std::string_view name) {
 }
 
 const StoredModel* find_stored_model(const Format& format, std::string_view model, bool stock_only) {
-  const auto found = std::ranges::find_if(format.models, [&](const StoredModel& row) { return row.model == model && (row.stock || !stock_only); });
+  const auto found = std::ranges::find_if(
+      format.models, [&](const StoredModel& row) { return row.model == model && (row.stock || !stock_only); });
   return found == format.models.end() ? nullptr : &*found;
 }
 
@@ -49,9 +50,10 @@ bool stored_within(const Format& format, const Camera& camera, Diagnostics& diag
     const double value = parameter(camera.model, range.parameter).value_or(range.lower);
     if (value >= range.lower && value <= range.upper) continue;
     diagnostics.error("parameter-not-storable",
-                      camera.name + ": " + std::string(range.parameter) + " = " + text::format_short(value) + " cannot be stored as " +
-                          std::string(stored->file_name) + " (" + std::string(format.title) + "); it must lie in [" +
-                          text::format_short(range.lower) + ", " + text::format_short(range.upper) + "]",
+                      camera.name + ": " + std::string(range.parameter) + " = " + text::format_short(value) +
+                          " cannot be stored as " + std::string(stored->file_name) + " (" + std::string(format.title) +
+                          "); it must lie in [" + text::format_short(range.lower) + ", " + text::format_short(range.upper) +
+                          "]",
                       {}, "convert the camera to this format's ranges first");
   }
   return false;

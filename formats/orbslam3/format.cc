@@ -21,12 +21,14 @@ constexpr std::array kModels = {
     StoredModel{"ds", "DoubleSphere", false, "urbste/ORB_SLAM3 (branch feature/gopro_slam)", {}},
 };
 
-constexpr std::array<std::string_view, 6> kModes = {"mono", "stereo", "rgbd", "mono-inertial", "stereo-inertial", "rgbd-inertial"};
+constexpr std::array<std::string_view, 6> kModes = {"mono",          "stereo",          "rgbd",
+                                                    "mono-inertial", "stereo-inertial", "rgbd-inertial"};
 
 ProbeResult probe(const text::Document& document) {
   if (find_key(document, "Camera1.fx") != nullptr) return {95, "the key Camera1.fx"};
   if (find_key(document, "Camera.fx") != nullptr) return {90, "the key Camera.fx"};
-  if (find_key(document, "File.version") != nullptr && find_key(document, "Camera.type") != nullptr) return {80, "File.version and Camera.type"};
+  if (find_key(document, "File.version") != nullptr && find_key(document, "Camera.type") != nullptr)
+    return {80, "File.version and Camera.type"};
   if (find_key(document, "ORBextractor.nFeatures") != nullptr) return {70, "the key ORBextractor.nFeatures"};
   return {};
 }

@@ -16,7 +16,8 @@ const std::vector<Layout>& layouts() {
       return slots;
     };
     const std::vector<Slot> radtan = with({{"k1", "k1"}, {"k2", "k2"}, {"p1", "p1"}, {"p2", "p2"}, {"k3", "k3", false}});
-    const std::vector<Slot> radtan_or_zero = with({{"k1", "k1", false}, {"k2", "k2", false}, {"p1", "p1", false}, {"p2", "p2", false}, {"k3", "k3", false}});
+    const std::vector<Slot> radtan_or_zero =
+        with({{"k1", "k1", false}, {"k2", "k2", false}, {"p1", "p1", false}, {"p2", "p2", false}, {"k3", "k3", false}});
     const std::vector<Slot> kb4 = with({{"k1", "k1"}, {"k2", "k2"}, {"k3", "k3"}, {"k4", "k4"}});
     const std::vector<Slot> kb4_in_radtan_keys = with({{"k1", "k1"}, {"k2", "k2"}, {"p1", "k3"}, {"p2", "k4"}});
     const std::vector<Slot> eucm = with({{"k1", "alpha"}, {"k2", "beta"}, {"p1", "", false}, {"p2", "", false}});

@@ -23,13 +23,13 @@ enum class Style {
 struct Slot {
   std::string_view key;
   std::string_view parameter;
-  bool required = true;   ///< false: absent means 0
+  bool required = true;  ///< false: absent means 0
 };
 
 /// How one style writes one of our models.
 struct Layout {
   Style style;
-  std::string_view type;   ///< Camera.type; "" where the style has none
+  std::string_view type;  ///< Camera.type; "" where the style has none
   std::string_view model;
   std::vector<Slot> slots;
 };
@@ -48,8 +48,8 @@ struct Layout {
 
 /// Names of the keys that styles spell differently.
 struct PoseKeys {
-  std::string_view T_c1_c2;    ///< second camera in the first
-  std::string_view T_imu_c1;   ///< first camera in the IMU
+  std::string_view T_c1_c2;   ///< second camera in the first
+  std::string_view T_imu_c1;  ///< first camera in the IMU
 };
 [[nodiscard]] PoseKeys pose_keys(Style style);
 

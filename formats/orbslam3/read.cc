@@ -17,7 +17,10 @@ using text::Node;
 class SettingsReader {
  public:
   SettingsReader(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics)
-      : document_(document), reader_(document, text::Dialect::kOpenCv, diagnostics), options_(options), style_(style_of(document)) {}
+      : document_(document),
+        reader_(document, text::Dialect::kOpenCv, diagnostics),
+        options_(options),
+        style_(style_of(document)) {}
 
   void read_into(Rig& rig) {
     warn_of_version();
@@ -45,7 +48,8 @@ class SettingsReader {
       }
     } else if (!version->quoted || version->value != "1.0") {
       reader_.warning(*version, "file-version-not-string",
-                      "File.version is not the string \"1.0\": ORB-SLAM3 silently runs its old parser", "write \"1.0\" with quotes");
+                      "File.version is not the string \"1.0\": ORB-SLAM3 silently runs its old parser",
+                      "write \"1.0\" with quotes");
     }
   }
 
@@ -53,7 +57,8 @@ class SettingsReader {
     for (const text::Entry& entry : document_.root().entries) {
       const text::Entry* first = text::find_entry(document_.root(), entry.key.value, text::Dialect::kOpenCv);
       if (first != &entry && first->value.value != entry.value.value) {
-        reader_.warning(entry.key, "duplicate-key", "the key " + entry.key.value + " stands twice with different values; this one is not read");
+        reader_.warning(entry.key, "duplicate-key",
+                        "the key " + entry.key.value + " stands twice with different values; this one is not read");
       }
     }
   }
@@ -78,8 +83,9 @@ class SettingsReader {
         if (row.style == style_ && known.find(type_name) == std::string::npos) known += (known.empty() ? "" : ", ") + type_name;
       }
       const bool fork_type = std::ranges::any_of(rows, [&](const Layout& l) { return l.type == name; });
-      reader_.error(*type, "unknown-model", "Camera.type '" + name + "' is none of " + known + ", which settings of this style know",
-                    fork_type ? "forks read this type from files with Camera.fx (not Camera1.fx) and without File.version" : "");
+      reader_.error(
+          *type, "unknown-model", "Camera.type '" + name + "' is none of " + known + ", which settings of this style know",
+          fork_type ? "forks read this type from files with Camera.fx (not Camera1.fx) and without File.version" : "");
       return nullptr;
     }
     return &*found;
@@ -122,10 +128,11 @@ class SettingsReader {
     const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
     const bool plausible_alpha_beta = value("k1") > 0.3 && value("k1") <= 1.0 && value("k2") > 0.5 && value("k2") < 3.0;
     if (!plausible_alpha_beta || value("p1") != 0.0 || value("p2") != 0.0 || value("k3") != 0.0) return;
-    reader_.warning(*find("Camera.k1"), "eucm-without-type",
-                    "no Camera.type, so this is read as ORB-SLAM2's radial-tangential model; but k1 and k2 look like EUCM's alpha and "
-                    "beta, as fisheye-ORB-SLAM and slam_no_opt store them",
-                    "if so, add the line  Camera.type: \"EUCM\"");
+    reader_.warning(
+        *find("Camera.k1"), "eucm-without-type",
+        "no Camera.type, so this is read as ORB-SLAM2's radial-tangential model; but k1 and k2 look like EUCM's alpha and "
+        "beta, as fisheye-ORB-SLAM and slam_no_opt store them",
+        "if so, add the line  Camera.type: \"EUCM\"");
   }
 
   void read_second_camera(const Layout& first, Rig& rig) {
@@ -138,7 +145,8 @@ class SettingsReader {
     if (rectified_pair || find("Camera2.fx") == nullptr) return;
     const Layout* layout = &first;
     if (first.model == "pinhole" && find("Camera2.k1") != nullptr) layout = find_layout(style_, "radtan");
-    if (first.model == "radtan" && style_ == Style::kV1 && find("Camera2.k1") == nullptr) layout = find_layout(style_, "pinhole");
+    if (first.model == "radtan" && style_ == Style::kV1 && find("Camera2.k1") == nullptr)
+      layout = find_layout(style_, "pinhole");
     if (!read_camera(*layout, "Camera2.", "cam1", rig)) return;
     const std::string key(pose_keys(style_).T_c1_c2);
     if (const Node* node = find(key)) {
@@ -162,7 +170,8 @@ class SettingsReader {
     return reader_.checked(T, node, key);
   }
 
-  /// slam_no_opt's second camera: RIGHT.K, RIGHT.D in the order of Camera.k1 k2 p1 p2, and p_right = CAMERA.R p_left + CAMERA.T.
+  /// slam_no_opt's second camera: RIGHT.K, RIGHT.D in the order of Camera.k1 k2 p1 p2, and p_right = CAMERA.R p_left +
+  /// CAMERA.T.
   void read_right_camera(const Layout& layout, Rig& rig) {
     const Node* K = find("RIGHT.K");
     const Node* D = find("RIGHT.D");

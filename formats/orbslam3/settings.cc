@@ -14,9 +14,9 @@ namespace {
 using fields::Field;
 
 constexpr std::array kSensors = {
-    Sensor{"mono", false, false, false},          Sensor{"rgbd", false, true, false},
-    Sensor{"rgbd-inertial", false, true, true},   Sensor{"mono-inertial", false, false, true},
-    Sensor{"stereo", true, false, false},         Sensor{"stereo-inertial", true, false, true},
+    Sensor{"mono", false, false, false},        Sensor{"rgbd", false, true, false},
+    Sensor{"rgbd-inertial", false, true, true}, Sensor{"mono-inertial", false, false, true},
+    Sensor{"stereo", true, false, false},       Sensor{"stereo-inertial", true, false, true},
 };
 
 const Transform* stated_or(const Rig& rig, std::string_view a, std::string_view b, std::optional<Transform>& storage) {
@@ -25,7 +25,9 @@ const Transform* stated_or(const Rig& rig, std::string_view a, std::string_view 
   return storage ? &*storage : nullptr;
 }
 
-bool rectified(const Rig& rig) { return rig.cameras.size() == 1 && rig.baseline_m && model_info(rig.cameras[0].model).id == "pinhole"; }
+bool rectified(const Rig& rig) {
+  return rig.cameras.size() == 1 && rig.baseline_m && model_info(rig.cameras[0].model).id == "pinhole";
+}
 
 double baseline(const Rig& rig, const Sensor& sensor) {
   if (sensor.depth || rig.cameras.size() < 2) return rig.baseline_m.value_or(0.0);
@@ -45,7 +47,9 @@ void add_camera(const Camera& camera, const Layout& layout, std::string_view pre
 /// slam_no_opt's RIGHT.K, RIGHT.D, CAMERA.R, CAMERA.T (p_right = R p_left + T), and LEFT.* beside them.
 void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& fields) {
   const auto add_side = [&](std::string_view side, const Camera& camera) {
-    const auto value = [&camera](std::string_view name) { return name.empty() ? 0.0 : parameter(camera.model, name).value_or(0.0); };
+    const auto value = [&camera](std::string_view name) {
+      return name.empty() ? 0.0 : parameter(camera.model, name).value_or(0.0);
+    };
     if (camera.image_size) {
       fields.push_back(fields::integer(std::string(side) + ".height", camera.image_size->height));
       fields.push_back(fields::integer(std::string(side) + ".width", camera.image_size->width));
@@ -61,7 +65,8 @@ void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& 
   add_side("RIGHT", rig.cameras[1]);
   std::optional<Transform> storage;
   const Transform& T = *stated_or(rig, rig.cameras[1].name, rig.cameras[0].name, storage);
-  fields.push_back(fields::matrix("CAMERA.R", std::array{T(0, 0), T(0, 1), T(0, 2), T(1, 0), T(1, 1), T(1, 2), T(2, 0), T(2, 1), T(2, 2)}, 3, "d"));
+  fields.push_back(fields::matrix(
+      "CAMERA.R", std::array{T(0, 0), T(0, 1), T(0, 2), T(1, 0), T(1, 1), T(1, 2), T(2, 0), T(2, 1), T(2, 2)}, 3, "d"));
   fields.push_back(fields::matrix("CAMERA.T", std::array{T(0, 3), T(1, 3), T(2, 3)}, 3, "d"));
 }
 
@@ -78,7 +83,8 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
   const Transform& T = *stated_or(rig, rig.cameras[0].name, second.name, storage);
   const bool v1 = target.style == Style::kV1;
   // Tlr is read as 3 x 4 (Tracking.cc), T_c1_c2 as 4 x 4.
-  fields.push_back(fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
+  fields.push_back(
+      fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
   if ((layout.type != "KannalaBrandt8" && layout.type != "DoubleSphere") || !rig.cameras[0].image_size) return;
   const std::string_view first_prefix = camera_prefix(target.style, 0);
   const std::string_view begin = v1 ? "overlappingBegin" : "lappingBegin";
@@ -105,9 +111,12 @@ void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields)
   const bool v1 = target.style == Style::kV1;
   const bool states_baseline = target.sensor.depth || rectified(rig);
   if (v1 && states_baseline) fields.push_back(fields::real("Stereo.b", baseline(rig, target.sensor)));
-  if (!v1) fields.push_back(fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
+  if (!v1)
+    fields.push_back(
+        fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
   fields.push_back(fields::real(v1 ? "Stereo.ThDepth" : "ThDepth", target.tuning.th_depth));
-  if (target.sensor.depth) fields.push_back(fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", target.tuning.depth_map_factor));
+  if (target.sensor.depth)
+    fields.push_back(fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", target.tuning.depth_map_factor));
 }
 
 void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -146,7 +155,8 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name)) {
     missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name);
   }
-  if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras) missing.emplace_back("one image size for both cameras");
+  if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras)
+    missing.emplace_back("one image size for both cameras");
   if (sensor.depth && !rig.baseline_m) missing.emplace_back("the baseline (--baseline METRES)");
   if (!sensor.inertial) return missing;
   if (style == Style::kSlamNoOpt) {
@@ -155,7 +165,8 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   }
   if (!rig.resolve("imu0", first.name)) missing.push_back("the pose of " + first.name + " to the IMU (T_cam_imu)");
   const Imu imu = rig.imus.empty() ? Imu{} : rig.imus.front();
-  const bool noise = imu.gyroscope_noise_density && imu.accelerometer_noise_density && imu.gyroscope_random_walk && imu.accelerometer_random_walk;
+  const bool noise = imu.gyroscope_noise_density && imu.accelerometer_noise_density && imu.gyroscope_random_walk &&
+                     imu.accelerometer_random_walk;
   if (!noise) missing.emplace_back("the IMU's noise densities and random walks (--with imu.yaml)");
   if (!imu.rate_hz) missing.emplace_back("the IMU's rate (update_rate in imu.yaml)");
   return missing;
@@ -232,7 +243,8 @@ constexpr std::array kHeadings = {
     Heading{"IMU.T_b_c1", "First camera in the IMU: p_imu = T p_c1, metres"},
     Heading{"Tbc", "Camera in the IMU: p_imu = Tbc p_camera, metres"},
     Heading{"Camera.Tbc", "Camera in the body or IMU: p_body = Tbc p_camera, metres"},
-    Heading{"IMU.NoiseGyro", "IMU noise, continuous time: rad/s/sqrt(Hz), m/s^2/sqrt(Hz), rad/s^2/sqrt(Hz), m/s^3/sqrt(Hz); rate in Hz"},
+    Heading{"IMU.NoiseGyro",
+            "IMU noise, continuous time: rad/s/sqrt(Hz), m/s^2/sqrt(Hz), rad/s^2/sqrt(Hz), m/s^3/sqrt(Hz); rate in Hz"},
 };
 
 /// Keys every mode exits without (Settings.cc, Viewer.cc, ORBextractor), with upstream's values. Reals have a point, ints none.
@@ -283,7 +295,8 @@ std::string compose(const std::vector<Field>& fields, const Target& target, cons
     for (const Defaulted& row : kDefaulted) {
       if (row.key == field.key && applies(row, target)) text += "# Default. " + std::string(row.comment) + "\n";
     }
-    if (field.key == "Camera.Tbc" && !rig.resolve("imu0", rig.cameras.front().name)) text += "# Default. Identity: not in the input.\n";
+    if (field.key == "Camera.Tbc" && !rig.resolve("imu0", rig.cameras.front().name))
+      text += "# Default. Identity: not in the input.\n";
     text += fields::spell(field) + "\n";
     if (field.key == "Camera.type" || field.key == "File.version") text += "\n";
   }

@@ -28,9 +28,9 @@ struct Sensor {
 
 /// What a file states beyond the rig and a change of style or sensor must keep; else upstream's example values.
 struct Tuning {
-  int colour_order = 1;               ///< Camera.RGB: 1 is RGB
-  double th_depth = 40.0;             ///< close/far threshold in baselines
-  double depth_map_factor = 1000.0;   ///< depth image units per metre
+  int colour_order = 1;              ///< Camera.RGB: 1 is RGB
+  double th_depth = 40.0;            ///< close/far threshold in baselines
+  double depth_map_factor = 1000.0;  ///< depth image units per metre
 };
 [[nodiscard]] Tuning tuning_of(const text::Document& document);
 
@@ -51,7 +51,8 @@ struct Target {
 [[nodiscard]] std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style);
 
 /// Which of the fields hold upstream's example value because no input states them.
-[[nodiscard]] std::vector<DefaultedValue> defaulted(const std::vector<fields::Field>& fields, const Target& target, const Rig& rig);
+[[nodiscard]] std::vector<DefaultedValue> defaulted(const std::vector<fields::Field>& fields, const Target& target,
+                                                    const Rig& rig);
 
 /// A complete file: `headline` as a comment, the fields under headings, then ORBextractor and Viewer with upstream's values.
 [[nodiscard]] std::string compose(const std::vector<fields::Field>& fields, const Target& target, const Rig& rig,

@@ -29,7 +29,8 @@ Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
   const bool depth = find_key(document, "RGBD.DepthMapFactor") != nullptr || find_key(document, "DepthMapFactor") != nullptr;
   const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty();
   for (const Sensor& candidate : sensors()) {
-    if (candidate.two_cameras == two && candidate.depth == (depth && !two) && candidate.inertial == inertial) sensor = candidate;
+    if (candidate.two_cameras == two && candidate.depth == (depth && !two) && candidate.inertial == inertial)
+      sensor = candidate;
   }
   return sensor;
 }
@@ -62,42 +63,52 @@ void list_losses(const Rig& rig, const Target& target, Written& written) {
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const Camera& camera = rig.cameras[i];
     if (i >= used) {
-      written.losses.push_back({"camera-dropped", camera.name, std::string(target.sensor.id) + " settings hold " + std::to_string(used) + " camera(s)",
+      written.losses.push_back({"camera-dropped", camera.name,
+                                std::string(target.sensor.id) + " settings hold " + std::to_string(used) + " camera(s)",
                                 "write it to a file of its own with --camera " + camera.name});
       continue;
     }
     if (camera.time_offset_s && *camera.time_offset_s != 0.0) {
       const std::string shift = text::format_short(*camera.time_offset_s, 12);
-      written.losses.push_back({"time-offset-dropped", camera.name + " t_imu = t_cam + " + shift + " s", program + " has no key for it",
+      written.losses.push_back({"time-offset-dropped", camera.name + " t_imu = t_cam + " + shift + " s",
+                                program + " has no key for it",
                                 "add " + shift + " s to every image time stamp of " + camera.name});
     }
     if (!camera.topic.empty()) {
-      written.losses.push_back({"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
+      written.losses.push_back(
+          {"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
     }
   }
   if (!rig.imus.empty() && !target.sensor.inertial) {
     written.losses.push_back({"imu-dropped", rig.imus.front().name + " noise and rate",
-                              target.style == Style::kSlamNoOpt ? "slam_no_opt has no keys for them" : std::string(target.sensor.id) + " settings hold no IMU", ""});
+                              target.style == Style::kSlamNoOpt ? "slam_no_opt has no keys for them"
+                                                                : std::string(target.sensor.id) + " settings hold no IMU",
+                              ""});
   }
   if (target.sensor.inertial && !rig.imus.front().topic.empty()) {
-    written.losses.push_back({"topic-dropped", rig.imus.front().name + " " + rig.imus.front().topic, program + " takes topics on its command line", ""});
+    written.losses.push_back({"topic-dropped", rig.imus.front().name + " " + rig.imus.front().topic,
+                              program + " takes topics on its command line", ""});
   }
   if (!target.sensor.inertial && target.style != Style::kSlamNoOpt && rig.resolve("imu0", rig.cameras.front().name)) {
-    written.losses.push_back({"imu-pose-dropped", "pose of " + rig.cameras.front().name + " to the IMU", std::string(target.sensor.id) + " settings hold no IMU pose", ""});
+    written.losses.push_back({"imu-pose-dropped", "pose of " + rig.cameras.front().name + " to the IMU",
+                              std::string(target.sensor.id) + " settings hold no IMU pose", ""});
   }
   if (rig.baseline_m && !target.sensor.two_cameras && !target.sensor.depth) {
-    written.losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", "mono settings hold none",
-                              "--sensor rgbd writes it"});
+    written.losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",
+                              "mono settings hold none", "--sensor rgbd writes it"});
   }
   for (const std::string& what : rig.as_read) {
     written.losses.push_back({"not-carried", what, program + "'s settings have no place for it", ""});
   }
   const bool whole_fps = target.style == Style::kV1;
   if (whole_fps && target.frame_rate_known && target.frame_rate_hz != std::round(target.frame_rate_hz)) {
-    written.losses.push_back({"frame-rate-rounded", text::format_short(target.frame_rate_hz) + " Hz", "Camera.fps must be an int", ""});
+    written.losses.push_back(
+        {"frame-rate-rounded", text::format_short(target.frame_rate_hz) + " Hz", "Camera.fps must be an int", ""});
   }
-  if (target.style == Style::kOld && target.sensor.inertial && *rig.imus.front().rate_hz != std::round(*rig.imus.front().rate_hz)) {
-    written.losses.push_back({"imu-rate-rounded", text::format_short(*rig.imus.front().rate_hz) + " Hz", "IMU.Frequency must be an int in this style", ""});
+  if (target.style == Style::kOld && target.sensor.inertial &&
+      *rig.imus.front().rate_hz != std::round(*rig.imus.front().rate_hz)) {
+    written.losses.push_back({"imu-rate-rounded", text::format_short(*rig.imus.front().rate_hz) + " Hz",
+                              "IMU.Frequency must be an int in this style", ""});
   }
 }
 
@@ -107,12 +118,14 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
     const Camera& camera = rig.cameras[i];
     const Layout* layout = find_layout(target.style, model_info(camera.model).id);
     if (layout == nullptr) {
-      diagnostics.error("model-not-storable", camera.name + ": these settings cannot hold " + std::string(model_info(camera.model).id));
+      diagnostics.error("model-not-storable",
+                        camera.name + ": these settings cannot hold " + std::string(model_info(camera.model).id));
       return false;
     }
     if (!stored_within(kFormat, camera, diagnostics)) return false;
     if (!camera.image_size) {
-      diagnostics.error("image-size-missing", camera.name + ": the settings demand Camera.width and Camera.height and the input has none", {},
+      diagnostics.error("image-size-missing",
+                        camera.name + ": the settings demand Camera.width and Camera.height and the input has none", {},
                         "give it: --size WIDTHxHEIGHT");
       return false;
     }
@@ -121,7 +134,8 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
       return false;
     }
     if (model_info(camera.model).id != model_info(rig.cameras[0].model).id) {
-      diagnostics.error("models-differ", "the settings have one Camera.type for both cameras, and theirs differ", {}, "convert both with --model");
+      diagnostics.error("models-differ", "the settings have one Camera.type for both cameras, and theirs differ", {},
+                        "convert both with --model");
       return false;
     }
   }
@@ -130,12 +144,11 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
 
 std::string who_reads(const Target& target, std::string_view model) {
   if (target.style == Style::kSlamNoOpt && model == "eucm") {
-    // The layout of a second camera is slam_no_opt's own.
-    const std::string_view readers = target.sensor.two_cameras ? "ns15417/slam_no_opt" : "ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM";
-    return "read by " + std::string(readers) + ", NOT by stock ORB-SLAM3 (leave out --model for that)";
+    return "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
   }
   if (target.style == Style::kSlamNoOpt) return "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3";
-  if (model == "ds") return "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)";
+  if (model == "ds")
+    return "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)";
   if (target.style == Style::kV1) return "settings for ORB-SLAM3 V1.0";
   return "settings in the style before ORB-SLAM3 V1.0";
 }
@@ -156,7 +169,8 @@ std::vector<std::string> programs_for(Style style, std::string_view model) {
 std::optional<Sensor> asked_sensor(const Rig& rig, Style style, const std::string& id, Diagnostics& diagnostics) {
   const Sensor* sensor = find_sensor(id);
   if (sensor == nullptr) {
-    diagnostics.error("unknown-sensor", "there is no sensor mode '" + id + "'", {}, "one of mono, stereo, rgbd, mono-inertial, stereo-inertial, rgbd-inertial");
+    diagnostics.error("unknown-sensor", "there is no sensor mode '" + id + "'", {},
+                      "one of mono, stereo, rgbd, mono-inertial, stereo-inertial, rgbd-inertial");
     return std::nullopt;
   }
   const std::vector<std::string> missing = missing_for(rig, *sensor, style);
@@ -169,7 +183,8 @@ std::optional<Sensor> asked_sensor(const Rig& rig, Style style, const std::strin
 
 }  // namespace
 
-std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options, Diagnostics& diagnostics) {
+std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
   if (rig.cameras.empty()) {
     diagnostics.error("no-camera", "ORB-SLAM3 settings need a camera and the input has none");
     return std::nullopt;
@@ -195,13 +210,17 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   target.frame_rate_known = stated_rate.has_value();
   target.frame_rate_hz = stated_rate.value_or(kUpstreamFrameRate);
   constexpr double kLargestRate = 1e6;
-  const bool rate_fits = target.frame_rate_hz >= (target.style == Style::kV1 ? 0.5 : 1e-6) && target.frame_rate_hz <= kLargestRate;
+  const bool rate_fits =
+      target.frame_rate_hz >= (target.style == Style::kV1 ? 0.5 : 1e-6) && target.frame_rate_hz <= kLargestRate;
   if (!rate_fits) {
-    diagnostics.error("rate-not-storable", "a frame rate of " + text::format_short(target.frame_rate_hz) + " Hz cannot be stored: Camera.fps is a positive int");
+    diagnostics.error("rate-not-storable", "a frame rate of " + text::format_short(target.frame_rate_hz) +
+                                               " Hz cannot be stored: Camera.fps is a positive int");
     return std::nullopt;
   }
-  if (target.sensor.inertial && rig.imus.front().rate_hz && (*rig.imus.front().rate_hz < 0.5 || *rig.imus.front().rate_hz > kLargestRate)) {
-    diagnostics.error("rate-not-storable", "an IMU rate of " + text::format_short(*rig.imus.front().rate_hz) + " Hz cannot be stored in IMU.Frequency");
+  if (target.sensor.inertial && rig.imus.front().rate_hz &&
+      (*rig.imus.front().rate_hz < 0.5 || *rig.imus.front().rate_hz > kLargestRate)) {
+    diagnostics.error("rate-not-storable", "an IMU rate of " + text::format_short(*rig.imus.front().rate_hz) +
+                                               " Hz cannot be stored in IMU.Frequency");
     return std::nullopt;
   }
   // A base that never stated a size need not begin to.
@@ -211,21 +230,25 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   Written written;
   if (old) {
     target.tuning = tuning_of(*base);
-    Target before{style_of(*base), sensor_of(*base, *old, style_of(*base)), old->cameras.front().frame_rate_hz.value_or(kUpstreamFrameRate),
+    Target before{style_of(*base), sensor_of(*base, *old, style_of(*base)),
+                  old->cameras.front().frame_rate_hz.value_or(kUpstreamFrameRate),
                   old->cameras.front().frame_rate_hz.has_value(), target.tuning};
     text::Document document = *base;
-    fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(*old, before), settings_fields(rig, target));
+    fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(*old, before),
+                  settings_fields(rig, target));
     written.files.push_back({std::move(document), {}});
   } else {
     const std::vector<fields::Field> fields = settings_fields(rig, target);
-    std::optional<text::Document> document = text::parse_document({"settings.yaml", compose(fields, target, rig, who_reads(target, model))}, diagnostics);
+    std::optional<text::Document> document =
+        text::parse_document({"settings.yaml", compose(fields, target, rig, who_reads(target, model))}, diagnostics);
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}});
     written.defaults = defaulted(fields, target, rig);
     list_losses(rig, target, written);
   }
   const std::size_t used = target.sensor.two_cameras ? 2 : 1;
-  for (std::size_t i = 0; i < std::min(used, rig.cameras.size()); ++i) written.files.front().cameras.push_back(rig.cameras[i].name);
+  for (std::size_t i = 0; i < std::min(used, rig.cameras.size()); ++i)
+    written.files.front().cameras.push_back(rig.cameras[i].name);
   written.headline = headline(target, model, next);
   written.sensor = target.sensor.id;
   written.programs = programs_for(target.style, model);

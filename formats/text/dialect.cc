@@ -21,8 +21,8 @@ bool ends_as_real(std::string_view rest) {
   return std::ranges::all_of(rest.substr(2), is_digit);
 }
 
-/// Decimal part of PyYAML's YAML 1.1 resolver: an integer is digits; a real needs a point, an exponent its sign, and what begins with
-/// the point takes no sign.
+/// Decimal part of PyYAML's YAML 1.1 resolver: an integer is digits; a real needs a point, an exponent its sign, and what
+/// begins with the point takes no sign.
 ScalarType pyyaml_type(std::string_view text) {
   const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
   const std::string_view rest = text.substr(sign);
@@ -38,7 +38,8 @@ ScalarType pyyaml_type(std::string_view text) {
   return ends_as_real(text.substr(skip_digits(text, whole_end + 1))) ? ScalarType::kReal : ScalarType::kText;
 }
 
-/// cv::FileStorage 4.6, persistence_yml.cpp: after sign and leading digits, '.' or 'e' makes it a real, anything else strtol's int.
+/// cv::FileStorage 4.6, persistence_yml.cpp: after sign and leading digits, '.' or 'e' makes it a real, anything else strtol's
+/// int.
 ScalarType opencv_type(std::string_view text) {
   const std::size_t sign = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
   if (sign >= text.size()) return ScalarType::kText;

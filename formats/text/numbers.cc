@@ -83,8 +83,7 @@ std::string format_real(double value) {
 
 std::string format_short(double value, int digits) {
   std::array<char, 40> buffer{};
-  const auto result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits);
   return {buffer.data(), result.ptr};
 }
 

@@ -45,7 +45,8 @@ std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) 
   const std::string_view text = std::string_view(source.bytes).substr(source.byte_order_mark());
   const SourceRange file = {source.name, 0, 0};
   if (source.bytes.size() > kMaxFileBytes) {
-    diagnostics.error("too-large", "larger than " + std::to_string(kMaxFileBytes / 1024 / 1024) + " MiB; no calibration is", file);
+    diagnostics.error("too-large", "larger than " + std::to_string(kMaxFileBytes / 1024 / 1024) + " MiB; no calibration is",
+                      file);
     return std::nullopt;
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {

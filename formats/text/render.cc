@@ -35,7 +35,8 @@ std::string_view severity_colour(Severity severity) {
 
 /// Characters, not bytes.
 std::size_t count_characters(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
 /// The line and a caret under the range; long lines are cut around it.
@@ -56,8 +57,8 @@ std::string excerpt(const Source& source, const SourceRange& where) {
 std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour) {
   std::string text;
   const auto source = std::ranges::find(sources, diagnostic.where.file, &Source::name);
-  const bool placed = !diagnostic.where.file.empty() && source != sources.end() &&
-                      (diagnostic.where.offset > 0 || diagnostic.where.length > 0);
+  const bool placed =
+      !diagnostic.where.file.empty() && source != sources.end() && (diagnostic.where.offset > 0 || diagnostic.where.length > 0);
   if (placed) {
     const Position position = source->position(diagnostic.where.offset);
     text += printable(source->name) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";

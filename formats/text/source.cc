@@ -33,10 +33,12 @@ std::string_view Source::line_break() const {
 
 namespace {
 
-/// Length of the UTF-8 character at `at`; 0 if the bytes there are none (RFC 3629: no overlong forms, no surrogates, none beyond
-/// U+10FFFF).
+/// Length of the UTF-8 character at `at`; 0 if the bytes there are none (RFC 3629: no overlong forms, no surrogates, none
+/// beyond U+10FFFF).
 std::size_t character_length(std::string_view bytes, std::size_t at) {
-  const auto byte = [&](std::size_t i) -> unsigned { return at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0u; };
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0u;
+  };
   const auto continues = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };
   const unsigned lead = byte(0);
   if (lead < 0x80) return 1;

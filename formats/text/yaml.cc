@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only user of yaml-cpp in the text layer. Its event handler builds our tree directly, so that anchors, aliases and depth are
-// refused before a tree exists.
+// The only user of yaml-cpp in the text layer. Its event handler builds our tree directly, so that anchors, aliases and depth
+// are refused before a tree exists.
 #include "yaml.h"
 
 #include "opencv_prepass.h"
@@ -26,7 +26,8 @@ struct Refusal {
   std::size_t offset;
 };
 
-/// Where a quoted scalar that opens at `open` ends (behind the closing quote). yaml-cpp forgives a quote that the file's end cuts off.
+/// Where a quoted scalar that opens at `open` ends (behind the closing quote). yaml-cpp forgives a quote that the file's end
+/// cuts off.
 std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
   const char quote = bytes[open];
   for (std::size_t i = open + 1; i < bytes.size(); ++i) {
@@ -187,13 +188,15 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
-  /// A key is a name. yaml-cpp also takes lists for keys, no key at all, and, on the last line of a file, a name without a colon.
+  /// A key is a name. yaml-cpp also takes lists for keys, no key at all, and, on the last line of a file, a name without a
+  /// colon.
   void refuse_odd_key(const Node& key, bool flow) const {
     if (!key.is_scalar()) throw Refusal{"yaml-key", "a key that is no name", "", key.span.offset};
     if (flow || key.span.length == 0) return;
     const std::size_t next = source_.bytes.find_first_not_of(" \t", key.span.end());
     if (next != std::string::npos && source_.bytes[next] == ':') return;
-    throw Refusal{"yaml-syntax", "YAML syntax error: a key without its colon", "is a blank missing behind the colon?", key.span.offset};
+    throw Refusal{"yaml-syntax", "YAML syntax error: a key without its colon", "is a blank missing behind the colon?",
+                  key.span.offset};
   }
 
   const Source& source_;

@@ -95,8 +95,8 @@ std::optional<Conversion> fitted_conversion(const Job& job, double& reach_rad, D
   const auto start = std::chrono::steady_clock::now();
   const std::vector<Correspondence> samples = sample(job.camera.model, job.domain, job.options.samples);
   if (samples.size() * 2 < job.target.parameters.size()) {
-    diagnostics.error("domain-too-small", job.camera.name + ": too few pixels of the image have a ray to fit " +
-                                              std::string(job.target.id));
+    diagnostics.error("domain-too-small",
+                      job.camera.name + ": too few pixels of the image have a ray to fit " + std::string(job.target.id));
     return std::nullopt;
   }
   std::optional<internal::FittedModel> fitted = fit(job, samples);
@@ -151,7 +151,8 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   };
   conversion->report.judgement = judge(camera.model, target_within_reach, job.domain);
   if (!(conversion->report.judgement.coverage.scored > 0.0)) {
-    diagnostics.error("nothing-to-compare", camera.name + ": no part of the image could be compared with " + std::string(target->id));
+    diagnostics.error("nothing-to-compare",
+                      camera.name + ": no part of the image could be compared with " + std::string(target->id));
     return std::nullopt;
   }
   return conversion;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits one camera model to rays and pixels: linear starts, then Levenberg-Marquardt on the geometric residual (pixels), bounds by
-// taking the active parameter out of the step. Whether the fitted camera folds inside the samples is asked afterwards. A template over the model concept: works for any model, listed or not.
+// Fits one camera model to rays and pixels: linear starts, then Levenberg-Marquardt on the geometric residual (pixels), bounds
+// by taking the active parameter out of the step. Whether the fitted camera folds inside the samples is asked afterwards. A
+// template over the model concept: works for any model, listed or not.
 #pragma once
 
 #include "minimise.h"
@@ -26,7 +27,7 @@ struct Fit {
   std::array<double, kParameterCount<M>> parameters{};
   double rms_px = 0.0;
   int iterations = 0;
-  bool reaches_all = true;             ///< Every sample projects.
+  bool reaches_all = true;  ///< Every sample projects.
   std::vector<std::string> at_bound;
 };
 
@@ -83,8 +84,8 @@ class Fitter {
   static constexpr int kCoarseIterations = 20;
   static constexpr std::size_t kCoarseSamples = 48;
 
-  /// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again and
-  /// again from samples that come in rows.
+  /// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again
+  /// and again from samples that come in rows.
   static std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count) {
     if (count >= samples.size()) return {samples.begin(), samples.end()};
     constexpr double kGoldenRatio = 0.6180339887498949;

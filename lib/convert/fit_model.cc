@@ -14,8 +14,8 @@ std::optional<FittedModel> fit_model(std::string_view id, std::span<const Corres
     if (M::kId != id) return;
     std::optional<Fit<M>> fit = Fitter<M>(samples, ranges).fit(central_focal, centre);
     if (!fit) return;
-    result = FittedModel{Intrinsics<M>{fit->parameters}, fit->rms_px, fit->iterations, fit->reaches_all,
-                         std::move(fit->at_bound)};
+    result =
+        FittedModel{Intrinsics<M>{fit->parameters}, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};
   });
   return result;
 }

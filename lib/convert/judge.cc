@@ -72,9 +72,9 @@ class Judge {
     return point;
   }
 
-  /// A lattice whose points lie on the image's border, too. A cell whose corners and centre have one verdict is weighted 2/3 centre,
-  /// 1/12 each corner (exact for cubics; the trapezoidal rule is 2 % off where errors soar at the edge of a lens); one that the
-  /// domain's edge crosses is split into 6 x 6 parts, each judged at its centre.
+  /// A lattice whose points lie on the image's border, too. A cell whose corners and centre have one verdict is weighted 2/3
+  /// centre, 1/12 each corner (exact for cubics; the trapezoidal rule is 2 % off where errors soar at the edge of a lens); one
+  /// that the domain's edge crosses is split into 6 x 6 parts, each judged at its centre.
   [[nodiscard]] std::vector<Scored> score_lattice(Coverage& coverage) const {
     const Lattice lattice = make_lattice();
     std::vector<Point> points;
@@ -117,7 +117,8 @@ class Judge {
     // 51 x 51 corners and 50 x 50 centres on a square image; the longer side gets more, so that cells stay square.
     constexpr double kPointsPerSide = 51.0;
     const double aspect = std::sqrt(static_cast<double>(domain_.size.width) / domain_.size.height);
-    return {lattice_side(domain_.size.width, kPointsPerSide * aspect), lattice_side(domain_.size.height, kPointsPerSide / aspect)};
+    return {lattice_side(domain_.size.width, kPointsPerSide * aspect),
+            lattice_side(domain_.size.height, kPointsPerSide / aspect)};
   }
 
   /// From 0 to pixels - 1, denser towards both ends: errors are steepest in the corners of an image.
@@ -128,8 +129,8 @@ class Judge {
     return positions;
   }
 
-  /// Pixels on the border reach half a pixel beyond [0, w - 1] x [0, h - 1]: with these strips a sum over the lattice stands for the
-  /// sum over all pixels.
+  /// Pixels on the border reach half a pixel beyond [0, w - 1] x [0, h - 1]: with these strips a sum over the lattice stands
+  /// for the sum over all pixels.
   [[nodiscard]] static std::vector<double> border_weights(const Lattice& lattice) {
     std::vector<double> weights(lattice.x.size() * lattice.y.size(), 0.0);
     constexpr double kHalfStripPerEnd = 0.25;
@@ -137,12 +138,14 @@ class Judge {
     const std::size_t bottom = lattice.y.size() - 1;
     for (std::size_t i = 0; i < right; ++i) {
       for (const std::size_t row : {std::size_t{0}, bottom}) {
-        for (const std::size_t end : {i, i + 1}) weights[lattice.at(end, row)] += kHalfStripPerEnd * (lattice.x[i + 1] - lattice.x[i]);
+        for (const std::size_t end : {i, i + 1})
+          weights[lattice.at(end, row)] += kHalfStripPerEnd * (lattice.x[i + 1] - lattice.x[i]);
       }
     }
     for (std::size_t j = 0; j < bottom; ++j) {
       for (const std::size_t column : {std::size_t{0}, right}) {
-        for (const std::size_t end : {j, j + 1}) weights[lattice.at(column, end)] += kHalfStripPerEnd * (lattice.y[j + 1] - lattice.y[j]);
+        for (const std::size_t end : {j, j + 1})
+          weights[lattice.at(column, end)] += kHalfStripPerEnd * (lattice.y[j + 1] - lattice.y[j]);
       }
     }
     for (const std::size_t column : {std::size_t{0}, right}) {
@@ -151,11 +154,13 @@ class Judge {
     return weights;
   }
 
-  void score_split_cell(const Pixel& first, const Pixel& last, double area, Coverage& coverage, std::vector<Scored>& scored) const {
+  void score_split_cell(const Pixel& first, const Pixel& last, double area, Coverage& coverage,
+                        std::vector<Scored>& scored) const {
     constexpr int kParts = 6;
     for (int i = 0; i < kParts; ++i) {
       for (int j = 0; j < kParts; ++j) {
-        const Pixel centre = {first[0] + (last[0] - first[0]) * (i + 0.5) / kParts, first[1] + (last[1] - first[1]) * (j + 0.5) / kParts};
+        const Pixel centre = {first[0] + (last[0] - first[0]) * (i + 0.5) / kParts,
+                              first[1] + (last[1] - first[1]) * (j + 0.5) / kParts};
         add(at(centre), area / (kParts * kParts), coverage, scored);
       }
     }
@@ -175,7 +180,8 @@ class Judge {
     }
   }
 
-  /// The worst point of the edge of the lens, where errors are often largest: none of the area, but a candidate for the maximum.
+  /// The worst point of the edge of the lens, where errors are often largest: none of the area, but a candidate for the
+  /// maximum.
   [[nodiscard]] std::optional<Point> worst_edge_point() const {
     constexpr int kAzimuths = 720;
     constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
@@ -238,11 +244,12 @@ class Judge {
     return bands;
   }
 
-  /// Pattern search from the worst lattice points and the worst point of the edge: the error is smooth between them, its maximum
-  /// rarely on one.
+  /// Pattern search from the worst lattice points and the worst point of the edge: the error is smooth between them, its
+  /// maximum rarely on one.
   void polish_maximum(const std::vector<Scored>& sorted, Judgement& result) const {
     constexpr std::size_t kCandidates = 12;
-    for (std::size_t n = 0; n < std::min(kCandidates, sorted.size()); ++n) keep_if_worse(climb(sorted[sorted.size() - 1 - n].pixel), result);
+    for (std::size_t n = 0; n < std::min(kCandidates, sorted.size()); ++n)
+      keep_if_worse(climb(sorted[sorted.size() - 1 - n].pixel), result);
     if (const std::optional<Point> edge = worst_edge_point()) keep_if_worse(climb(edge->pixel), result);
   }
 
@@ -258,9 +265,14 @@ class Judge {
   [[nodiscard]] Point climb(const Pixel& start) const {
     constexpr double kFinestStep = 1e-3;  // px
     constexpr double kDiagonal = 0.7071067811865476;
-    constexpr std::array<Pixel, 8> kDirections = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1},
-                                                   {kDiagonal, kDiagonal}, {-kDiagonal, kDiagonal},
-                                                   {kDiagonal, -kDiagonal}, {-kDiagonal, -kDiagonal}}};
+    constexpr std::array<Pixel, 8> kDirections = {{{1, 0},
+                                                   {-1, 0},
+                                                   {0, 1},
+                                                   {0, -1},
+                                                   {kDiagonal, kDiagonal},
+                                                   {-kDiagonal, kDiagonal},
+                                                   {kDiagonal, -kDiagonal},
+                                                   {-kDiagonal, -kDiagonal}}};
     const Pixel last = {domain_.size.width - 1.0, domain_.size.height - 1.0};
     Point best = at(start);
     for (double step = std::max(last[0], last[1]) / 64.0; step > kFinestStep;) {
@@ -290,7 +302,8 @@ Judgement judge(const CameraModel& source, const Projection& target, const Domai
 }
 
 Judgement judge(const CameraModel& source, const CameraModel& target, const Domain& domain) {
-  return judge(source, [&target](const Ray& ray) { return project(target, ray); }, domain);
+  return judge(
+      source, [&target](const Ray& ray) { return project(target, ray); }, domain);
 }
 
 }  // namespace fca

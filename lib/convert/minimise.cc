@@ -26,7 +26,8 @@ class BatchedCost : public ceres::CostFunction {
     if (!evaluate_(parameters[0], residuals, jacobian)) return false;
     // A derivative that is no number (at an edge of the domain) would be reported on Ceres' log, whatever the logging type is.
     if (jacobian != nullptr) {
-      std::replace_if(jacobian, jacobian + num_residuals() * parameter_block_sizes()[0], [](double d) { return !std::isfinite(d); }, 0.0);
+      std::replace_if(
+          jacobian, jacobian + num_residuals() * parameter_block_sizes()[0], [](double d) { return !std::isfinite(d); }, 0.0);
     }
     return true;
   }

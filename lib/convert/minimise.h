@@ -8,8 +8,8 @@
 
 namespace fca::internal {
 
-/// Fills `residuals` and, unless it is null, `jacobian` (row-major, one row per residual, one column per parameter). False where a
-/// point cannot be projected: the solver then rejects the step.
+/// Fills `residuals` and, unless it is null, `jacobian` (row-major, one row per residual, one column per parameter). False
+/// where a point cannot be projected: the solver then rejects the step.
 using Residuals = std::function<bool(const double* parameters, double* residuals, double* jacobian)>;
 
 struct Minimum {

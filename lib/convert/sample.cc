@@ -107,7 +107,9 @@ std::vector<double> smooth_pieces(const CameraModel& source, const Domain& domai
   for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
     const double span = corners[side + 1] - corners[side];
     // The corners themselves belong to two sides: look a hair inside.
-    const auto azimuth_of = [&](int step) { return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, 1e-9, 1.0 - 1e-9); };
+    const auto azimuth_of = [&](int step) {
+      return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, 1e-9, 1.0 - 1e-9);
+    };
     for (int step = 0; step < kStepsPerSide; ++step) {
       double before = azimuth_of(step);
       double after = azimuth_of(step + 1);
@@ -128,7 +130,8 @@ std::vector<double> smooth_pieces(const CameraModel& source, const Domain& domai
 /// Polar around the principal point.
 std::vector<Correspondence> sample_polar(const CameraModel& source, const Domain& domain, const Pixel& centre, int count) {
   const std::vector<double> pieces = smooth_pieces(source, domain, centre);
-  // Errors change fast along the radius (tan^7 for radtan) and slowly around it: three azimuths a piece, and radii as many as are left.
+  // Errors change fast along the radius (tan^7 for radtan) and slowly around it: three azimuths a piece, and radii as many as
+  // are left.
   constexpr int kAzimuthsPerPiece = 3;
   constexpr int kFewestRadii = 10;
   constexpr int kMostRadii = 40;
@@ -138,7 +141,8 @@ std::vector<Correspondence> sample_polar(const CameraModel& source, const Domain
   std::vector<Correspondence> samples;
   for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
     const double span = pieces[piece + 1] - pieces[piece];
-    for (const Node& azimuth : gauss_legendre(std::max(kAzimuthsPerPiece, static_cast<int>(std::lround(azimuths_per_radian * span))))) {
+    for (const Node& azimuth :
+         gauss_legendre(std::max(kAzimuthsPerPiece, static_cast<int>(std::lround(azimuths_per_radian * span))))) {
       const double phi = pieces[piece] + azimuth.position * span;
       const double edge = reach(source, domain, centre, phi).distance;
       for (const Node& radius : radii) {

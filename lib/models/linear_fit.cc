@@ -12,7 +12,8 @@ void solve_symmetric(std::span<const double> matrix, std::span<double> x) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostUnknowns, kMostUnknowns>;
   using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
   const auto n = static_cast<Eigen::Index>(x.size());
-  const Matrix A = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(matrix.data(), n, n);
+  const Matrix A =
+      Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(matrix.data(), n, n);
   const Vector b = Eigen::Map<const Eigen::VectorXd>(x.data(), n);
   const Vector solution = A.fullPivLu().solve(b);
   Eigen::Map<Eigen::VectorXd> result(x.data(), n);

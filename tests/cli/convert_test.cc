@@ -17,7 +17,8 @@ const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
 const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-const std::string kReaders = "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
+const std::string kReaders =
+    "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
 
 using Json = rapidjson::Document;
 using Value = rapidjson::Value;
@@ -41,7 +42,9 @@ Rig rig_in(const std::string& bytes) {
   return calibration ? calibration->rig : Rig();
 }
 
-bool loads(const char* consumer, const std::string& bytes, const char* sensor) { return consumers::find_consumer(consumer)->load(bytes, {sensor}).loads(); }
+bool loads(const char* consumer, const std::string& bytes, const char* sensor) {
+  return consumers::find_consumer(consumer)->load(bytes, {sensor}).loads();
+}
 
 TEST(Convert, TumViBecomesAStereoInertialV1File) {
   const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
@@ -77,7 +80,8 @@ TEST(Convert, TheEucmDialectSaysWhoReadsIt) {
 // FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted anew with alpha above.
 TEST(Convert, AnEucmWithSmallAlphaIsNotPassedThrough) {
   const TemporaryFolder folder;
-  const std::string path = folder.write("small.yaml", with_replaced(with_replaced(read_file(kEucm), "0.6291060881178562", "0.45"), "1.0418067381860868", "1.6"));
+  const std::string path = folder.write(
+      "small.yaml", with_replaced(with_replaced(read_file(kEucm), "0.6291060881178562", "0.45"), "1.0418067381860868", "1.6"));
   const RunResult run = run_program({"convert", path, "--to", "orbslam3", "--model", "eucm", "--max-angle", "60"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_GT(parameter(rig_in(run.out).cameras.at(0).model, "alpha").value(), 0.5);
@@ -93,7 +97,8 @@ TEST(Convert, ADoubleSphereChainBecomesKannalaBrandt8) {
 
 TEST(Convert, TheReportNamesWhatCliMdAsksFor) {
   const RunResult run = run_program({"convert", kDs, "--to", "orbslam3"});
-  for (const char* said : {"cam0", "cam1", "fx", "k4", "deg from the axis", "rms", "max", " at (", "share", "lost:", "proof: ORB-SLAM3 V1.0", "Camera.fps", "Camera.RGB", "ORBextractor", "Viewer"}) {
+  for (const char* said : {"cam0", "cam1", "fx", "k4", "deg from the axis", "rms", "max", " at (", "share",
+                           "lost:", "proof: ORB-SLAM3 V1.0", "Camera.fps", "Camera.RGB", "ORBextractor", "Viewer"}) {
     EXPECT_TRUE(contains(run.err, said)) << said << " is not in\n" << run.err;
   }
 }
@@ -122,15 +127,19 @@ TEST(Convert, ThereAndBackThroughTheCommand) {
   ASSERT_EQ(back.cameras.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.cameras[i].model, start.cameras[i].model);
   for (const auto& [a, b] : {std::pair{"cam1", "cam0"}, std::pair{"cam0", "imu0"}}) {
-    for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(back.resolve(a, b).value().values[i], start.resolve(a, b).value().values[i], 1e-12);
+    for (std::size_t i = 0; i < 16; ++i)
+      EXPECT_NEAR(back.resolve(a, b).value().values[i], start.resolve(a, b).value().values[i], 1e-12);
   }
   EXPECT_TRUE(fs::exists(folder / "back/imu.yaml"));
 }
 
 TEST(Convert, TheSameFormatWithoutAChangeIsTheSameBytes) {
   const std::vector<std::pair<std::string, std::string>> kFiles = {
-      {"kalibr", "formats/kalibr/good/tumvi.yaml"}, {"kalibr", "formats/kalibr/good/crlf.yaml"}, {"kalibr", "formats/kalibr/good/block-style.yaml"},
-      {"orbslam3", "formats/orbslam3/good/v1-stereo-inertial.yaml"}, {"orbslam3", "formats/orbslam3/good/v1-pinhole.yaml"}};
+      {"kalibr", "formats/kalibr/good/tumvi.yaml"},
+      {"kalibr", "formats/kalibr/good/crlf.yaml"},
+      {"kalibr", "formats/kalibr/good/block-style.yaml"},
+      {"orbslam3", "formats/orbslam3/good/v1-stereo-inertial.yaml"},
+      {"orbslam3", "formats/orbslam3/good/v1-pinhole.yaml"}};
   for (const auto& [format, file] : kFiles) {
     const RunResult run = run_program({"convert", testdata(file), "--to", format});
     EXPECT_EQ(run.code, 0) << file << run.err;
@@ -156,7 +165,8 @@ TEST(Convert, ChosenCamerasComeInTheirOrderWithTheirPoses) {
   const Rig mono = rig_in(one.out);
   ASSERT_EQ(mono.cameras.size(), 1U);
   EXPECT_EQ(mono.cameras[0].model, start.cameras[1].model);
-  for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(mono.resolve("cam0", "imu0").value().values[i], start.resolve("cam1", "imu0").value().values[i], 1e-12);
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_NEAR(mono.resolve("cam0", "imu0").value().values[i], start.resolve("cam1", "imu0").value().values[i], 1e-12);
 }
 
 TEST(Convert, SensorsAreServedOrRefused) {
@@ -169,7 +179,8 @@ TEST(Convert, SensorsAreServedOrRefused) {
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(refused.out, "");
   EXPECT_TRUE(contains(refused.err, "imu.yaml")) << refused.err;
-  const RunResult depth = run_program({"convert", kEucm, "--to", "orbslam3", "--sensor", "rgbd", "--baseline", "0.05", "--max-angle", "60"});
+  const RunResult depth =
+      run_program({"convert", kEucm, "--to", "orbslam3", "--sensor", "rgbd", "--baseline", "0.05", "--max-angle", "60"});
   EXPECT_EQ(depth.code, 0) << depth.err;
   EXPECT_TRUE(loads("orbslam3", depth.out, "rgbd"));
   EXPECT_TRUE(contains(depth.out, "Stereo.b: 0.05")) << depth.out;
@@ -193,8 +204,10 @@ TEST(Convert, AnImuAloneIsAnsweredWithTheCommandThatWasMeant) {
 }
 
 TEST(Convert, MaxAngleIsTheDomain) {
-  const Json whole = json_of(run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--json"}));
-  const Json lens = json_of(run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--max-angle", "97.5", "--json"}));
+  const Json whole =
+      json_of(run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--json"}));
+  const Json lens = json_of(run_program(
+      {"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--model", "eucm", "--max-angle", "97.5", "--json"}));
   const Value& all = whole["cameras"][0];
   const Value& cut = lens["cameras"][0];
   EXPECT_NEAR(cut["domain"]["max_angle_deg"].GetDouble(), 97.5, 1e-6);
@@ -215,7 +228,8 @@ void expect_numbers(const Value& object, std::initializer_list<const char*> keys
 TEST(Convert, JsonHasTheContractsKeysAndTypes) {
   const TemporaryFolder folder;
   const std::string output = folder / "out.yaml";
-  const RunResult run = run_program({"convert", kDs, "--to", "orbslam3", "--model", "eucm", "--max-angle", "95", "-o", output, "--json"});
+  const RunResult run =
+      run_program({"convert", kDs, "--to", "orbslam3", "--model", "eucm", "--max-angle", "95", "-o", output, "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "") << "one document on stdout, nothing else";
   const Json json = json_of(run);
@@ -236,7 +250,9 @@ TEST(Convert, JsonHasTheContractsKeysAndTypes) {
     const Value& domain = camera["domain"];
     expect_numbers(domain, {"max_angle_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
     EXPECT_TRUE(domain["why"].IsString());
-    EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() + domain["unrepresentable_share"].GetDouble(), 1.0, 1e-9);
+    EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() +
+                    domain["unrepresentable_share"].GetDouble(),
+                1.0, 1e-9);
     const Value& error = camera["error_px"];
     expect_numbers(error, {"rms", "mean", "p50", "p95", "p99", "max"});
     ASSERT_EQ(error["max_at"].Size(), 2U);
@@ -335,7 +351,8 @@ TEST(Convert, ASettingsFileWithoutASizeIsNotCalledWrong) {
   const TemporaryFolder folder;
   std::string bytes = read_file(testdata("formats/orbslam3/good/orbslam2-tight.yaml"));
   bytes = with_replaced(with_replaced(bytes, "Camera.width: 640\n", ""), "Camera.height:480\n", "");
-  bytes = with_replaced(bytes, "ORBextractor.nFeatures: 1000\n", "ORBextractor.nFeatures: 1000\nORBextractor.nLevels: 8\nORBextractor.scaleFactor: 1.2\n");
+  bytes = with_replaced(bytes, "ORBextractor.nFeatures: 1000\n",
+                        "ORBextractor.nFeatures: 1000\nORBextractor.nLevels: 8\nORBextractor.scaleFactor: 1.2\n");
   const RunResult run = run_program({"convert", folder.write("orbslam2.yaml", bytes), "--to", "orbslam3"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out, bytes);

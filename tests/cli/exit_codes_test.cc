@@ -121,9 +121,10 @@ TEST(ExitCodes, ImpossibleNumbersAreBadInput) {
   for (const auto& [name, bytes] : kBad) {
     const std::string path = folder.write(std::string(name) + ".yaml", bytes);
     const std::string output = folder / (std::string(name) + ".out");
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"convert", path, "--to", "orbslam3", "-o", output},
-                                                                                     {"convert", path, "--to", "kalibr", "--model", "eucm", "-o", output},
-                                                                                     {"convert", path, "--to", "orbslam3", "--model", "ds", "-o", output}}) {
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"convert", path, "--to", "orbslam3", "-o", output},
+                                               {"convert", path, "--to", "kalibr", "--model", "eucm", "-o", output},
+                                               {"convert", path, "--to", "orbslam3", "--model", "ds", "-o", output}}) {
       const RunResult run = run_program(words);
       EXPECT_EQ(run.code, 2) << name << " " << words[3] << ": " << run.err;
       EXPECT_TRUE(contains(run.err, "error")) << name;
@@ -135,7 +136,8 @@ TEST(ExitCodes, ImpossibleNumbersAreBadInput) {
   }
 }
 
-// Kalibr refuses alpha = 1 (ConfigReader.py: 0 <= alpha < 1); a file that says so is read, converted elsewhere, and not written for Kalibr as it is.
+// Kalibr refuses alpha = 1 (ConfigReader.py: 0 <= alpha < 1); a file that says so is read, converted elsewhere, and not written
+// for Kalibr as it is.
 TEST(ExitCodes, AlphaOneIsNotWrittenForKalibr) {
   const TemporaryFolder folder;
   const std::string path = folder.write("alpha-one.yaml", with_replaced(read_file(kEucm), "0.6291060881178562", "1.0"));
@@ -155,9 +157,13 @@ TEST(ExitCodes, AlphaOneIsNotWrittenForKalibr) {
 TEST(ExitCodes, BadOptionValuesAreUsage) {
   const std::vector<std::string> convert = {"convert", kTumvi, "--to", "orbslam3", "--dry-run"};
   const std::pair<const char*, const char*> kBad[] = {
-      {"--fps", "0"},        {"--fps", "-1"},        {"--fps", "nan"},   {"--fps", "inf"},      {"--fps", "1e308"},    {"--fps", "fast"},    {"--baseline", "0"},
-      {"--baseline", "-0.1"}, {"--baseline", "nan"}, {"--max-error", "-1"}, {"--max-error", "nan"}, {"--max-angle", "0"}, {"--max-angle", "181"}, {"--max-angle", "nan"},
-      {"--max-angle", "-5"}, {"--size", "0x480"},    {"--size", "640"},  {"--size", "-640x480"}, {"--size", "640x480x2"}, {"--size", "6.5x4"},   {"--size", "99999999999x1"},
+      {"--fps", "0"},          {"--fps", "-1"},        {"--fps", "nan"},
+      {"--fps", "inf"},        {"--fps", "1e308"},     {"--fps", "fast"},
+      {"--baseline", "0"},     {"--baseline", "-0.1"}, {"--baseline", "nan"},
+      {"--max-error", "-1"},   {"--max-error", "nan"}, {"--max-angle", "0"},
+      {"--max-angle", "181"},  {"--max-angle", "nan"}, {"--max-angle", "-5"},
+      {"--size", "0x480"},     {"--size", "640"},      {"--size", "-640x480"},
+      {"--size", "640x480x2"}, {"--size", "6.5x4"},    {"--size", "99999999999x1"},
   };
   for (const auto& [option, value] : kBad) {
     std::vector<std::string> words = convert;
@@ -170,16 +176,17 @@ TEST(ExitCodes, BadOptionValuesAreUsage) {
 
 TEST(ExitCodes, AFullDeviceIsInputOutput) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"show", kTumvi},
-                                                                                   {"show", kTumvi, "--json"},
-                                                                                   {"convert", kTumvi, "--to", "orbslam3"},
-                                                                                   {"convert", kTumvi, "--to", "orbslam3", "--json"},
-                                                                                   {"convert", kTumvi, "--to", "orbslam3", "--dry-run"},
-                                                                                   {"formats"},
-                                                                                   {"models"},
-                                                                                   {"programs"},
-                                                                                   {"--help"},
-                                                                                   {"--version"}}) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"show", kTumvi},
+                                             {"show", kTumvi, "--json"},
+                                             {"convert", kTumvi, "--to", "orbslam3"},
+                                             {"convert", kTumvi, "--to", "orbslam3", "--json"},
+                                             {"convert", kTumvi, "--to", "orbslam3", "--dry-run"},
+                                             {"formats"},
+                                             {"models"},
+                                             {"programs"},
+                                             {"--help"},
+                                             {"--version"}}) {
     const RunResult run = run_program(words, {.output_path = "/dev/full"});
     EXPECT_EQ(run.code, 4) << words[0] << " " << run.err;
     EXPECT_TRUE(contains(run.err, "standard output")) << words[0] << " " << run.err;

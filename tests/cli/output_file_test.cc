@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What convert does to the file system: a path holds the old content or the new, nothing else is touched, nothing is left behind.
+// What convert does to the file system: a path holds the old content or the new, nothing else is touched, nothing is left
+// behind.
 #include "cli/run_program.h"
 
 #include <sys/stat.h>
@@ -17,7 +18,9 @@ RunResult convert(const std::vector<std::string>& more, const std::string& input
   return run_program(words);
 }
 
-bool is_settings(const std::string& bytes) { return bytes.starts_with("%YAML:1.0\n") && contains(bytes, "Camera1.fx") && bytes.ends_with("\n"); }
+bool is_settings(const std::string& bytes) {
+  return bytes.starts_with("%YAML:1.0\n") && contains(bytes, "Camera1.fx") && bytes.ends_with("\n");
+}
 
 mode_t mode_of(const std::string& path) {
   struct stat status {};
@@ -174,7 +177,8 @@ TEST(OutputFile, SeveralInputsGoIntoAFolder) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(is_settings(read_file(folder / "out/tumvi.orbslam3.yaml")));
   EXPECT_TRUE(is_settings(read_file(folder / "out/ds.orbslam3.yaml")));
-  const RunResult pattern = run_program({"convert", kTumvi, kDs, "--to", "orbslam3", "-o", folder / "{format}-{stem}-{camera}.yaml"});
+  const RunResult pattern =
+      run_program({"convert", kTumvi, kDs, "--to", "orbslam3", "-o", folder / "{format}-{stem}-{camera}.yaml"});
   EXPECT_EQ(pattern.code, 0) << pattern.err;
   EXPECT_TRUE(fs::exists(folder / "orbslam3-ds-cam0-cam1.yaml")) << pattern.out;
   EXPECT_EQ(run_program({"convert", kTumvi, kDs, "--to", "orbslam3"}).code, 3);
@@ -200,7 +204,8 @@ TEST(OutputFile, CollisionsAreRefusedBeforeAnythingIsWritten) {
     EXPECT_TRUE(contains(run.err, "two outputs")) << run.err;
   }
   // The same file under two spellings of its path.
-  const RunResult spelled = run_program({"convert", kTumvi, twin, "--to", "orbslam3", "-o", folder / "{camera}/../x.yaml", "--force"});
+  const RunResult spelled =
+      run_program({"convert", kTumvi, twin, "--to", "orbslam3", "-o", folder / "{camera}/../x.yaml", "--force"});
   EXPECT_NE(spelled.code, 0);
   EXPECT_EQ(folder.names(), std::set<std::string>{"a"});
 }

@@ -115,8 +115,10 @@ TEST(Points, OfSeveralCamerasOneMustBeChosen) {
   const RunResult run = run_program({"project", kTumvi}, {.input = "0 0 1\n"});
   EXPECT_EQ(run.code, 3);
   EXPECT_TRUE(contains(run.err, "--camera")) << run.err;
-  EXPECT_EQ(rows_of(run_program({"project", kTumvi, "--camera", "1"}, {.input = "0 0 1\n"}).out).at(0).at(0), 252.59949716835982);
-  EXPECT_EQ(rows_of(run_program({"project", kTumvi, "--camera", "cam0"}, {.input = "0 0 1\n"}).out).at(0).at(0), 254.93170605935475);
+  EXPECT_EQ(rows_of(run_program({"project", kTumvi, "--camera", "1"}, {.input = "0 0 1\n"}).out).at(0).at(0),
+            252.59949716835982);
+  EXPECT_EQ(rows_of(run_program({"project", kTumvi, "--camera", "cam0"}, {.input = "0 0 1\n"}).out).at(0).at(0),
+            254.93170605935475);
 }
 
 TEST(Points, Json) {
@@ -134,7 +136,8 @@ TEST(Show, SaysWhatTheFileMeans) {
   const RunResult run = run_program({"show", kTumvi, "--with", testdata("formats/kalibr/good/imu.yaml")});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
-  for (const char* said : {"kb4", "KannalaBrandt8", "190.978", "512 x 512", "T_cam1_cam0", "takes points in cam0 to points in cam1", "gyroscope", "200 Hz", "Kalibr: yes", "10.11"}) {
+  for (const char* said : {"kb4", "KannalaBrandt8", "190.978", "512 x 512", "T_cam1_cam0",
+                           "takes points in cam0 to points in cam1", "gyroscope", "200 Hz", "Kalibr: yes", "10.11"}) {
     EXPECT_TRUE(contains(run.out, said)) << said << " is not in\n" << run.out;
   }
 }
@@ -142,7 +145,8 @@ TEST(Show, SaysWhatTheFileMeans) {
 TEST(Show, NeverAnEscapeSequenceInAPipe) {
   const TemporaryFolder folder;
   const std::string path = folder.write("esc.yaml", with_replaced(read_file(kEucm), "/cam0/image_raw", "\"\\e[31mred\\a\""));
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"show", path}, {"show", path, "--json"}, {"convert", path, "--to", "orbslam3"}}) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"show", path}, {"show", path, "--json"}, {"convert", path, "--to", "orbslam3"}}) {
     const RunResult run = run_program(words);
     EXPECT_EQ((run.out + run.err).find('\x1b'), std::string::npos) << words[0] << ": a file's text must not drive the terminal";
     EXPECT_EQ((run.out + run.err).find('\a'), std::string::npos) << words[0];
@@ -174,7 +178,8 @@ TEST(Show, JsonOfABadFileIsStillOneDocument) {
   ASSERT_EQ(diagnostics.Size(), 1U);
   EXPECT_STREQ(diagnostics[0]["severity"].GetString(), "error");
   EXPECT_STREQ(diagnostics[0]["code"].GetString(), "yaml-syntax");
-  EXPECT_TRUE(diagnostics[0]["line"].IsInt() && diagnostics[0]["column"].IsInt() && diagnostics[0]["message"].IsString() && diagnostics[0]["file"].IsString());
+  EXPECT_TRUE(diagnostics[0]["line"].IsInt() && diagnostics[0]["column"].IsInt() && diagnostics[0]["message"].IsString() &&
+              diagnostics[0]["file"].IsString());
 }
 
 TEST(Show, CamerasCanBeChosen) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Nothing ever crashes: every subcommand over every real file and over seeded ruins of ours ends with a code of the contract, in time.
+// Nothing ever crashes: every subcommand over every real file and over seeded ruins of ours ends with a code of the contract,
+// in time.
 #include "cli/run_program.h"
 
 #include <algorithm>
@@ -12,9 +13,13 @@ namespace {
 
 constexpr double kLimitSeconds = 5.0;
 
-const std::vector<std::vector<std::string>> kCommands = {
-    {"show"}, {"show", "--json"}, {"convert", "--to", "orbslam3"}, {"convert", "--to", "kalibr"}, {"convert", "--to", "orbslam3", "--model", "eucm", "--json"},
-    {"project", "--camera", "0"}, {"unproject", "--camera", "0"}};
+const std::vector<std::vector<std::string>> kCommands = {{"show"},
+                                                         {"show", "--json"},
+                                                         {"convert", "--to", "orbslam3"},
+                                                         {"convert", "--to", "kalibr"},
+                                                         {"convert", "--to", "orbslam3", "--model", "eucm", "--json"},
+                                                         {"project", "--camera", "0"},
+                                                         {"unproject", "--camera", "0"}};
 
 std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -35,8 +40,11 @@ class Watch {
     for (const std::string& word : command) spelled += word + " ";
     const bool ended_well = !run.timed_out && run.signal == 0 && run.code >= 0 && run.code <= 4;
     EXPECT_FALSE(run.timed_out) << what << ": " << spelled << " takes more than " << kLimitSeconds << " s";
-    EXPECT_TRUE(run.timed_out || ended_well) << what << ": " << spelled << " ends with code " << run.code << ", signal " << run.signal << "\n" << run.err;
-    EXPECT_TRUE(!ended_well || run.code == 0 || run.code == 1 || !run.err.empty() || contains(run.out, "\"severity\"")) << what << ": " << spelled << " fails without a word";
+    EXPECT_TRUE(run.timed_out || ended_well)
+        << what << ": " << spelled << " ends with code " << run.code << ", signal " << run.signal << "\n"
+        << run.err;
+    EXPECT_TRUE(!ended_well || run.code == 0 || run.code == 1 || !run.err.empty() || contains(run.out, "\"severity\""))
+        << what << ": " << spelled << " fails without a word";
     if (run.seconds > slowest_) {
       slowest_ = run.seconds;
       slowest_what_ = what + ": " + spelled;
@@ -76,8 +84,41 @@ TEST(Robustness, EverySubcommandOverTheCorpus) {
 /// A cut, a flipped byte, a doubled or lost piece, a number turned into an odd one.
 std::string ruined(std::string bytes, std::mt19937& random) {
   const auto place = [&random](const std::string& text) { return text.empty() ? std::size_t{0} : random() % text.size(); };
-  static const std::vector<std::string> kOdd = {"1.0e+308", "-1.0e+308", ".nan", "-.inf", "0", "0.0", "-0.0", "1e-320", "99999999999999999999", "[", "]", "{", "}", "\"", "'", "&a ", "*a", "!!x ", "|", ">",
-                                                "\t", "\r", std::string(1, '\0'), "\xFF", "\xEF\xBB\xBF", "---\n", "%YAML:1.0\n", "- ", ": ", "#", "? ", ",", "0x10", "1_0", "~"};
+  static const std::vector<std::string> kOdd = {"1.0e+308",
+                                                "-1.0e+308",
+                                                ".nan",
+                                                "-.inf",
+                                                "0",
+                                                "0.0",
+                                                "-0.0",
+                                                "1e-320",
+                                                "99999999999999999999",
+                                                "[",
+                                                "]",
+                                                "{",
+                                                "}",
+                                                "\"",
+                                                "'",
+                                                "&a ",
+                                                "*a",
+                                                "!!x ",
+                                                "|",
+                                                ">",
+                                                "\t",
+                                                "\r",
+                                                std::string(1, '\0'),
+                                                "\xFF",
+                                                "\xEF\xBB\xBF",
+                                                "---\n",
+                                                "%YAML:1.0\n",
+                                                "- ",
+                                                ": ",
+                                                "#",
+                                                "? ",
+                                                ",",
+                                                "0x10",
+                                                "1_0",
+                                                "~"};
   switch (random() % 6) {
     case 0:
       return bytes.substr(0, place(bytes));
@@ -103,7 +144,8 @@ std::string ruined(std::string bytes, std::mt19937& random) {
 TEST(Robustness, SeededRuins) {
   std::vector<std::string> sources;
   for (const char* format : {"kalibr", "orbslam3"}) {
-    for (const fs::path& path : files_in(fs::path(FCA_TESTDATA_DIR) / "formats" / format / "good")) sources.push_back(read_file(path));
+    for (const fs::path& path : files_in(fs::path(FCA_TESTDATA_DIR) / "formats" / format / "good"))
+      sources.push_back(read_file(path));
   }
   ASSERT_GE(sources.size(), 10U);
   std::mt19937 random(500);
@@ -140,7 +182,8 @@ TEST(Robustness, KnownRuins) {
 }
 
 TEST(Robustness, OptionsAloneDoNotCrash) {
-  for (const char* subcommand : {"convert", "show", "project", "unproject", "formats", "models", "programs", "--json", "-", "--", "", "."}) {
+  for (const char* subcommand :
+       {"convert", "show", "project", "unproject", "formats", "models", "programs", "--json", "-", "--", "", "."}) {
     const RunResult run = run_program({subcommand}, {.limit_seconds = kLimitSeconds});
     EXPECT_EQ(run.signal, 0) << subcommand;
     EXPECT_TRUE(run.code >= 0 && run.code <= 4) << subcommand << " " << run.code << run.err;

@@ -70,7 +70,7 @@ inline std::string read_file(const fs::path& path) {
 
 /// How a run ended.
 struct RunResult {
-  int code = -1;     ///< The exit code; -1 if a signal ended it.
+  int code = -1;  ///< The exit code; -1 if a signal ended it.
   int signal = 0;
   bool timed_out = false;
   double seconds = 0.0;
@@ -79,9 +79,9 @@ struct RunResult {
 };
 
 struct RunOptions {
-  std::string input;                ///< Standard input.
-  std::string output_path;          ///< Where standard output goes instead of into RunResult::out ("/dev/full").
-  std::string folder;               ///< Working directory; empty: a fresh one.
+  std::string input;        ///< Standard input.
+  std::string output_path;  ///< Where standard output goes instead of into RunResult::out ("/dev/full").
+  std::string folder;       ///< Working directory; empty: a fresh one.
   double limit_seconds = 60.0;
 };
 

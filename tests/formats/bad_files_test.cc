@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// testdata/formats/<format>/bad: every file stands beside what people are told about it, word for word. Adding a file adds a test:
-// put NAME.yaml there and run with FCA_WRITE_EXPECTED=1 to have NAME.yaml.expected written, then read it.
+// testdata/formats/<format>/bad: every file stands beside what people are told about it, word for word. Adding a file adds a
+// test: put NAME.yaml there and run with FCA_WRITE_EXPECTED=1 to have NAME.yaml.expected written, then read it.
 //
-// A file can be bad in three ways, and NAME.yaml.expected holds them in this order: the reader refuses or warns; the numbers are no
-// camera (validate); it is a camera, but the format's own program would
-// not load it (ask_readers; its first reason).
+// A file can be bad in three ways, and NAME.yaml.expected holds them in this order: the reader refuses or warns; the numbers
+// are no camera (validate); it is a camera, but the format's own program would not load it (ask_readers; its first reason).
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
@@ -57,14 +56,16 @@ std::vector<fs::path> bad_files() {
 
 std::string test_name(const testing::TestParamInfo<fs::path>& info) {
   std::string name = info.param.parent_path().parent_path().filename().string() + "_" + info.param.stem().string();
-  std::ranges::replace_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, BadFiles, testing::ValuesIn(bad_files()), test_name);
 
 TEST(BadFileFolder, HoldsEnough) {
-  for (const char* format : {"kalibr", "orbslam3"}) EXPECT_GE(files_in(testdata_dir() / format / "bad", ".yaml").size(), 12U) << format;
+  for (const char* format : {"kalibr", "orbslam3"})
+    EXPECT_GE(files_in(testdata_dir() / format / "bad", ".yaml").size(), 12U) << format;
   for (const char* format : {"kalibr", "orbslam3"}) {
     for (const fs::path& path : files_in(testdata_dir() / format / "bad", ".expected")) {
       EXPECT_TRUE(fs::exists(path.parent_path() / path.stem())) << path << " explains a file that is not there";
@@ -79,7 +80,8 @@ std::string codes_of(const std::string& bytes) {
   return parsed.codes();
 }
 
-// diagnostics.h names the code. A matrix whose 3 x 3 part scales or mirrors moves every point wrongly; the reader sees it first.
+// diagnostics.h names the code. A matrix whose 3 x 3 part scales or mirrors moves every point wrongly; the reader sees it
+// first.
 TEST(BadPoses, APoseThatIsNoRotationIsSaid) {
   const std::string chain = read_file(testdata_dir() / "kalibr/good/flat-transforms.yaml");
   EXPECT_EQ(codes_of(with_replaced(chain, "T_cam_imu: [0.0, 1.0", "T_cam_imu: [0.0, 3.0")), "not-a-rotation") << "scaled";
@@ -90,14 +92,16 @@ TEST(BadPoses, APoseThatIsNoRotationIsSaid) {
 
 TEST(BadPoses, TheLastRowIsCheckedInEveryFormat) {
   const std::string settings = read_file(testdata_dir() / "orbslam3/good/v1-stereo-inertial.yaml");
-  EXPECT_EQ(codes_of(with_replaced(settings, "0.0, 0.0, 0.0, 1.0 ]", "0.0, 0.0, 0.0, 2.0 ]")), "not-a-transform") << "Stereo.T_c1_c2";
+  EXPECT_EQ(codes_of(with_replaced(settings, "0.0, 0.0, 0.0, 1.0 ]", "0.0, 0.0, 0.0, 2.0 ]")), "not-a-transform")
+      << "Stereo.T_c1_c2";
   EXPECT_EQ(codes_of(with_replaced(settings, "0.0, 0.0, 0.0, 1.0]", "0.0, 0.0, 0.5, 1.0]")), "not-a-transform") << "IMU.T_b_c1";
 }
 
 // "Camera.type 'EUCM' is none of ..., EUCM, ..." helps nobody.
 TEST(BadModels, AKnownTypeInTheWrongStyleIsNotCalledUnknown) {
   for (const char* type : {"EUCM", "DoubleSphere", "KB"}) {
-    Parsed parsed = parse(with_replaced(read_file(testdata_dir() / "orbslam3/good/v1-pinhole.yaml"), "\"PinHole\"", std::string("\"") + type + "\""));
+    Parsed parsed = parse(with_replaced(read_file(testdata_dir() / "orbslam3/good/v1-pinhole.yaml"), "\"PinHole\"",
+                                        std::string("\"") + type + "\""));
     ASSERT_TRUE(parsed.document);
     EXPECT_FALSE(read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics)) << type;
     const std::string message = parsed.diagnostics.entries().at(0).message;
@@ -107,7 +111,8 @@ TEST(BadModels, AKnownTypeInTheWrongStyleIsNotCalledUnknown) {
 
 // The caret stands under the side that is wrong.
 TEST(BadSizes, TheCaretIsUnderTheBadSide) {
-  Parsed parsed = parse(with_replaced(read_file(testdata_dir() / "orbslam3/good/v1-pinhole.yaml"), "Camera.height: 480", "Camera.height: -480"));
+  Parsed parsed = parse(
+      with_replaced(read_file(testdata_dir() / "orbslam3/good/v1-pinhole.yaml"), "Camera.height: 480", "Camera.height: -480"));
   ASSERT_TRUE(parsed.document);
   EXPECT_FALSE(read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics));
   EXPECT_EQ(parsed.source.text({parsed.diagnostics.entries().at(0).where.offset, 4}), "-480");
@@ -129,7 +134,8 @@ TEST_P(GoodFiles, AreWrittenBackByteForByte) {
   const std::string bytes = read_file(GetParam());
   const Calibration calibration = calibration_of(bytes);
   Diagnostics diagnostics;
-  const std::optional<Written> written = calibration.format->write(&calibration.documents.front(), calibration.rig, {}, diagnostics);
+  const std::optional<Written> written =
+      calibration.format->write(&calibration.documents.front(), calibration.rig, {}, diagnostics);
   ASSERT_TRUE(written);
   ASSERT_EQ(written->files.size(), 1U);
   EXPECT_EQ(written->files.front().document.bytes(), bytes);

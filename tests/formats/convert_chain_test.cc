@@ -12,8 +12,8 @@ namespace {
 
 Calibration with_imu(const std::string& chain) {
   Diagnostics diagnostics;
-  std::optional<Calibration> calibration =
-      read_calibration({document_of(chain), document_of(read_file(testdata_dir() / "kalibr/good/imu.yaml"))}, nullptr, {}, diagnostics);
+  std::optional<Calibration> calibration = read_calibration(
+      {document_of(chain), document_of(read_file(testdata_dir() / "kalibr/good/imu.yaml"))}, nullptr, {}, diagnostics);
   EXPECT_TRUE(calibration);
   return calibration ? *std::move(calibration) : Calibration();
 }
@@ -73,7 +73,8 @@ TEST(ConvertChain, BothProgramsUnderstandTheSame) {
   EXPECT_GT(compared, 400);
 }
 
-// A rotation printed with few digits is no exact rotation; its inverse's inverse is still itself (the transpose's would not be).
+// A rotation printed with few digits is no exact rotation; its inverse's inverse is still itself (the transpose's would not
+// be).
 TEST(ConvertChain, APrintedRotationSurvivesTwoInversions) {
   Rig rig = tumvi().rig;
   for (PoseEdge& edge : rig.poses) {
@@ -87,7 +88,8 @@ TEST(ConvertChain, APrintedRotationSurvivesTwoInversions) {
 TEST(ConvertChain, ASecondStatementOfTheSameFactMustAgree) {
   Diagnostics diagnostics;
   const text::Document imu = document_of(read_file(testdata_dir() / "kalibr/good/imu.yaml"));
-  const text::Document other = document_of(with_replaced(read_file(testdata_dir() / "kalibr/good/imu.yaml"), "0.0028", "0.0029"));
+  const text::Document other =
+      document_of(with_replaced(read_file(testdata_dir() / "kalibr/good/imu.yaml"), "0.0028", "0.0029"));
   EXPECT_TRUE(read_calibration({imu, imu}, nullptr, {}, diagnostics));
   EXPECT_FALSE(read_calibration({imu, other}, nullptr, {}, diagnostics));
   EXPECT_EQ(diagnostics.entries().back().code, "stated-twice");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every real file of the corpus is read, or refused for its actual defect; and what its own program refuses is said so. The folder is
-// not part of the repository: without it all is skipped.
+// Every real file of the corpus is read, or refused for its actual defect; and what its own program refuses is said so. The
+// folder is not part of the repository: without it all is skipped.
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
@@ -19,10 +19,14 @@ struct Refused {
 };
 
 constexpr Refused kRefused[] = {
-    {"kalibr/lukasvst__dm-vio__configs__oakd_calib__camchain.yaml", "missing-key", "it holds poses only; Kalibr, too, misses camera_model"},
-    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain__70a02b7.yaml", "unknown-model", "camera_model: onmi/radial"},
-    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain_yaml__camchain_Kannala.yaml", "unknown-model", "camera_model: pinhole/radial"},
-    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__imu_3Dx-GX3-35__11d5c0d.yaml", "merge-conflict", "git's markers stand in it"},
+    {"kalibr/lukasvst__dm-vio__configs__oakd_calib__camchain.yaml", "missing-key",
+     "it holds poses only; Kalibr, too, misses camera_model"},
+    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain__70a02b7.yaml", "unknown-model",
+     "camera_model: onmi/radial"},
+    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__camchain_yaml__camchain_Kannala.yaml", "unknown-model",
+     "camera_model: pinhole/radial"},
+    {"kalibr/mrastgoo__camera_imu_calibration_kalibr_viper__imu_3Dx-GX3-35__11d5c0d.yaml", "merge-conflict",
+     "git's markers stand in it"},
 };
 
 const Refused* find_refused(const std::string& file) {
@@ -74,8 +78,10 @@ TEST(Corpus, EveryFileIsReadOrRefusedForItsDefect) {
     EXPECT_EQ(outcome.calibration.has_value(), error == nullptr) << name;
     if (outcome.calibration) {
       EXPECT_EQ(expected, nullptr) << name << " is read, and the table says that it is refused";
-      EXPECT_EQ(std::string(outcome.calibration->format->id), path.parent_path().filename().string()) << name << ": " << outcome.calibration->why;
-      EXPECT_FALSE(outcome.calibration->rig.cameras.empty() && outcome.calibration->rig.imus.empty()) << name << " is read as nothing at all";
+      EXPECT_EQ(std::string(outcome.calibration->format->id), path.parent_path().filename().string())
+          << name << ": " << outcome.calibration->why;
+      EXPECT_FALSE(outcome.calibration->rig.cameras.empty() && outcome.calibration->rig.imus.empty())
+          << name << " is read as nothing at all";
       ++counted["read"];
       for (const Diagnostic& entry : outcome.diagnostics.entries()) ++counted["  with warning " + entry.code];
       continue;
@@ -101,7 +107,8 @@ TEST(Corpus, ReadAndWrittenBackIsTheSameBytes) {
     if (!outcome.calibration) continue;
     const Calibration& calibration = *outcome.calibration;
     Diagnostics diagnostics;
-    const std::optional<Written> written = calibration.format->write(&calibration.documents.front(), calibration.rig, {}, diagnostics);
+    const std::optional<Written> written =
+        calibration.format->write(&calibration.documents.front(), calibration.rig, {}, diagnostics);
     const Diagnostic* error = first_error(diagnostics);
     ASSERT_TRUE(written) << name_of(path) << ": " << (error != nullptr ? error->message : "nothing said");
     ASSERT_EQ(written->files.size(), 1U) << name_of(path);
@@ -117,7 +124,8 @@ std::string program_of(const std::string& consumer) { return std::string(consume
 
 // oracles/SUMMARY.tsv was printed by the real programs. A file they refuse we may read, but we say so.
 TEST(Corpus, WhatTheProgramRefusesIsSaid) {
-  if (!has_corpus() || !fs::exists(shared_dir() / "oracles" / "SUMMARY.tsv")) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  if (!has_corpus() || !fs::exists(shared_dir() / "oracles" / "SUMMARY.tsv"))
+    GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   std::map<std::string, int> refused;
   std::map<std::string, int> loaded;
   for (const std::string& line : split(read_file(shared_dir() / "oracles" / "SUMMARY.tsv"), '\n')) {
@@ -126,7 +134,8 @@ TEST(Corpus, WhatTheProgramRefusesIsSaid) {
     const fs::path path = shared_dir() / "corpus" / fields[0] / fields[1];
     const std::string bytes = read_file(path);
     ASSERT_FALSE(bytes.empty()) << path;
-    // The oracle loaded this file camera by camera; Kalibr's chain reader counts its extra top-level key as a camera (MANIFEST.tsv).
+    // The oracle loaded this file camera by camera; Kalibr's chain reader counts its extra top-level key as a camera
+    // (MANIFEST.tsv).
     if (fields[1].find("4seasons_calib__camchain") != std::string::npos) continue;
     const Readers readers = ask_readers(fields[0], bytes, true);
     const auto program = std::ranges::find(readers.programs, program_of(fields[2]), &Readers::Program::program);
@@ -138,7 +147,8 @@ TEST(Corpus, WhatTheProgramRefusesIsSaid) {
     }
     ++(rejected ? refused : loaded)[fields[2]];
   }
-  for (const char* consumer : {"kalibr", "orbslam3"}) std::printf("%s: %d refused, %d loaded\n", consumer, refused[consumer], loaded[consumer]);
+  for (const char* consumer : {"kalibr", "orbslam3"})
+    std::printf("%s: %d refused, %d loaded\n", consumer, refused[consumer], loaded[consumer]);
   EXPECT_GE(refused["kalibr"], 10);
   EXPECT_GE(loaded["kalibr"], 15);
   EXPECT_GE(refused["orbslam3"], 25);

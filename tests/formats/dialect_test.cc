@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// FORMATS.md section 0: the same bytes mean different things to PyYAML and to cv::FileStorage. Where the judge can be asked (the
-// consumers' PyYAML, OpenCV itself) it is, too.
+// FORMATS.md section 0: the same bytes mean different things to PyYAML and to cv::FileStorage. Where the judge can be asked
+// (the consumers' PyYAML, OpenCV itself) it is, too.
 #include "formats/test_files.h"
 #include "pyyaml.h"
 
@@ -16,7 +16,7 @@ struct Row {
   const char* spelling;
   ScalarType pyyaml;
   ScalarType opencv;
-  bool opencv_opens = true;   ///< false: cv::FileStorage stops at it
+  bool opencv_opens = true;  ///< false: cv::FileStorage stops at it
 };
 
 constexpr ScalarType kText = ScalarType::kText;
@@ -25,13 +25,43 @@ constexpr ScalarType kReal = ScalarType::kReal;
 
 // PyYAML's resolver: a sign wants a digit behind it (-.5 is a string), an exponent a point in front and a sign behind.
 constexpr Row kRows[] = {
-    {"1.5", kReal, kReal},        {"-1.5", kReal, kReal},       {"+1.5", kReal, kReal},     {"1.", kReal, kReal},       {".5", kReal, kReal},
-    {"0.0", kReal, kReal},        {"1e-5", kText, kReal},       {"1.0e5", kText, kReal},    {"1.0e-05", kReal, kReal},  {"1.0e+05", kReal, kReal},
-    {"1.5E+3", kReal, kReal},     {"1.e5", kText, kReal},       {"1E5", kText, kInteger, false}, {"20", kInteger, kInteger}, {"-3", kInteger, kInteger},
-    {"+3", kInteger, kInteger},   {"017", kInteger, kInteger},  {"0", kInteger, kInteger},  {"4000000000", kInteger, kInteger},
-    {".nan", kReal, kReal},       {".NaN", kReal, kReal},       {".Nan", kText, kReal},     {".inf", kReal, kReal},     {".Inf", kReal, kReal},
-    {"-.inf", kReal, kReal},      {"nan", kText, kText},        {"inf", kText, kText},      {"PinHole", kText, kText},  {"1,5", kText, kInteger, false},
-    {"\"1.5\"", kText, kText},    {"'20'", kText, kText},       {"-.5", kText, kReal},        {"+.5", kText, kReal},      {"-.5e-3", kText, kReal},   {"_1.5", kText, kText},     {"a1", kText, kText},       {"-x", kText, kText},
+    {"1.5", kReal, kReal},
+    {"-1.5", kReal, kReal},
+    {"+1.5", kReal, kReal},
+    {"1.", kReal, kReal},
+    {".5", kReal, kReal},
+    {"0.0", kReal, kReal},
+    {"1e-5", kText, kReal},
+    {"1.0e5", kText, kReal},
+    {"1.0e-05", kReal, kReal},
+    {"1.0e+05", kReal, kReal},
+    {"1.5E+3", kReal, kReal},
+    {"1.e5", kText, kReal},
+    {"1E5", kText, kInteger, false},
+    {"20", kInteger, kInteger},
+    {"-3", kInteger, kInteger},
+    {"+3", kInteger, kInteger},
+    {"017", kInteger, kInteger},
+    {"0", kInteger, kInteger},
+    {"4000000000", kInteger, kInteger},
+    {".nan", kReal, kReal},
+    {".NaN", kReal, kReal},
+    {".Nan", kText, kReal},
+    {".inf", kReal, kReal},
+    {".Inf", kReal, kReal},
+    {"-.inf", kReal, kReal},
+    {"nan", kText, kText},
+    {"inf", kText, kText},
+    {"PinHole", kText, kText},
+    {"1,5", kText, kInteger, false},
+    {"\"1.5\"", kText, kText},
+    {"'20'", kText, kText},
+    {"-.5", kText, kReal},
+    {"+.5", kText, kReal},
+    {"-.5e-3", kText, kReal},
+    {"_1.5", kText, kText},
+    {"a1", kText, kText},
+    {"-x", kText, kText},
 };
 
 const Node& value_in(const Document& document) { return document.root().entries.front().value; }

@@ -88,13 +88,14 @@ TEST(DocumentEdit, InsertAfterKeepsIndentationAndLineBreaks) {
       for (const char* line : all) text += line + line_break;
       return text;
     };
-    Document document = document_of(lines({"cam0:", "    a: 1   # first", "    rows:", "    - [1, 2]", "    - [3, 4]", "b: 2"}));
+    Document document =
+        document_of(lines({"cam0:", "    a: 1   # first", "    rows:", "    - [1, 2]", "    - [3, 4]", "b: 2"}));
     const Node& camera = at(document, "cam0");
     document.insert_after(camera, entry_at(camera, "a"), "new: 5");
     document.insert_after(camera, entry_at(camera, "rows"), "more:\n  - 6");
     document.insert_after(document.root(), entry_at(document.root(), "b"), "last: 7");
-    EXPECT_EQ(document.bytes(), lines({"cam0:", "    a: 1   # first", "    new: 5", "    rows:", "    - [1, 2]", "    - [3, 4]", "    more:", "      - 6",
-                                       "b: 2", "last: 7"}));
+    EXPECT_EQ(document.bytes(), lines({"cam0:", "    a: 1   # first", "    new: 5", "    rows:", "    - [1, 2]", "    - [3, 4]",
+                                       "    more:", "      - 6", "b: 2", "last: 7"}));
   }
 }
 
@@ -119,13 +120,15 @@ TEST(DocumentEdit, RemoveEntryTakesItsLinesOnly) {
       for (const char* line : all) text += line + line_break;
       return text;
     };
-    const std::string bytes = lines({"# head", "cam0:", "  a: 1 # gone with its comment", "  T:", "  - [1, 2]", "  - [3,", "     4] # end", "  z: 9", "# tail"});
+    const std::string bytes = lines({"# head", "cam0:", "  a: 1 # gone with its comment", "  T:", "  - [1, 2]", "  - [3,",
+                                     "     4] # end", "  z: 9", "# tail"});
     Document without_T = document_of(bytes);
     without_T.remove_entry(at(without_T, "cam0"), entry_at(at(without_T, "cam0"), "T"));
     EXPECT_EQ(without_T.bytes(), lines({"# head", "cam0:", "  a: 1 # gone with its comment", "  z: 9", "# tail"}));
     Document without_a = document_of(bytes);
     without_a.remove_entry(at(without_a, "cam0"), entry_at(at(without_a, "cam0"), "a"));
-    EXPECT_EQ(without_a.bytes(), lines({"# head", "cam0:", "  T:", "  - [1, 2]", "  - [3,", "     4] # end", "  z: 9", "# tail"}));
+    EXPECT_EQ(without_a.bytes(),
+              lines({"# head", "cam0:", "  T:", "  - [1, 2]", "  - [3,", "     4] # end", "  z: 9", "# tail"}));
   }
 }
 

@@ -20,14 +20,14 @@ std::string written_over(const Calibration& base, const Rig& rig) {
 
 struct Case {
   const char* file;
-  const char* spelling;    ///< The number as the file spells it; must stand there once.
+  const char* spelling;  ///< The number as the file spells it; must stand there once.
   std::size_t camera;
   const char* parameter;
 };
 
 constexpr Case kCases[] = {
     {"kalibr/good/tumvi.yaml", "190.9733070521226", 0, "fy"},
-    {"kalibr/good/tumvi.yaml", "0.00020293673591811182", 0, "k4"},   // on a continuation line
+    {"kalibr/good/tumvi.yaml", "0.00020293673591811182", 0, "k4"},  // on a continuation line
     {"kalibr/good/tumvi.yaml", "-0.00266312569781606", 1, "k3"},
     {"kalibr/good/crlf.yaml", "254.93170605935475", 0, "cx"},
     {"kalibr/good/crlf.yaml", "0.0003299517423931039", 1, "k4"},
@@ -90,21 +90,26 @@ const Change kChanges[] = {
     {"the time offset vanishes", [](Rig& rig) { rig.cameras[0].time_offset_s.reset(); }},
     {"a topic appears or changes", [](Rig& rig) { rig.cameras[0].topic = "/front/image"; }},
     {"the topic vanishes", [](Rig& rig) { rig.cameras[0].topic.clear(); }},
-    {"the size changes", [](Rig& rig) {
+    {"the size changes",
+     [](Rig& rig) {
        for (Camera& camera : rig.cameras) camera.image_size = ImageSize{320, 200};
      }},
-    {"every parameter changes", [](Rig& rig) {
+    {"every parameter changes",
+     [](Rig& rig) {
        for (Camera& camera : rig.cameras) {
          for (const Parameter& each : model_info(camera.model).parameters) {
-           const bool stored = each.name != "k3" || model_info(camera.model).id != "radtan";  // Kalibr has none (FORMATS.md 1.1)
+           const bool stored =
+               each.name != "k3" || model_info(camera.model).id != "radtan";  // Kalibr has none (FORMATS.md 1.1)
            if (stored) set_parameter(camera.model, each.name, parameter(camera.model, each.name).value() + 0.015625);
          }
        }
      }},
-    {"the model changes", [](Rig& rig) {
+    {"the model changes",
+     [](Rig& rig) {
        for (Camera& camera : rig.cameras) camera.model = sample_model("kb4");
      }},
-    {"the model changes to one with fewer numbers", [](Rig& rig) {
+    {"the model changes to one with fewer numbers",
+     [](Rig& rig) {
        for (Camera& camera : rig.cameras) camera.model = sample_model("eucm");
      }},
 };
@@ -148,7 +153,8 @@ TEST(Edit, PosesOfAKalibrFile) {
     for (const Camera& camera : rig.cameras) {
       if (!rig.resolve(camera.name, "imu0")) continue;
       ASSERT_TRUE(back.resolve(camera.name, "imu0"));
-      EXPECT_LE(largest_difference(*back.resolve(camera.name, "imu0"), *rig.resolve(camera.name, "imu0")), 1e-12) << camera.name;
+      EXPECT_LE(largest_difference(*back.resolve(camera.name, "imu0"), *rig.resolve(camera.name, "imu0")), 1e-12)
+          << camera.name;
     }
   }
 }
@@ -160,8 +166,10 @@ TEST(Edit, OrbSlam3FilesSayWhatTheyWereAskedToSay) {
       SCOPED_TRACE(path.filename());
       Rig rig = calibration.rig;
       for (Camera& camera : rig.cameras) {
-        for (const char* name : {"fx", "fy", "cx", "cy"}) set_parameter(camera.model, name, parameter(camera.model, name).value() * scale);
-        camera.image_size = ImageSize{static_cast<int>(camera.image_size->width * scale), static_cast<int>(camera.image_size->height * scale)};
+        for (const char* name : {"fx", "fy", "cx", "cy"})
+          set_parameter(camera.model, name, parameter(camera.model, name).value() * scale);
+        camera.image_size =
+            ImageSize{static_cast<int>(camera.image_size->width * scale), static_cast<int>(camera.image_size->height * scale)};
         camera.frame_rate_hz = 15.0;
       }
       if (!rig.imus.empty()) rig.imus[0].rate_hz = 400.0;
@@ -178,7 +186,8 @@ TEST(Edit, OrbSlam3FilesSayWhatTheyWereAskedToSay) {
   }
 }
 
-// A V1.0 file is read by a parser with strict types: an edit must not turn a real into an int or a quoted string into a bare one.
+// A V1.0 file is read by a parser with strict types: an edit must not turn a real into an int or a quoted string into a bare
+// one.
 TEST(Edit, EditedSettingsStayLoadable) {
   const std::string bytes = read_file(testdata_dir() / "orbslam3/good/v1-stereo-inertial.yaml");
   const Calibration calibration = calibration_of(bytes);

@@ -24,7 +24,8 @@ const std::vector<std::string> kModels = {"radtan", "kb4", "mei", "eucm", "ds", 
 constexpr RigShape kShapes[] = {{false, false}, {false, true}, {true, false}, {true, true}};
 
 TEST(KalibrWrite, EveryModelIsStored) {
-  for (const StoredModel& row : kalibr().models) EXPECT_FALSE(parameter_values(sample_model(std::string(row.model))).empty()) << row.model;
+  for (const StoredModel& row : kalibr().models)
+    EXPECT_FALSE(parameter_values(sample_model(std::string(row.model))).empty()) << row.model;
   EXPECT_GE(kalibr().models.size(), 8U);
 }
 
@@ -76,7 +77,8 @@ TEST(KalibrWrite, KalibrLoadsItAndAgrees) {
       const ProofResult proof = prove(*consumers::find_consumer("kalibr"), chain_of(written), {}, rig);
       EXPECT_TRUE(proof.loads) << row.model << ": " << (proof.refusals.empty() ? "" : proof.refusals.front());
       EXPECT_TRUE(proof.agrees()) << row.model << ": " << proof.max_diff_px << " px, poses " << proof.max_diff_pose;
-      // FovDistortion.hpp replaces atan by its argument for r^2 < 1e-5: (2 tan(w/2) r)^3 f / (3 w) = 3e-6 px of Kalibr's own error.
+      // FovDistortion.hpp replaces atan by its argument for r^2 < 1e-5: (2 tan(w/2) r)^3 f / (3 w) = 3e-6 px of Kalibr's own
+      // error.
       EXPECT_LE(proof.max_diff_px, row.model == "fov" ? 3e-6 : 1e-9) << row.model;
       EXPECT_GT(proof.compared_share, 0.5) << row.model;
     }
@@ -168,7 +170,8 @@ TEST(KalibrWrite, TheImuGoesToItsOwnFile) {
 }
 
 TEST(KalibrWrite, OddTopicsSurvive) {
-  for (const char* topic : {"/cam0/image_raw", "cam0", "/a b", "a: b # c", "true", "1.5", "it's \"quoted\"", "back\\slash", "/c\xC3\xA4m", "- x", "null", "/x:y"}) {
+  for (const char* topic : {"/cam0/image_raw", "cam0", "/a b", "a: b # c", "true", "1.5", "it's \"quoted\"", "back\\slash",
+                            "/c\xC3\xA4m", "- x", "null", "/x:y"}) {
     Rig rig = sample_rig("kb4", {false, false});
     rig.cameras[0].topic = topic;
     const std::string bytes = chain_of(write(rig));
@@ -184,7 +187,9 @@ TEST(KalibrWrite, WhatItCannotHoldIsALossOrAnError) {
   rig.cameras[0].frame_rate_hz = 20.0;
   rig.baseline_m = 0.1;
   const Written written = write(rig);
-  const auto has = [&written](const std::string& code) { return std::ranges::find(written.losses, code, &Loss::code) != written.losses.end(); };
+  const auto has = [&written](const std::string& code) {
+    return std::ranges::find(written.losses, code, &Loss::code) != written.losses.end();
+  };
   EXPECT_TRUE(has("frame-rate-dropped"));
   EXPECT_TRUE(has("baseline-dropped"));
 

@@ -4,8 +4,8 @@
 // A row is compared where both have a pixel. Excepted, and counted:
 //   nan       the program itself calls the ray invalid;
 //   mirrored  the program divides by z and prints the mirror image of a ray at or behind 90 degrees;
-//   folded    the program prints a pixel although its image radius has stopped growing on the way out to that ray (we say nothing);
-//   misread   ORB-SLAM3's second camera with the first one's lens coefficients (FORMATS.md 3.2).
+//   folded    the program prints a pixel although its image radius has stopped growing on the way out to that ray (we say
+//   nothing); misread   ORB-SLAM3's second camera with the first one's lens coefficients (FORMATS.md 3.2).
 // Mirrored and folded are established from the program's own formula (formats/consumers), not from our answer.
 #include "formats/test_files.h"
 
@@ -39,7 +39,8 @@ Table read_table(const fs::path& path) {
       table.file = fields.at(0).substr(std::string("# corpus file: ").size());
       table.camera = std::stoul(fields.at(1).substr(std::string("camera index: ").size()));
     } else if (line.starts_with("project\t")) {
-      table.rows.push_back({{std::stod(fields.at(1)), std::stod(fields.at(2)), std::stod(fields.at(3))}, {std::stod(fields.at(4)), std::stod(fields.at(5))}});
+      table.rows.push_back({{std::stod(fields.at(1)), std::stod(fields.at(2)), std::stod(fields.at(3))},
+                            {std::stod(fields.at(4)), std::stod(fields.at(5))}});
     }
   }
   return table;
@@ -51,8 +52,8 @@ struct Counts {
   int mirrored = 0;
   int folded = 0;
   int misread = 0;
-  int behind = 0;    ///< Compared at or beyond 90 degrees.
-  double worst = 0.0;   ///< In units of what the row allows.
+  int behind = 0;      ///< Compared at or beyond 90 degrees.
+  double worst = 0.0;  ///< In units of what the row allows.
 };
 
 /// Whether the program's image radius falls anywhere between the axis and the ray, on the ray's azimuth.
@@ -79,7 +80,8 @@ Pixel kannala_brandt(const CameraModel& model, const Ray& ray) {
   const auto p = [&model](const char* name) { return parameter(model, name).value(); };
   const double r = std::hypot(ray[0], ray[1]);
   const double theta = std::atan2(r, ray[2]);
-  const double distorted = theta * (1.0 + p("k1") * std::pow(theta, 2) + p("k2") * std::pow(theta, 4) + p("k3") * std::pow(theta, 6) + p("k4") * std::pow(theta, 8));
+  const double distorted = theta * (1.0 + p("k1") * std::pow(theta, 2) + p("k2") * std::pow(theta, 4) +
+                                    p("k3") * std::pow(theta, 6) + p("k4") * std::pow(theta, 8));
   const double scale = r > 0.0 ? distorted / r : 1.0;
   return {p("fx") * scale * ray[0] + p("cx"), p("fy") * scale * ray[1] + p("cy")};
 }
@@ -97,8 +99,8 @@ class OracleTables {
       if (!path.string().ends_with("." + id_ + ".tsv")) continue;
       const Table table = read_table(path);
       const Counts counts = compare(table);
-      std::printf("%-100s %3zu %8d %12d %6d %8d %6d %7d  %.2g\n", table.file.c_str(), table.camera, counts.compared, counts.behind, counts.nan,
-                  counts.mirrored, counts.folded, counts.misread, counts.worst);
+      std::printf("%-100s %3zu %8d %12d %6d %8d %6d %7d  %.2g\n", table.file.c_str(), table.camera, counts.compared,
+                  counts.behind, counts.nan, counts.mirrored, counts.folded, counts.misread, counts.worst);
       ++tables;
       total_ += counts.compared;
     }
@@ -141,7 +143,8 @@ class OracleTables {
       ++counts.nan;
       return;
     }
-    const bool divides_by_z = id_ == "kalibr" && (kb4 || model_info(model).id == "radtan" || model_info(model).id == "pinhole" || model_info(model).id == "fov");
+    const bool divides_by_z = id_ == "kalibr" && (kb4 || model_info(model).id == "radtan" ||
+                                                  model_info(model).id == "pinhole" || model_info(model).id == "fov");
     const bool v1_pinhole = id_ == "orbslam3" && !kb4;
     if (row.ray[2] <= 0.0 && (divides_by_z || v1_pinhole)) {
       ++counts.mirrored;
@@ -154,13 +157,15 @@ class OracleTables {
     }
     if (!ours) {
       ++counts.folded;
-      EXPECT_TRUE(folds_before(theirs, row.ray)) << "we have no pixel for the ray " << row.ray[0] << " " << row.ray[1] << " " << row.ray[2] << ", the program "
-                                                 << row.pixel[0] << " " << row.pixel[1] << " and does not fold on the way there";
+      EXPECT_TRUE(folds_before(theirs, row.ray))
+          << "we have no pixel for the ray " << row.ray[0] << " " << row.ray[1] << " " << row.ray[2] << ", the program "
+          << row.pixel[0] << " " << row.pixel[1] << " and does not fold on the way there";
       return;
     }
     ++counts.compared;
     if (row.ray[2] <= 0.0) ++counts.behind;
-    const double tolerance = id_ == "kalibr" ? 1e-9 : 2e-4 * std::max({1.0, std::abs(row.pixel[0]) / 1000.0, std::abs(row.pixel[1]) / 1000.0});
+    const double tolerance =
+        id_ == "kalibr" ? 1e-9 : 2e-4 * std::max({1.0, std::abs(row.pixel[0]) / 1000.0, std::abs(row.pixel[1]) / 1000.0});
     const Pixel scaled = {(*ours)[0] * theirs.scale[0], (*ours)[1] * theirs.scale[1]};
     const double difference = distance(scaled, row.pixel);
     EXPECT_LE(difference, tolerance) << "at " << row.pixel[0] << " " << row.pixel[1];

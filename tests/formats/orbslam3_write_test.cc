@@ -53,8 +53,8 @@ void add(Keys& keys, const std::string& prefix, std::initializer_list<const char
 Keys keys_of_v1(const std::string& type, const std::string& sensor) {
   const bool stereo = sensor.starts_with("stereo");
   const bool depth = sensor.starts_with("rgbd");
-  Keys keys = {{"File.version", Type::kText}, {"Camera.type", Type::kText}, {"Camera.width", Type::kInt}, {"Camera.height", Type::kInt},
-               {"Camera.fps", Type::kInt},    {"Camera.RGB", Type::kInt}};
+  Keys keys = {{"File.version", Type::kText}, {"Camera.type", Type::kText}, {"Camera.width", Type::kInt},
+               {"Camera.height", Type::kInt}, {"Camera.fps", Type::kInt},   {"Camera.RGB", Type::kInt}};
   const auto add_camera = [&](const std::string& prefix) {
     add(keys, prefix, {"fx", "fy", "cx", "cy"}, Type::kReal);
     if (type == "KannalaBrandt8") add(keys, prefix, {"k1", "k2", "k3", "k4"}, Type::kReal);
@@ -75,7 +75,9 @@ Keys keys_of_v1(const std::string& type, const std::string& sensor) {
   }
   add(keys, "ORBextractor.", {"nFeatures", "nLevels", "iniThFAST", "minThFAST"}, Type::kInt);
   keys["ORBextractor.scaleFactor"] = Type::kReal;
-  add(keys, "Viewer.", {"KeyFrameSize", "KeyFrameLineWidth", "GraphLineWidth", "PointSize", "CameraSize", "CameraLineWidth", "ViewpointX", "ViewpointY", "ViewpointZ", "ViewpointF"},
+  add(keys, "Viewer.",
+      {"KeyFrameSize", "KeyFrameLineWidth", "GraphLineWidth", "PointSize", "CameraSize", "CameraLineWidth", "ViewpointX",
+       "ViewpointY", "ViewpointZ", "ViewpointF"},
       Type::kReal);
   return keys;
 }
@@ -83,7 +85,8 @@ Keys keys_of_v1(const std::string& type, const std::string& sensor) {
 /// Whole numbers everywhere, the hardest case for "float": 200 must become 200.0.
 Rig whole_numbers(Rig rig) {
   for (Camera& camera : rig.cameras) {
-    for (const char* name : {"fx", "fy", "cx", "cy"}) set_parameter(camera.model, name, std::round(parameter(camera.model, name).value()));
+    for (const char* name : {"fx", "fy", "cx", "cy"})
+      set_parameter(camera.model, name, std::round(parameter(camera.model, name).value()));
     for (const char* name : {"k1", "p1"}) set_parameter(camera.model, name, 0.0);
   }
   for (Imu& imu : rig.imus) imu.gyroscope_noise_density = 1.0;
@@ -94,7 +97,7 @@ Rig whole_numbers(Rig rig) {
 
 struct Mode {
   const char* model;
-  const char* type;      ///< As keys_of_v1 names it.
+  const char* type;  ///< As keys_of_v1 names it.
   const char* sensor;
   RigShape shape;
   bool baseline = false;
@@ -164,7 +167,8 @@ TEST(OrbSlam3Write, OrbSlam3LoadsItInItsModeAndAgrees) {
     EXPECT_EQ(written.programs, std::vector<std::string>{"orbslam3"});
     const ProofResult proof = prove(*consumers::find_consumer("orbslam3"), bytes_of(written), {mode.sensor}, rig);
     EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : proof.refusals.front());
-    EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose << ", compared " << proof.compared_share;
+    EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose << ", compared "
+                                << proof.compared_share;
     EXPECT_GT(proof.compared_share, 0.5);
   }
 }
@@ -189,12 +193,12 @@ TEST(OrbSlam3Write, ReadsBackBitEqual) {
   }
 }
 
-// Figures: a RealSense T265 as upstream's Examples/Monocular/RealSense_T265.yaml states it. Its lens bends more than TUM-VI's and its
-// image is wider: float arithmetic alone costs 2.6e-4 px there, which is no disagreement.
+// Figures: a RealSense T265 as upstream's Examples/Monocular/RealSense_T265.yaml states it. Its lens bends more than TUM-VI's
+// and its image is wider: float arithmetic alone costs 2.6e-4 px there, which is no disagreement.
 TEST(OrbSlam3Write, AT265Agrees) {
   Rig rig = sample_rig("kb4", {false, false});
-  rig.cameras[0].model = model_of("kb4", {283.794586181641, 284.952392578125, 424.865386962891, 396.590911865234, -0.0027128029614687, 0.0366887785494328,
-                                          -0.0354852788150311, 0.00590010220184922});
+  rig.cameras[0].model = model_of("kb4", {283.794586181641, 284.952392578125, 424.865386962891, 396.590911865234,
+                                          -0.0027128029614687, 0.0366887785494328, -0.0354852788150311, 0.00590010220184922});
   rig.cameras[0].image_size = ImageSize{848, 800};
   const ProofResult proof = prove(*consumers::find_consumer("orbslam3"), bytes_of(write(rig)), {"mono"}, rig);
   EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, compared " << proof.compared_share;
@@ -207,10 +211,12 @@ TEST(OrbSlam3Write, PosesPointTheRightWay) {
   const cv::FileStorage storage = opened(bytes_of(write(sample_rig("kb4", {true, true}))));
   const cv::Mat T_c1_c2 = storage["Stereo.T_c1_c2"].mat();
   const cv::Mat T_b_c1 = storage["IMU.T_b_c1"].mat();
-  const float stereo[] = {0.999999445773493F,  0.000791687752817F,  0.000694034010224F, 0.101063427414194F, -0.000823363992158F, 0.998899461915674F,
-                          0.046895490788700F,  0.001946204678584F,  -0.000656143613644F, -0.046896036240590F, 0.998899560146304F, 0.001015350132563F};
-  const float imu[] = {-0.9995250378696743F,  0.0075019185074052044F, -0.02989013031643309F, 0.045574835649698026F,  0.029615343885863205F, -0.03439736061393144F,
-                       -0.998969345370175F,   -0.071161801837997044F, -0.008522328211654736F, -0.9993800792498829F,  0.03415885127385616F,  -0.044681254117144367F};
+  const float stereo[] = {0.999999445773493F,  0.000791687752817F,  0.000694034010224F, 0.101063427414194F,
+                          -0.000823363992158F, 0.998899461915674F,  0.046895490788700F, 0.001946204678584F,
+                          -0.000656143613644F, -0.046896036240590F, 0.998899560146304F, 0.001015350132563F};
+  const float imu[] = {-0.9995250378696743F,   0.0075019185074052044F, -0.02989013031643309F, 0.045574835649698026F,
+                       0.029615343885863205F,  -0.03439736061393144F,  -0.998969345370175F,   -0.071161801837997044F,
+                       -0.008522328211654736F, -0.9993800792498829F,   0.03415885127385616F,  -0.044681254117144367F};
   for (int i = 0; i < 12; ++i) {
     EXPECT_NEAR(T_c1_c2.at<float>(i / 4, i % 4), stereo[i], 1e-7F) << i;
     EXPECT_NEAR(T_b_c1.at<float>(i / 4, i % 4), imu[i], 1e-7F) << i;
@@ -331,8 +337,8 @@ TEST(OrbSlam3Write, TheEucmDialectHasItsNumbersInK1AndK2) {
   }
 }
 
-// Both forks compute 1 / (beta (2 alpha - 1)) unguarded: at alpha <= 0.5 every point is rejected. Nothing in the registry may let
-// such a camera through as it is.
+// Both forks compute 1 / (beta (2 alpha - 1)) unguarded: at alpha <= 0.5 every point is rejected. Nothing in the registry may
+// let such a camera through as it is.
 TEST(OrbSlam3Write, EucmAtOrBelowOneHalfIsOutsideTheStoredRange) {
   const StoredModel* row = find_stored_model(orbslam3(), "eucm", false);
   ASSERT_NE(row, nullptr);
@@ -355,7 +361,8 @@ TEST(OrbSlam3Write, EucmAtOrBelowOneHalfIsRefused) {
 
 TEST(OrbSlam3Write, StockModelsAreNeverADialect) {
   for (const char* model : {"kb4", "radtan", "pinhole"}) EXPECT_TRUE(find_stored_model(orbslam3(), model, true)) << model;
-  for (const char* model : {"eucm", "ds", "ucm", "mei", "fov"}) EXPECT_FALSE(find_stored_model(orbslam3(), model, true)) << model;
+  for (const char* model : {"eucm", "ds", "ucm", "mei", "fov"})
+    EXPECT_FALSE(find_stored_model(orbslam3(), model, true)) << model;
 }
 
 TEST(OrbSlam3Write, LossesAreListed) {
@@ -369,7 +376,9 @@ TEST(OrbSlam3Write, LossesAreListed) {
     codes.insert(loss.code);
     EXPECT_FALSE(loss.what.empty() || loss.why.empty()) << loss.code;
   }
-  for (const char* code : {"time-offset-dropped", "camera-dropped", "imu-dropped", "imu-pose-dropped", "topic-dropped", "frame-rate-rounded"}) EXPECT_TRUE(codes.contains(code)) << code;
+  for (const char* code :
+       {"time-offset-dropped", "camera-dropped", "imu-dropped", "imu-pose-dropped", "topic-dropped", "frame-rate-rounded"})
+    EXPECT_TRUE(codes.contains(code)) << code;
   // t_imu = t_cam + offset: the stamp to write is t_cam + offset, so the sign stays (FORMATS.md, "Time offset").
   const Written stereo = write(rig, "stereo-inertial");
   std::string remedies;
@@ -388,7 +397,7 @@ TEST(OrbSlam3Write, WhatOneFileCannotHoldIsRefused) {
   };
   Rig sizes = sample_rig("kb4", {true, false});
   sizes.cameras[1].image_size = ImageSize{640, 480};
-  EXPECT_EQ(code_of(sizes), "image-sizes-differ");
+  EXPECT_EQ(code_of(sizes), "sensor-not-served");
   Rig models = sample_rig("kb4", {true, false});
   models.cameras[1].model = sample_model("radtan", 1);
   EXPECT_EQ(code_of(models), "models-differ");

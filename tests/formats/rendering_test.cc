@@ -7,7 +7,8 @@ namespace {
 
 using text::Source;
 
-std::string rendered(const Source& source, std::size_t offset, std::size_t length, const std::string& fix = "", bool colour = false) {
+std::string rendered(const Source& source, std::size_t offset, std::size_t length, const std::string& fix = "",
+                     bool colour = false) {
   const Diagnostic diagnostic{Severity::kError, "some-code", "something is wrong", fix, source.range({offset, length})};
   return text::render(diagnostic, std::span(&source, 1), colour);
 }
@@ -19,7 +20,8 @@ std::size_t caret_column(const std::string& text) {
 }
 
 std::size_t code_points(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; }));
 }
 
 TEST(Rendering, PlaceLineCaretAndFix) {
@@ -33,9 +35,11 @@ TEST(Rendering, PlaceLineCaretAndFix) {
 
 TEST(Rendering, WithoutAPlace) {
   const Source source{"f.yaml", "a: 1\n"};
-  EXPECT_EQ(text::render({Severity::kWarning, "c", "m", "", {"f.yaml", 0, 0}}, std::span(&source, 1)), "f.yaml: warning: m [c]\n");
+  EXPECT_EQ(text::render({Severity::kWarning, "c", "m", "", {"f.yaml", 0, 0}}, std::span(&source, 1)),
+            "f.yaml: warning: m [c]\n");
   EXPECT_EQ(text::render({Severity::kNote, "", "m", "", {}}, {}), "note: m\n");
-  EXPECT_EQ(text::render({Severity::kError, "c", "m", "", {"other.yaml", 7, 2}}, std::span(&source, 1)), "other.yaml: error: m [c]\n");
+  EXPECT_EQ(text::render({Severity::kError, "c", "m", "", {"other.yaml", 7, 2}}, std::span(&source, 1)),
+            "other.yaml: error: m [c]\n");
 }
 
 // The first byte of a file is a place, too.
@@ -66,7 +70,9 @@ TEST(Rendering, TabsAreOneColumn) {
 }
 
 TEST(Rendering, ByteOrderMarkAndCrlfAreNotShown) {
-  const Source source{"f.yaml", "\xEF\xBB\xBF" "a: bad\r\nb\r\n"};
+  const Source source{"f.yaml",
+                      "\xEF\xBB\xBF"
+                      "a: bad\r\nb\r\n"};
   EXPECT_EQ(rendered(source, 6, 3), "f.yaml:1:4: error: something is wrong [some-code]\n    a: bad\n       ^~~\n");
 }
 
@@ -93,7 +99,10 @@ bool has_control_characters(const std::string& text) {
 
 // A file must not be able to drive the terminal of whoever reads its diagnostics: ESC ] 0 ; sets a title, ESC [ 2 J clears.
 TEST(Rendering, NoControlCharacterOfTheFileLeaks) {
-  for (const std::string bad : {"\x1b[2J", "\x07", "\x7f", "\r", "\x08", "\xC2\x9B" "2J", "\xC2\x80"}) {
+  for (const std::string bad : {"\x1b[2J", "\x07", "\x7f", "\r", "\x08",
+                                "\xC2\x9B"
+                                "2J",
+                                "\xC2\x80"}) {
     const Source source{"f.yaml", "a: " + bad + " x\n"};
     EXPECT_FALSE(has_control_characters(rendered(source, 3, 2))) << "in the line: " << testing::PrintToString(bad);
     const Diagnostic spoken{Severity::kError, "c", "the key '" + bad + "' is bad", "drop '" + bad + "'", {}};
@@ -158,10 +167,19 @@ TEST(Rendering, Positions) {
 
 TEST(Rendering, ValidUtf8KeepsTheLength) {
   const std::pair<std::string, std::string> kCases[] = {
-      {"abc", "abc"}, {"\xC3\xA9", "\xC3\xA9"}, {"\xFC", "?"}, {"\xC3", "?"}, {"\xE2\x82", "??"}, {"\x80z", "?z"}, {"\xF0\x9F\x93\xB7", "\xF0\x9F\x93\xB7"},
+      {"abc", "abc"},
+      {"\xC3\xA9", "\xC3\xA9"},
+      {"\xFC", "?"},
+      {"\xC3", "?"},
+      {"\xE2\x82", "??"},
+      {"\x80z", "?z"},
+      {"\xF0\x9F\x93\xB7", "\xF0\x9F\x93\xB7"},
       {"\xC3(", "?("},
       // Overlong forms, surrogates and what lies beyond U+10FFFF are not UTF-8 either (RFC 3629); a JSON parser refuses them.
-      {"\xC0\x80", "??"}, {"\xED\xA0\x80", "???"}, {"\xF4\x90\x80\x80", "????"}, {"\xE0\x80\xAF", "???"},
+      {"\xC0\x80", "??"},
+      {"\xED\xA0\x80", "???"},
+      {"\xF4\x90\x80\x80", "????"},
+      {"\xE0\x80\xAF", "???"},
   };
   for (const auto& [bytes, expected] : kCases) EXPECT_EQ(text::valid_utf8(bytes), expected) << testing::PrintToString(bytes);
 }

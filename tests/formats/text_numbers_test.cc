@@ -24,9 +24,32 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Random bit patterns (every exponent, subnormals, both signs) and the values calibrations have.
 std::vector<double> sample_values(int count) {
-  std::vector<double> values = {0.0,    -0.0,   1.0,    -1.0,  20.0,   200.0,  1e15, 1e16, 1e21, 1e22, 1e23, 123456789012345680.0, 0.1,
-                                1e-4,   1e-5,   2.2e-5, 5e-324, -5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, 1e100, 1e-100,
-                                190.97847715128717, 0.5, 4294967296.0, 9007199254740993.0};
+  std::vector<double> values = {0.0,
+                                -0.0,
+                                1.0,
+                                -1.0,
+                                20.0,
+                                200.0,
+                                1e15,
+                                1e16,
+                                1e21,
+                                1e22,
+                                1e23,
+                                123456789012345680.0,
+                                0.1,
+                                1e-4,
+                                1e-5,
+                                2.2e-5,
+                                5e-324,
+                                -5e-324,
+                                2.2250738585072014e-308,
+                                1.7976931348623157e308,
+                                1e100,
+                                1e-100,
+                                190.97847715128717,
+                                0.5,
+                                4294967296.0,
+                                9007199254740993.0};
   std::mt19937_64 random(20260101);
   std::uniform_real_distribution<double> usual(-1000.0, 1000.0);
   while (static_cast<int>(values.size()) < count) {
@@ -118,9 +141,11 @@ TEST(TextNumbers, FormatRealExamples) {
 
 TEST(TextNumbers, ParseRealTakesWholeLiterals) {
   const std::pair<const char*, double> kGood[] = {
-      {"1.5", 1.5},     {"-2.", -2.0},     {"+.5", 0.5},         {".5", 0.5},       {"1e-5", 1e-5},   {"1E5", 1e5},        {"017", 17.0},
-      {"0", 0.0},       {"-0.0", -0.0},    {"1.0e+002", 100.0},  {"+1e+2", 100.0},  {".inf", kInfinity}, {"-.Inf", -kInfinity}, {"+.INF", kInfinity},
-      {"1e400", kInfinity}, {"-1e400", -kInfinity}, {"1e-400", 0.0}, {"-1e-400", -0.0}, {"5e-324", 5e-324}, {"1.7976931348623157e308", 1.7976931348623157e308},
+      {"1.5", 1.5},          {"-2.", -2.0},        {"+.5", 0.5},         {".5", 0.5},
+      {"1e-5", 1e-5},        {"1E5", 1e5},         {"017", 17.0},        {"0", 0.0},
+      {"-0.0", -0.0},        {"1.0e+002", 100.0},  {"+1e+2", 100.0},     {".inf", kInfinity},
+      {"-.Inf", -kInfinity}, {"+.INF", kInfinity}, {"1e400", kInfinity}, {"-1e400", -kInfinity},
+      {"1e-400", 0.0},       {"-1e-400", -0.0},    {"5e-324", 5e-324},   {"1.7976931348623157e308", 1.7976931348623157e308},
   };
   for (const auto& [text, value] : kGood) {
     const std::optional<double> read = parse_real(text);
@@ -146,8 +171,9 @@ TEST(TextNumbers, ParseRealOfLongLiterals) {
 }
 
 TEST(TextNumbers, ParseRealRefusesWhatIsNotANumber) {
-  for (const char* text : {"", " ", "+", "-", ".", "e5", "1e", "1e+", "--1", "+-1", "-+1", "++1", "1,5", "1.5 ", " 1.5", "1.5x", "0x10", "1_000", "nan", "inf", "infinity",
-                           "-nan", "NaN", "1.5f", "1.2.3", "12:30", "\xC2\xB2"}) {
+  for (const char* text :
+       {"",     " ",    "+",    "-",     ".",   "e5",  "1e",       "1e+",  "--1", "+-1",  "-+1",   "++1",   "1,5",     "1.5 ",
+        " 1.5", "1.5x", "0x10", "1_000", "nan", "inf", "infinity", "-nan", "NaN", "1.5f", "1.2.3", "12:30", "\xC2\xB2"}) {
     EXPECT_FALSE(parse_real(text)) << "'" << text << "'";
   }
 }
@@ -156,7 +182,8 @@ TEST(TextNumbers, ParseInt) {
   EXPECT_EQ(parse_int("512"), 512);
   EXPECT_EQ(parse_int("+5"), 5);
   EXPECT_EQ(parse_int("-2147483648"), std::numeric_limits<int>::min());
-  for (const char* text : {"", "2147483648", "4000000000", "512.0", "5e2", "0x10", " 5", "5 ", "+-5", "five"}) EXPECT_FALSE(parse_int(text)) << text;
+  for (const char* text : {"", "2147483648", "4000000000", "512.0", "5e2", "0x10", " 5", "5 ", "+-5", "five"})
+    EXPECT_FALSE(parse_int(text)) << text;
 }
 
 TEST(TextNumbers, FormatShortIsForPeople) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree of a YAML file: spans that are exactly the bytes of a value, and a diagnostic with its place for what is no calibration.
+// The tree of a YAML file: spans that are exactly the bytes of a value, and a diagnostic with its place for what is no
+// calibration.
 #include "formats/test_files.h"
 #include "text/opencv_prepass.h"
 
@@ -57,7 +58,9 @@ TEST(TextYaml, SpansAreTheValuesBytesInTheCorpus) {
 
 TEST(TextYaml, SpansSurviveCrlfBomAndUtf8) {
   expect_spans("a: 1.5\r\nb: [2.5, x]\r\nc:\r\n  - d: 4\r\n    e: 'f'\r\n");
-  expect_spans("\xEF\xBB\xBF" "a: 1.5\nb: 2\n");
+  expect_spans(
+      "\xEF\xBB\xBF"
+      "a: 1.5\nb: 2\n");
   expect_spans("# \xC3\xA9 \xE2\x82\xAC \xF0\x9F\x93\xB7\na: 1.5 # \xC3\xBC\nb: [\"\xC3\xA4\", 3, 4]\n");
   expect_spans("\xEF\xBB\xBF# \xC3\xA9\r\na: 1.5 # \xC3\xBC\r\nb: 7\r\n");
   // Latin-1, a cut sequence, an overlong one and a lone continuation: bad bytes count one each, as in the file.
@@ -65,8 +68,12 @@ TEST(TextYaml, SpansSurviveCrlfBomAndUtf8) {
 }
 
 TEST(TextYaml, SpansOfCollectionsAreTheirBytes) {
-  const Document document = document_of("a: [1, [2, 3], \"]\"] # ]\nb:\n  - 1\n  - 2\nc: {d: '}', e: 5}\nf: !!opencv-matrix\n  rows: 4\n  data: [1,\n   2]\ng: 1\n");
-  const auto spelled = [&document](const std::string& path) { return std::string(document.source().text(at(document, path).span)); };
+  const Document document = document_of(
+      "a: [1, [2, 3], \"]\"] # ]\nb:\n  - 1\n  - 2\nc: {d: '}', e: 5}\nf: !!opencv-matrix\n  rows: 4\n  data: [1,\n   2]\ng: "
+      "1\n");
+  const auto spelled = [&document](const std::string& path) {
+    return std::string(document.source().text(at(document, path).span));
+  };
   EXPECT_EQ(spelled("a"), "[1, [2, 3], \"]\"]");
   EXPECT_EQ(spelled("a/1"), "[2, 3]");
   EXPECT_EQ(spelled("b"), "- 1\n  - 2");
@@ -100,7 +107,8 @@ TEST(TextYaml, TheFirstLineDecidesTheSyntax) {
 // FORMATS.md 0: every ORB-SLAM2 example has "Viewer.PointSize:2".
 TEST(TextYaml, OpenCvKeysNeedNoBlank) {
   const std::string bytes =
-      "%YAML:1.0\nViewer.PointSize:2\nCamera.fx:517.3 # x:y\nsub:\n   deep:7\n   'quo:ted': 1\nurl: \"http://a:80\"\n# c:d\nlist: [ 1, \"a:1\",\n"
+      "%YAML:1.0\nViewer.PointSize:2\nCamera.fx:517.3 # x:y\nsub:\n   deep:7\n   'quo:ted': 1\nurl: \"http://a:80\"\n# "
+      "c:d\nlist: [ 1, \"a:1\",\n"
       "  2 ]\n- x\n";
   const std::string good = bytes.substr(0, bytes.find("- x"));
   expect_spans(good);
@@ -155,7 +163,8 @@ TEST(TextYaml, PlainYamlKeysNeedTheirBlank) {
   EXPECT_EQ(parse("cam0:\n  a: 1\n  rostopic:/cam0\n").codes(), "yaml-syntax");
 }
 
-// What the file's end cuts off is not complete; PyYAML refuses each of these ("while scanning a quoted scalar", "did not find expected").
+// What the file's end cuts off is not complete; PyYAML refuses each of these ("while scanning a quoted scalar", "did not find
+// expected").
 TEST(TextYaml, WhatTheEndOfTheFileCutsOffIsRefused) {
   for (const char* bytes : {"a: \"b\n", "a: 'b", "a: \"b", "a: [1, 2", "a: {b: 1", "a: [\"x\", 'y"}) {
     const Parsed parsed = parse(bytes);
@@ -166,7 +175,7 @@ TEST(TextYaml, WhatTheEndOfTheFileCutsOffIsRefused) {
 struct Refused {
   const char* what;
   std::string bytes;
-  std::string expected;   ///< The first line of the rendered diagnostic.
+  std::string expected;  ///< The first line of the rendered diagnostic.
 };
 
 std::string repeated(const std::string& part, int count) {
@@ -181,17 +190,23 @@ TEST(TextYaml, RefusalsNameTheDefectAndItsPlace) {
       {"empty", "", "file.yaml: error: the file is empty [empty-file]"},
       {"blank lines", " \r\n\t\n", "file.yaml: error: the file is empty [empty-file]"},
       {"only a BOM", "\xEF\xBB\xBF", "file.yaml: error: the file is empty [empty-file]"},
-      {"zero byte", std::string("a: 1\nb: \0 2\n", 12), "file.yaml:2:4: error: a zero byte: this is no text file (UTF-16 or binary?) [binary-file]"},
+      {"zero byte", std::string("a: 1\nb: \0 2\n", 12),
+       "file.yaml:2:4: error: a zero byte: this is no text file (UTF-16 or binary?) [binary-file]"},
       {"too large", kTwoMebibytes + "\n", "file.yaml: error: larger than 2 MiB; no calibration is [too-large]"},
-      {"anchor", "a: 1\nb: &x 2\nc: 3\n", "file.yaml:2:4: error: a YAML anchor (&name); calibration files have none [yaml-anchor]"},
-      {"anchor on a map", "a: &x\n  b: 1\n", "file.yaml:1:4: error: a YAML anchor (&name); calibration files have none [yaml-anchor]"},
+      {"anchor", "a: 1\nb: &x 2\nc: 3\n",
+       "file.yaml:2:4: error: a YAML anchor (&name); calibration files have none [yaml-anchor]"},
+      {"anchor on a map", "a: &x\n  b: 1\n",
+       "file.yaml:1:4: error: a YAML anchor (&name); calibration files have none [yaml-anchor]"},
       {"alias", "%YAML:1.0\na: 1\nb:  *x\n", "file.yaml:3:5: error: "},
-      {"documents", "a: 1\n---\nb: 2\n", "file.yaml:3:1: error: several YAML documents in one file; the programs read the first only [yaml-documents]"},
-      {"depth 65", "a: " + repeated("[", 64) + repeated("]", 64) + "\n", "file.yaml:1:67: error: nested deeper than 64 levels [too-deep]"},
+      {"documents", "a: 1\n---\nb: 2\n",
+       "file.yaml:3:1: error: several YAML documents in one file; the programs read the first only [yaml-documents]"},
+      {"depth 65", "a: " + repeated("[", 64) + repeated("]", 64) + "\n",
+       "file.yaml:1:67: error: nested deeper than 64 levels [too-deep]"},
       {"conflict", "a: 1\n<<<<<<< HEAD\nb: 2\n=======\nb: 3\n>>>>>>> x\n",
        "file.yaml:2:1: error: a git merge-conflict marker: the file holds two versions of these lines [merge-conflict]"},
       {"TAB", "a:\n\tb: 1\n", "file.yaml:2:1: error: a TAB as indentation; YAML takes only blanks there [yaml-tab]"},
-      {"TAB behind blanks", "a:\n  b: 1\n  \tc: 2\n", "file.yaml:3:3: error: a TAB as indentation; YAML takes only blanks there [yaml-tab]"},
+      {"TAB behind blanks", "a:\n  b: 1\n  \tc: 2\n",
+       "file.yaml:3:3: error: a TAB as indentation; YAML takes only blanks there [yaml-tab]"},
   };
   for (const Refused& row : kRefused) {
     const Parsed parsed = parse(row.bytes);
@@ -229,9 +244,7 @@ TEST(TextYaml, SyntaxErrorsHaveALine) {
   EXPECT_TRUE(parsed.rendered().starts_with("file.yaml:")) << parsed.rendered();
 }
 
-TEST(TextYaml, ConflictMarkersInsideTextAreText) {
-  EXPECT_TRUE(parse("# see <<<<<<< HEAD\na: \"<<<<<<< \"\n").document);
-}
+TEST(TextYaml, ConflictMarkersInsideTextAreText) { EXPECT_TRUE(parse("# see <<<<<<< HEAD\na: \"<<<<<<< \"\n").document); }
 
 }  // namespace
 }  // namespace fca::test

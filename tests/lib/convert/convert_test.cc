@@ -12,7 +12,8 @@
 namespace fca {
 namespace {
 
-std::optional<Conversion> to(const Camera& camera, const std::string& model, Diagnostics& diagnostics, std::optional<double> deg = {}) {
+std::optional<Conversion> to(const Camera& camera, const std::string& model, Diagnostics& diagnostics,
+                             std::optional<double> deg = {}) {
   ConvertOptions options;
   options.model = model;
   if (deg) options.max_angle_rad = *deg * test::kRadians;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Does a fit reach the optimum that the target model can reach? The floors were found independently of this code (42 starts, least
-// squares over every pixel).
+// Does a fit reach the optimum that the target model can reach? The floors were found independently of this code (42 starts,
+// least squares over every pixel).
 #include "known_cameras.h"
 
 #include <fca/convert/convert.h>
@@ -17,8 +17,8 @@ struct Floor {
   Camera camera;
   std::optional<double> max_angle_deg;
   const char* target;
-  double rms;          ///< px
-  double half_digit;   ///< half a unit of the last digit printed
+  double rms;         ///< px
+  double half_digit;  ///< half a unit of the last digit printed
 };
 
 std::vector<Floor> floors() {

@@ -49,8 +49,9 @@ TEST(Judge, AgreesWithEveryPixel) {
     std::optional<double> max_angle_deg;
     const char* target;
   };
-  const std::vector<Case> cases = {
-      {test::tumvi(), 97.5, "eucm"}, {test::tumvi(), {}, "eucm"}, {test::kalibr_ds(), {}, "ucm"}, {test::euroc(), {}, "kb4"}, {test::lens_220(), 110.0, "ds"}, {test::kalibr_ds(), {}, "radtan"}};
+  const std::vector<Case> cases = {{test::tumvi(), 97.5, "eucm"},   {test::tumvi(), {}, "eucm"},
+                                   {test::kalibr_ds(), {}, "ucm"},  {test::euroc(), {}, "kb4"},
+                                   {test::lens_220(), 110.0, "ds"}, {test::kalibr_ds(), {}, "radtan"}};
   for (const Case& c : cases) {
     ConvertOptions options;
     options.model = c.target;
@@ -62,7 +63,8 @@ TEST(Judge, AgreesWithEveryPixel) {
     const Judgement& j = conversion->report.judgement;
     const BruteForce truth = brute_force(c.camera.model, conversion->camera.model, *domain);
     EXPECT_NEAR(j.error.rms, truth.rms, 0.005 * truth.rms) << c.target;
-    // The true maximum lies between half pixels: never below what they show, and not above by more than the error can grow there.
+    // The true maximum lies between half pixels: never below what they show, and not above by more than the error can grow
+    // there.
     EXPECT_GE(j.error.max, truth.max * (1.0 - 1e-4)) << c.target;
     EXPECT_LE(j.error.max, truth.max * 1.02) << c.target;
     EXPECT_NEAR(j.coverage.scored, truth.share, 0.003) << c.target;

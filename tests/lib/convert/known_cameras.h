@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras with published parameters, and the error that the best camera of another model reaches on them: least squares over every
-// pixel from many starts, computed once with independent prototypes and printed to the digits given.
+// Cameras with published parameters, and the error that the best camera of another model reaches on them: least squares over
+// every pixel from many starts, computed once with independent prototypes and printed to the digits given.
 #pragma once
 
 #include <fca/rig/rig.h>
@@ -24,8 +24,8 @@ inline Camera make_camera(const CameraModel& model, ImageSize size) {
 
 /// Kalibr's sample data set, calibrated with ds (Kalibr's authors).
 inline Camera kalibr_ds() {
-  return make_camera(Intrinsics<Ds>{{348.112754378549, 347.1109973814674, 365.8121721753254, 249.3555778487899, 0.5657413673629862,
-                                     -0.24425190195168348}},
+  return make_camera(Intrinsics<Ds>{{348.112754378549, 347.1109973814674, 365.8121721753254, 249.3555778487899,
+                                     0.5657413673629862, -0.24425190195168348}},
                      {752, 480});
 }
 /// The same with eucm.
@@ -43,13 +43,15 @@ inline Camera kalibr_kb4() {
 /// EuRoC MAV data set, cam0 (Burri et al. 2016).
 inline Camera euroc() {
   return make_camera(
-      Intrinsics<Radtan>{{458.654, 457.296, 367.215, 248.375, -0.28340811, 0.07395907, 0.00019359, 1.76187114e-05, 0.0}}, {752, 480});
+      Intrinsics<Radtan>{{458.654, 457.296, 367.215, 248.375, -0.28340811, 0.07395907, 0.00019359, 1.76187114e-05, 0.0}},
+      {752, 480});
 }
 /// TUM-VI, cam0, 512 x 512 (Schubert et al. 2018); the lens reaches 97.5 degrees from the axis.
 inline Camera tumvi() {
-  return make_camera(Intrinsics<Kb4>{{190.97847715128717, 190.9733070521226, 254.93170605935475, 256.8974428996504,
-                                      0.0034823894022493434, 0.0007150348452162257, -0.0020532361418706202, 0.00020293673591811182}},
-                     {512, 512});
+  return make_camera(
+      Intrinsics<Kb4>{{190.97847715128717, 190.9733070521226, 254.93170605935475, 256.8974428996504, 0.0034823894022493434,
+                       0.0007150348452162257, -0.0020532361418706202, 0.00020293673591811182}},
+      {512, 512});
 }
 /// Like an Intel T265's, not a real one.
 inline Camera t265_like() {

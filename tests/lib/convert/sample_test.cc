@@ -35,7 +35,8 @@ TEST(Sample, WeightedSumsAreMeansOverTheDomain) {
     Camera camera;
     std::optional<double> max_angle_deg;
   };
-  for (const Case& c : {Case{test::kalibr_ds(), {}}, Case{test::tumvi(), 97.5}, Case{test::lens_220(), 110.0}, Case{test::t265_like(), 83.0}}) {
+  for (const Case& c :
+       {Case{test::kalibr_ds(), {}}, Case{test::tumvi(), 97.5}, Case{test::lens_220(), 110.0}, Case{test::t265_like(), 83.0}}) {
     Diagnostics diagnostics;
     std::optional<double> limit;
     if (c.max_angle_deg) limit = *c.max_angle_deg * test::kRadians;
@@ -48,7 +49,9 @@ TEST(Sample, WeightedSumsAreMeansOverTheDomain) {
     for (const Correspondence& s : samples) total += s.weight;
     EXPECT_NEAR(total, 1.0, 1e-12);
     // Like the squared residual of a fit: smooth, and largest at the rim.
-    const auto rim_heavy = [](const Pixel& pixel, const Ray& ray) { return std::pow(angle_from_axis(ray), 8) * (1.0 + 1e-3 * pixel[0]); };
+    const auto rim_heavy = [](const Pixel& pixel, const Ray& ray) {
+      return std::pow(angle_from_axis(ray), 8) * (1.0 + 1e-3 * pixel[0]);
+    };
     double by_samples = 0.0;
     for (const Correspondence& s : samples) by_samples += s.weight * rim_heavy(s.pixel, s.ray);
     const double by_area = mean_over_area(c.camera.model, *domain, rim_heavy);

@@ -14,8 +14,8 @@ namespace fca {
 /// What was read, with what it was read from.
 struct Calibration {
   const Format* format = nullptr;
-  std::string why;                          ///< Why that format.
-  std::vector<text::Document> documents;    ///< The main file first, then those of --with.
+  std::string why;                        ///< Why that format.
+  std::vector<text::Document> documents;  ///< The main file first, then those of --with.
   Rig rig;
 };
 

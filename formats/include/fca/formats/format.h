@@ -17,49 +17,49 @@ namespace fca {
 
 /// How a reader is to understand what a file leaves open.
 struct ReadOptions {
-  std::optional<ImageSize> image_size;   ///< For files that do not state one.
+  std::optional<ImageSize> image_size;  ///< For files that do not state one.
 };
 
 /// A way in which a format stores a camera model, and who reads it.
 struct StoredModel {
-  std::string_view model;                    ///< Our id.
-  std::string_view file_name;                ///< The file's name for it: "pinhole-equidistant", "KannalaBrandt8".
-  bool stock = true;                         ///< Read by the format's own program; false: a dialect that only forks read.
-  std::string_view read_by;                  ///< Programs, for people.
-  std::span<const ParameterRange> ranges;    ///< What the program demands beyond the model's own ranges (EUCM alpha > 0.5).
+  std::string_view model;                  ///< Our id.
+  std::string_view file_name;              ///< The file's name for it: "pinhole-equidistant", "KannalaBrandt8".
+  bool stock = true;                       ///< Read by the format's own program; false: a dialect that only forks read.
+  std::string_view read_by;                ///< Programs, for people.
+  std::span<const ParameterRange> ranges;  ///< What the program demands beyond the model's own ranges (EUCM alpha > 0.5).
 };
 
 /// Something the target format cannot carry.
 struct Loss {
-  std::string code;      ///< "time-offset-dropped"
-  std::string what;      ///< "cam0 timeshift_cam_imu 0.0021 s"
-  std::string why;       ///< "ORB-SLAM3 has no key for it"
-  std::string remedy;    ///< "add 0.0021 s to every image time stamp"; may be empty
+  std::string code;    ///< "time-offset-dropped"
+  std::string what;    ///< "cam0 timeshift_cam_imu 0.0021 s"
+  std::string why;     ///< "ORB-SLAM3 has no key for it"
+  std::string remedy;  ///< "add 0.0021 s to every image time stamp"; may be empty
 };
 
 /// A value the inputs do not state and the target demands.
 struct DefaultedValue {
   std::string key;
   std::string value;
-  bool look_at_it = false;   ///< The user must check it (fps, colour order); the others are tuning with upstream's value.
+  bool look_at_it = false;  ///< The user must check it (fps, colour order); the others are tuning with upstream's value.
 };
 
 /// What a writer is asked for.
 struct WriteOptions {
-  std::string sensor;                        ///< orbslam3: "mono", "stereo", ...; empty: the richest the rig serves.
+  std::string sensor;  ///< orbslam3: "mono", "stereo", ...; empty: the richest the rig serves.
   std::optional<double> frame_rate_hz;
 };
 
 /// What was written and what the user must know of it.
 struct Written {
   struct File {
-    text::Document document;              ///< Bytes with edits; the name is chosen by the caller.
-    std::vector<std::string> cameras;     ///< Names of the cameras in it.
+    text::Document document;           ///< Bytes with edits; the name is chosen by the caller.
+    std::vector<std::string> cameras;  ///< Names of the cameras in it.
   };
   std::vector<File> files;
-  std::string headline;                     ///< First line for people: mode, who reads it, who does not.
-  std::string sensor;                       ///< orbslam3: the mode written for.
-  std::vector<std::string> programs;        ///< Ids of the consumers meant to read it.
+  std::string headline;               ///< First line for people: mode, who reads it, who does not.
+  std::string sensor;                 ///< orbslam3: the mode written for.
+  std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
 };
@@ -67,20 +67,20 @@ struct Written {
 /// How sure a format is that a document is one of its own. 0: not at all.
 struct ProbeResult {
   int score = 0;
-  std::string why;   ///< "top-level cam0 with camera_model and intrinsics"
+  std::string why;  ///< "top-level cam0 with camera_model and intrinsics"
 };
 
 /// A row of the registry.
 struct Format {
   std::string_view id;
   std::string_view title;
-  std::string_view syntaxes;                 ///< For people: "YAML".
-  std::string_view program;                  ///< The stock program that reads it: "Kalibr".
+  std::string_view syntaxes;  ///< For people: "YAML".
+  std::string_view program;   ///< The stock program that reads it: "Kalibr".
   bool many_cameras = true;
   bool extrinsics = true;
   bool imu = true;
   bool image_size = true;
-  std::span<const std::string_view> modes = {};   ///< What WriteOptions::sensor may say; empty: nothing.
+  std::span<const std::string_view> modes = {};  ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const StoredModel> models;
 
   ProbeResult (*probe)(const text::Document& document);
@@ -88,9 +88,10 @@ struct Format {
   /// Documents that together are one calibration, or nothing with errors.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);
 
-  /// Edits `base` (a document this format read as `base_rig`) so that it says what `rig` says; only fields in which the two differ
-  /// are touched. With no base, the format's skeleton is filled in. Every model of `rig` must be one of `models`.
-  std::optional<Written> (*write)(const text::Document* base, const Rig& rig, const WriteOptions& options, Diagnostics& diagnostics);
+  /// Edits `base` (a document this format read as `base_rig`) so that it says what `rig` says; only fields in which the two
+  /// differ are touched. With no base, the format's skeleton is filled in. Every model of `rig` must be one of `models`.
+  std::optional<Written> (*write)(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                                  Diagnostics& diagnostics);
 };
 
 /// All formats, in the order in which they are listed and asked.
@@ -101,8 +102,8 @@ struct Format {
 /// The row of `format` for a model; stock rows first. Null if it cannot store it.
 [[nodiscard]] const StoredModel* find_stored_model(const Format& format, std::string_view model, bool stock_only);
 
-/// Can the format hold this camera's parameters? An error if not (EUCM's alpha for the forks, k3 in a camchain): the caller is to
-/// convert the camera first.
+/// Can the format hold this camera's parameters? An error if not (EUCM's alpha for the forks, k3 in a camchain): the caller is
+/// to convert the camera first.
 [[nodiscard]] bool stored_within(const Format& format, const Camera& camera, Diagnostics& diagnostics);
 
 }  // namespace fca

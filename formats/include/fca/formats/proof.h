@@ -18,28 +18,28 @@ namespace fca {
 struct ProofResult {
   std::string program;
   bool loads = false;
-  double max_diff_px = 0.0;             ///< Between the program's pixels and ours, where both have one.
-  double misread_px = 0.0;              ///< The same for cameras the program is known to misread; not held against the file.
-  double compared_share = 0.0;          ///< Of the rays asked, how many both answer.
-  double max_diff_pose = 0.0;           ///< Largest difference of an element of a pose both state.
-  bool pixels_agree = false;            ///< To what its precision allows; also where there was nothing to compare (no image size).
+  double max_diff_px = 0.0;     ///< Between the program's pixels and ours, where both have one.
+  double misread_px = 0.0;      ///< The same for cameras the program is known to misread; not held against the file.
+  double compared_share = 0.0;  ///< Of the rays asked, how many both answer.
+  double max_diff_pose = 0.0;   ///< Largest difference of an element of a pose both state.
+  bool pixels_agree = false;    ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
   std::vector<std::string> refusals;
-  std::vector<std::string> warnings;    ///< What it silently misreads or ignores.
+  std::vector<std::string> warnings;  ///< What it silently misreads or ignores.
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }
 };
 
 /// Would `consumer` load these bytes and understand the rig as we mean it? Rays: a lattice over each camera's image.
-[[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                                const Rig& rig);
+[[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
+                                const consumers::LoadOptions& options, const Rig& rig);
 
 /// Who reads a file, for people.
 struct Readers {
   struct Program {
     std::string program;
     bool loads = false;
-    std::vector<std::string> sensors;     ///< ORB-SLAM3 and kin: the modes it loads in.
-    std::vector<std::string> refusals;    ///< Of the mode that comes furthest.
+    std::vector<std::string> sensors;   ///< ORB-SLAM3 and kin: the modes it loads in.
+    std::vector<std::string> refusals;  ///< Of the mode that comes furthest.
     std::vector<std::string> warnings;
   };
   std::vector<Program> programs;

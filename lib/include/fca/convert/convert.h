@@ -23,9 +23,9 @@ struct ParameterRange {
 };
 
 struct ConvertOptions {
-  std::string model;                          ///< Id or alias of the target model.
-  std::optional<double> max_angle_rad;        ///< What counts as lens, from the axis; default: the whole image.
-  std::vector<ParameterRange> ranges;         ///< Of the target's parameters.
+  std::string model;                    ///< Id or alias of the target model.
+  std::optional<double> max_angle_rad;  ///< What counts as lens, from the axis; default: the whole image.
+  std::vector<ParameterRange> ranges;   ///< Of the target's parameters.
   int samples = 200;
 };
 
@@ -36,9 +36,9 @@ struct Conversion {
 };
 
 /// Converts `camera` to another model at the least-squares optimum in pixels over its domain. The same model, and a model that
-/// contains the source (ucm -> eucm, pinhole -> radtan, ...), are exact. Where the target cannot reach the whole domain (radtan from
-/// a wide lens), it is fitted to the largest cone around the axis on which it stays under 1 px rms and does not fold, with a
-/// warning. Errors: unknown model, no image size, parameters that are no camera, a domain without pixels.
+/// contains the source (ucm -> eucm, pinhole -> radtan, ...), are exact. Where the target cannot reach the whole domain (radtan
+/// from a wide lens), it is fitted to the largest cone around the axis on which it stays under 1 px rms and does not fold, with
+/// a warning. Errors: unknown model, no image size, parameters that are no camera, a domain without pixels.
 [[nodiscard]] std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics);
 
 /// Whether the model's parameters lie within the ranges.

@@ -14,8 +14,8 @@ namespace fca {
 /// The pixels of [0, width - 1] x [0, height - 1] whose ray lies within max_angle of the axis.
 struct Domain {
   ImageSize size;
-  double max_angle_rad = 0.0;   ///< From the axis; the largest angle in the domain.
-  std::string why;              ///< What decided max_angle, in words for people.
+  double max_angle_rad = 0.0;  ///< From the axis; the largest angle in the domain.
+  std::string why;             ///< What decided max_angle, in words for people.
 
   /// The source's ray of a pixel of the domain; nothing outside.
   [[nodiscard]] std::optional<Ray> ray(const CameraModel& source, const Pixel& pixel) const;

@@ -17,15 +17,15 @@ struct ErrorSummary {
   double p50 = 0.0;
   double p95 = 0.0;
   double p99 = 0.0;
-  double max = 0.0;      ///< Polished from the worst points of the lattice to the maximum between them.
-  Pixel max_at{};        ///< The source's pixel where it is.
+  double max = 0.0;  ///< Polished from the worst points of the lattice to the maximum between them.
+  Pixel max_at{};    ///< The source's pixel where it is.
 };
 
 /// Errors between two angles from the axis.
 struct ErrorBand {
   double from_deg = 0.0;
   double to_deg = 0.0;
-  double share = 0.0;    ///< Of the image's area.
+  double share = 0.0;  ///< Of the image's area.
   double rms_px = 0.0;
   double max_px = 0.0;
 };
@@ -35,8 +35,8 @@ struct Coverage {
   double max_angle_deg = 0.0;
   std::string why;
   double scored = 0.0;
-  double outside_lens = 0.0;      ///< No ray of the source, or beyond the domain's angle.
-  double unrepresentable = 0.0;   ///< The target cannot reach this ray.
+  double outside_lens = 0.0;     ///< No ray of the source, or beyond the domain's angle.
+  double unrepresentable = 0.0;  ///< The target cannot reach this ray.
 };
 
 /// What the judge says of a pair of models.
@@ -57,10 +57,10 @@ struct FitSummary {
 struct ConversionReport {
   std::string from_model;
   std::string to_model;
-  bool exact = false;                    ///< The target contains the source: same pixels by construction, no fit.
+  bool exact = false;  ///< The target contains the source: same pixels by construction, no fit.
   Judgement judgement;
   FitSummary fit;
-  std::vector<std::string> at_bound;     ///< Parameters that ended at the edge of their range.
+  std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
 };
 
 }  // namespace fca

@@ -8,7 +8,8 @@
 
 namespace fca::internal {
 
-/// Solves A x = b, A symmetric n x n row-major, b in `x` on entry. Singular directions get some solution; zeros if none is finite.
+/// Solves A x = b, A symmetric n x n row-major, b in `x` on entry. Singular directions get some solution; zeros if none is
+/// finite.
 void solve_symmetric(std::span<const double> matrix, std::span<double> x);
 
 /// Weighted least squares in N unknowns by its normal equations: rows are added one by one, nothing is stored.

@@ -97,7 +97,8 @@ struct Mei {
     if (!(internal::value_of(denominator) > 0.0)) return false;
     const T q[5] = {p[5], p[6], p[7], p[8], T(0.0)};
     T m[2];
-    if (!internal::RadialTangential::distort<kWithinDomain>(q, T(ray[0] / denominator), T(ray[1] / denominator), m)) return false;
+    if (!internal::RadialTangential::distort<kWithinDomain>(q, T(ray[0] / denominator), T(ray[1] / denominator), m))
+      return false;
     internal::to_pixel(p, m[0], m[1], pixel);
     return true;
   }

@@ -47,8 +47,8 @@ struct Rig {
   std::vector<Imu> imus;
   /// Poses as edges of a graph, as read. A file that says both T_cam_imu and T_cn_cnm1 keeps both.
   std::vector<PoseEdge> poses;
-  /// What the file states beyond this struct (rolling shutter, the program's tuning), in words: "cam0 line_delay 0.00002". A format
-  /// that has no place for it lists it as lost.
+  /// What the file states beyond this struct (rolling shutter, the program's tuning), in words: "cam0 line_delay 0.00002". A
+  /// format that has no place for it lists it as lost.
   std::vector<std::string> as_read;
   /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
   std::optional<double> baseline_m;

@@ -17,8 +17,8 @@ namespace fca::consumers {
 
 /// A camera as the program holds it after loading.
 struct ConsumerCamera {
-  std::string name;             ///< As fca names it: "cam0", "cam1", ...
-  int width = 0;                ///< Size of the image the program works on, after its own rescaling.
+  std::string name;  ///< As fca names it: "cam0", "cam1", ...
+  int width = 0;     ///< Size of the image the program works on, after its own rescaling.
   int height = 0;
   /// The program's own formula in its own precision. `ray`: x right, y down, z forward, any length. Result: pixel (u, v) at
   /// width x height, centre of the first pixel = (0, 0). Nothing where the program itself calls the ray invalid; where the
@@ -27,8 +27,8 @@ struct ConsumerCamera {
   /// Factor from pixels of the file's calibration to pixels of the program's image (1, 1 without rescaling), applied as the
   /// program does it: u' = u * scale[0], v' = v * scale[1], without a half-pixel shift.
   std::array<double, 2> scale = {1.0, 1.0};
-  /// The program is known to take this camera's numbers from the wrong place of a right file (`warnings` says how): a difference
-  /// from the file's meaning is the program's, not the file's.
+  /// The program is known to take this camera's numbers from the wrong place of a right file (`warnings` says how): a
+  /// difference from the file's meaning is the program's, not the file's.
   bool misread = false;
   /// Where the program approximates its own formula: by how much, in pixels.
   double approximation_px = 0.0;
@@ -43,9 +43,9 @@ struct ConsumerPose {
 
 /// What the program makes of a file.
 struct ConsumerView {
-  std::vector<std::string> refusals;      ///< Why the program would not run with it, one sentence each. Empty: it loads.
-  std::vector<std::string> warnings;      ///< What it would silently misread or ignore, one sentence each.
-  std::vector<ConsumerCamera> cameras;    ///< Empty where it refuses.
+  std::vector<std::string> refusals;    ///< Why the program would not run with it, one sentence each. Empty: it loads.
+  std::vector<std::string> warnings;    ///< What it would silently misread or ignore, one sentence each.
+  std::vector<ConsumerCamera> cameras;  ///< Empty where it refuses.
   std::vector<ConsumerPose> poses;
   [[nodiscard]] bool loads() const { return refusals.empty(); }
 };
@@ -58,12 +58,12 @@ struct LoadOptions {
 
 /// A row of the table of consumers.
 struct Consumer {
-  std::string_view id;         ///< "kalibr", "orbslam3", ...
-  std::string_view program;    ///< As printed: "ORB-SLAM3 V1.0".
-  std::string_view format;     ///< Id of the format it reads.
-  double tolerance_px;         ///< What its own precision allows: 1e-9 for double, 2e-4 (times max(1, |u| / 1000)) for float.
+  std::string_view id;       ///< "kalibr", "orbslam3", ...
+  std::string_view program;  ///< As printed: "ORB-SLAM3 V1.0".
+  std::string_view format;   ///< Id of the format it reads.
+  double tolerance_px;       ///< What its own precision allows: 1e-9 for double, 2e-4 (times max(1, |u| / 1000)) for float.
   ConsumerView (*load)(std::string_view bytes, const LoadOptions& options);
-  bool cameras = true;         ///< false: it reads files without a camera (Kalibr's imu.yaml).
+  bool cameras = true;  ///< false: it reads files without a camera (Kalibr's imu.yaml).
 };
 
 /// All consumers, in the order in which they are asked.

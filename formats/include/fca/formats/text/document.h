@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A parsed file with edits on its bytes. No edit, no changed byte: comments, order, quotes, CRLF, number spelling and byte order
-// mark survive because nothing rewrites them.
+// A parsed file with edits on its bytes. No edit, no changed byte: comments, order, quotes, CRLF, number spelling and byte
+// order mark survive because nothing rewrites them.
 #pragma once
 
 #include <fca/formats/text/node.h>
@@ -21,8 +21,7 @@ enum class Syntax {
 class Document {
  public:
   Document() = default;
-  Document(Source source, Syntax syntax, Node root)
-      : source_(std::move(source)), syntax_(syntax), root_(std::move(root)) {}
+  Document(Source source, Syntax syntax, Node root) : source_(std::move(source)), syntax_(syntax), root_(std::move(root)) {}
 
   [[nodiscard]] const Source& source() const { return source_; }
   [[nodiscard]] Syntax syntax() const { return syntax_; }
@@ -35,8 +34,8 @@ class Document {
   void insert(std::size_t offset, std::string text) { replace({offset, 0}, std::move(text)); }
   /// Removes an entry of a mapping: in block style the lines it stands on, in flow style it and one of its commas.
   void remove_entry(const Node& mapping, const Entry& entry);
-  /// Adds `key: value` behind `entry` of a mapping: in block style as lines of their own at its key's indentation (`lines`, without a
-  /// last line break), in flow style behind a comma.
+  /// Adds `key: value` behind `entry` of a mapping: in block style as lines of their own at its key's indentation (`lines`,
+  /// without a last line break), in flow style behind a comma.
   void insert_after(const Node& mapping, const Entry& entry, const std::string& lines);
 
   [[nodiscard]] bool edited() const { return !edits_.empty(); }

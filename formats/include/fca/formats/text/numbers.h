@@ -15,8 +15,8 @@ namespace fca::text {
 /// A whole decimal integer literal that fits.
 [[nodiscard]] std::optional<int> parse_int(std::string_view text);
 
-/// The shortest decimal that reads back as the same double, always recognisable as a real by PyYAML, yaml-cpp and cv::FileStorage
-/// alike: with a point, and in exponents with point and sign ("20.0", "2.0e-05").
+/// The shortest decimal that reads back as the same double, always recognisable as a real by PyYAML, yaml-cpp and
+/// cv::FileStorage alike: with a point, and in exponents with point and sign ("20.0", "2.0e-05").
 [[nodiscard]] std::string format_real(double value);
 
 /// For people: `digits` significant digits, no trailing zeros.
