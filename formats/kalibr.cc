@@ -414,7 +414,11 @@ Rig renamed(const Rig& rig) {
   return result;
 }
 
-void list_losses(const Rig& rig, Written& written) {
+/// `edits`: the file is an edited input, so what a Rig has no place for is still there.
+void list_losses(const Rig& rig, bool edits, Written& written) {
+  for (const std::string& what : rig.as_read) {
+    if (!edits) written.losses.push_back({"not-carried", what, "a camchain has no place for it", ""});
+  }
   for (const Camera& camera : rig.cameras) {
     if (camera.frame_rate_hz) {
       written.losses.push_back({"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz",
@@ -504,7 +508,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
       if (imu_document) written.files.push_back({*std::move(imu_document), {}});
     }
   }
-  list_losses(rig, written);
+  list_losses(rig, edits, written);
   written.headline = "a camchain for Kalibr";
   written.programs = {"kalibr"};
   return written;

@@ -32,6 +32,7 @@ class SettingsReader {
     read_second_camera(*layout, rig);
     read_baseline(rig);
     read_imu(rig);
+    keep_unread(rig);
   }
 
  private:
@@ -60,6 +61,23 @@ class SettingsReader {
         reader_.warning(entry.key, "duplicate-key",
                         "the key " + entry.key.value + " stands twice with different values; this one is not read");
       }
+    }
+  }
+
+  /// What the file says and a Rig has no place for: a camchain must be able to say that it drops it.
+  void keep_unread(Rig& rig) const {
+    constexpr std::string_view kSingly[] = {
+        "Camera.newWidth",     "Camera.newHeight", "Camera.imageScale",     "Camera.RGB",         "Stereo.ThDepth",   "ThDepth",
+        "RGBD.DepthMapFactor", "DepthMapFactor",   "IMU.InsertKFsWhenLost", "System.thFarPoints", "Camera.delaytoimu"};
+    constexpr std::string_view kTogether[] = {"ORBextractor.", "Viewer.", "Track.", "Robot.", "ScaleEst."};
+    for (const text::Entry& entry : document_.root().entries) {
+      if (std::ranges::find(kSingly, entry.key.value) != std::end(kSingly))
+        rig.as_read.push_back(entry.key.value + " " + entry.value.value);
+    }
+    for (const std::string_view prefix : kTogether) {
+      const bool any = std::ranges::any_of(document_.root().entries,
+                                           [prefix](const text::Entry& entry) { return entry.key.value.starts_with(prefix); });
+      if (any) rig.as_read.push_back(std::string(prefix) + "*");
     }
   }
 

@@ -19,6 +19,11 @@ constexpr std::array kSensors = {
     Sensor{"stereo", true, false, false},       Sensor{"stereo-inertial", true, false, true},
 };
 
+/// Upstream's values in Examples/*/*.yaml.
+constexpr double kThDepth = 40.0;
+constexpr double kDepthMapFactor = 1000.0;
+constexpr int kColourOrderRgb = 1;
+
 const Transform* stated_or(const Rig& rig, std::string_view a, std::string_view b, std::optional<Transform>& storage) {
   if (const Transform* T = rig.stated(a, b)) return T;
   storage = rig.resolve(a, b);
@@ -103,7 +108,7 @@ void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields)
   const auto whole_rate = static_cast<int>(std::lround(target.frame_rate_hz));
   fields.push_back(target.style == Style::kV1 ? fields::integer("Camera.fps", whole_rate)
                                               : fields::real("Camera.fps", target.frame_rate_hz));
-  fields.push_back(fields::integer("Camera.RGB", target.tuning.colour_order));
+  fields.push_back(fields::integer("Camera.RGB", target.tuning.colour_order.value_or(kColourOrderRgb)));
 }
 
 void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -114,9 +119,10 @@ void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields)
   if (!v1)
     fields.push_back(
         fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
-  fields.push_back(fields::real(v1 ? "Stereo.ThDepth" : "ThDepth", target.tuning.th_depth));
+  fields.push_back(fields::real(v1 ? "Stereo.ThDepth" : "ThDepth", target.tuning.th_depth.value_or(kThDepth)));
   if (target.sensor.depth)
-    fields.push_back(fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", target.tuning.depth_map_factor));
+    fields.push_back(
+        fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", target.tuning.depth_map_factor.value_or(kDepthMapFactor)));
 }
 
 void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -182,9 +188,9 @@ Tuning tuning_of(const text::Document& document) {
     }
     return std::nullopt;
   };
-  if (number({"Camera.RGB"}) == 0.0) tuning.colour_order = 0;
-  tuning.th_depth = number({"Stereo.ThDepth", "ThDepth"}).value_or(tuning.th_depth);
-  tuning.depth_map_factor = number({"RGBD.DepthMapFactor", "DepthMapFactor"}).value_or(tuning.depth_map_factor);
+  if (const std::optional<double> order = number({"Camera.RGB"})) tuning.colour_order = *order == 0.0 ? 0 : 1;
+  tuning.th_depth = number({"Stereo.ThDepth", "ThDepth"});
+  tuning.depth_map_factor = number({"RGBD.DepthMapFactor", "DepthMapFactor"});
   return tuning;
 }
 
@@ -223,7 +229,13 @@ constexpr std::array kDefaulted = {
     Defaulted{"DepthMapFactor", "Depth image units per metre: not in the input. Set your sensor's.", true},
 };
 
-bool applies(const Defaulted& row, const Target& target) { return row.key != "Camera.fps" || !target.frame_rate_known; }
+bool applies(const Defaulted& row, const Target& target) {
+  if (row.key == "Camera.fps") return !target.frame_rate_known;
+  if (row.key == "Camera.RGB") return !target.tuning.colour_order;
+  if (row.key.ends_with("ThDepth")) return !target.tuning.th_depth;
+  if (row.key.ends_with("DepthMapFactor")) return !target.tuning.depth_map_factor;
+  return true;
+}
 
 /// Comments that say what a key means.
 struct Heading {

@@ -8,6 +8,7 @@
 
 #include <fca/formats/format.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,11 +27,12 @@ struct Sensor {
 [[nodiscard]] std::span<const Sensor> sensors();
 [[nodiscard]] const Sensor* find_sensor(std::string_view id);
 
-/// What a file states beyond the rig and a change of style or sensor must keep; else upstream's example values.
+/// What a file states beyond the rig and a change of style or sensor must keep; nothing where it does not, then upstream's
+/// example values are written.
 struct Tuning {
-  int colour_order = 1;              ///< Camera.RGB: 1 is RGB
-  double th_depth = 40.0;            ///< close/far threshold in baselines
-  double depth_map_factor = 1000.0;  ///< depth image units per metre
+  std::optional<int> colour_order;         ///< Camera.RGB: 1 is RGB
+  std::optional<double> th_depth;          ///< close/far threshold in baselines
+  std::optional<double> depth_map_factor;  ///< depth image units per metre
 };
 [[nodiscard]] Tuning tuning_of(const text::Document& document);
 

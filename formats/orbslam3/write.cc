@@ -56,6 +56,20 @@ Sensor richest_sensor(const Rig& rig, Style style, std::string& next) {
   return best;
 }
 
+/// Rates that the style stores as ints.
+void list_rounded_rates(const Rig& rig, const Target& target, Written& written) {
+  const bool whole_fps = target.style == Style::kV1;
+  if (whole_fps && target.frame_rate_known && target.frame_rate_hz != std::round(target.frame_rate_hz)) {
+    written.losses.push_back(
+        {"frame-rate-rounded", text::format_short(target.frame_rate_hz) + " Hz", "Camera.fps must be an int", ""});
+  }
+  if (target.style == Style::kOld && target.sensor.inertial &&
+      *rig.imus.front().rate_hz != std::round(*rig.imus.front().rate_hz)) {
+    written.losses.push_back({"imu-rate-rounded", text::format_short(*rig.imus.front().rate_hz) + " Hz",
+                              "IMU.Frequency must be an int in this style", ""});
+  }
+}
+
 /// What no settings file of that style and mode can hold.
 void list_losses(const Rig& rig, const Target& target, Written& written) {
   const std::string program = target.style == Style::kSlamNoOpt ? "slam_no_opt" : "ORB-SLAM3";
@@ -98,18 +112,15 @@ void list_losses(const Rig& rig, const Target& target, Written& written) {
                               "mono settings hold none", "--sensor rgbd writes it"});
   }
   for (const std::string& what : rig.as_read) {
-    written.losses.push_back({"not-carried", what, program + "'s settings have no place for it", ""});
+    const bool depth =
+        target.sensor.depth && what.find("DepthMapFactor ") != std::string::npos && target.tuning.depth_map_factor;
+    const bool threshold = what.find("ThDepth ") != std::string::npos && target.tuning.th_depth &&
+                           (target.sensor.depth || target.sensor.two_cameras);
+    const bool carried = depth || threshold || (what.starts_with("Camera.RGB ") && target.tuning.colour_order);
+    if (!carried)
+      written.losses.push_back({"not-carried", what, "the new settings of " + program + " have no place for it", ""});
   }
-  const bool whole_fps = target.style == Style::kV1;
-  if (whole_fps && target.frame_rate_known && target.frame_rate_hz != std::round(target.frame_rate_hz)) {
-    written.losses.push_back(
-        {"frame-rate-rounded", text::format_short(target.frame_rate_hz) + " Hz", "Camera.fps must be an int", ""});
-  }
-  if (target.style == Style::kOld && target.sensor.inertial &&
-      *rig.imus.front().rate_hz != std::round(*rig.imus.front().rate_hz)) {
-    written.losses.push_back({"imu-rate-rounded", text::format_short(*rig.imus.front().rate_hz) + " Hz",
-                              "IMU.Frequency must be an int in this style", ""});
-  }
+  list_rounded_rates(rig, target, written);
 }
 
 bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
@@ -228,8 +239,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!unchanged_style && !check_cameras(rig, target, diagnostics)) return std::nullopt;
 
   Written written;
-  if (old) {
-    target.tuning = tuning_of(*base);
+  if (old) target.tuning = tuning_of(*base);
+  // Another style has other keys and other types for the same ones: such a file is composed anew, and what that drops is
+  // listed.
+  if (unchanged_style) {
     Target before{style_of(*base), sensor_of(*base, *old, style_of(*base)),
                   old->cameras.front().frame_rate_hz.value_or(kUpstreamFrameRate),
                   old->cameras.front().frame_rate_hz.has_value(), target.tuning};
@@ -237,6 +250,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(*old, before),
                   settings_fields(rig, target));
     written.files.push_back({std::move(document), {}});
+    list_rounded_rates(rig, target, written);
   } else {
     const std::vector<fields::Field> fields = settings_fields(rig, target);
     std::optional<text::Document> document =
