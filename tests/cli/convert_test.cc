@@ -298,7 +298,9 @@ TEST(Convert, JsonDefaultsHaveTheTypeOfTheirValue) {
     seen = true;
     EXPECT_TRUE(value["look_at_it"].GetBool());
     EXPECT_TRUE(value["value"].IsNumber());
-    if (value["value"].IsNumber()) EXPECT_EQ(value["value"].GetDouble(), 20.0);
+    if (value["value"].IsNumber()) {
+      EXPECT_EQ(value["value"].GetDouble(), 20.0);
+    }
   }
   EXPECT_TRUE(seen);
 }
