@@ -116,13 +116,15 @@ void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields)
   const bool v1 = target.style == Style::kV1;
   const bool states_baseline = target.sensor.depth || rectified(rig);
   if (v1 && states_baseline) fields.push_back(fields::real("Stereo.b", baseline(rig, target.sensor)));
-  if (!v1)
+  if (!v1) {
     fields.push_back(
         fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
+  }
   fields.push_back(fields::real(v1 ? "Stereo.ThDepth" : "ThDepth", target.tuning.th_depth.value_or(kThDepth)));
-  if (target.sensor.depth)
+  if (target.sensor.depth) {
     fields.push_back(
         fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", target.tuning.depth_map_factor.value_or(kDepthMapFactor)));
+  }
 }
 
 void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
