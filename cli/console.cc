@@ -18,6 +18,8 @@ Console::Console() : colour_(isatty(STDERR_FILENO) == 1 && std::getenv("NO_COLOR
 void Console::out(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
 void Console::err(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stderr); }
 
+bool Console::failed() const { return std::ferror(stdout) != 0; }
+
 void Console::show(const Diagnostics& diagnostics) const {
   for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources_, colour_));
 }

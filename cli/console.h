@@ -28,6 +28,8 @@ class Console {
   /// Bytes as they are.
   void out(std::string_view text) const;
   void err(std::string_view text) const;
+  /// Did writing to stdout fail (its reader is gone, the disk is full)? Then an endless input need not be read to its end.
+  [[nodiscard]] bool failed() const;
 
   /// Flushes stdout; kIo (and a message) if what was printed did not arrive.
   [[nodiscard]] ExitCode finish(ExitCode code) const;

@@ -69,6 +69,7 @@ ExitCode map_lines(const CameraModel& model, Mapping<In, Out> mapping, bool as_j
     std::string text;
     for (std::size_t i = 0; i < Out; ++i) text += (i > 0 ? " " : "") + (result ? digits17((*result)[i]) : std::string("nan"));
     console.out(text + "\n");
+    if (console.failed()) break;
   }
   if (as_json) {
     json.object([&] {

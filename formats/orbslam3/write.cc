@@ -117,8 +117,7 @@ void list_losses(const Rig& rig, const Target& target, Written& written) {
     const bool threshold = what.find("ThDepth ") != std::string::npos && target.tuning.th_depth &&
                            (target.sensor.depth || target.sensor.two_cameras);
     const bool carried = depth || threshold || (what.starts_with("Camera.RGB ") && target.tuning.colour_order);
-    if (!carried)
-      written.losses.push_back({"not-carried", what, "the new settings of " + program + " have no place for it", ""});
+    if (!carried) written.losses.push_back({"not-carried", what, "the new settings do not take it over", ""});
   }
   list_rounded_rates(rig, target, written);
 }
