@@ -22,10 +22,17 @@ bool keeps(const Camera& camera, const StoredModel& stored) {
   return model_info(camera.model).id == stored.model && within(camera.model, stored.ranges);
 }
 
-std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>& cameras, const StoredModel& stored,
-                                                      const ModelChoice& choice, Diagnostics& diagnostics) {
+/// Converts the first `most` cameras; a format that uses no more drops the others, and says so.
+std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>& cameras, std::size_t most,
+                                                      const StoredModel& stored, const ModelChoice& choice,
+                                                      Diagnostics& diagnostics) {
   std::vector<CameraOutcome> outcomes;
-  for (const Camera& camera : cameras) {
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const Camera& camera = cameras[i];
+    if (i >= most) {
+      outcomes.push_back({camera, camera, std::nullopt});
+      continue;
+    }
     if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty()) {
       outcomes.push_back({camera, camera, std::nullopt});
       continue;
@@ -56,7 +63,10 @@ Merit merit_of(const std::vector<CameraOutcome>& outcomes) {
 bool better(const Merit& a, const Merit& b) {
   constexpr double kSameCoverage = 1e-3;  // a share of the image finer than the lattice can tell
   if (std::abs(a.unrepresentable - b.unrepresentable) > kSameCoverage) return a.unrepresentable < b.unrepresentable;
-  return a.square_sum < b.square_sum;
+  // Nobody sees such a difference: then the order of the format's table, its usual models first, decides.
+  constexpr double kSameError = 0.96;         // rms within 2 %
+  constexpr double kNoError = 1e-6 * 1e-6;  // px^2
+  return a.square_sum < kSameError * b.square_sum && b.square_sum > kNoError;
 }
 
 std::vector<std::string> storable(const Format& format) {
@@ -77,13 +87,14 @@ std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Came
                                                   "; it holds " + enumerated(storable(format)));
       return std::nullopt;
     }
-    return convert_all(cameras, *stored, choice, diagnostics);
+    return convert_all(cameras, format.most_cameras, *stored, choice, diagnostics);
   }
 
+  const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), format.most_cameras));
   for (const StoredModel& stored : format.models) {
     const bool all_keep =
-        stored.stock && std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
-    if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
+        stored.stock && std::ranges::all_of(used, [&stored](const Camera& camera) { return keeps(camera, stored); });
+    if (all_keep) return convert_all(cameras, format.most_cameras, stored, choice, diagnostics);
   }
   std::optional<std::vector<CameraOutcome>> best;
   Diagnostics best_diagnostics;
@@ -91,7 +102,7 @@ std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Came
   for (const StoredModel& stored : format.models) {
     if (!stored.stock) continue;
     Diagnostics found;
-    std::optional<std::vector<CameraOutcome>> candidate = convert_all(cameras, stored, choice, found);
+    std::optional<std::vector<CameraOutcome>> candidate = convert_all(cameras, format.most_cameras, stored, choice, found);
     if (!candidate) {
       last_diagnostics = found;
       continue;

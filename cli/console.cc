@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "console.h"
 
+#include "diagnostics_json.h"
+#include "json.h"
+
 #include <fca/formats/text/render.h>
 
 #include <algorithm>
@@ -26,6 +29,21 @@ void Console::show(const Diagnostics& diagnostics) const {
 
 void Console::error(const std::string& message, const std::string& fix) const {
   err(text::render({Severity::kError, "", message, fix, {}}, sources_, colour_));
+}
+
+ExitCode Console::refuse(ExitCode code, const std::string& message, const std::string& fix) const {
+  error(message, fix);
+  if (!json_promised_) return code;
+  Diagnostics diagnostics;
+  diagnostics.error(code == ExitCode::kUsage ? "usage" : "refused", message, {}, fix);
+  Json json;
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    json.put("exit_code", static_cast<int>(code));
+    put_diagnostics(json, diagnostics, *this);
+  });
+  out(json.document());
+  return code;
 }
 
 ExitCode Console::finish(ExitCode code) const {

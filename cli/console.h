@@ -22,6 +22,10 @@ class Console {
   /// Renders to stderr, with colour on a terminal unless NO_COLOR is set.
   void show(const Diagnostics& diagnostics) const;
   void error(const std::string& message, const std::string& fix = {}) const;
+  /// An error that ends the command before it has a document of its own to print: as text, and under --json as a document, too.
+  [[nodiscard]] ExitCode refuse(ExitCode code, const std::string& message, const std::string& fix = {}) const;
+  /// Was --json given?
+  void promise_json() { json_promised_ = true; }
   /// Text for people, without control characters that a file may have brought in; to stdout, or beside it to stderr.
   void say(std::string_view text) const { out(text::printable(text, true)); }
   void say_aside(std::string_view text) const { err(text::printable(text, true)); }
@@ -39,6 +43,7 @@ class Console {
  private:
   std::vector<text::Source> sources_;
   bool colour_ = false;
+  bool json_promised_ = false;
 };
 
 /// kBadInput if there are errors; kIo if one of them is a file that cannot be read.

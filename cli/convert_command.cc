@@ -7,6 +7,7 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <set>
 
@@ -18,6 +19,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A value that an option of some formats takes, as an error if this format has none such.
+std::optional<std::string> not_among(const std::string& value, std::string_view option, std::string_view kind,
+                                     std::span<const std::string_view> known) {
+  if (value.empty() || std::ranges::find(known, value) != known.end()) return std::nullopt;
+  if (known.empty()) return std::string(option) + " is for orbslam3";
+  const std::vector<std::string> names(known.begin(), known.end());
+  const std::vector<std::string> near = nearest(value, names);
+  return "unknown " + std::string(kind) + " '" + value + "'" +
+         (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
+}
+
+/// The first "{...}" of a pattern that output_path() does not fill in.
+std::optional<std::string> unknown_placeholder(std::string_view pattern) {
+  constexpr std::array<std::string_view, 3> kKnown = {"{stem}", "{camera}", "{format}"};
+  for (std::size_t at = pattern.find('{'); at != std::string_view::npos; at = pattern.find('{', at + 1)) {
+    const std::size_t end = pattern.find('}', at);
+    if (end == std::string_view::npos) return std::nullopt;
+    const std::string_view placeholder = pattern.substr(at, end - at + 1);
+    if (std::ranges::find(kKnown, placeholder) == kKnown.end()) return std::string(placeholder);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
@@ -26,19 +50,16 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6))
     return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
-  const std::span<const std::string_view> modes = find_format(arguments.to)->modes;
-  if (!arguments.sensor.empty() && std::ranges::find(modes, arguments.sensor) == modes.end()) {
-    const std::vector<std::string> names(modes.begin(), modes.end());
-    if (names.empty()) return "--sensor is for orbslam3; " + arguments.to + " has no modes";
-    const std::vector<std::string> near = nearest(arguments.sensor, names);
-    return "unknown sensor mode '" + arguments.sensor + "'" +
-           (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
-  }
+  const Format& to = *find_format(arguments.to);
+  if (const auto error = not_among(arguments.sensor, "--sensor", "sensor mode", to.modes)) return error;
+  if (const auto error = not_among(arguments.orbslam3_layout, "--orbslam3-layout", "layout", to.layouts)) return error;
   const bool many = arguments.inputs.size() > 1;
   const bool one_path = !arguments.output.empty() && arguments.output.find('{') == std::string::npos &&
                         !fs::is_directory(arguments.output) && !arguments.output.ends_with('/');
   if (many && one_path) return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'";
   if (many && arguments.output.empty() && !arguments.json) return "several inputs need -o FOLDER/ (or --json)";
+  if (const std::optional<std::string> unknown = unknown_placeholder(arguments.output))
+    return "-o: there is no placeholder " + *unknown + "; there are {stem}, {camera} and {format}";
   return std::nullopt;
 }
 
@@ -77,8 +98,15 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
                                         "-o FOLDER/ writes it beside the camchain"});
       continue;
     }
-    outcome.outputs.push_back({output_path(arguments, outcome.input, outcome.written, i), file.document.bytes(), file.cameras});
+    outcome.outputs.push_back(
+        {output_path(arguments, outcome.input, outcome.written, i), file.document.bytes(), file.cameras, file.programs});
   }
+  // Cameras that no file holds are listed as lost; their fits are nobody's business.
+  std::erase_if(outcome.cameras, [&outcome](const CameraOutcome& camera) {
+    return std::ranges::none_of(outcome.outputs, [&camera](const ConvertOutcome::Output& output) {
+      return std::ranges::find(output.cameras, camera.source.name) != output.cameras.end();
+    });
+  });
 }
 
 /// A file without a camera was probably meant as a further part.
@@ -102,22 +130,30 @@ Rig converted_rig(const Calibration& calibration, const std::vector<CameraOutcom
 
 std::string disagreement(const ProofResult& proof) {
   if (!proof.loads) return "it would refuse the file: " + enumerated(proof.refusals);
-  if (!proof.poses_agree) return "an element of its poses differs by " + pixels(proof.max_diff_pose);
+  if (!proof.poses_agree) return "an element of its poses differs by " + text::format_short(proof.max_diff_pose, 3);
   if (proof.compared_share == 0.0) return "it has no pixel where we have one";
   return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
 }
 
+consumers::LoadOptions load_options(const Written& written) {
+  consumers::LoadOptions options;
+  if (!written.sensor.empty()) options.sensor = written.sensor;
+  return options;
+}
+
 /// `unchanged`: the output is the input's bytes. Then a program's refusal is the input's own defect: told, not held against us.
-void verify(const Rig& rig, bool unchanged, ConvertOutcome& outcome) {
-  for (const std::string& id : outcome.written.programs) {
+void verify(const Rig& rig, const ConvertOutcome::Output& output, bool unchanged, ConvertOutcome& outcome) {
+  for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
-    ProofResult proof = prove(*consumer, outcome.outputs.front().bytes,
-                              {outcome.written.sensor.empty() ? "mono" : outcome.written.sensor}, rig);
+    ProofResult proof = prove(*consumer, output.bytes, load_options(outcome.written), rig,
+                              output.cameras);
     const std::string program(consumer->program);
     if (!proof.agrees() && unchanged) {
-      outcome.diagnostics.warning("program-refuses", "nothing was changed, and " + program +
-                                                         " does not understand the input itself: " + disagreement(proof));
+      outcome.diagnostics.warning(
+          "program-refuses",
+          "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
+          outcome.to->layouts.empty() ? "" : "--orbslam3-layout v1 writes the settings anew, as stock V1.0 reads them");
     } else if (!proof.agrees()) {
       outcome.diagnostics.error("proof-failed",
                                 program + " would not understand what was to be written: " + disagreement(proof));
@@ -125,6 +161,34 @@ void verify(const Rig& rig, bool unchanged, ConvertOutcome& outcome) {
     }
     outcome.proofs.push_back(std::move(proof));
   }
+}
+
+/// A model that does not suit the lens is the user's choice, but one to know of.
+void warn_of_poor_fits(ConvertOutcome& outcome) {
+  constexpr double kPoorRms = 1.0;   // px
+  constexpr double kPoorMax = 10.0;  // px
+  for (const CameraOutcome& camera : outcome.cameras) {
+    if (!camera.report || camera.report->exact) continue;
+    const ErrorSummary& error = camera.report->judgement.error;
+    if (error.rms <= kPoorRms && error.max <= kPoorMax) continue;
+    outcome.diagnostics.warning("poor-fit",
+                                camera.source.name + ": " + camera.report->to_model + " does not describe this lens: rms " +
+                                    pixels(error.rms) + " px, worst pixel " + pixels(error.max) + " px",
+                                {}, "fca-io models " + outcome.input + " compares all models; --max-angle DEG if the corners are black");
+  }
+}
+
+/// Why a program would not load what is written for it; nothing if all load it.
+std::optional<std::string> refused(const Written& written) {
+  for (const Written::File& file : written.files) {
+    for (const std::string& id : file.programs) {
+      const consumers::Consumer* consumer = consumers::find_consumer(id);
+      if (consumer == nullptr) continue;
+      const consumers::ConsumerView view = consumer->load(file.document.bytes(), load_options(written));
+      if (!view.loads()) return view.refusals.front();
+    }
+  }
+  return std::nullopt;
 }
 
 void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
@@ -142,12 +206,6 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
     outcome.diagnostics.error("strict-loss", "the target cannot carry " + enumerated(what) + ", and --strict was given");
     outcome.code = ExitCode::kJudgedBad;
   }
-}
-
-/// Same layout in and out: the input document is edited, nothing is composed anew.
-const text::Document* base_document(const Calibration& calibration, const Format& to, const ConvertArguments& arguments) {
-  const bool same = calibration.format == &to && !arguments.reading.cameras && arguments.reading.with.empty();
-  return same ? &calibration.documents.front() : nullptr;
 }
 
 ConvertOutcome convert_input(const std::string& input, const ConvertArguments& arguments, Console& console) {
@@ -171,14 +229,37 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
   if (!cameras) return failed();
   outcome.cameras = *std::move(cameras);
 
+  if (arguments.baseline_m && calibration->rig.cameras.size() > 1) {
+    outcome.diagnostics.error("baseline-contradicts",
+                              "--baseline is for one camera of a rectified pair or depth sensor; here are " +
+                                  std::to_string(calibration->rig.cameras.size()) + " cameras with poses of their own",
+                              {input, 0, 0}, "choose one with --camera");
+    outcome.code = ExitCode::kUsage;
+    return failed();
+  }
+
   const Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
-  const text::Document* base = base_document(*calibration, *outcome.to, arguments);
-  std::optional<Written> written = outcome.to->write(base, rig, {arguments.sensor, arguments.fps}, outcome.diagnostics);
+  // Same format in and out: the input document is edited, nothing is composed anew.
+  const text::Document* base = calibration->format == outcome.to ? &calibration->documents.front() : nullptr;
+  const WriteOptions options = {arguments.sensor, arguments.orbslam3_layout, arguments.fps};
+  std::optional<Written> written = outcome.to->write(base, rig, options, outcome.diagnostics);
   if (!written) return failed();
+  const bool unchanged = base != nullptr && written->files.front().document.bytes() == base->source().bytes;
+  if (base != nullptr && !unchanged && !arguments.no_verify) {
+    if (const std::optional<std::string> refusal = refused(*written)) {
+      // The input's own layout (OpenVINS' first line in a camchain) is no base for a file that its program is to read.
+      written = outcome.to->write(nullptr, rig, options, outcome.diagnostics);
+      if (!written) return failed();
+      outcome.diagnostics.note("layout-not-kept", "written anew, without the input's comments, because its layout cannot be kept: " +
+                                                      *refusal);
+    }
+  }
   outcome.written = *std::move(written);
   place_outputs(arguments, outcome);
-  const bool unchanged = base != nullptr && !outcome.written.files.front().document.edited();
-  if (!arguments.no_verify) verify(rig, unchanged, outcome);
+  if (!arguments.no_verify) {
+    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, unchanged, outcome);
+  }
+  warn_of_poor_fits(outcome);
   judge_limits(arguments, outcome);
   return outcome;
 }
@@ -189,7 +270,8 @@ bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console
   for (const ConvertOutcome& outcome : outcomes) {
     for (const ConvertOutcome::Output& output : outcome.outputs) {
       if (output.path.empty() || seen.insert(output.path).second) continue;
-      console.error("two outputs would be written to " + output.path, "use a pattern such as -o 'out/{stem}.{format}.yaml'");
+      static_cast<void>(console.refuse(ExitCode::kUsage, "two outputs would be written to " + output.path,
+                                       "use a pattern such as -o 'out/{stem}.{format}.yaml'"));
       return true;
     }
   }
@@ -223,10 +305,7 @@ void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, c
 }
 
 ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = usage_error(arguments)) {
-    console.error(*error);
-    return ExitCode::kUsage;
-  }
+  if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   std::vector<ConvertOutcome> outcomes;
   for (const std::string& input : arguments.inputs) outcomes.push_back(convert_input(input, arguments, console));
   if (collide(outcomes, console)) return ExitCode::kUsage;
@@ -269,10 +348,17 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       .add_option("--sensor", arguments.sensor,
                   "orbslam3: mono, stereo, rgbd, mono-inertial or stereo-inertial (default: the richest the input serves)")
       ->type_name("MODE");
-  command.add_option("--fps", arguments.fps, "Frame rate, for formats that state it")->type_name("HZ");
-  command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")->type_name("METRES");
+  command
+      .add_option("--orbslam3-layout", arguments.orbslam3_layout,
+                  "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else v1)")
+      ->type_name("LAYOUT");
+  command.add_option("--fps", arguments.fps, "Frame rate, for formats that state it")->type_name("HZ")->check(decimal_number());
+  command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")
+      ->type_name("METRES")
+      ->check(decimal_number());
   command.add_option("--max-error", arguments.max_error_px, "Fail (exit 1, nothing written) if the worst pixel is off by more")
-      ->type_name("PX");
+      ->type_name("PX")
+      ->check(decimal_number());
   command.add_flag("--strict", arguments.strict, "Fail if anything of the input cannot be carried");
   command.add_flag("--no-verify", arguments.no_verify, "Do not ask the real program's reader about the written bytes");
   command.add_flag("--dry-run", arguments.dry_run, "Report, write nothing");

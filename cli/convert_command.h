@@ -26,6 +26,7 @@ struct ConvertArguments {
   std::string model;
   std::string output;
   std::string sensor;
+  std::string orbslam3_layout;
   std::optional<double> fps;
   std::optional<double> max_error_px;
   std::optional<double> baseline_m;
@@ -43,6 +44,7 @@ struct ConvertOutcome {
     std::string path;  ///< Empty: standard output (or the JSON).
     std::string bytes;
     std::vector<std::string> cameras;
+    std::vector<std::string> programs;
   };
   std::string input;
   const Format* from = nullptr;

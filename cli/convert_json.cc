@@ -2,19 +2,13 @@
 #include "convert_command.h"
 #include "diagnostics_json.h"
 #include "json.h"
+#include "parameters_json.h"
 
 #include <fca/formats/text/numbers.h>
 
 namespace fca::cli {
 
 namespace {
-
-void put_parameters(Json& json, const CameraModel& model) {
-  json.object("parameters", [&] {
-    const std::span<const Parameter> parameters = model_info(model).parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i) json.put(parameters[i].name, parameter_values(model)[i]);
-  });
-}
 
 void put_report(Json& json, const ConversionReport& report) {
   const Coverage& coverage = report.judgement.coverage;
@@ -73,7 +67,11 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
       json.put("to_model", model_info(camera.target.model).id);
       json.put("exact", !camera.report || camera.report->exact);
       put_parameters(json, camera.target.model);
-      if (camera.report) put_report(json, *camera.report);
+      if (camera.report) {
+        put_report(json, *camera.report);
+      } else {
+        for (const char* key : {"domain", "error_px", "bands", "fit"}) json.null(key);
+      }
     });
   });
   json.array("proof", outcome.proofs, [&](const ProofResult& proof) {
@@ -83,6 +81,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
       json.put("agrees", proof.agrees());
       json.put("max_diff_px", proof.max_diff_px);
       json.put("misread_px", proof.misread_px);
+      json.put("max_diff_pose", proof.max_diff_pose);
       json.put("refusals", std::span<const std::string>(proof.refusals));
       json.put("warnings", std::span<const std::string>(proof.warnings));
     });

@@ -37,7 +37,7 @@ std::string band_table(const std::vector<ErrorBand>& bands) {
   return text;
 }
 
-std::string report_text(const ConversionReport& report) {
+std::string report_text(const ConversionReport& report, const Format& to) {
   const Judgement& j = report.judgement;
   std::string text = "  domain: " + angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + "\n";
   text += "          " + coverage_text(j.coverage) + "\n";
@@ -53,7 +53,11 @@ std::string report_text(const ConversionReport& report) {
             ", 99 % " + pixels(j.error.p99) + "\n";
     text += band_table(j.bands);
   }
-  if (!report.at_bound.empty()) text += "  at the edge of its range: " + enumerated(report.at_bound) + "\n";
+  if (!report.at_bound.empty()) {
+    const StoredModel* stored = find_stored_model(to, report.to_model, false);
+    text += "  at the edge of its range: " + enumerated(report.at_bound) +
+            (stored != nullptr && !stored->why.empty() ? " (" + std::string(stored->why) + ")" : "") + "\n";
+  }
   return text;
 }
 
@@ -74,12 +78,12 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
     if (value.look_at_it) {
       look += "  " + value.key + " " + value.value + "\n";
     } else {
-      rest.push_back(value.key + (value.value == "upstream's" ? "" : " " + value.value));
+      rest.push_back(value.key + " " + value.value);
     }
   }
   std::string text;
   if (!look.empty()) text += "not in the input, set them to your camera's:\n" + look;
-  if (!rest.empty()) text += "tuning at upstream's values: " + enumerated(rest) + "\n";
+  if (!rest.empty()) text += "defaults: " + enumerated(rest) + "\n";
   return text;
 }
 
@@ -90,7 +94,7 @@ std::string proofs_text(const std::vector<ProofResult>& proofs) {
     if (!proof.loads) {
       text += "would refuse it: " + enumerated(proof.refusals) + "\n";
     } else {
-      text += "loads it; its pixels differ from ours by at most " + pixels(proof.max_diff_px) + " px\n";
+      text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
     for (const std::string& warning : proof.warnings) text += "  warning: " + warning + "\n";
     if (proof.misread_px > 0.0) text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
@@ -105,7 +109,7 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
   for (const CameraOutcome& camera : outcome.cameras) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     // A kept model has nothing to report: its pixels are the source's.
-    if (camera.report && camera.source.model != camera.target.model) text += report_text(*camera.report);
+    if (camera.report && camera.source.model != camera.target.model) text += report_text(*camera.report, *outcome.to);
   }
   text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome.proofs);
   if (outcome.code == ExitCode::kGood && written) {

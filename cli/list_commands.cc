@@ -6,6 +6,8 @@
 #include "show_command.h"
 #include "words.h"
 
+#include <fca/convert/domain.h>
+
 #include <CLI/CLI.hpp>
 
 namespace fca::cli {
@@ -103,73 +105,114 @@ ExitCode list_models(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-/// `models FILE`: every model this camera could be written as.
-ExitCode compare_models(const ListArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = check(arguments.reading)) {
-    console.error(*error);
-    return ExitCode::kUsage;
-  }
+/// One model as a camera's target. No conversion: it cannot describe the camera, `diagnostics` say why.
+struct Candidate {
+  const ModelInfo* model = nullptr;
+  std::optional<Conversion> conversion;
+  std::vector<std::string> stored_by;
   Diagnostics diagnostics;
-  const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
-  console.show(diagnostics);
-  if (!calibration) return worse(code_of(diagnostics), ExitCode::kBadInput);
-  if (calibration->rig.cameras.empty()) {
-    console.error(arguments.file + " holds no camera");
-    return ExitCode::kBadInput;
+};
+
+/// Who stores these very numbers, and who demands others.
+std::vector<std::string> stored_by(const CameraModel& model) {
+  std::vector<std::string> names;
+  for (const Format& format : all_formats()) {
+    const StoredModel* row = find_stored_model(format, model_info(model).id, false);
+    if (row == nullptr) continue;
+    names.push_back(name_in(format, *row) +
+                    (within(model, row->ranges) ? "" : " (fitted anew: " + std::string(row->why) + ")"));
   }
-  Json json;
-  ExitCode code = ExitCode::kGood;
-  const auto each_model = [&](const Camera& camera, const ModelInfo& model) {
-    Diagnostics found;
+  return names;
+}
+
+std::vector<Candidate> candidates(const Camera& camera, const ReadingOptions& reading) {
+  std::vector<Candidate> result;
+  for (const ModelInfo& model : all_models()) {
+    Candidate candidate;
+    candidate.model = &model;
     ConvertOptions options;
     options.model = model.id;
-    options.max_angle_rad = max_angle_rad(arguments.reading);
-    const std::optional<Conversion> conversion = convert(camera, options, found);
-    if (!conversion) {
-      code = worse(code, ExitCode::kBadInput);
-      console.show(found);
-      return;
-    }
-    const Judgement& j = conversion->report.judgement;
-    if (arguments.json) {
-      json.object([&] {
-        json.put("model", model.id);
-        json.put("exact", conversion->report.exact);
-        json.put("rms_px", j.error.rms);
-        json.put("max_px", j.error.max);
-        json.put("max_angle_deg", j.coverage.max_angle_deg);
-        json.put("scored_share", j.coverage.scored);
-        json.put("outside_lens_share", j.coverage.outside_lens);
-        json.put("unrepresentable_share", j.coverage.unrepresentable);
-        json.put("read_by", std::span<const std::string>(names_elsewhere(model.id)));
-      });
-      return;
-    }
-    console.out("  " + padded(model.id, 10) + padded(pixels(j.error.rms), 11) + padded(pixels(j.error.max), 11) +
-                padded(percent(j.coverage.scored), 10) + padded(percent(j.coverage.unrepresentable), 13) +
-                enumerated(names_elsewhere(model.id)) + "\n");
+    options.max_angle_rad = max_angle_rad(reading);
+    candidate.conversion = convert(camera, options, candidate.diagnostics);
+    if (candidate.conversion) candidate.stored_by = stored_by(candidate.conversion->camera.model);
+    result.push_back(std::move(candidate));
+  }
+  return result;
+}
+
+std::string candidates_json(const std::string& file, const std::vector<Camera>& cameras, const ReadingOptions& reading) {
+  Json json;
+  const auto put_candidate = [&json](const Candidate& candidate) {
+    json.put("model", candidate.model->id);
+    json.put("fits", candidate.conversion.has_value());
+    if (!candidate.conversion) return;
+    const Judgement& j = candidate.conversion->report.judgement;
+    json.put("exact", candidate.conversion->report.exact);
+    json.put("rms_px", j.error.rms);
+    json.put("max_px", j.error.max);
+    json.put("max_angle_deg", j.coverage.max_angle_deg);
+    json.put("scored_share", j.coverage.scored);
+    json.put("outside_lens_share", j.coverage.outside_lens);
+    json.put("unrepresentable_share", j.coverage.unrepresentable);
+    json.put("read_by", std::span<const std::string>(candidate.stored_by));
   };
-  if (arguments.json) {
-    json.object([&] {
-      json.put("fca_io", FCA_VERSION);
-      json.put("file", arguments.file);
-      json.array("cameras", calibration->rig.cameras, [&](const Camera& camera) {
-        json.object([&] {
-          json.put("name", camera.name);
-          json.put("model", model_info(camera.model).id);
-          json.array("targets", all_models(), [&](const ModelInfo& model) { each_model(camera, model); });
-        });
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    json.put("file", file);
+    json.array("cameras", cameras, [&](const Camera& camera) {
+      json.object([&] {
+        json.put("name", camera.name);
+        json.put("model", model_info(camera.model).id);
+        json.array("targets", candidates(camera, reading),
+                   [&](const Candidate& candidate) { json.object([&] { put_candidate(candidate); }); });
       });
     });
-    console.out(json.document());
-    return code;
+  });
+  return json.document();
+}
+
+std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {
+  constexpr std::size_t kModel = 10;
+  constexpr std::size_t kError = 11;
+  constexpr std::size_t kReach = 13;
+  std::string text = camera.name + " (" + std::string(model_info(camera.model).id) + ") as\n  " + padded("model", kModel) +
+                     padded("rms px", kError) + padded("max px", kError) + padded("scored", kModel) +
+                     padded("unreachable", kReach) + "stored by\n";
+  for (const Candidate& candidate : candidates) {
+    text += "  " + padded(candidate.model->id, kModel);
+    if (!candidate.conversion) {
+      const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
+      text += why.empty() ? "does not fit\n" : why.back().message + "\n";
+      continue;
+    }
+    const Judgement& j = candidate.conversion->report.judgement;
+    text += padded(pixels(j.error.rms), kError) + padded(pixels(j.error.max), kError) + padded(percent(j.coverage.scored), kModel) +
+            padded(percent(j.coverage.unrepresentable), kReach) + enumerated(candidate.stored_by) + "\n";
   }
-  for (const Camera& camera : calibration->rig.cameras) {
-    console.out(camera.name + " (" + std::string(model_info(camera.model).id) + ") as\n  " + padded("model", 10) +
-                padded("rms px", 11) + padded("max px", 11) + padded("scored", 10) + padded("unreachable", 13) + "stored by\n");
-    for (const ModelInfo& model : all_models()) each_model(camera, model);
+  return text;
+}
+
+/// `models FILE`: every model its cameras could be written as.
+ExitCode compare_models(const ListArguments& arguments, Console& console) {
+  if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
+  Diagnostics diagnostics;
+  const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
+  if (!calibration) {
+    console.show(diagnostics);
+    return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), "no calibration to compare models for");
   }
-  return code;
+  const std::vector<Camera>& cameras = calibration->rig.cameras;
+  if (cameras.empty()) return console.refuse(ExitCode::kBadInput, arguments.file + " holds no camera");
+  // What no model could mend is said once, not once per model.
+  for (const Camera& camera : cameras) static_cast<void>(domain_of(camera, max_angle_rad(arguments.reading), diagnostics));
+  console.show(diagnostics);
+  if (diagnostics.has_errors()) return console.refuse(ExitCode::kBadInput, "no model can be fitted to these cameras");
+  if (arguments.json) {
+    console.out(candidates_json(arguments.file, cameras, arguments.reading));
+    return ExitCode::kGood;
+  }
+  for (const Camera& camera : cameras) console.say(candidates_text(camera, candidates(camera, arguments.reading)));
+  return ExitCode::kGood;
 }
 
 ExitCode list_programs(const ListArguments& arguments, Console& console) {

@@ -24,6 +24,16 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
   return names;
 }
 
+/// An option whose value is an empty string is a script's unset variable.
+void refuse_empty_values(CLI::App& app) {
+  const CLI::Validator not_empty([](const std::string& value) { return value.empty() ? "an empty value" : std::string(); }, "");
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_items_expected_max() > 0) option->check(not_empty);
+    }
+  }
+}
+
 /// `fca-io FILE` is `fca-io show FILE`; a word that is neither command nor anything like a path is a mistyped command.
 void insert_show(std::vector<std::string>& words, const CLI::App& app, bool& mistyped) {
   if (words.empty() || words.front().starts_with('-')) return;
@@ -63,15 +73,16 @@ int run(int argc, char** argv) {
   add_project_commands(app, project_arguments, chosen);
   add_list_commands(app, list_arguments, chosen);
 
+  refuse_empty_values(app);
   std::vector<std::string> words(argv + 1, argv + argc);
+  if (std::ranges::find(words, "--json") != words.end()) console.promise_json();
   bool mistyped = false;
   insert_show(words, app, mistyped);
   if (mistyped) {
     const std::vector<std::string> names = subcommand_names(app);
     const std::vector<std::string> near = nearest(words.front(), names);
-    console.error("unknown command '" + words.front() + "'" +
-                  (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?"));
-    return static_cast<int>(ExitCode::kUsage);
+    const std::string hint = near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?";
+    return static_cast<int>(console.refuse(ExitCode::kUsage, "unknown command '" + words.front() + "'" + hint));
   }
   try {
     std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants it
@@ -82,8 +93,11 @@ int run(int argc, char** argv) {
       app.exit(error);
       return static_cast<int>(console.finish(ExitCode::kGood));
     }
-    console.error(error.what(), "fca-io --help, or fca-io SUBCOMMAND --help");
-    return static_cast<int>(ExitCode::kUsage);
+    const std::vector<std::string> names = subcommand_names(app);
+    const bool named = !words.empty() && std::ranges::find(names, words.front()) != names.end();
+    const std::string command = named ? "fca-io " + words.front() : "fca-io";
+    return static_cast<int>(console.refuse(ExitCode::kUsage, named ? words.front() + ": " + error.what() : error.what(),
+                                           command + " --help"));
   }
   if (!chosen) {
     console.err(app.help());

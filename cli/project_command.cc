@@ -2,7 +2,9 @@
 #include "project_command.h"
 
 #include "json.h"
+#include "words.h"
 
+#include <fca/convert/domain.h>
 #include <fca/formats/text/numbers.h>
 
 #include <array>
@@ -10,6 +12,7 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
+#include <numbers>
 
 #include <CLI/CLI.hpp>
 
@@ -44,10 +47,10 @@ std::optional<std::array<double, N>> parse_numbers(std::string_view line) {
 
 /// Where one line goes: ray -> pixel or pixel -> ray; nothing where the model has no answer.
 template <std::size_t In, std::size_t Out>
-using Mapping = std::optional<std::array<double, Out>> (*)(const CameraModel&, const std::array<double, In>&);
+using Mapping = std::function<std::optional<std::array<double, Out>>(const std::array<double, In>&)>;
 
 template <std::size_t In, std::size_t Out>
-ExitCode map_lines(const CameraModel& model, Mapping<In, Out> mapping, bool as_json, Console& console) {
+ExitCode map_lines(const Mapping<In, Out>& mapping, bool as_json, Console& console) {
   Json json;
   std::vector<std::optional<std::array<double, Out>>> results;
   std::string line;
@@ -55,13 +58,13 @@ ExitCode map_lines(const CameraModel& model, Mapping<In, Out> mapping, bool as_j
     if (line.find_first_not_of(" \t\r") == std::string::npos || line.starts_with('#')) continue;
     const std::optional<std::array<double, In>> numbers = parse_numbers<In>(line);
     if (!numbers) {
-      console.error("standard input, line " + std::to_string(number) + ": " + std::to_string(In) +
-                    " numbers are wanted, got '" + line.substr(0, 60) + "'");
-      return ExitCode::kBadInput;
+      constexpr std::size_t kLongestQuote = 60;
+      return console.refuse(ExitCode::kBadInput, "standard input, line " + std::to_string(number) + ": " + std::to_string(In) +
+                                                     " numbers are wanted, got '" + line.substr(0, kLongestQuote) + "'");
     }
     bool finite = true;
     for (const double v : *numbers) finite = finite && std::isfinite(v);
-    const std::optional<std::array<double, Out>> result = finite ? mapping(model, *numbers) : std::nullopt;
+    const std::optional<std::array<double, Out>> result = finite ? mapping(*numbers) : std::nullopt;
     if (as_json) {
       results.push_back(result);
       continue;
@@ -87,30 +90,34 @@ ExitCode map_lines(const CameraModel& model, Mapping<In, Out> mapping, bool as_j
 }
 
 ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& console) {
-  if (const std::optional<std::string> error = check(arguments.reading)) {
-    console.error(*error);
-    return ExitCode::kUsage;
-  }
-  if (arguments.file == "-") {
-    console.error("standard input holds the points, so the calibration must be a file");
-    return ExitCode::kUsage;
-  }
+  if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
+  if (arguments.file == "-")
+    return console.refuse(ExitCode::kUsage, "standard input holds the points, so the calibration must be a file");
   Diagnostics diagnostics;
   const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
   console.show(diagnostics);
-  if (!calibration) return worse(code_of(diagnostics), ExitCode::kBadInput);
+  if (!calibration) return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), "no calibration to project with");
   const std::vector<Camera>& cameras = calibration->rig.cameras;
-  if (cameras.size() != 1) {
-    console.error(cameras.empty() ? "the file holds no camera"
-                                  : "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
-    return cameras.empty() ? ExitCode::kBadInput : ExitCode::kUsage;
+  if (cameras.empty()) return console.refuse(ExitCode::kBadInput, "the file holds no camera");
+  if (cameras.size() > 1) {
+    return console.refuse(ExitCode::kUsage,
+                          "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
   }
   const CameraModel& model = cameras.front().model;
   const std::vector<std::string> problems = validate(model);
-  for (const std::string& problem : problems) console.error(cameras.front().name + ": " + problem);
-  if (!problems.empty()) return ExitCode::kBadInput;
-  if (forwards) return map_lines<3, 2>(model, &project, arguments.json, console);
-  return map_lines<2, 3>(model, &unproject, arguments.json, console);
+  if (!problems.empty()) return console.refuse(ExitCode::kBadInput, cameras.front().name + ": " + enumerated(problems));
+  const double limit_rad = max_angle_rad(arguments.reading).value_or(std::numbers::pi);
+  if (forwards) {
+    const Mapping<3, 2> to_pixel = [&](const Ray& ray) {
+      return angle_from_axis(ray) <= limit_rad ? project(model, ray) : std::nullopt;
+    };
+    return map_lines(to_pixel, arguments.json, console);
+  }
+  const Mapping<2, 3> to_ray = [&](const Pixel& pixel) {
+    const std::optional<Ray> ray = unproject(model, pixel);
+    return ray && angle_from_axis(*ray) <= limit_rad ? ray : std::nullopt;
+  };
+  return map_lines(to_ray, arguments.json, console);
 }
 
 }  // namespace

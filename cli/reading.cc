@@ -24,7 +24,13 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command
       .add_option("--max-angle", options.max_angle_deg,
                   "What counts as lens, in degrees from the axis (default: the whole image)")
-      ->type_name("DEG");
+      ->type_name("DEG")
+      ->check(decimal_number());
+}
+
+CLI::Validator decimal_number() {
+  return CLI::Validator(
+      [](const std::string& value) { return text::parse_real(value) ? "" : "'" + value + "' is no decimal number"; }, "");
 }
 
 namespace {
@@ -104,7 +110,17 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
   const Format* format = options.from.empty() ? nullptr : find_format(options.from);
   std::optional<Calibration> calibration =
       read_calibration(std::move(documents), format, {parse_size(options.size)}, diagnostics);
-  if (!calibration || !options.cameras) return calibration;
+  if (!calibration) return std::nullopt;
+  if (const std::optional<ImageSize> size = parse_size(options.size)) {
+    for (const Camera& camera : calibration->rig.cameras) {
+      if (camera.image_size == size) continue;
+      diagnostics.error("size-contradicts", camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " +
+                                                size_in_words(*size),
+                        {path, 0, 0}, "--size is for files that state no size");
+      return std::nullopt;
+    }
+  }
+  if (!options.cameras) return calibration;
   const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, *options.cameras, diagnostics);
   if (!indices) return std::nullopt;
   std::vector<Camera> cameras;

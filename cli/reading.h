@@ -12,6 +12,7 @@
 
 namespace CLI {
 class App;
+class Validator;
 }
 
 namespace fca::cli {
@@ -33,6 +34,9 @@ void add_reading_options(CLI::App& command, ReadingOptions& options);
 
 /// A usage error among the options that can be told without reading (unknown format, malformed size), in words.
 [[nodiscard]] std::optional<std::string> check(const ReadingOptions& options);
+
+/// For options: a plain decimal number ("0x61" and "" are none).
+[[nodiscard]] CLI::Validator decimal_number();
 
 [[nodiscard]] std::optional<double> max_angle_rad(const ReadingOptions& options);
 

@@ -19,10 +19,7 @@ ShownFile read_file(const std::string& file, const ShowArguments& arguments, Con
 }
 
 ExitCode run_show(const ShowArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = check(arguments.reading)) {
-    console.error(*error);
-    return ExitCode::kUsage;
-  }
+  if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
   ExitCode code = ExitCode::kGood;
   std::vector<ShownFile> files;
   for (const std::string& file : arguments.files) {
@@ -39,12 +36,16 @@ ExitCode run_show(const ShowArguments& arguments, Console& console) {
 
 }  // namespace
 
+std::string name_in(const Format& format, const StoredModel& row) {
+  return std::string(format.program) + " " + std::string(row.file_name) + (row.stock ? "" : " (forks)");
+}
+
 std::vector<std::string> names_elsewhere(std::string_view model) {
   std::vector<std::string> names;
   for (const Format& format : all_formats()) {
     for (const StoredModel& row : format.models) {
       if (row.model == model)
-        names.push_back(std::string(format.program) + " " + std::string(row.file_name) + (row.stock ? "" : " (forks)"));
+        names.push_back(name_in(format, row));
     }
   }
   return names;

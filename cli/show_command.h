@@ -33,7 +33,9 @@ struct ShownFile {
 
 void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<ExitCode(Console&)>& run);
 
-/// What other formats call a model: "Kalibr: pinhole-equidistant", from the registry.
+/// "Kalibr pinhole-equidistant"
+[[nodiscard]] std::string name_in(const Format& format, const StoredModel& row);
+/// What all formats call a model, from the registry.
 [[nodiscard]] std::vector<std::string> names_elsewhere(std::string_view model);
 
 [[nodiscard]] std::string show_text(const ShownFile& shown);

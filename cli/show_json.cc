@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "diagnostics_json.h"
 #include "json.h"
+#include "parameters_json.h"
 #include "show_command.h"
 #include "words.h"
 
@@ -11,10 +12,7 @@ namespace {
 void put_camera(Json& json, const Camera& camera) {
   json.put("name", camera.name);
   json.put("model", model_info(camera.model).id);
-  json.object("parameters", [&] {
-    const std::span<const Parameter> parameters = model_info(camera.model).parameters;
-    for (std::size_t i = 0; i < parameters.size(); ++i) json.put(parameters[i].name, parameter_values(camera.model)[i]);
-  });
+  put_parameters(json, camera.model);
   json.put("names_elsewhere", std::span<const std::string>(names_elsewhere(model_info(camera.model).id)));
   if (camera.image_size) {
     json.put("width_px", camera.image_size->width);

@@ -95,7 +95,8 @@ std::string readers_text(const Readers& readers) {
 
 std::string show_text(const ShownFile& shown) {
   const Calibration& calibration = *shown.calibration;
-  std::string text = shown.file + ": " + std::string(calibration.format->title) + " (" + calibration.why + ")\n";
+  std::string text = shown.file + ": " + std::string(calibration.format->title) +
+                     (calibration.rig.cameras.empty() ? ", an IMU without cameras" : "") + " (" + calibration.why + ")\n";
   for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)

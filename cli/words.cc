@@ -8,7 +8,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
 namespace fca::cli {
 
@@ -53,48 +52,7 @@ std::string padded(std::string_view text, std::size_t width) {
   return result;
 }
 
-std::string enumerated(std::span<const std::string> parts, std::string_view last_word) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) text += i + 1 == parts.size() ? " " + std::string(last_word) + " " : ", ";
-    text += parts[i];
-  }
-  return text;
-}
-
-namespace {
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
-}  // namespace
-
-std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names) {
-  std::vector<std::pair<std::size_t, std::string>> ranked;
-  for (const std::string& name : names) {
-    const std::size_t distance =
-        name.starts_with(typed) || typed.starts_with(name) ? 1 : edit_distance(typed.substr(0, 64), name);
-    if (distance <= std::max<std::size_t>(2, name.size() / 2)) ranked.emplace_back(distance, name);
-  }
-  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string>::first);
-  std::vector<std::string> result;
-  for (const auto& [distance, name] : ranked) {
-    if (result.size() < 3) result.push_back(name);
-  }
-  return result;
-}
+std::string size_in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 std::optional<ImageSize> parse_size(std::string_view text) {
   const std::size_t x = text.find_first_of("xX");

@@ -2,6 +2,7 @@
 // How numbers and things are said to people.
 #pragma once
 
+#include <fca/formats/text/prose.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/rig.h>
 
@@ -26,10 +27,10 @@ inline constexpr double kDegreesPerRadian = 57.29577951308232;
 [[nodiscard]] std::string parameters_in_words(const CameraModel& model, std::string_view indent);
 /// Padded with blanks to `width` on the right.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
-/// "a, b and c"
-[[nodiscard]] std::string enumerated(std::span<const std::string> parts, std::string_view last_word = "and");
-/// Those of `names` that `typed` probably meant, by edit distance; at most three.
-[[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
+using text::enumerated;
+using text::nearest;
+/// "640 x 480"
+[[nodiscard]] std::string size_in_words(const ImageSize& size);
 /// "640x480"
 [[nodiscard]] std::optional<ImageSize> parse_size(std::string_view text);
 

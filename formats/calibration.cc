@@ -2,6 +2,7 @@
 #include <fca/formats/calibration.h>
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,12 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
   return good;
 }
 
+std::vector<std::string> names_of(const Rig& rig) {
+  std::vector<std::string> names;
+  for (const PoseEdge& edge : rig.poses) names.push_back("T_" + edge.a + "_" + edge.b);
+  return names;
+}
+
 /// A pose that is stated, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15.
 void warn_of_contradictions(const Rig& rig, const text::Document& document, Diagnostics& diagnostics) {
   constexpr double kTolerance = 1e-3;  // a millimetre; a twentieth of a degree
@@ -84,7 +91,8 @@ void warn_of_contradictions(const Rig& rig, const text::Document& document, Diag
       worst = std::max(worst, std::abs(around->values[k] - edge.T_a_b.values[k]));
     if (worst <= kTolerance) continue;
     diagnostics.warning("poses-contradict",
-                        "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses differ by up to " +
+                        "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses (" +
+                            text::enumerated(names_of(others)) + ") differ by up to " +
                             text::format_short(worst, 3) + " in an element",
                         {document.source().name, 0, 0}, "one of them is wrong; stated poses are used before derived ones");
     return;  // each edge of the loop would say the same

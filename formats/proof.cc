@@ -77,6 +77,16 @@ double pose_difference(const Rig& rig, const consumers::ConsumerView& view, cons
 }  // namespace
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
+                  const Rig& rig, std::span<const std::string> cameras) {
+  Rig written = rig;
+  written.cameras.clear();
+  for (const std::string& name : cameras) {
+    if (const Camera* camera = rig.find_camera(name)) written.cameras.push_back(*camera);
+  }
+  return prove(consumer, bytes, options, written);
+}
+
+ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
                   const Rig& rig) {
   const consumers::ConsumerView view = consumer.load(bytes, options);
   ProofResult result;
@@ -102,6 +112,14 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   return result;
 }
 
+namespace {
+
+bool misreads_all(const consumers::ConsumerView& view) {
+  return !view.cameras.empty() && std::ranges::all_of(view.cameras, &consumers::ConsumerCamera::misread);
+}
+
+}  // namespace
+
 Readers ask_readers(std::string_view format_id, std::string_view bytes, std::optional<bool> with_cameras) {
   Readers readers;
   const Format* format = find_format(format_id);
@@ -115,7 +133,11 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
     std::size_t fewest = SIZE_MAX;
     for (const std::string_view mode : modes) {
       const consumers::ConsumerView view = consumer.load(bytes, {std::string(mode)});
-      if (view.loads()) {
+      if (view.loads() && misreads_all(view)) {
+        program.refusals = {"it would load the file and misread it: " +
+                            (view.warnings.empty() ? std::string("another model") : view.warnings.front())};
+        fewest = 0;
+      } else if (view.loads()) {
         if (!program.loads) program.warnings = view.warnings;
         program.loads = true;
         if (has_modes) program.sensors.emplace_back(mode);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
-#include "kalibr.h"
+#include "kalibr/kalibr.h"
 #include "orbslam3/orbslam3.h"
 
 #include <fca/formats/text/numbers.h>

@@ -46,7 +46,8 @@ void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerVi
   const Intrinsics k = read_intrinsics(settings);
   if (k.fx == 0.0F) settings.refuse("Camera.fx is missing or 0; ORB-SLAM2 takes 0 and divides by it");
   const cv::FileNode type = settings.node("Camera.type");
-  if (!type.empty() && !(type.isString() && type.string() == "PinHole")) {
+  const bool other_model = !type.empty() && !(type.isString() && type.string() == "PinHole");
+  if (other_model) {
     settings.warn("Camera.type is " + describe(type) +
                   "; ORB-SLAM2 does not read it and takes every file as PinHole k1 k2 p1 p2 k3");
   }
@@ -61,9 +62,10 @@ void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerVi
   warn_about_depth(settings, sensor);
   const int width = read_size(settings, "Camera.width");
   const int height = read_size(settings, "Camera.height");
-  view.cameras.push_back({"cam0", width, height, pinhole(k, distortion)});
+  view.cameras.push_back({"cam0", width, height, pinhole(k, distortion), {1.0, 1.0}, other_model});
   if (!sensor.stereo) return;
-  view.cameras.push_back({"cam1", width, height, pinhole(k, distortion)});  // the images are taken as rectified
+  view.cameras.push_back(view.cameras.front());  // the images are taken as rectified
+  view.cameras.back().name = "cam1";
   if (k.fx != 0.0F) view.poses.push_back(rectified_baseline(settings.loose("Camera.bf") / k.fx));
 }
 

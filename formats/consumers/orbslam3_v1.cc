@@ -233,6 +233,13 @@ class Parser {
       settings_.warn("Camera1.k1 k2 p1 p2 are ignored: ORB-SLAM3 V1.0 undistorts only for the mono sensors, not for RGB-D");
     first_.misread = bent;
     first_.pinhole = {};
+    if (!is_fisheye()) return;
+    // Frame.cc, UnprojectStereo: (u - cx) z / fx, whatever Camera.type says; only mono and stereo ask the camera's class.
+    settings_.warn(
+        "KannalaBrandt8 is ignored for depth: ORB-SLAM3 V1.0 turns RGB-D pixels into points with the plain pinhole formula, without "
+        "undistorting them");
+    first_.misread = true;
+    pinhole_depth_ = true;
   }
 
   void read_strict_lists() {
@@ -259,7 +266,7 @@ class Parser {
 
   [[nodiscard]] ConsumerCamera to_camera(std::string name, const Camera& camera) const {
     const Intrinsics k = {camera.k.fx * scale_x_, camera.k.fy * scale_y_, camera.k.cx * scale_x_, camera.k.cy * scale_y_};
-    Projection project = is_fisheye() ? kannala_brandt8(k, camera.radial) : pinhole(k, camera.pinhole);
+    Projection project = is_fisheye() && !pinhole_depth_ ? kannala_brandt8(k, camera.radial) : pinhole(k, camera.pinhole);
     return {std::move(name), width_, height_, std::move(project), {scale_x_, scale_y_}, camera.misread};
   }
 
@@ -278,6 +285,7 @@ class Parser {
   Camera first_;
   Camera second_;
   double baseline_ = 0.0;
+  bool pinhole_depth_ = false;
   int width_ = 0;
   int height_ = 0;
   float scale_x_ = 1.0F;

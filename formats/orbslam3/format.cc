@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
 #include "orbslam3.h"
+#include "settings.h"
 
+#include <algorithm>
 #include <array>
-#include <limits>
 
 namespace fca::orbslam3 {
 
@@ -17,12 +18,21 @@ constexpr std::array kModels = {
     StoredModel{"radtan", "PinHole", true, "ORB-SLAM3 V1.0", {}},
     StoredModel{"kb4", "KannalaBrandt8", true, "ORB-SLAM3 V1.0", {}},
     StoredModel{"pinhole", "PinHole, Rectified", true, "ORB-SLAM3 V1.0", {}},
-    StoredModel{"eucm", "EUCM", false, "ns15417/slam_no_opt, lsyads/fisheye-ORB-SLAM", kAlphaAboveHalf},
+    StoredModel{"eucm", "EUCM", false, "ns15417/slam_no_opt, lsyads/fisheye-ORB-SLAM", kAlphaAboveHalf,
+                "these programs reject every point at alpha <= 0.5"},
     StoredModel{"ds", "DoubleSphere", false, "urbste/ORB_SLAM3 (branch feature/gopro_slam)", {}},
 };
 
-constexpr std::array<std::string_view, 6> kModes = {"mono",          "stereo",          "rgbd",
-                                                    "mono-inertial", "stereo-inertial", "rgbd-inertial"};
+/// One member of every row of a table.
+template <class Row, std::size_t kCount>
+constexpr std::array<std::string_view, kCount> names_of(const std::array<Row, kCount>& rows, std::string_view Row::*name) {
+  std::array<std::string_view, kCount> names;
+  std::ranges::transform(rows, names.begin(), name);
+  return names;
+}
+
+constexpr auto kModes = names_of(kSensors, &Sensor::id);
+constexpr auto kLayouts = names_of(kStyleNames, &StyleName::name);
 
 ProbeResult probe(const text::Document& document) {
   if (find_key(document, "Camera1.fx") != nullptr) return {95, "the key Camera1.fx"};
@@ -41,10 +51,12 @@ const Format kFormat = {
     .syntaxes = "OpenCV YAML",
     .program = "ORB-SLAM3",
     .many_cameras = true,
+    .most_cameras = 2,
     .extrinsics = true,
     .imu = true,
     .image_size = true,
     .modes = kModes,
+    .layouts = kLayouts,
     .models = kModels,
     .probe = probe,
     .read = read,

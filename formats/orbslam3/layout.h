@@ -4,6 +4,7 @@
 
 #include <fca/formats/text/document.h>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -18,6 +19,15 @@ enum class Style {
   kOrbSlam2,   ///< No Camera.type
   kSlamNoOpt,  ///< ns15417/slam_no_opt: Camera.type EUCM or KB, RIGHT.K, RIGHT.D, CAMERA.R, CAMERA.T, Camera.Tbc
 };
+
+/// Styles by the names that WriteOptions::layout takes.
+struct StyleName {
+  std::string_view name;
+  Style style;
+};
+inline constexpr std::array kStyleNames = {StyleName{"v1", Style::kV1}, StyleName{"old", Style::kOld},
+                                           StyleName{"orbslam2", Style::kOrbSlam2},
+                                           StyleName{"slam_no_opt", Style::kSlamNoOpt}};
 
 /// One key of a camera, behind its prefix "Camera1.", and the parameter of our model it holds (or the constant it must be).
 struct Slot {

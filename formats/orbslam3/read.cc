@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace fca::orbslam3 {
 
@@ -36,7 +37,10 @@ class SettingsReader {
   }
 
  private:
-  const Node* find(std::string_view key) const { return find_key(document_, key); }
+  const Node* find(std::string_view key) {
+    read_.emplace(key);
+    return find_key(document_, key);
+  }
   static std::string joined(std::string_view prefix, std::string_view key) { return std::string(prefix) + std::string(key); }
 
   void warn_of_version() {
@@ -64,20 +68,10 @@ class SettingsReader {
     }
   }
 
-  /// What the file says and a Rig has no place for: a camchain must be able to say that it drops it.
+  /// What the file says and a Rig has no place for.
   void keep_unread(Rig& rig) const {
-    constexpr std::string_view kSingly[] = {
-        "Camera.newWidth",     "Camera.newHeight", "Camera.imageScale",     "Camera.RGB",         "Stereo.ThDepth",   "ThDepth",
-        "RGBD.DepthMapFactor", "DepthMapFactor",   "IMU.InsertKFsWhenLost", "System.thFarPoints", "Camera.delaytoimu"};
-    constexpr std::string_view kTogether[] = {"ORBextractor.", "Viewer.", "Track.", "Robot.", "ScaleEst."};
     for (const text::Entry& entry : document_.root().entries) {
-      if (std::ranges::find(kSingly, entry.key.value) != std::end(kSingly))
-        rig.as_read.push_back(entry.key.value + " " + entry.value.value);
-    }
-    for (const std::string_view prefix : kTogether) {
-      const bool any = std::ranges::any_of(document_.root().entries,
-                                           [prefix](const text::Entry& entry) { return entry.key.value.starts_with(prefix); });
-      if (any) rig.as_read.push_back(std::string(prefix) + "*");
+      if (!read_.contains(entry.key.value)) rig.as_read.push_back({entry.key.value, entry.value.value});
     }
   }
 
@@ -159,8 +153,9 @@ class SettingsReader {
       return;
     }
     // For PinHole the parser before V1.0 knows only rectified pairs: Camera.bf, and one set of intrinsics for both.
-    const bool rectified_pair = style_ != Style::kV1 && first.type != "KannalaBrandt8" && first.type != "DoubleSphere";
-    if (rectified_pair || find("Camera2.fx") == nullptr) return;
+    const bool old_pair = style_ != Style::kV1 && first.type != "KannalaBrandt8" && first.type != "DoubleSphere";
+    // Rectified images have one set of intrinsics: V1.0 does not read Camera2.* there.
+    if (old_pair || first.type == "Rectified" || find("Camera2.fx") == nullptr) return;
     const Layout* layout = &first;
     if (first.model == "pinhole" && find("Camera2.k1") != nullptr) layout = find_layout(style_, "radtan");
     if (first.model == "radtan" && style_ == Style::kV1 && find("Camera2.k1") == nullptr)
@@ -278,6 +273,7 @@ class SettingsReader {
   fields::Reader reader_;
   const ReadOptions& options_;
   Style style_;
+  std::set<std::string, std::less<>> read_;  ///< Keys that were asked for.
 };
 
 }  // namespace

@@ -13,25 +13,10 @@ namespace {
 
 using fields::Field;
 
-constexpr std::array kSensors = {
-    Sensor{"mono", false, false, false},        Sensor{"rgbd", false, true, false},
-    Sensor{"rgbd-inertial", false, true, true}, Sensor{"mono-inertial", false, false, true},
-    Sensor{"stereo", true, false, false},       Sensor{"stereo-inertial", true, false, true},
-};
-
-/// Upstream's values in Examples/*/*.yaml.
-constexpr double kThDepth = 40.0;
-constexpr double kDepthMapFactor = 1000.0;
-constexpr int kColourOrderRgb = 1;
-
 const Transform* stated_or(const Rig& rig, std::string_view a, std::string_view b, std::optional<Transform>& storage) {
   if (const Transform* T = rig.stated(a, b)) return T;
   storage = rig.resolve(a, b);
   return storage ? &*storage : nullptr;
-}
-
-bool rectified(const Rig& rig) {
-  return rig.cameras.size() == 1 && rig.baseline_m && model_info(rig.cameras[0].model).id == "pinhole";
 }
 
 double baseline(const Rig& rig, const Sensor& sensor) {
@@ -40,8 +25,11 @@ double baseline(const Rig& rig, const Sensor& sensor) {
   return T ? std::hypot((*T)(0, 3), (*T)(1, 3), (*T)(2, 3)) : 0.0;
 }
 
-void add_camera(const Camera& camera, const Layout& layout, std::string_view prefix, std::vector<Field>& fields) {
-  for (const Slot& slot : layout.slots) {
+/// The numbers without a lens, as every layout begins.
+constexpr std::size_t kFocalAndCentre = 4;
+
+void add_camera(const Camera& camera, const Layout& layout, std::string_view prefix, bool with_lens, std::vector<Field>& fields) {
+  for (const Slot& slot : std::span(layout.slots).first(with_lens ? layout.slots.size() : kFocalAndCentre)) {
     const double value = slot.parameter.empty() ? 0.0 : parameter(camera.model, slot.parameter).value_or(0.0);
     // k3 of a file with four coefficients: never said, never written.
     if (!slot.required && !slot.parameter.empty() && value == 0.0 && slot.key == "k3") continue;
@@ -60,7 +48,7 @@ void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& 
       fields.push_back(fields::integer(std::string(side) + ".width", camera.image_size->width));
     }
     std::vector<double> d;
-    for (const Slot& slot : std::span(layout.slots).subspan(4)) d.push_back(value(slot.parameter));
+    for (const Slot& slot : std::span(layout.slots).subspan(kFocalAndCentre)) d.push_back(value(slot.parameter));
     d.push_back(0.0);
     const std::array<double, 9> k = {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
     fields.push_back(fields::matrix(std::string(side) + ".D", d, static_cast<int>(d.size()), "d"));
@@ -83,7 +71,7 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
     add_right_camera(rig, layout, fields);
     return;
   }
-  add_camera(second, layout, camera_prefix(target.style, 1), fields);
+  add_camera(second, layout, camera_prefix(target.style, 1), true, fields);
   std::optional<Transform> storage;
   const Transform& T = *stated_or(rig, rig.cameras[0].name, second.name, storage);
   const bool v1 = target.style == Style::kV1;
@@ -91,13 +79,14 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
   fields.push_back(
       fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
   if ((layout.type != "KannalaBrandt8" && layout.type != "DoubleSphere") || !rig.cameras[0].image_size) return;
-  const std::string_view first_prefix = camera_prefix(target.style, 0);
-  const std::string_view begin = v1 ? "overlappingBegin" : "lappingBegin";
-  const std::string_view end = v1 ? "overlappingEnd" : "lappingEnd";
-  for (const std::string_view prefix : {first_prefix, camera_prefix(target.style, 1)}) {
-    fields.push_back(fields::integer(std::string(prefix) + std::string(begin), 0));
-    fields.push_back(fields::integer(std::string(prefix) + std::string(end), rig.cameras[0].image_size->width - 1));
-  }
+  const double last_column = rig.cameras[0].image_size->width - 1.0;
+  const auto add_column = [&](const TuningKey& key, double otherwise) {
+    fields.push_back(target.tuning.field(key, target.style, otherwise));
+  };
+  add_column(tuning_key::kOverlapBegin1, 0.0);
+  add_column(tuning_key::kOverlapEnd1, last_column);
+  add_column(tuning_key::kOverlapBegin2, 0.0);
+  add_column(tuning_key::kOverlapEnd2, last_column);
 }
 
 void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -108,23 +97,20 @@ void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields)
   const auto whole_rate = static_cast<int>(std::lround(target.frame_rate_hz));
   fields.push_back(target.style == Style::kV1 ? fields::integer("Camera.fps", whole_rate)
                                               : fields::real("Camera.fps", target.frame_rate_hz));
-  fields.push_back(fields::integer("Camera.RGB", target.tuning.colour_order.value_or(kColourOrderRgb)));
+  fields.push_back(target.tuning.field(tuning_key::kColourOrder, target.style));
 }
 
 void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   if (!target.sensor.two_cameras && !target.sensor.depth) return;
   const bool v1 = target.style == Style::kV1;
-  const bool states_baseline = target.sensor.depth || rectified(rig);
+  const bool states_baseline = target.sensor.depth || is_rectified_pair(rig);
   if (v1 && states_baseline) fields.push_back(fields::real("Stereo.b", baseline(rig, target.sensor)));
   if (!v1) {
     fields.push_back(
         fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
   }
-  fields.push_back(fields::real(v1 ? "Stereo.ThDepth" : "ThDepth", target.tuning.th_depth.value_or(kThDepth)));
-  if (target.sensor.depth) {
-    fields.push_back(
-        fields::real(v1 ? "RGBD.DepthMapFactor" : "DepthMapFactor", target.tuning.depth_map_factor.value_or(kDepthMapFactor)));
-  }
+  fields.push_back(target.tuning.field(tuning_key::kThDepth, target.style));
+  if (target.sensor.depth) fields.push_back(target.tuning.field(tuning_key::kDepthMapFactor, target.style));
 }
 
 void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -144,11 +130,25 @@ void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   // V1.0 demands a real here, the parser before it an int.
   fields.push_back(target.style == Style::kV1 ? fields::real("IMU.Frequency", *imu.rate_hz)
                                               : fields::integer("IMU.Frequency", static_cast<int>(std::lround(*imu.rate_hz))));
+  if (target.tuning.states(tuning_key::kInsertKeyFrames))
+    fields.push_back(target.tuning.field(tuning_key::kInsertKeyFrames, target.style));
+}
+
+void add_program_tuning(const Target& target, std::vector<Field>& fields) {
+  for (const TuningKey& key : program_tuning()) {
+    if (!key.optional || target.tuning.states(key)) fields.push_back(target.tuning.field(key, target.style));
+  }
 }
 
 }  // namespace
 
-std::span<const Sensor> sensors() { return kSensors; }
+bool is_rectified_pair(const Rig& rig) {
+  if (rig.cameras.size() != 1 || !rig.baseline_m) return false;
+  const CameraModel& model = rig.cameras.front().model;
+  if (model_info(model).id == "pinhole") return true;
+  const std::span<const double> lens = parameter_values(model).subspan(kFocalAndCentre);
+  return model_info(model).id == "radtan" && std::ranges::all_of(lens, [](double value) { return value == 0.0; });
+}
 
 const Sensor* find_sensor(std::string_view id) {
   const auto* const found = std::ranges::find(kSensors, id, &Sensor::id);
@@ -159,7 +159,7 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   std::vector<std::string> missing;
   const Camera& first = rig.cameras.front();
   const bool second = rig.cameras.size() > 1;
-  if (sensor.two_cameras && !second && !(rectified(rig) && style == Style::kV1)) missing.emplace_back("a second camera");
+  if (sensor.two_cameras && !second && !is_rectified_pair(rig)) missing.emplace_back("a second camera");
   if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name)) {
     missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name);
   }
@@ -180,142 +180,20 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   return missing;
 }
 
-Tuning tuning_of(const text::Document& document) {
-  Tuning tuning;
-  const auto number = [&document](std::initializer_list<std::string_view> keys) -> std::optional<double> {
-    for (const std::string_view key : keys) {
-      const text::Node* node = find_key(document, key);
-      const std::optional<double> value = node != nullptr && node->is_scalar() ? text::parse_real(node->value) : std::nullopt;
-      if (value && std::isfinite(*value)) return value;
-    }
-    return std::nullopt;
-  };
-  if (const std::optional<double> order = number({"Camera.RGB"})) tuning.colour_order = *order == 0.0 ? 0 : 1;
-  tuning.th_depth = number({"Stereo.ThDepth", "ThDepth"});
-  tuning.depth_map_factor = number({"RGBD.DepthMapFactor", "DepthMapFactor"});
-  return tuning;
-}
-
 std::vector<Field> settings_fields(const Rig& rig, const Target& target) {
   const Camera& first = rig.cameras.front();
   const Layout& layout = *find_layout(target.style, model_info(first.model).id);
-  const bool as_rectified = target.style == Style::kV1 && target.sensor.two_cameras && rectified(rig);
+  const bool as_rectified = target.style == Style::kV1 && target.sensor.two_cameras && is_rectified_pair(rig);
   std::vector<Field> fields;
   if (target.style == Style::kV1) fields.push_back(fields::quoted("File.version", "1.0"));
   if (!layout.type.empty()) fields.push_back(fields::quoted("Camera.type", as_rectified ? "Rectified" : layout.type));
-  add_camera(first, layout, camera_prefix(target.style, 0), fields);
+  add_camera(first, layout, camera_prefix(target.style, 0), !as_rectified, fields);
   add_stereo(rig, target, fields);
   add_image(rig, target, fields);
   add_depth(rig, target, fields);
   add_imu(rig, target, fields);
+  add_program_tuning(target, fields);
   return fields;
-}
-
-namespace {
-
-/// A key upstream's examples fix by hand, and what to tell people about it.
-struct Defaulted {
-  std::string_view key;
-  std::string_view comment;
-  bool look_at_it;
-};
-
-constexpr std::array kDefaulted = {
-    Defaulted{"Camera.fps", "Frames per second: not in the input, upstream's example value. Set your camera's.", true},
-    Defaulted{"Camera.RGB", "Colour order (0: BGR, 1: RGB; no matter for grey images): not in the input.", true},
-    Defaulted{"Camera1.overlappingBegin", "Columns that both cameras see: not in the input, the whole width.", false},
-    Defaulted{"Camera.lappingBegin", "Columns that both cameras see: not in the input, the whole width.", false},
-    Defaulted{"Stereo.ThDepth", "Close/far threshold in baselines: tuning, upstream's value.", false},
-    Defaulted{"ThDepth", "Close/far threshold in baselines: tuning, upstream's value.", false},
-    Defaulted{"RGBD.DepthMapFactor", "Depth image units per metre: not in the input. Set your sensor's.", true},
-    Defaulted{"DepthMapFactor", "Depth image units per metre: not in the input. Set your sensor's.", true},
-};
-
-bool applies(const Defaulted& row, const Target& target) {
-  if (row.key == "Camera.fps") return !target.frame_rate_known;
-  if (row.key == "Camera.RGB") return !target.tuning.colour_order;
-  if (row.key.ends_with("ThDepth")) return !target.tuning.th_depth;
-  if (row.key.ends_with("DepthMapFactor")) return !target.tuning.depth_map_factor;
-  return true;
-}
-
-/// Comments that say what a key means.
-struct Heading {
-  std::string_view key;
-  std::string_view comment;
-};
-
-constexpr std::array kHeadings = {
-    Heading{"Camera2.fx", "Second camera"},
-    Heading{"Stereo.T_c1_c2", "Second camera in the first: p_c1 = T p_c2, metres"},
-    Heading{"Tlr", "Right camera in the left: p_left = Tlr p_right, metres"},
-    Heading{"LEFT.height", "Both cameras again, as slam_no_opt reads them for stereo"},
-    Heading{"CAMERA.R", "p_right = R p_left + T, metres"},
-    Heading{"Camera.width", "Image"},
-    Heading{"Camera.bf", "Baseline times fx"},
-    Heading{"Stereo.b", "Baseline, metres"},
-    Heading{"IMU.T_b_c1", "First camera in the IMU: p_imu = T p_c1, metres"},
-    Heading{"Tbc", "Camera in the IMU: p_imu = Tbc p_camera, metres"},
-    Heading{"Camera.Tbc", "Camera in the body or IMU: p_body = Tbc p_camera, metres"},
-    Heading{"IMU.NoiseGyro",
-            "IMU noise, continuous time: rad/s/sqrt(Hz), m/s^2/sqrt(Hz), rad/s^2/sqrt(Hz), m/s^3/sqrt(Hz); rate in Hz"},
-};
-
-/// Keys every mode exits without (Settings.cc, Viewer.cc, ORBextractor), with upstream's values. Reals have a point, ints none.
-constexpr std::string_view kTuning = R"(
-# ORB extractor: tuning, upstream's values
-ORBextractor.nFeatures: 1000
-ORBextractor.scaleFactor: 1.2
-ORBextractor.nLevels: 8
-ORBextractor.iniThFAST: 20
-ORBextractor.minThFAST: 7
-
-# Viewer: demanded even without a window, upstream's values
-Viewer.KeyFrameSize: 0.05
-Viewer.KeyFrameLineWidth: 1.0
-Viewer.GraphLineWidth: 0.9
-Viewer.PointSize: 2.0
-Viewer.CameraSize: 0.08
-Viewer.CameraLineWidth: 3.0
-Viewer.ViewpointX: 0.0
-Viewer.ViewpointY: -0.7
-Viewer.ViewpointZ: -3.5
-Viewer.ViewpointF: 500.0
-)";
-
-}  // namespace
-
-std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Target& target, const Rig& rig) {
-  std::vector<DefaultedValue> result;
-  for (const Field& field : fields) {
-    for (const Defaulted& row : kDefaulted) {
-      if (row.key == field.key && applies(row, target)) result.push_back({field.key, field.tokens.front(), row.look_at_it});
-    }
-    if (field.key == "Camera.Tbc" && !rig.resolve("imu0", rig.cameras.front().name)) {
-      result.push_back({"Camera.Tbc", "identity (slam_no_opt does not start without it)", true});
-    }
-  }
-  result.push_back({"ORBextractor.*", "upstream's", false});
-  result.push_back({"Viewer.*", "upstream's", false});
-  return result;
-}
-
-std::string compose(const std::vector<Field>& fields, const Target& target, const Rig& rig, std::string_view headline) {
-  std::string text = "%YAML:1.0\n# " + std::string(headline) + "\n\n";
-  for (const Field& field : fields) {
-    for (const Heading& heading : kHeadings) {
-      if (heading.key == field.key) text += "\n# " + std::string(heading.comment) + "\n";
-    }
-    for (const Defaulted& row : kDefaulted) {
-      if (row.key == field.key && applies(row, target)) text += "# Default. " + std::string(row.comment) + "\n";
-    }
-    if (field.key == "Camera.Tbc" && !rig.resolve("imu0", rig.cameras.front().name))
-      text += "# Default. Identity: not in the input.\n";
-    text += fields::spell(field) + "\n";
-    if (field.key == "Camera.type" || field.key == "File.version") text += "\n";
-  }
-  text += kTuning;
-  return text;
 }
 
 }  // namespace fca::orbslam3

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "layout.h"
+#include "tuning.h"
 
 #include "../fields.h"
 
 #include <fca/formats/format.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,24 +19,19 @@ namespace fca::orbslam3 {
 
 /// ORB-SLAM3's sensor modes.
 struct Sensor {
-  std::string_view id;
+  std::string_view id;  ///< As WriteOptions::sensor says it.
   bool two_cameras = false;
   bool depth = false;
   bool inertial = false;
 };
 
 /// From the poorest to the richest; a rig is written for the last that it fully serves (depth only when asked).
-[[nodiscard]] std::span<const Sensor> sensors();
-[[nodiscard]] const Sensor* find_sensor(std::string_view id);
-
-/// What a file states beyond the rig and a change of style or sensor must keep; nothing where it does not, then upstream's
-/// example values are written.
-struct Tuning {
-  std::optional<int> colour_order;         ///< Camera.RGB: 1 is RGB
-  std::optional<double> th_depth;          ///< close/far threshold in baselines
-  std::optional<double> depth_map_factor;  ///< depth image units per metre
+inline constexpr std::array kSensors = {
+    Sensor{"mono", false, false, false},        Sensor{"rgbd", false, true, false},
+    Sensor{"rgbd-inertial", false, true, true}, Sensor{"mono-inertial", false, false, true},
+    Sensor{"stereo", true, false, false},       Sensor{"stereo-inertial", true, false, true},
 };
-[[nodiscard]] Tuning tuning_of(const text::Document& document);
+[[nodiscard]] const Sensor* find_sensor(std::string_view id);
 
 /// What one settings file is to be.
 struct Target {
@@ -45,18 +42,21 @@ struct Target {
   Tuning tuning = {};
 };
 
-/// The fields of the camera, stereo and IMU parts, in the order of upstream's examples. Precondition: missing_for() found
+/// Two cameras of one pair whose images are already rectified: one set of intrinsics without distortion, and a baseline.
+[[nodiscard]] bool is_rectified_pair(const Rig& rig);
+
+/// All fields of the file, in the order of upstream's examples. Precondition: missing_for() found
 /// nothing, and the style can store the models.
 [[nodiscard]] std::vector<fields::Field> settings_fields(const Rig& rig, const Target& target);
 
 /// What the rig lacks for a sensor mode, in words with the option that would give it; empty: it serves.
 [[nodiscard]] std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style);
 
-/// Which of the fields hold upstream's example value because no input states them.
+/// Which of the fields hold a value that no input states.
 [[nodiscard]] std::vector<DefaultedValue> defaulted(const std::vector<fields::Field>& fields, const Target& target,
                                                     const Rig& rig);
 
-/// A complete file: `headline` as a comment, the fields under headings, then ORBextractor and Viewer with upstream's values.
+/// A fresh file: `headline` as a comment, the fields under headings, a comment at every value that no input states.
 [[nodiscard]] std::string compose(const std::vector<fields::Field>& fields, const Target& target, const Rig& rig,
                                   std::string_view headline);
 

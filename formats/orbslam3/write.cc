@@ -2,7 +2,10 @@
 #include "orbslam3.h"
 #include "settings.h"
 
+#include "../losses.h"
+
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -22,23 +25,38 @@ Style style_for(std::string_view model) {
   return Style::kV1;
 }
 
-/// The sensor mode a base file is written for.
+/// A document that settings are written into.
+struct Base {
+  const text::Document& document;
+  Rig rig;        ///< As read from it.
+  Target target;  ///< What it is.
+};
+
+/// The sensor mode of a document that says `rig`.
 Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
-  Sensor sensor = *find_sensor("mono");
-  const bool two = rig.cameras.size() > 1 && rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
   const bool depth = find_key(document, "RGBD.DepthMapFactor") != nullptr || find_key(document, "DepthMapFactor") != nullptr;
+  const bool posed = rig.cameras.size() > 1 && rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
+  const text::Node* type = find_key(document, "Camera.type");
+  // Settings of an RGB-D sensor state a baseline, too.
+  const bool rectified = is_rectified_pair(rig) && !depth && (style != Style::kV1 || (type != nullptr && type->value == "Rectified"));
+  const bool two = posed || rectified;
   const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty();
-  for (const Sensor& candidate : sensors()) {
-    if (candidate.two_cameras == two && candidate.depth == (depth && !two) && candidate.inertial == inertial)
-      sensor = candidate;
-  }
-  return sensor;
+  const auto* const found = std::ranges::find_if(kSensors, [&](const Sensor& candidate) {
+    return candidate.two_cameras == two && candidate.depth == (depth && !two) && candidate.inertial == inertial;
+  });
+  return found == kSensors.end() ? *find_sensor("mono") : *found;
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return text;
+std::optional<Base> read_base(const text::Document* document) {
+  if (document == nullptr) return std::nullopt;
+  Diagnostics ignored;
+  std::optional<Rig> rig = read(std::span(document, 1), {}, ignored);
+  if (!rig) return std::nullopt;
+  const Style style = style_of(*document);
+  const std::optional<double> rate = rig->cameras.front().frame_rate_hz;
+  Target target{style, sensor_of(*document, *rig, style), rate.value_or(kUpstreamFrameRate), rate.has_value(),
+                Tuning(*document)};
+  return Base{*document, *std::move(rig), std::move(target)};
 }
 
 bool only_when_asked(const Sensor& sensor) { return sensor.depth; }
@@ -46,12 +64,12 @@ bool only_when_asked(const Sensor& sensor) { return sensor.depth; }
 /// The richest mode the rig fully serves; `next`: what is missing for the next richer one, in words.
 Sensor richest_sensor(const Rig& rig, Style style, std::string& next) {
   Sensor best = *find_sensor("mono");
-  for (const Sensor& sensor : sensors()) {
+  for (const Sensor& sensor : kSensors) {
     if (!only_when_asked(sensor) && missing_for(rig, sensor, style).empty()) best = sensor;
   }
   const std::string_view wished = rig.cameras.size() > 1 ? "stereo-inertial" : "mono-inertial";
   if (best.id != wished && best.id != "stereo-inertial" && style != Style::kSlamNoOpt) {
-    next = std::string(wished) + " lacks " + joined(missing_for(rig, *find_sensor(wished), style));
+    next = std::string(wished) + " lacks " + text::enumerated(missing_for(rig, *find_sensor(wished), style));
   }
   return best;
 }
@@ -70,59 +88,68 @@ void list_rounded_rates(const Rig& rig, const Target& target, Written& written) 
   }
 }
 
-/// What no settings file of that style and mode can hold.
-void list_losses(const Rig& rig, const Target& target, Written& written) {
-  const std::string program = target.style == Style::kSlamNoOpt ? "slam_no_opt" : "ORB-SLAM3";
+void list_camera_losses(const Rig& rig, const Target& target, const std::string& program, std::vector<Loss>& losses) {
   const std::size_t used = target.sensor.two_cameras ? 2 : 1;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const Camera& camera = rig.cameras[i];
     if (i >= used) {
-      written.losses.push_back({"camera-dropped", camera.name,
-                                std::string(target.sensor.id) + " settings hold " + std::to_string(used) + " camera(s)",
-                                "write it to a file of its own with --camera " + camera.name});
+      losses.push_back({"camera-dropped", camera.name,
+                        std::string(target.sensor.id) + " settings hold " + (used == 1 ? "one camera" : "two cameras"),
+                        "write it to a file of its own with --camera " + camera.name});
       continue;
     }
     if (camera.time_offset_s && *camera.time_offset_s != 0.0) {
       const std::string shift = text::format_short(*camera.time_offset_s, 12);
-      written.losses.push_back({"time-offset-dropped", camera.name + " t_imu = t_cam + " + shift + " s",
-                                program + " has no key for it",
-                                "add " + shift + " s to every image time stamp of " + camera.name});
+      losses.push_back({"time-offset-dropped", camera.name + " timeshift_cam_imu " + shift + " s",
+                        program + " has no key for it", "add " + shift + " s to every image time stamp of " + camera.name});
     }
     if (!camera.topic.empty()) {
-      written.losses.push_back(
+      losses.push_back(
           {"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
     }
   }
-  if (!rig.imus.empty() && !target.sensor.inertial) {
-    written.losses.push_back({"imu-dropped", rig.imus.front().name + " noise and rate",
-                              target.style == Style::kSlamNoOpt ? "slam_no_opt has no keys for them"
-                                                                : std::string(target.sensor.id) + " settings hold no IMU",
-                              ""});
-  }
-  if (target.sensor.inertial && !rig.imus.front().topic.empty()) {
-    written.losses.push_back({"topic-dropped", rig.imus.front().name + " " + rig.imus.front().topic,
-                              program + " takes topics on its command line", ""});
-  }
-  if (!target.sensor.inertial && target.style != Style::kSlamNoOpt && rig.resolve("imu0", rig.cameras.front().name)) {
-    written.losses.push_back({"imu-pose-dropped", "pose of " + rig.cameras.front().name + " to the IMU",
-                              std::string(target.sensor.id) + " settings hold no IMU pose", ""});
-  }
-  if (rig.baseline_m && !target.sensor.two_cameras && !target.sensor.depth) {
-    written.losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",
-                              "mono settings hold none", "--sensor rgbd writes it"});
-  }
-  for (const std::string& what : rig.as_read) {
-    const bool depth =
-        target.sensor.depth && what.find("DepthMapFactor ") != std::string::npos && target.tuning.depth_map_factor;
-    const bool threshold = what.find("ThDepth ") != std::string::npos && target.tuning.th_depth &&
-                           (target.sensor.depth || target.sensor.two_cameras);
-    const bool carried = depth || threshold || (what.starts_with("Camera.RGB ") && target.tuning.colour_order);
-    if (!carried) written.losses.push_back({"not-carried", what, "the new settings do not take it over", ""});
-  }
-  list_rounded_rates(rig, target, written);
 }
 
-bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+/// What an edited base already says outside the fields of its own mode is still there.
+void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, const std::string& program,
+                      std::vector<Loss>& losses) {
+  const std::string mode(target.sensor.id);
+  const bool slam_no_opt = target.style == Style::kSlamNoOpt;
+  const bool untouched_imu = edited != nullptr && !edited->target.sensor.inertial;
+  if (!rig.imus.empty() && !target.sensor.inertial && !(untouched_imu && edited->rig.imus == rig.imus)) {
+    losses.push_back({"imu-dropped", rig.imus.front().name + " noise and rate",
+                      slam_no_opt ? "slam_no_opt has no keys for them" : mode + " settings hold no IMU", ""});
+  }
+  if (target.sensor.inertial && !rig.imus.front().topic.empty()) {
+    losses.push_back({"topic-dropped", rig.imus.front().name + " " + rig.imus.front().topic,
+                      program + " takes topics on its command line", ""});
+  }
+  const std::string& first = rig.cameras.front().name;
+  const bool untouched_pose = untouched_imu && edited->rig.stated("imu0", edited->rig.cameras.front().name) != nullptr;
+  if (!target.sensor.inertial && !slam_no_opt && rig.resolve("imu0", first) && !untouched_pose) {
+    losses.push_back({"imu-pose-dropped", "pose of " + first + " to the IMU", mode + " settings hold no IMU pose", ""});
+  }
+  const bool untouched_baseline = edited != nullptr && edited->rig.baseline_m == rig.baseline_m &&
+                                  !edited->target.sensor.two_cameras && !edited->target.sensor.depth;
+  if (rig.baseline_m && !target.sensor.two_cameras && !target.sensor.depth && !untouched_baseline) {
+    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",
+                      mode + " settings hold none", "--sensor rgbd writes it"});
+  }
+}
+
+/// What was read and the fields of a fresh file do not say.
+void list_extras(const Rig& rig, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
+  std::vector<AsRead> lost;
+  std::ranges::copy_if(rig.as_read, std::back_inserter(lost), [&fields](const AsRead& extra) {
+    const TuningKey* key = find_tuning_key(extra.key);
+    return key == nullptr || std::ranges::none_of(fields, [key](const fields::Field& field) {
+      return field.key == key->key || field.key == key->old_key;
+    });
+  });
+  add_not_carried(lost, "the new settings have no place for it", losses);
+}
+
+bool check_cameras(const Rig& rig, const Target& target, const Base* edited, Diagnostics& diagnostics) {
   const std::size_t used = target.sensor.two_cameras && rig.cameras.size() > 1 ? 2 : 1;
   for (std::size_t i = 0; i < used; ++i) {
     const Camera& camera = rig.cameras[i];
@@ -132,8 +159,10 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
                         camera.name + ": these settings cannot hold " + std::string(model_info(camera.model).id));
       return false;
     }
-    if (!stored_within(kFormat, camera, diagnostics)) return false;
-    if (!camera.image_size) {
+    const Camera* before = edited != nullptr ? edited->rig.find_camera(camera.name) : nullptr;
+    if ((before == nullptr || before->model != camera.model) && !stored_within(kFormat, camera, diagnostics)) return false;
+    // A base that never stated a size need not begin to.
+    if (!camera.image_size && before == nullptr) {
       diagnostics.error("image-size-missing",
                         camera.name + ": the settings demand Camera.width and Camera.height and the input has none", {},
                         "give it: --size WIDTHxHEIGHT");
@@ -143,7 +172,9 @@ bool check_cameras(const Rig& rig, const Target& target, Diagnostics& diagnostic
       diagnostics.error("image-sizes-differ", "the settings have one image size for both cameras, and theirs differ");
       return false;
     }
-    if (model_info(camera.model).id != model_info(rig.cameras[0].model).id) {
+    // PinHole with and without a lens have one name.
+    const Layout* first = find_layout(target.style, model_info(rig.cameras[0].model).id);
+    if (first != nullptr && layout->type != first->type) {
       diagnostics.error("models-differ", "the settings have one Camera.type for both cameras, and theirs differ", {},
                         "convert both with --model");
       return false;
@@ -160,7 +191,7 @@ std::string who_reads(const Target& target, std::string_view model) {
   if (model == "ds")
     return "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)";
   if (target.style == Style::kV1) return "settings for ORB-SLAM3 V1.0";
-  return "settings in the style before ORB-SLAM3 V1.0";
+  return target.style == Style::kOrbSlam2 ? "settings for ORB-SLAM2" : "settings in the style before ORB-SLAM3 V1.0";
 }
 
 /// The first line people see: who reads the file, the mode, and what is missing for a richer one.
@@ -179,92 +210,124 @@ std::vector<std::string> programs_for(Style style, std::string_view model) {
 std::optional<Sensor> asked_sensor(const Rig& rig, Style style, const std::string& id, Diagnostics& diagnostics) {
   const Sensor* sensor = find_sensor(id);
   if (sensor == nullptr) {
-    diagnostics.error("unknown-sensor", "there is no sensor mode '" + id + "'", {},
-                      "one of mono, stereo, rgbd, mono-inertial, stereo-inertial, rgbd-inertial");
+    diagnostics.error("unknown-sensor", "there is no sensor mode '" + id + "'");
     return std::nullopt;
   }
   const std::vector<std::string> missing = missing_for(rig, *sensor, style);
   if (!missing.empty()) {
-    diagnostics.error("sensor-not-served", "the input cannot serve " + id + ": it lacks " + joined(missing));
+    diagnostics.error("sensor-not-served", "the input cannot serve " + id + ": it lacks " + text::enumerated(missing));
     return std::nullopt;
   }
   return *sensor;
 }
 
-}  // namespace
-
-std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
-                             Diagnostics& diagnostics) {
-  if (rig.cameras.empty()) {
-    diagnostics.error("no-camera", "ORB-SLAM3 settings need a camera and the input has none");
+/// The style asked for, else the base's where that stores the model (a fork's only for the fork's own model), else a new file's.
+std::optional<Style> choose_style(const Rig& rig, const Base* base, const std::string& asked, Diagnostics& diagnostics) {
+  const std::string_view model = model_info(rig.cameras.front().model).id;
+  if (!asked.empty()) {
+    const auto* const named = std::ranges::find(kStyleNames, asked, &StyleName::name);
+    if (named != kStyleNames.end()) return named->style;
+    diagnostics.error("unknown-layout", "ORB-SLAM3 settings have no layout '" + asked + "'");
     return std::nullopt;
   }
-  Diagnostics ignored;
-  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const std::string_view model = model_info(rig.cameras.front().model).id;
+  if (base == nullptr || find_layout(base->target.style, model) == nullptr) return style_for(model);
+  const bool fork = base->target.style == Style::kSlamNoOpt;
+  return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
+}
 
+bool check_rates(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  constexpr double kLargestRate = 1e6;
+  constexpr double kRoundsToOne = 0.5;
+  const double lowest = target.style == Style::kV1 ? kRoundsToOne : 1e-6;
+  if (!(target.frame_rate_hz >= lowest && target.frame_rate_hz <= kLargestRate)) {
+    diagnostics.error("rate-not-storable", "a frame rate of " + text::format_short(target.frame_rate_hz) +
+                                               " Hz cannot be stored: Camera.fps is a positive int");
+    return false;
+  }
+  if (!target.sensor.inertial) return true;
+  const double imu_rate = rig.imus.front().rate_hz.value_or(kRoundsToOne);
+  if (imu_rate >= kRoundsToOne && imu_rate <= kLargestRate) return true;
+  diagnostics.error("rate-not-storable",
+                    "an IMU rate of " + text::format_short(imu_rate) + " Hz cannot be stored in IMU.Frequency");
+  return false;
+}
+
+/// What is to be written; `next`: what a richer mode lacks, in words.
+std::optional<Target> choose_target(const Rig& rig, const Base* base, const WriteOptions& options, std::string& next,
+                                    Diagnostics& diagnostics) {
   Target target;
-  std::string next;
-  // A base keeps its style where that stores the model; a fork's style only for the fork's own model.
-  const bool keeps_style = old && find_layout(style_of(*base), model) != nullptr &&
-                           (style_of(*base) != Style::kSlamNoOpt || model == model_info(old->cameras.front().model).id);
-  target.style = keeps_style ? style_of(*base) : style_for(model);
+  const std::optional<Style> style = choose_style(rig, base, options.layout, diagnostics);
+  if (!style) return std::nullopt;
+  target.style = *style;
   if (!options.sensor.empty()) {
     const std::optional<Sensor> sensor = asked_sensor(rig, target.style, options.sensor, diagnostics);
     if (!sensor) return std::nullopt;
     target.sensor = *sensor;
   } else {
-    target.sensor = old ? sensor_of(*base, rig, target.style) : richest_sensor(rig, target.style, next);
+    target.sensor = base != nullptr ? sensor_of(base->document, rig, target.style) : richest_sensor(rig, target.style, next);
   }
-  const std::optional<double> stated_rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
-  target.frame_rate_known = stated_rate.has_value();
-  target.frame_rate_hz = stated_rate.value_or(kUpstreamFrameRate);
-  constexpr double kLargestRate = 1e6;
-  const bool rate_fits =
-      target.frame_rate_hz >= (target.style == Style::kV1 ? 0.5 : 1e-6) && target.frame_rate_hz <= kLargestRate;
-  if (!rate_fits) {
-    diagnostics.error("rate-not-storable", "a frame rate of " + text::format_short(target.frame_rate_hz) +
-                                               " Hz cannot be stored: Camera.fps is a positive int");
-    return std::nullopt;
-  }
-  if (target.sensor.inertial && rig.imus.front().rate_hz &&
-      (*rig.imus.front().rate_hz < 0.5 || *rig.imus.front().rate_hz > kLargestRate)) {
-    diagnostics.error("rate-not-storable", "an IMU rate of " + text::format_short(*rig.imus.front().rate_hz) +
-                                               " Hz cannot be stored in IMU.Frequency");
-    return std::nullopt;
-  }
-  // A base that never stated a size need not begin to.
-  const bool unchanged_style = old && target.style == style_of(*base);
-  if (!unchanged_style && !check_cameras(rig, target, diagnostics)) return std::nullopt;
+  const std::optional<double> rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
+  target.frame_rate_known = rate.has_value();
+  target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
+  if (base != nullptr) target.tuning = base->target.tuning;
+  if (!check_rates(rig, target, diagnostics)) return std::nullopt;
+  return target;
+}
 
-  Written written;
-  if (old) target.tuning = tuning_of(*base);
+/// Of the values that no input states, those that the base does not already have.
+std::vector<fields::Field> new_fields(const std::vector<fields::Field>& fields, const Base& base) {
+  std::vector<fields::Field> result;
+  const std::vector<fields::Field> before = settings_fields(base.rig, base.target);
+  std::ranges::copy_if(fields, std::back_inserter(result), [&](const fields::Field& field) {
+    const bool was = std::ranges::find(before, field.key, &fields::Field::key) != before.end();
+    return !was && find_key(base.document, field.key) == nullptr;
+  });
+  return result;
+}
+
+}  // namespace
+
+std::optional<Written> write(const text::Document* base_document, const Rig& rig, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
+  if (rig.cameras.empty()) {
+    diagnostics.error("no-camera", "ORB-SLAM3 settings need a camera and the input has none");
+    return std::nullopt;
+  }
+  const std::optional<Base> base = read_base(base_document);
+  std::string next;
+  const std::optional<Target> target = choose_target(rig, base ? &*base : nullptr, options, next, diagnostics);
+  if (!target) return std::nullopt;
   // Another style has other keys and other types for the same ones: such a file is composed anew, and what that drops is
   // listed.
-  if (unchanged_style) {
-    Target before{style_of(*base), sensor_of(*base, *old, style_of(*base)),
-                  old->cameras.front().frame_rate_hz.value_or(kUpstreamFrameRate),
-                  old->cameras.front().frame_rate_hz.has_value(), target.tuning};
-    text::Document document = *base;
-    fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(*old, before),
-                  settings_fields(rig, target));
-    written.files.push_back({std::move(document), {}});
-    list_rounded_rates(rig, target, written);
+  const Base* edited = base && base->target.style == target->style ? &*base : nullptr;
+  if (!check_cameras(rig, *target, edited, diagnostics)) return std::nullopt;
+
+  const std::string_view model = model_info(rig.cameras.front().model).id;
+  const std::vector<fields::Field> fields = settings_fields(rig, *target);
+  Written written;
+  if (edited != nullptr) {
+    text::Document document = edited->document;
+    fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(edited->rig, edited->target), fields);
+    written.files.push_back({std::move(document), {}, {}});
+    written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
   } else {
-    const std::vector<fields::Field> fields = settings_fields(rig, target);
     std::optional<text::Document> document =
-        text::parse_document({"settings.yaml", compose(fields, target, rig, who_reads(target, model))}, diagnostics);
+        text::parse_document({"settings.yaml", compose(fields, *target, rig, who_reads(*target, model))}, diagnostics);
     if (!document) return std::nullopt;
-    written.files.push_back({*std::move(document), {}});
-    written.defaults = defaulted(fields, target, rig);
-    list_losses(rig, target, written);
+    written.files.push_back({*std::move(document), {}, {}});
+    written.defaults = defaulted(fields, *target, rig);
+    list_extras(rig, fields, written.losses);
   }
-  const std::size_t used = target.sensor.two_cameras ? 2 : 1;
-  for (std::size_t i = 0; i < std::min(used, rig.cameras.size()); ++i)
-    written.files.front().cameras.push_back(rig.cameras[i].name);
-  written.headline = headline(target, model, next);
-  written.sensor = target.sensor.id;
-  written.programs = programs_for(target.style, model);
+  const std::string program = target->style == Style::kSlamNoOpt ? "slam_no_opt" : "ORB-SLAM3";
+  list_camera_losses(rig, *target, program, written.losses);
+  list_mode_losses(rig, *target, edited, program, written.losses);
+  list_rounded_rates(rig, *target, written);
+  Written::File& file = written.files.front();
+  const std::size_t used = std::min<std::size_t>(target->sensor.two_cameras ? 2 : 1, rig.cameras.size());
+  for (std::size_t i = 0; i < used; ++i) file.cameras.push_back(rig.cameras[i].name);
+  file.programs = programs_for(target->style, model);
+  written.headline = headline(*target, model, next);
+  written.sensor = target->sensor.id;
   return written;
 }
 

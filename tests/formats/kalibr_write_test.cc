@@ -73,7 +73,7 @@ TEST(KalibrWrite, KalibrLoadsItAndAgrees) {
     for (const RigShape shape : kShapes) {
       const Rig rig = sample_rig(std::string(row.model), shape);
       const Written written = write(rig);
-      EXPECT_EQ(written.programs, std::vector<std::string>{"kalibr"});
+      EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"kalibr"});
       const ProofResult proof = prove(*consumers::find_consumer("kalibr"), chain_of(written), {}, rig);
       EXPECT_TRUE(proof.loads) << row.model << ": " << (proof.refusals.empty() ? "" : proof.refusals.front());
       EXPECT_TRUE(proof.agrees()) << row.model << ": " << proof.max_diff_px << " px, poses " << proof.max_diff_pose;

@@ -19,7 +19,7 @@ const Format& orbslam3() { return *find_format("orbslam3"); }
 
 Written write(const Rig& rig, const std::string& sensor = "") {
   Diagnostics diagnostics;
-  std::optional<Written> written = orbslam3().write(nullptr, rig, {sensor, std::nullopt}, diagnostics);
+  std::optional<Written> written = orbslam3().write(nullptr, rig, {sensor, {}, std::nullopt}, diagnostics);
   EXPECT_TRUE(written) << sensor << ": " << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
   return written ? *std::move(written) : Written();
 }
@@ -164,7 +164,7 @@ TEST(OrbSlam3Write, OrbSlam3LoadsItInItsModeAndAgrees) {
     const Rig rig = rig_of(mode);
     const Written written = write(rig, mode.sensor);
     EXPECT_EQ(written.sensor, mode.sensor);
-    EXPECT_EQ(written.programs, std::vector<std::string>{"orbslam3"});
+    EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"orbslam3"});
     const ProofResult proof = prove(*consumers::find_consumer("orbslam3"), bytes_of(written), {mode.sensor}, rig);
     EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : proof.refusals.front());
     EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose << ", compared "
@@ -243,7 +243,7 @@ TEST(OrbSlam3Write, WithoutASensorTheRichestServedModeIsWritten) {
 TEST(OrbSlam3Write, FactsAreNeverDefaulted) {
   const auto refused = [](Rig rig, const std::string& sensor) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(orbslam3().write(nullptr, rig, {sensor, std::nullopt}, diagnostics)) << sensor;
+    EXPECT_FALSE(orbslam3().write(nullptr, rig, {sensor, {}, std::nullopt}, diagnostics)) << sensor;
     EXPECT_TRUE(diagnostics.has_errors()) << sensor;
   };
   const Rig mono = sample_rig("kb4", {false, false});
@@ -305,7 +305,7 @@ TEST(OrbSlam3Write, DialectsAreReadByTheirForkAndNotByStock) {
       const Rig rig = sample_rig(dialect.model, {two, false});
       const Written written = write(rig, sensor);
       const std::string bytes = bytes_of(written);
-      EXPECT_EQ(written.programs, std::vector<std::string>{dialect.program});
+      EXPECT_EQ(written.files.front().programs, std::vector<std::string>{dialect.program});
       EXPECT_NE(written.headline.find("NOT by stock ORB-SLAM3"), std::string::npos) << written.headline;
       const cv::FileStorage storage = opened(bytes);
       ASSERT_TRUE(storage.isOpened());
@@ -355,7 +355,7 @@ TEST(OrbSlam3Write, EucmAtOrBelowOneHalfIsRefused) {
   Rig rig = sample_rig("eucm", {false, false});
   set_parameter(rig.cameras[0].model, "alpha", 0.45);
   Diagnostics diagnostics;
-  EXPECT_FALSE(orbslam3().write(nullptr, rig, {"mono", std::nullopt}, diagnostics));
+  EXPECT_FALSE(orbslam3().write(nullptr, rig, {"mono", {}, std::nullopt}, diagnostics));
   EXPECT_TRUE(diagnostics.has_errors());
 }
 
@@ -392,7 +392,7 @@ TEST(OrbSlam3Write, LossesAreListed) {
 TEST(OrbSlam3Write, WhatOneFileCannotHoldIsRefused) {
   const auto code_of = [](const Rig& rig) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(orbslam3().write(nullptr, rig, {"stereo", std::nullopt}, diagnostics));
+    EXPECT_FALSE(orbslam3().write(nullptr, rig, {"stereo", {}, std::nullopt}, diagnostics));
     return diagnostics.entries().empty() ? std::string("nothing said") : diagnostics.entries().front().code;
   };
   Rig sizes = sample_rig("kb4", {true, false});

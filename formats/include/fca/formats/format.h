@@ -7,6 +7,7 @@
 #include <fca/formats/text/document.h>
 #include <fca/rig/rig.h>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +28,7 @@ struct StoredModel {
   bool stock = true;                       ///< Read by the format's own program; false: a dialect that only forks read.
   std::string_view read_by;                ///< Programs, for people.
   std::span<const ParameterRange> ranges;  ///< What the program demands beyond the model's own ranges (EUCM alpha > 0.5).
+  std::string_view why = {};               ///< Why it demands that, for people.
 };
 
 /// Something the target format cannot carry.
@@ -47,19 +49,20 @@ struct DefaultedValue {
 /// What a writer is asked for.
 struct WriteOptions {
   std::string sensor;  ///< orbslam3: "mono", "stereo", ...; empty: the richest the rig serves.
+  std::string layout;  ///< One of Format::layouts; empty: the base file's, else the stock program's.
   std::optional<double> frame_rate_hz;
 };
 
 /// What was written and what the user must know of it.
 struct Written {
   struct File {
-    text::Document document;           ///< Bytes with edits; the name is chosen by the caller.
-    std::vector<std::string> cameras;  ///< Names of the cameras in it.
+    text::Document document;            ///< Bytes with edits; its source's name is a proposal.
+    std::vector<std::string> cameras;   ///< Names, as in the rig, of the cameras in it.
+    std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
   };
   std::vector<File> files;
-  std::string headline;               ///< First line for people: mode, who reads it, who does not.
-  std::string sensor;                 ///< orbslam3: the mode written for.
-  std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
+  std::string headline;  ///< First line for people: mode, who reads it, who does not.
+  std::string sensor;    ///< orbslam3: the mode written for.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
 };
@@ -76,11 +79,13 @@ struct Format {
   std::string_view title;
   std::string_view syntaxes;  ///< For people: "YAML".
   std::string_view program;   ///< The stock program that reads it: "Kalibr".
-  bool many_cameras = true;
+  bool many_cameras = true;  ///< In one file.
+  std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool extrinsics = true;
   bool imu = true;
   bool image_size = true;
-  std::span<const std::string_view> modes = {};  ///< What WriteOptions::sensor may say; empty: nothing.
+  std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
+  std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   std::span<const StoredModel> models;
 
   ProbeResult (*probe)(const text::Document& document);
@@ -88,8 +93,9 @@ struct Format {
   /// Documents that together are one calibration, or nothing with errors.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);
 
-  /// Edits `base` (a document this format read as `base_rig`) so that it says what `rig` says; only fields in which the two
-  /// differ are touched. With no base, the format's skeleton is filled in. Every model of `rig` must be one of `models`.
+  /// Edits `base` (a document this format read) so that it says what `rig` says; only fields in which the two differ are
+  /// touched; cameras are recognised by their names. With no base a fresh file is composed. Every model of `rig` must be one of
+  /// `models`.
   std::optional<Written> (*write)(const text::Document* base, const Rig& rig, const WriteOptions& options,
                                   Diagnostics& diagnostics);
 };

@@ -41,15 +41,21 @@ struct Imu {
   bool operator==(const Imu&) const = default;
 };
 
+/// Something a file states that Rig has no member for (rolling shutter, a program's tuning).
+struct AsRead {
+  std::string key;    ///< With its owner: "cam0 line_delay", "Viewer.PointSize".
+  std::string value;  ///< As spelled; empty where it is no scalar.
+  bool operator==(const AsRead&) const = default;
+};
+
 /// Cameras, IMUs and how they sit to each other. May hold no camera (imu.yaml).
 struct Rig {
   std::vector<Camera> cameras;
   std::vector<Imu> imus;
   /// Poses as edges of a graph, as read. A file that says both T_cam_imu and T_cn_cnm1 keeps both.
   std::vector<PoseEdge> poses;
-  /// What the file states beyond this struct (rolling shutter, the program's tuning), in words: "cam0 line_delay 0.00002". A
-  /// format that has no place for it lists it as lost.
-  std::vector<std::string> as_read;
+  /// A format that has no place for these lists them as lost.
+  std::vector<AsRead> as_read;
   /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
   std::optional<double> baseline_m;
 

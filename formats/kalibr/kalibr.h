@@ -16,4 +16,9 @@ namespace fca::kalibr {
 
 extern const Format kFormat;
 
+[[nodiscard]] std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options,
+                                      Diagnostics& diagnostics);
+[[nodiscard]] std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                                           Diagnostics& diagnostics);
+
 }  // namespace fca::kalibr

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::text {
+
+/// "a, b and c"
+[[nodiscard]] std::string enumerated(std::span<const std::string> parts, std::string_view last_word = "and");
+
+/// Those of `names` that `typed` probably meant, by edit distance; at most three.
+[[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
+
+}  // namespace fca::text

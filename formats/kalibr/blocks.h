@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a camera's block and an imu.yaml say, key by key.
+#pragma once
+
+#include "../fields.h"
+
+#include <fca/rig/rig.h>
+
+#include <vector>
+
+namespace fca::kalibr {
+
+/// The fields of the camera of that index, in Kalibr's (alphabetic) order.
+[[nodiscard]] std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index);
+
+/// The fields of an imu.yaml.
+[[nodiscard]] std::vector<fields::Field> imu_fields(const Imu& imu);
+
+}  // namespace fca::kalibr

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kalibr.h"
+#include "layout.h"
+
+#include <array>
+#include <limits>
+
+namespace fca::kalibr {
+
+using text::Node;
+
+namespace {
+
+/// ConfigReader.py demands 0 <= alpha < 1; a radtan has no k3.
+constexpr double kBelowOne = 1.0 - std::numeric_limits<double>::epsilon() / 2;
+constexpr std::array kAlphaRange = {ParameterRange{"alpha", 0.0, kBelowOne}};
+constexpr std::string_view kAlphaReason = "Kalibr refuses alpha = 1";
+constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
+
+constexpr std::array kModels = {
+    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr", kNoK3, "Kalibr's radtan has no k3"},
+    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg)", {}},
+    StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
+    StoredModel{"eucm", "eucm-none", true, "Kalibr", kAlphaRange, kAlphaReason},
+    StoredModel{"ds", "ds-none", true, "Kalibr", kAlphaRange, kAlphaReason},
+    StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kAlphaRange, kAlphaReason},
+    StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5])", {}},
+    StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr", {}},
+};
+
+ProbeResult probe(const text::Document& document) {
+  const Node& root = document.root();
+  for (const text::Entry& entry : root.entries) {
+    if (!index_in(entry.key.value, "cam") || !entry.value.is_mapping()) continue;
+    for (const std::string_view key : kCameraKeys) {
+      if (text::find(entry.value, key, text::Dialect::kPyYaml) != nullptr) {
+        return {90, "a top-level " + entry.key.value + " with " + std::string(key)};
+      }
+    }
+  }
+  for (const text::Entry& entry : root.entries) {
+    if (index_in(entry.key.value, "cam")) return {60, "a top-level " + entry.key.value};
+  }
+  if (holds_noise(root)) return {80, "the noise keys of Kalibr's imu.yaml"};
+  for (const text::Entry& entry : root.entries) {
+    if (index_in(entry.key.value, "imu") && entry.value.is_mapping() && holds_noise(entry.value)) {
+      return {80, "a top-level " + entry.key.value + " with noise densities"};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "kalibr",
+    .title = "Kalibr camchain",
+    .syntaxes = "YAML",
+    .program = "Kalibr",
+    .many_cameras = true,
+    .extrinsics = true,
+    .imu = true,
+    .image_size = true,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::kalibr

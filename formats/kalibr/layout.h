@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which lists hold what, per camera_model and distortion_model; and how cameras are named.
+#pragma once
+
+#include <fca/formats/text/dialect.h>
+#include <fca/formats/text/document.h>
+#include <fca/models/camera_model.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::kalibr {
+
+/// One number of intrinsics or distortion_coeffs: a parameter of our model, or a constant the layout demands.
+struct Slot {
+  std::string_view parameter;
+  double constant = 0.0;
+};
+
+/// How Kalibr writes one of our models.
+struct Layout {
+  std::string_view model;
+  std::string_view camera_model;
+  std::string_view distortion_model;
+  std::vector<Slot> intrinsics;
+  std::vector<Slot> coefficients;
+};
+
+/// Reading takes the first row with the file's two names, writing the first row of the model.
+[[nodiscard]] const std::vector<Layout>& layouts();
+
+/// The row for writing; null if Kalibr has no such model.
+[[nodiscard]] const Layout* layout_for(const CameraModel& model);
+
+/// OpenVINS' chains are OpenCV's YAML, Kalibr's own are PyYAML's.
+[[nodiscard]] text::Dialect dialect_of(const text::Document& document);
+
+/// "cam" and 12 -> "cam12".
+[[nodiscard]] std::string indexed(std::string_view prefix, std::size_t index);
+/// "cam12" and "cam" -> 12.
+[[nodiscard]] std::optional<std::size_t> index_in(std::string_view key, std::string_view prefix);
+
+/// The keys that become members of a Camera and its poses.
+inline constexpr std::array<std::string_view, 10> kCameraKeys = {
+    "camera_model", "intrinsics", "distortion_model", "distortion_coeffs", "resolution",
+    "rostopic",     "T_cam_imu",  "T_imu_cam",        "T_cn_cnm1",         "timeshift_cam_imu"};
+
+/// Does the mapping hold one of imu.yaml's noise keys?
+[[nodiscard]] bool holds_noise(const text::Node& mapping);
+
+}  // namespace fca::kalibr

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kalibr.h"
+#include "layout.h"
+
+#include "../fields.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+
+#include <algorithm>
+
+namespace fca::kalibr {
+
+using text::Node;
+
+namespace {
+
+constexpr std::string_view kImuKeys[] = {"accelerometer_noise_density",
+                                         "accelerometer_random_walk",
+                                         "gyroscope_noise_density",
+                                         "gyroscope_random_walk",
+                                         "update_rate",
+                                         "rostopic"};
+
+class ChainReader {
+ public:
+  ChainReader(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics)
+      : reader_(document, dialect_of(document), diagnostics), options_(options) {}
+
+  void read_into(Rig& rig) {
+    const Node& root = reader_.document().root();
+    if (holds_noise(root)) read_imu(root, "imu0", rig);
+    for (const text::Entry& entry : root.entries) {
+      const bool counts = text::find_entry(root, entry.key.value, reader_.dialect()) == &entry;
+      if (!counts) {
+        reader_.warning(entry.key, "duplicate-key", "the key " + entry.key.value + " stands twice; this one is not read");
+        continue;
+      }
+      if (index_in(entry.key.value, "cam")) {
+        read_camera(entry.value, entry.key, rig);
+      } else if (index_in(entry.key.value, "imu") && entry.value.is_mapping()) {
+        read_imu(entry.value, entry.key.value, rig);
+      } else if (!read_named_pose(entry, rig) && !holds_noise(root)) {
+        rig.as_read.push_back({entry.key.value, entry.value.value});
+      }
+    }
+    // Kalibr counts cam0, cam1, ... wherever they stand.
+    std::ranges::stable_sort(rig.cameras, {}, [](const Camera& camera) { return *index_in(camera.name, "cam"); });
+  }
+
+ private:
+  void read_camera(const Node& node, const Node& key, Rig& rig) {
+    const std::string& name = key.value;
+    if (!node.is_mapping()) {
+      reader_.error(key, "not-a-mapping", name + " holds no keys");
+      return;
+    }
+    Camera camera;
+    camera.name = name;
+    if (!read_model(node, key, camera)) return;
+    read_size(node, name, camera);
+    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr && topic->is_scalar()) camera.topic = topic->value;
+    if (const Node* shift = reader_.find(node, "timeshift_cam_imu")) {
+      camera.time_offset_s = reader_.real(*shift, name + " timeshift_cam_imu");
+    }
+    read_poses(node, name, rig);
+    keep_unread(node, name, kCameraKeys, rig);
+    rig.cameras.push_back(std::move(camera));
+  }
+
+  /// What the file says and a Rig has no place for (line_delay, T_i_b, ...): a format without those keys must be able to say
+  /// so.
+  void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
+    for (const text::Entry& entry : node.entries) {
+      if (std::ranges::find(known, entry.key.value) != known.end()) continue;
+      rig.as_read.push_back({owner + " " + entry.key.value, entry.value.value});
+    }
+  }
+
+  bool read_model(const Node& node, const Node& key, Camera& camera) {
+    const std::string& name = key.value;
+    const auto string_at = [&](std::string_view k) -> std::optional<std::string> {
+      const Node* value = reader_.find(node, k);
+      if (value == nullptr) {
+        reader_.error(key, "missing-key", name + " has no " + std::string(k));
+        return std::nullopt;
+      }
+      return reader_.string(*value, name + " " + std::string(k));
+    };
+    const std::optional<std::string> camera_model = string_at("camera_model");
+    const std::optional<std::string> distortion_model = string_at("distortion_model");
+    if (!camera_model || !distortion_model) return false;
+
+    const auto& rows = layouts();
+    const bool known_camera = std::ranges::any_of(rows, [&](const Layout& l) { return l.camera_model == *camera_model; });
+    const auto layout = std::ranges::find_if(
+        rows, [&](const Layout& l) { return l.camera_model == *camera_model && l.distortion_model == *distortion_model; });
+    if (!known_camera) {
+      const std::vector<std::string> names = {"pinhole", "omni", "eucm", "ds"};
+      const std::vector<std::string> near = text::nearest(*camera_model, names);
+      reader_.error(*reader_.find(node, "camera_model"), "unknown-model",
+                    name + ": Kalibr has no camera_model '" + *camera_model + "'; it knows " + text::enumerated(names),
+                    near.empty() ? "" : "did you mean " + text::enumerated(near, "or") + "?");
+      return false;
+    }
+    if (layout == rows.end()) {
+      reader_.error(
+          *reader_.find(node, "distortion_model"), "unknown-model",
+          name + ": Kalibr has no camera_model " + *camera_model + " with distortion_model '" + *distortion_model + "'");
+      return false;
+    }
+    camera.model = *make_model(layout->model);
+    if (!read_slots(node, key, "intrinsics", layout->intrinsics, camera) ||
+        !read_slots(node, key, "distortion_coeffs", layout->coefficients, camera)) {
+      return false;
+    }
+    const StoredModel* stored = find_stored_model(kFormat, layout->model, true);
+    for (const ParameterRange& range : stored->ranges) {
+      if (within(camera.model, std::span(&range, 1))) continue;
+      reader_.warning(*reader_.find(node, "intrinsics"), "program-refuses",
+                      name + ": Kalibr refuses " + std::string(range.parameter) + " = " +
+                          text::format_short(*parameter(camera.model, range.parameter)) + "; it must be less than 1");
+    }
+    return true;
+  }
+
+  bool read_slots(const Node& node, const Node& key, std::string_view list_key, std::span<const Slot> slots, Camera& camera) {
+    const Node* list = reader_.find(node, list_key);
+    if (list == nullptr) {
+      if (slots.empty()) return true;
+      reader_.error(key, "missing-key", key.value + " has no " + std::string(list_key));
+      return false;
+    }
+    const std::string what = key.value + " " + std::string(list_key);
+    if (!list->is_sequence() || list->items.size() != slots.size()) {
+      const std::string wanted = std::to_string(slots.size());
+      reader_.error(*list, "wrong-length",
+                    list->is_sequence()
+                        ? what + " has " + std::to_string(list->items.size()) + " numbers; " + wanted + " are wanted"
+                        : what + " must be a list of " + wanted + " numbers");
+      return false;
+    }
+    bool good = true;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      if (!slots[i].parameter.empty()) good = reader_.parameter(list->items[i], what, slots[i].parameter, camera.model) && good;
+    }
+    return good;
+  }
+
+  void read_size(const Node& node, const std::string& name, Camera& camera) {
+    camera.image_size = options_.image_size;
+    const Node* resolution = reader_.find(node, "resolution");
+    if (resolution == nullptr) return;
+    if (!resolution->is_sequence() || resolution->items.size() != 2) {
+      reader_.error(*resolution, "wrong-length", name + " resolution must be [width, height]");
+      return;
+    }
+    if (const std::optional<ImageSize> size = reader_.image_size(resolution->items[0], resolution->items[1], name + " "))
+      camera.image_size = size;
+  }
+
+  void read_poses(const Node& node, const std::string& name, Rig& rig) {
+    const std::optional<std::size_t> index = index_in(name, "cam");
+    const auto read_edge = [&](std::string_view key, const std::string& a, const std::string& b) {
+      const Node* value = reader_.find(node, key);
+      if (value == nullptr) return;
+      if (const std::optional<Transform> T = reader_.transform(*value, name + " " + std::string(key))) {
+        rig.poses.push_back({a, b, *T});
+      }
+    };
+    if (*index > 0) read_edge("T_cn_cnm1", name, indexed("cam", *index - 1));
+    read_edge("T_cam_imu", name, "imu0");
+    read_edge("T_imu_cam", "imu0", name);
+  }
+
+  /// A top-level T_cam1_cam0, as some forks and converters write it.
+  bool read_named_pose(const text::Entry& entry, Rig& rig) {
+    const std::string& key = entry.key.value;
+    const std::size_t split = key.find('_', 2);
+    if (!key.starts_with("T_") || split == std::string::npos) return false;
+    const std::string a = key.substr(2, split - 2);
+    const std::string b = key.substr(split + 1);
+    if (!index_in(a, "cam") || !index_in(b, "cam")) return false;
+    if (const std::optional<Transform> T = reader_.transform(entry.value, key)) rig.poses.push_back({a, b, *T});
+    return true;
+  }
+
+  void read_imu(const Node& node, const std::string& name, Rig& rig) {
+    Imu imu;
+    imu.name = name;
+    const auto read_number = [&](std::string_view key, std::optional<double>& target) {
+      if (const Node* value = reader_.find(node, key)) target = reader_.positive(*value, name + " " + std::string(key));
+    };
+    read_number("accelerometer_noise_density", imu.accelerometer_noise_density);
+    read_number("accelerometer_random_walk", imu.accelerometer_random_walk);
+    read_number("gyroscope_noise_density", imu.gyroscope_noise_density);
+    read_number("gyroscope_random_walk", imu.gyroscope_random_walk);
+    read_number("update_rate", imu.rate_hz);
+    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr && topic->is_scalar()) imu.topic = topic->value;
+    keep_unread(node, name, kImuKeys, rig);
+    rig.imus.push_back(std::move(imu));
+  }
+
+  fields::Reader reader_;
+  const ReadOptions& options_;
+};
+
+}  // namespace
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  Rig rig;
+  for (const text::Document& document : documents) {
+    Diagnostics found;
+    ChainReader(document, options, found).read_into(rig);
+    for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
+    if (found.has_errors()) return std::nullopt;
+  }
+  if (rig.cameras.empty() && rig.imus.empty()) {
+    diagnostics.error("no-calibration", "neither a camera (cam0) nor an IMU's noise stands here",
+                      {documents.front().source().name, 0, 0});
+    return std::nullopt;
+  }
+  return rig;
+}
+
+}  // namespace fca::kalibr

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "blocks.h"
+#include "kalibr.h"
+#include "layout.h"
+
+#include "../losses.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+
+namespace fca::kalibr {
+
+using text::Node;
+
+namespace {
+
+/// A camera's block as lines.
+std::string block(const Rig& rig, std::size_t index) {
+  std::string lines = indexed("cam", index) + ":";
+  for (const fields::Field& field : camera_fields(rig, index)) lines += "\n" + fields::spell(field, 2);
+  return lines;
+}
+
+/// A fresh camchain in Kalibr's own layout, but with the rows of transforms indented deeper than their key: OpenVINS then needs
+/// only its first line added.
+std::optional<text::Document> compose(const Rig& rig, Diagnostics& diagnostics) {
+  std::string bytes;
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) bytes += block(rig, i) + "\n";
+  return text::parse_document({"camchain.yaml", bytes}, diagnostics);
+}
+
+/// Chains are named cam0, cam1, ... in order: renames the rig's cameras so, and makes room for those names in the poses.
+Rig renamed(const Rig& rig) {
+  Rig result = rig;
+  const auto new_name = [&rig](const std::string& name) {
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+      if (rig.cameras[i].name == name) return indexed("cam", i);
+    }
+    return index_in(name, "cam") ? "left out: " + name : name;
+  };
+  for (Camera& camera : result.cameras) camera.name = new_name(camera.name);
+  for (PoseEdge& edge : result.poses) {
+    edge.a = new_name(edge.a);
+    edge.b = new_name(edge.b);
+  }
+  return result;
+}
+
+/// Can a camchain hold the models? One that is already there (in `old`) is not asked again.
+bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
+  bool good = true;
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const Camera& camera = rig.cameras[i];
+    const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
+    if (before != nullptr && before->model == camera.model) continue;
+    if (layout_for(camera.model) != nullptr) {
+      good = stored_within(kFormat, camera, diagnostics) && good;
+      continue;
+    }
+    diagnostics.error("model-not-storable",
+                      camera.name + ": Kalibr has no " + std::string(model_info(camera.model).id) + " model");
+    good = false;
+  }
+  return good;
+}
+
+/// A base that never stated a size need not begin to.
+bool check_sizes(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
+  bool good = true;
+  for (const Camera& camera : rig.cameras) {
+    if (camera.image_size || (old != nullptr && old->find_camera(camera.name) != nullptr)) continue;
+    diagnostics.error("image-size-missing", camera.name + ": Kalibr demands a resolution and the input has none", {},
+                      "give it: --size WIDTHxHEIGHT");
+    good = false;
+  }
+  return good;
+}
+
+std::optional<std::size_t> position_of(const Rig& rig, const std::string& name) {
+  const auto found = std::ranges::find(rig.cameras, name, &Camera::name);
+  if (found == rig.cameras.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - rig.cameras.begin());
+}
+
+/// Takes the document from saying `old` to saying `rig`, whose cameras are `rig_as_named`'s by another name.
+class Editor {
+ public:
+  Editor(const text::Document& base, const Rig& old, const Rig& rig_as_named, const Rig& rig)
+      : document_(base), dialect_(dialect_of(base)), old_(old), as_named_(rig_as_named), rig_(rig) {}
+
+  /// Are the cameras other ones, or in another order?
+  [[nodiscard]] bool other_cameras() const {
+    return !std::ranges::equal(old_.cameras, as_named_.cameras, {}, &Camera::name, &Camera::name);
+  }
+
+  /// Blocks can be added and removed where they are blocks, and nothing beside them speaks of cameras by name.
+  [[nodiscard]] bool possible() const {
+    if (!other_cameras()) return true;
+    const auto is_block = [](const text::Entry& entry) { return index_in(entry.key.value, "cam") && !entry.key.quoted; };
+    return !document_.root().flow && std::ranges::all_of(document_.root().entries, is_block) &&
+           std::ranges::any_of(as_named_.cameras, [this](const Camera& c) { return position_of(old_, c.name).has_value(); });
+  }
+
+  text::Document edited(std::vector<Loss>& losses) {
+    const Node& root = document_.root();
+    for (std::size_t i = 0; i < old_.cameras.size(); ++i) {
+      const text::Entry* entry = text::find_entry(root, old_.cameras[i].name, dialect_);
+      if (entry == nullptr) continue;
+      const std::optional<std::size_t> now = position_of(as_named_, old_.cameras[i].name);
+      if (!now) {
+        document_.remove_entry(root, *entry);
+        continue;
+      }
+      if (rig_.cameras[*now].name != entry->key.value) document_.replace(entry->key.span, rig_.cameras[*now].name);
+      fields::apply(document_, entry->value, dialect_, camera_fields(old_, i), camera_fields(rig_, *now));
+      if (other_cameras()) remove_overlaps(*entry, losses);
+    }
+    for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
+      if (!position_of(old_, as_named_.cameras[i].name))
+        document_.insert_after(root, root.entries.back(), block(rig_, i));
+    }
+    return std::move(document_);
+  }
+
+ private:
+  /// cam_overlaps counts cameras by their old places.
+  void remove_overlaps(const text::Entry& camera, std::vector<Loss>& losses) {
+    const text::Entry* overlaps = text::find_entry(camera.value, "cam_overlaps", dialect_);
+    if (overlaps == nullptr) return;
+    document_.remove_entry(camera.value, *overlaps);
+    losses.push_back({"not-carried", camera.key.value + " cam_overlaps", "it counts cameras that are not in the chain any more", ""});
+  }
+
+  text::Document document_;
+  text::Dialect dialect_;
+  const Rig& old_;
+  const Rig& as_named_;
+  const Rig& rig_;
+};
+
+/// What Kalibr's imu.yaml demands and the IMU lacks.
+std::vector<std::string> missing_in(const Imu& imu) {
+  std::vector<std::string> missing;
+  const auto want = [&missing](const std::optional<double>& value, const char* key) {
+    if (!value) missing.emplace_back(key);
+  };
+  want(imu.accelerometer_noise_density, "accelerometer_noise_density");
+  want(imu.accelerometer_random_walk, "accelerometer_random_walk");
+  want(imu.gyroscope_noise_density, "gyroscope_noise_density");
+  want(imu.gyroscope_random_walk, "gyroscope_random_walk");
+  want(imu.rate_hz, "update_rate");
+  return missing;
+}
+
+/// Kalibr's imu.yaml as a file of its own, if the IMU is complete.
+void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
+  const std::vector<std::string> missing = missing_in(imu);
+  if (!missing.empty()) {
+    written.losses.push_back({"imu-dropped", imu.name + " noise and rate",
+                              "Kalibr's imu.yaml demands " + text::enumerated(missing) + ", too", ""});
+    return;
+  }
+  if (imu.topic.empty()) {
+    imu.topic = "/" + imu.name;
+    written.defaults.push_back({"rostopic (imu.yaml)", imu.topic, true});
+  }
+  std::string bytes;
+  for (const fields::Field& field : imu_fields(imu)) bytes += fields::spell(field) + "\n";
+  if (std::optional<text::Document> document = text::parse_document({imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml", bytes}, diagnostics))
+    written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
+}
+
+/// What a camchain has no key for.
+void list_losses(const Rig& rig, std::vector<Loss>& losses) {
+  for (const Camera& camera : rig.cameras) {
+    if (camera.frame_rate_hz) {
+      losses.push_back({"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz",
+                        "a camchain has no key for it", ""});
+    }
+  }
+  if (rig.baseline_m) {
+    losses.push_back({"baseline-dropped",
+                      "baseline " + text::format_short(*rig.baseline_m) + " m of a rectified pair or depth sensor",
+                      "a camchain states poses of cameras, and the second camera is not in the input", ""});
+  }
+}
+
+}  // namespace
+
+std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& /*options*/,
+                             Diagnostics& diagnostics) {
+  const Rig rig = renamed(rig_as_named);
+  Diagnostics ignored;
+  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  Written written;
+  if (rig.cameras.empty()) {
+    if (!old || !old->cameras.empty()) {
+      diagnostics.error("no-camera", "a camchain needs a camera and the input has none");
+      return std::nullopt;
+    }
+    // An imu.yaml: there is nothing in it that a conversion changes.
+    written.files.push_back({*base, {}, {"kalibr-imu"}});
+    written.headline = "an imu.yaml for Kalibr";
+    return written;
+  }
+  std::optional<Editor> editor;
+  if (old) editor.emplace(*base, *old, rig_as_named, rig);
+  if (editor && !editor->possible()) editor.reset();
+  const Rig* edited = editor ? &*old : nullptr;
+  if (!check_models(rig_as_named, edited, diagnostics) || !check_sizes(rig_as_named, edited, diagnostics)) return std::nullopt;
+
+  std::optional<text::Document> document = editor ? editor->edited(written.losses) : compose(rig, diagnostics);
+  if (!document) return std::nullopt;
+  written.files.push_back({*std::move(document), {}, {"kalibr"}});
+  for (const Camera& camera : rig_as_named.cameras) written.files.front().cameras.push_back(camera.name);
+  for (const Imu& imu : rig.imus) {
+    const bool there = edited != nullptr && std::ranges::find(edited->imus, imu) != edited->imus.end();
+    if (!there) add_imu_file(imu, written, diagnostics);
+  }
+  if (!editor) add_not_carried(rig.as_read, "a camchain has no place for it", written.losses);
+  list_losses(rig_as_named, written.losses);
+  written.headline = "a camchain for Kalibr";
+  return written;
+}
+
+}  // namespace fca::kalibr

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a fresh file is spelled, and which of its values no input states.
+#include "settings.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fca::orbslam3 {
+
+using fields::Field;
+
+namespace {
+
+/// What to tell people about a value that no input states; keys end in `key`.
+struct Note {
+  std::string_view key;
+  std::string_view comment;
+  bool look_at_it = false;
+};
+
+constexpr std::array kNotes = {
+    Note{"Camera.fps", "Frames per second: not in the input, upstream's example value. Set your camera's.", true},
+    Note{"Camera.RGB", "Colour order (0: BGR, 1: RGB; no matter for grey images): not in the input.", true},
+    Note{"appingBegin", "Columns that both cameras see: not in the input, the whole width."},
+    Note{"appingEnd", ""},
+    Note{"ThDepth", "Close/far threshold in baselines: tuning, upstream's value."},
+    Note{"DepthMapFactor", "Depth image units per metre: not in the input. Set your sensor's.", true},
+    Note{"Camera.Tbc", "Identity: not in the input, and slam_no_opt does not start without it.", true},
+};
+
+/// The note on a field whose value no input states; null on a stated one.
+const Note* note_on(const Field& field, const Target& target, const Rig& rig) {
+  const auto note = std::ranges::find_if(kNotes, [&field](const Note& row) { return field.key.ends_with(row.key); });
+  if (note == kNotes.end()) return nullptr;
+  const TuningKey* tuning = find_tuning_key(field.key);
+  const bool stated = tuning != nullptr            ? target.tuning.states(*tuning)
+                      : field.key == "Camera.fps" ? target.frame_rate_known
+                                                  : rig.resolve("imu0", rig.cameras.front().name).has_value();
+  return stated ? nullptr : &*note;
+}
+
+/// "Viewer." and "ORBextractor.": keys that are told as one.
+constexpr std::array<std::string_view, 2> kGroups = {"ORBextractor.", "Viewer."};
+
+bool upstreams(const Field& field, const Target& target) {
+  const TuningKey* key = find_tuning_key(field.key);
+  return key != nullptr && !target.tuning.states(*key);
+}
+
+/// Comments that say what a key means.
+struct Heading {
+  std::string_view key;
+  std::string_view comment;
+};
+
+constexpr std::array kHeadings = {
+    Heading{"Camera2.fx", "Second camera"},
+    Heading{"Stereo.T_c1_c2", "Second camera in the first: p_c1 = T p_c2, metres"},
+    Heading{"Tlr", "Right camera in the left: p_left = Tlr p_right, metres"},
+    Heading{"LEFT.height", "Both cameras again, as slam_no_opt reads them for stereo"},
+    Heading{"CAMERA.R", "p_right = R p_left + T, metres"},
+    Heading{"Camera.width", "Image"},
+    Heading{"Camera.bf", "Baseline times fx"},
+    Heading{"Stereo.b", "Baseline, metres"},
+    Heading{"IMU.T_b_c1", "First camera in the IMU: p_imu = T p_c1, metres"},
+    Heading{"Tbc", "Camera in the IMU: p_imu = Tbc p_camera, metres"},
+    Heading{"Camera.Tbc", "Camera in the body or IMU: p_body = Tbc p_camera, metres"},
+    Heading{"IMU.NoiseGyro",
+            "IMU noise, continuous time: rad/s/sqrt(Hz), m/s^2/sqrt(Hz), rad/s^2/sqrt(Hz), m/s^3/sqrt(Hz); rate in Hz"},
+    Heading{"ORBextractor.nFeatures", "ORB extractor: tuning"},
+    Heading{"Viewer.KeyFrameSize", "Viewer: demanded even without a window"},
+};
+
+}  // namespace
+
+std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Target& target, const Rig& rig) {
+  std::vector<DefaultedValue> result;
+  for (const Field& field : fields) {
+    if (const Note* note = note_on(field, target, rig)) {
+      const bool is_pose = field.shape == fields::Shape::kMatrix;
+      result.push_back({field.key, is_pose ? "identity" : field.tokens.front(), note->look_at_it});
+    }
+  }
+  for (const std::string_view group : kGroups) {
+    const auto in_group = [group](const Field& field) { return field.key.starts_with(group); };
+    const auto members = std::ranges::count_if(fields, in_group);
+    const auto ours = std::ranges::count_if(fields, [&](const Field& f) { return in_group(f) && upstreams(f, target); });
+    if (members > 0 && ours == members) {
+      result.push_back({std::string(group) + "*", "upstream's", false});
+      continue;
+    }
+    for (const Field& field : fields) {
+      if (in_group(field) && upstreams(field, target)) result.push_back({field.key, field.tokens.front(), false});
+    }
+  }
+  return result;
+}
+
+std::string compose(const std::vector<Field>& fields, const Target& target, const Rig& rig, std::string_view headline) {
+  std::string text = "%YAML:1.0\n# " + std::string(headline) + "\n\n";
+  for (const Field& field : fields) {
+    for (const Heading& heading : kHeadings) {
+      if (heading.key != field.key) continue;
+      text += "\n# " + std::string(heading.comment) + (upstreams(field, target) ? ", upstream's values" : "") + "\n";
+    }
+    const Note* note = note_on(field, target, rig);
+    if (note != nullptr && !note->comment.empty()) text += "# Default. " + std::string(note->comment) + "\n";
+    text += fields::spell(field) + "\n";
+    if (field.key == "Camera.type" || field.key == "File.version") text += "\n";
+  }
+  return text;
+}
+
+}  // namespace fca::orbslam3

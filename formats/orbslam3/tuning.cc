@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tuning.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace fca::orbslam3 {
+
+namespace {
+
+constexpr TuningKey same_name(std::string_view key, bool whole, double upstream, bool optional = false) {
+  return {key, key, whole, upstream, optional};
+}
+
+constexpr std::array kProgramTuning = {
+    same_name("ORBextractor.nFeatures", true, 1000.0),
+    same_name("ORBextractor.scaleFactor", false, 1.2),
+    same_name("ORBextractor.nLevels", true, 8.0),
+    same_name("ORBextractor.iniThFAST", true, 20.0),
+    same_name("ORBextractor.minThFAST", true, 7.0),
+    same_name("Viewer.KeyFrameSize", false, 0.05),
+    same_name("Viewer.KeyFrameLineWidth", false, 1.0),
+    same_name("Viewer.GraphLineWidth", false, 0.9),
+    same_name("Viewer.PointSize", false, 2.0),
+    same_name("Viewer.CameraSize", false, 0.08),
+    same_name("Viewer.CameraLineWidth", false, 3.0),
+    same_name("Viewer.ViewpointX", false, 0.0),
+    same_name("Viewer.ViewpointY", false, -0.7),
+    same_name("Viewer.ViewpointZ", false, -3.5),
+    same_name("Viewer.ViewpointF", false, 500.0),
+    same_name("Viewer.imageViewScale", false, 0.0, true),
+};
+
+constexpr std::array kOthers = {tuning_key::kColourOrder,   tuning_key::kThDepth,      tuning_key::kDepthMapFactor,
+                                tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1,  tuning_key::kOverlapBegin2,
+                                tuning_key::kOverlapEnd2,   tuning_key::kInsertKeyFrames};
+
+/// The number under a key, if a key of that type can hold it.
+std::optional<double> number_at(const text::Document& document, std::string_view key, bool whole) {
+  const text::Node* node = find_key(document, key);
+  const std::optional<double> value =
+      node != nullptr && node->is_scalar() && !node->quoted ? text::parse_real(node->value) : std::nullopt;
+  constexpr double kLargestInt = 2147483647.0;
+  if (!value || !std::isfinite(*value) || (whole && std::abs(*value) > kLargestInt)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::span<const TuningKey> program_tuning() { return kProgramTuning; }
+
+const TuningKey* find_tuning_key(std::string_view key) {
+  const auto named = [key](const TuningKey& row) { return row.key == key || row.old_key == key; };
+  for (const std::span<const TuningKey> rows : {std::span<const TuningKey>(kOthers), program_tuning()}) {
+    const auto found = std::ranges::find_if(rows, named);
+    if (found != rows.end()) return &*found;
+  }
+  return nullptr;
+}
+
+Tuning::Tuning(const text::Document& document) {
+  for (const text::Entry& entry : document.root().entries) {
+    const TuningKey* row = find_tuning_key(entry.key.value);
+    if (row == nullptr) continue;
+    if (const std::optional<double> value = number_at(document, entry.key.value, row->whole)) stated_.emplace(row->key, *value);
+  }
+}
+
+fields::Field Tuning::field(const TuningKey& key, Style style, std::optional<double> otherwise) const {
+  const auto found = stated_.find(key.key);
+  const double value = found != stated_.end() ? found->second : otherwise.value_or(key.upstream);
+  std::string name(style == Style::kV1 ? key.key : key.old_key);
+  return key.whole ? fields::integer(std::move(name), static_cast<int>(std::lround(value))) : fields::real(std::move(name), value);
+}
+
+}  // namespace fca::orbslam3

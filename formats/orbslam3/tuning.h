@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys that tune ORB-SLAM or describe its images and say nothing of the geometry. What an input states is kept through a change
+// of style or sensor; for the rest upstream's example values are written, and said.
+#pragma once
+
+#include "layout.h"
+
+#include "../fields.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace fca::orbslam3 {
+
+/// One such key.
+struct TuningKey {
+  std::string_view key;      ///< V1.0's name
+  std::string_view old_key;  ///< the name before V1.0
+  bool whole = false;        ///< An int to the parsers; else a real.
+  double upstream = 0.0;     ///< Value in upstream's Examples/*/*.yaml; none for optional keys.
+  bool optional = false;     ///< Upstream's value is not written where the input states none.
+};
+
+namespace tuning_key {
+inline constexpr TuningKey kColourOrder{"Camera.RGB", "Camera.RGB", true, 1.0};  ///< 1: RGB
+inline constexpr TuningKey kThDepth{"Stereo.ThDepth", "ThDepth", false, 40.0};   ///< close/far threshold in baselines
+inline constexpr TuningKey kDepthMapFactor{"RGBD.DepthMapFactor", "DepthMapFactor", false, 1000.0};  ///< depth units per metre
+/// Columns of each image that both cameras see.
+inline constexpr TuningKey kOverlapBegin1{"Camera1.overlappingBegin", "Camera.lappingBegin", true, 0.0, true};
+inline constexpr TuningKey kOverlapEnd1{"Camera1.overlappingEnd", "Camera.lappingEnd", true, 0.0, true};
+inline constexpr TuningKey kOverlapBegin2{"Camera2.overlappingBegin", "Camera2.lappingBegin", true, 0.0, true};
+inline constexpr TuningKey kOverlapEnd2{"Camera2.overlappingEnd", "Camera2.lappingEnd", true, 0.0, true};
+inline constexpr TuningKey kInsertKeyFrames{"IMU.InsertKFsWhenLost", "IMU.InsertKFsWhenLost", true, 1.0, true};
+}  // namespace tuning_key
+
+/// ORBextractor.* and Viewer.*, in upstream's order: every mode exits without them.
+[[nodiscard]] std::span<const TuningKey> program_tuning();
+
+/// What one input states of them.
+class Tuning {
+ public:
+  Tuning() = default;
+  explicit Tuning(const text::Document& document);
+
+  /// Does the input state it?
+  [[nodiscard]] bool states(const TuningKey& key) const { return stated_.contains(key.key); }
+  /// The key as that style spells it, with the input's value, else with `otherwise`, else with upstream's.
+  [[nodiscard]] fields::Field field(const TuningKey& key, Style style, std::optional<double> otherwise = {}) const;
+
+ private:
+  std::map<std::string_view, double> stated_;  ///< By V1.0's name.
+};
+
+/// The row of a key in either spelling; null if it is none.
+[[nodiscard]] const TuningKey* find_tuning_key(std::string_view key);
+
+}  // namespace fca::orbslam3
