@@ -93,6 +93,8 @@ std::string proofs_text(const std::vector<ProofResult>& proofs) {
     text += "proof: " + proof.program + " ";
     if (!proof.loads) {
       text += "would refuse it: " + enumerated(proof.refusals) + "\n";
+    } else if (proof.all_misread) {
+      text += "loads it and misreads it\n";
     } else {
       text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }

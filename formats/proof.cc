@@ -102,6 +102,7 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   }
   result.max_diff_px = comparison.worst;
   result.misread_px = comparison.misread;
+  result.all_misread = comparison.misread_points > 0 && comparison.misread_points == comparison.compared;
   result.compared_share = comparison.asked > 0 ? static_cast<double>(comparison.compared) / comparison.asked : 0.0;
   constexpr double kPosePrecision = 1e-6;  // float formats
   for (const consumers::ConsumerPose& pose : view.poses)

@@ -32,13 +32,14 @@ struct Base {
   Target target;  ///< What it is.
 };
 
-/// The sensor mode of a document that says `rig`.
+/// The sensor mode of a document that says `rig`, as far as `style` can serve it.
 Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
   const bool depth = find_key(document, "RGBD.DepthMapFactor") != nullptr || find_key(document, "DepthMapFactor") != nullptr;
   const bool posed = rig.cameras.size() > 1 && rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
   const text::Node* type = find_key(document, "Camera.type");
   // Settings of an RGB-D sensor state a baseline, too.
-  const bool rectified = is_rectified_pair(rig) && !depth && (style != Style::kV1 || (type != nullptr && type->value == "Rectified"));
+  const bool said = style_of(document) != Style::kV1 || (type != nullptr && type->value == "Rectified");
+  const bool rectified = is_rectified_pair(rig) && !depth && said;
   const bool two = posed || rectified;
   const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty();
   const auto* const found = std::ranges::find_if(kSensors, [&](const Sensor& candidate) {

@@ -20,6 +20,7 @@ struct ProofResult {
   bool loads = false;
   double max_diff_px = 0.0;     ///< Between the program's pixels and ours, where both have one.
   double misread_px = 0.0;      ///< The same for cameras the program is known to misread; not held against the file.
+  bool all_misread = false;     ///< There was no other camera to compare.
   double compared_share = 0.0;  ///< Of the rays asked, how many both answer.
   double max_diff_pose = 0.0;   ///< Largest difference of an element of a pose both state.
   bool pixels_agree = false;    ///< To what its precision allows; also where there was nothing to compare (no image size).
