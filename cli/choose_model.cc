@@ -64,7 +64,7 @@ bool better(const Merit& a, const Merit& b) {
   constexpr double kSameCoverage = 1e-3;  // a share of the image finer than the lattice can tell
   if (std::abs(a.unrepresentable - b.unrepresentable) > kSameCoverage) return a.unrepresentable < b.unrepresentable;
   // Nobody sees such a difference: then the order of the format's table, its usual models first, decides.
-  constexpr double kSameError = 0.96;         // rms within 2 %
+  constexpr double kSameError = 0.96;       // rms within 2 %
   constexpr double kNoError = 1e-6 * 1e-6;  // px^2
   return a.square_sum < kSameError * b.square_sum && b.square_sum > kNoError;
 }

@@ -186,8 +186,9 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
       continue;
     }
     const Judgement& j = candidate.conversion->report.judgement;
-    text += padded(pixels(j.error.rms), kError) + padded(pixels(j.error.max), kError) + padded(percent(j.coverage.scored), kModel) +
-            padded(percent(j.coverage.unrepresentable), kReach) + enumerated(candidate.stored_by) + "\n";
+    text += padded(pixels(j.error.rms), kError) + padded(pixels(j.error.max), kError) +
+            padded(percent(j.coverage.scored), kModel) + padded(percent(j.coverage.unrepresentable), kReach) +
+            enumerated(candidate.stored_by) + "\n";
   }
   return text;
 }

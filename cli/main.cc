@@ -81,7 +81,8 @@ int run(int argc, char** argv) {
   if (mistyped) {
     const std::vector<std::string> names = subcommand_names(app);
     const std::vector<std::string> near = nearest(words.front(), names);
-    const std::string hint = near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?";
+    const std::string hint =
+        near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?";
     return static_cast<int>(console.refuse(ExitCode::kUsage, "unknown command '" + words.front() + "'" + hint));
   }
   try {
@@ -96,8 +97,8 @@ int run(int argc, char** argv) {
     const std::vector<std::string> names = subcommand_names(app);
     const bool named = !words.empty() && std::ranges::find(names, words.front()) != names.end();
     const std::string command = named ? "fca-io " + words.front() : "fca-io";
-    return static_cast<int>(console.refuse(ExitCode::kUsage, named ? words.front() + ": " + error.what() : error.what(),
-                                           command + " --help"));
+    return static_cast<int>(
+        console.refuse(ExitCode::kUsage, named ? words.front() + ": " + error.what() : error.what(), command + " --help"));
   }
   if (!chosen) {
     console.err(app.help());

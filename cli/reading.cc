@@ -30,7 +30,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
 
 CLI::Validator decimal_number() {
   return CLI::Validator(
-      [](const std::string& value) { return text::parse_real(value) ? "" : "'" + value + "' is no decimal number"; }, "");
+      [](const std::string& value) { return value.empty() || text::parse_real(value) ? "" : "'" + value + "' is no decimal number"; }, "");
 }
 
 namespace {
@@ -114,8 +114,9 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
   if (const std::optional<ImageSize> size = parse_size(options.size)) {
     for (const Camera& camera : calibration->rig.cameras) {
       if (camera.image_size == size) continue;
-      diagnostics.error("size-contradicts", camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " +
-                                                size_in_words(*size),
+      diagnostics.error("size-contradicts",
+                        camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " +
+                            size_in_words(*size),
                         {path, 0, 0}, "--size is for files that state no size");
       return std::nullopt;
     }

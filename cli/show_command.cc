@@ -44,8 +44,7 @@ std::vector<std::string> names_elsewhere(std::string_view model) {
   std::vector<std::string> names;
   for (const Format& format : all_formats()) {
     for (const StoredModel& row : format.models) {
-      if (row.model == model)
-        names.push_back(name_in(format, row));
+      if (row.model == model) names.push_back(name_in(format, row));
     }
   }
   return names;

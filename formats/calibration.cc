@@ -92,8 +92,8 @@ void warn_of_contradictions(const Rig& rig, const text::Document& document, Diag
     if (worst <= kTolerance) continue;
     diagnostics.warning("poses-contradict",
                         "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses (" +
-                            text::enumerated(names_of(others)) + ") differ by up to " +
-                            text::format_short(worst, 3) + " in an element",
+                            text::enumerated(names_of(others)) + ") differ by up to " + text::format_short(worst, 3) +
+                            " in an element",
                         {document.source().name, 0, 0}, "one of them is wrong; stated poses are used before derived ones");
     return;  // each edge of the loop would say the same
   }

@@ -236,7 +236,8 @@ class Parser {
     if (!is_fisheye()) return;
     // Frame.cc, UnprojectStereo: (u - cx) z / fx, whatever Camera.type says; only mono and stereo ask the camera's class.
     settings_.warn(
-        "KannalaBrandt8 is ignored for depth: ORB-SLAM3 V1.0 turns RGB-D pixels into points with the plain pinhole formula, without "
+        "KannalaBrandt8 is ignored for depth: ORB-SLAM3 V1.0 turns RGB-D pixels into points with the plain pinhole formula, "
+        "without "
         "undistorting them");
     first_.misread = true;
     pinhole_depth_ = true;

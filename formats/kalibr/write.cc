@@ -119,8 +119,7 @@ class Editor {
       if (other_cameras()) remove_overlaps(*entry, losses);
     }
     for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
-      if (!position_of(old_, as_named_.cameras[i].name))
-        document_.insert_after(root, root.entries.back(), block(rig_, i));
+      if (!position_of(old_, as_named_.cameras[i].name)) document_.insert_after(root, root.entries.back(), block(rig_, i));
     }
     return std::move(document_);
   }
@@ -131,7 +130,8 @@ class Editor {
     const text::Entry* overlaps = text::find_entry(camera.value, "cam_overlaps", dialect_);
     if (overlaps == nullptr) return;
     document_.remove_entry(camera.value, *overlaps);
-    losses.push_back({"not-carried", camera.key.value + " cam_overlaps", "it counts cameras that are not in the chain any more", ""});
+    losses.push_back(
+        {"not-carried", camera.key.value + " cam_overlaps", "it counts cameras that are not in the chain any more", ""});
   }
 
   text::Document document_;
@@ -159,8 +159,8 @@ std::vector<std::string> missing_in(const Imu& imu) {
 void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
   const std::vector<std::string> missing = missing_in(imu);
   if (!missing.empty()) {
-    written.losses.push_back({"imu-dropped", imu.name + " noise and rate",
-                              "Kalibr's imu.yaml demands " + text::enumerated(missing) + ", too", ""});
+    written.losses.push_back(
+        {"imu-dropped", imu.name + " noise and rate", "Kalibr's imu.yaml demands " + text::enumerated(missing) + ", too", ""});
     return;
   }
   if (imu.topic.empty()) {
@@ -169,7 +169,8 @@ void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
   }
   std::string bytes;
   for (const fields::Field& field : imu_fields(imu)) bytes += fields::spell(field) + "\n";
-  if (std::optional<text::Document> document = text::parse_document({imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml", bytes}, diagnostics))
+  if (std::optional<text::Document> document =
+          text::parse_document({imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml", bytes}, diagnostics))
     written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
 }
 
@@ -190,7 +191,7 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
 
 }  // namespace
 
-std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& /*options*/,
+std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   const Rig rig = renamed(rig_as_named);
   Diagnostics ignored;
@@ -208,7 +209,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   }
   std::optional<Editor> editor;
   if (old) editor.emplace(*base, *old, rig_as_named, rig);
-  if (editor && !editor->possible()) editor.reset();
+  if (editor && (options.anew || !editor->possible())) editor.reset();
   const Rig* edited = editor ? &*old : nullptr;
   if (!check_models(rig_as_named, edited, diagnostics) || !check_sizes(rig_as_named, edited, diagnostics)) return std::nullopt;
 

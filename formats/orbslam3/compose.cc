@@ -33,7 +33,7 @@ const Note* note_on(const Field& field, const Target& target, const Rig& rig) {
   const auto note = std::ranges::find_if(kNotes, [&field](const Note& row) { return field.key.ends_with(row.key); });
   if (note == kNotes.end()) return nullptr;
   const TuningKey* tuning = find_tuning_key(field.key);
-  const bool stated = tuning != nullptr            ? target.tuning.states(*tuning)
+  const bool stated = tuning != nullptr           ? target.tuning.states(*tuning)
                       : field.key == "Camera.fps" ? target.frame_rate_known
                                                   : rig.resolve("imu0", rig.cameras.front().name).has_value();
   return stated ? nullptr : &*note;

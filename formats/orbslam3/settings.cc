@@ -28,7 +28,8 @@ double baseline(const Rig& rig, const Sensor& sensor) {
 /// The numbers without a lens, as every layout begins.
 constexpr std::size_t kFocalAndCentre = 4;
 
-void add_camera(const Camera& camera, const Layout& layout, std::string_view prefix, bool with_lens, std::vector<Field>& fields) {
+void add_camera(const Camera& camera, const Layout& layout, std::string_view prefix, bool with_lens,
+                std::vector<Field>& fields) {
   for (const Slot& slot : std::span(layout.slots).first(with_lens ? layout.slots.size() : kFocalAndCentre)) {
     const double value = slot.parameter.empty() ? 0.0 : parameter(camera.model, slot.parameter).value_or(0.0);
     // k3 of a file with four coefficients: never said, never written.

@@ -18,26 +18,18 @@ constexpr TuningKey same_name(std::string_view key, bool whole, double upstream,
 }
 
 constexpr std::array kProgramTuning = {
-    same_name("ORBextractor.nFeatures", true, 1000.0),
-    same_name("ORBextractor.scaleFactor", false, 1.2),
-    same_name("ORBextractor.nLevels", true, 8.0),
-    same_name("ORBextractor.iniThFAST", true, 20.0),
-    same_name("ORBextractor.minThFAST", true, 7.0),
-    same_name("Viewer.KeyFrameSize", false, 0.05),
-    same_name("Viewer.KeyFrameLineWidth", false, 1.0),
-    same_name("Viewer.GraphLineWidth", false, 0.9),
-    same_name("Viewer.PointSize", false, 2.0),
-    same_name("Viewer.CameraSize", false, 0.08),
-    same_name("Viewer.CameraLineWidth", false, 3.0),
-    same_name("Viewer.ViewpointX", false, 0.0),
-    same_name("Viewer.ViewpointY", false, -0.7),
-    same_name("Viewer.ViewpointZ", false, -3.5),
-    same_name("Viewer.ViewpointF", false, 500.0),
-    same_name("Viewer.imageViewScale", false, 0.0, true),
+    same_name("ORBextractor.nFeatures", true, 1000.0), same_name("ORBextractor.scaleFactor", false, 1.2),
+    same_name("ORBextractor.nLevels", true, 8.0),      same_name("ORBextractor.iniThFAST", true, 20.0),
+    same_name("ORBextractor.minThFAST", true, 7.0),    same_name("Viewer.KeyFrameSize", false, 0.05),
+    same_name("Viewer.KeyFrameLineWidth", false, 1.0), same_name("Viewer.GraphLineWidth", false, 0.9),
+    same_name("Viewer.PointSize", false, 2.0),         same_name("Viewer.CameraSize", false, 0.08),
+    same_name("Viewer.CameraLineWidth", false, 3.0),   same_name("Viewer.ViewpointX", false, 0.0),
+    same_name("Viewer.ViewpointY", false, -0.7),       same_name("Viewer.ViewpointZ", false, -3.5),
+    same_name("Viewer.ViewpointF", false, 500.0),      same_name("Viewer.imageViewScale", false, 0.0, true),
 };
 
-constexpr std::array kOthers = {tuning_key::kColourOrder,   tuning_key::kThDepth,      tuning_key::kDepthMapFactor,
-                                tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1,  tuning_key::kOverlapBegin2,
+constexpr std::array kOthers = {tuning_key::kColourOrder,   tuning_key::kThDepth,        tuning_key::kDepthMapFactor,
+                                tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1,    tuning_key::kOverlapBegin2,
                                 tuning_key::kOverlapEnd2,   tuning_key::kInsertKeyFrames};
 
 /// The number under a key, if a key of that type can hold it.
@@ -75,7 +67,8 @@ fields::Field Tuning::field(const TuningKey& key, Style style, std::optional<dou
   const auto found = stated_.find(key.key);
   const double value = found != stated_.end() ? found->second : otherwise.value_or(key.upstream);
   std::string name(style == Style::kV1 ? key.key : key.old_key);
-  return key.whole ? fields::integer(std::move(name), static_cast<int>(std::lround(value))) : fields::real(std::move(name), value);
+  return key.whole ? fields::integer(std::move(name), static_cast<int>(std::lround(value)))
+                   : fields::real(std::move(name), value);
 }
 
 }  // namespace fca::orbslam3

@@ -105,8 +105,7 @@ void list_camera_losses(const Rig& rig, const Target& target, const std::string&
                         program + " has no key for it", "add " + shift + " s to every image time stamp of " + camera.name});
     }
     if (!camera.topic.empty()) {
-      losses.push_back(
-          {"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
+      losses.push_back({"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
     }
   }
 }
@@ -144,8 +143,8 @@ void list_extras(const Rig& rig, const std::vector<fields::Field>& fields, std::
   std::ranges::copy_if(rig.as_read, std::back_inserter(lost), [&fields](const AsRead& extra) {
     const TuningKey* key = find_tuning_key(extra.key);
     return key == nullptr || std::ranges::none_of(fields, [key](const fields::Field& field) {
-      return field.key == key->key || field.key == key->old_key;
-    });
+             return field.key == key->key || field.key == key->old_key;
+           });
   });
   add_not_carried(lost, "the new settings have no place for it", losses);
 }
@@ -222,16 +221,18 @@ std::optional<Sensor> asked_sensor(const Rig& rig, Style style, const std::strin
   return *sensor;
 }
 
-/// The style asked for, else the base's where that stores the model (a fork's only for the fork's own model), else a new file's.
-std::optional<Style> choose_style(const Rig& rig, const Base* base, const std::string& asked, Diagnostics& diagnostics) {
+/// The style asked for, else the base's where that stores the model (a fork's only for the fork's own model), else a new
+/// file's.
+std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteOptions& options, Diagnostics& diagnostics) {
   const std::string_view model = model_info(rig.cameras.front().model).id;
+  const std::string& asked = options.layout;
   if (!asked.empty()) {
     const auto* const named = std::ranges::find(kStyleNames, asked, &StyleName::name);
     if (named != kStyleNames.end()) return named->style;
     diagnostics.error("unknown-layout", "ORB-SLAM3 settings have no layout '" + asked + "'");
     return std::nullopt;
   }
-  if (base == nullptr || find_layout(base->target.style, model) == nullptr) return style_for(model);
+  if (base == nullptr || options.anew || find_layout(base->target.style, model) == nullptr) return style_for(model);
   const bool fork = base->target.style == Style::kSlamNoOpt;
   return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
 }
@@ -257,7 +258,7 @@ bool check_rates(const Rig& rig, const Target& target, Diagnostics& diagnostics)
 std::optional<Target> choose_target(const Rig& rig, const Base* base, const WriteOptions& options, std::string& next,
                                     Diagnostics& diagnostics) {
   Target target;
-  const std::optional<Style> style = choose_style(rig, base, options.layout, diagnostics);
+  const std::optional<Style> style = choose_style(rig, base, options, diagnostics);
   if (!style) return std::nullopt;
   target.style = *style;
   if (!options.sensor.empty()) {
@@ -300,7 +301,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   if (!target) return std::nullopt;
   // Another style has other keys and other types for the same ones: such a file is composed anew, and what that drops is
   // listed.
-  const Base* edited = base && base->target.style == target->style ? &*base : nullptr;
+  const Base* edited = base && !options.anew && base->target.style == target->style ? &*base : nullptr;
   if (!check_cameras(rig, *target, edited, diagnostics)) return std::nullopt;
 
   const std::string_view model = model_info(rig.cameras.front().model).id;

@@ -51,6 +51,7 @@ struct WriteOptions {
   std::string sensor;  ///< orbslam3: "mono", "stereo", ...; empty: the richest the rig serves.
   std::string layout;  ///< One of Format::layouts; empty: the base file's, else the stock program's.
   std::optional<double> frame_rate_hz;
+  bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
 };
 
 /// What was written and what the user must know of it.
@@ -77,9 +78,9 @@ struct ProbeResult {
 struct Format {
   std::string_view id;
   std::string_view title;
-  std::string_view syntaxes;  ///< For people: "YAML".
-  std::string_view program;   ///< The stock program that reads it: "Kalibr".
-  bool many_cameras = true;  ///< In one file.
+  std::string_view syntaxes;            ///< For people: "YAML".
+  std::string_view program;             ///< The stock program that reads it: "Kalibr".
+  bool many_cameras = true;             ///< In one file.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool extrinsics = true;
   bool imu = true;

@@ -30,11 +30,10 @@ struct ProofResult {
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }
 };
 
-/// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean them?
-/// Rays: a lattice over each camera's image.
+/// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
+/// them? Rays: a lattice over each camera's image.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
-                                const consumers::LoadOptions& options, const Rig& rig,
-                                std::span<const std::string> cameras);
+                                const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras);
 /// The same of all the rig's cameras.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig);

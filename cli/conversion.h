@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One input converted: read, fitted, written in memory, proven. Nothing is put in place here.
+#pragma once
+
+#include "choose_model.h"
+#include "console.h"
+#include "reading.h"
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/proof.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca::cli {
+
+struct ConvertArguments {
+  std::vector<std::string> inputs;
+  ReadingOptions reading;
+  std::string to;
+  std::string model;
+  std::string output;
+  std::string sensor;
+  std::string orbslam3_layout;
+  std::optional<double> fps;
+  std::optional<double> max_error_px;
+  std::optional<double> baseline_m;
+  bool strict = false;
+  bool no_verify = false;
+  bool force = false;
+  bool fsync = false;
+  bool dry_run = false;
+  bool json = false;
+};
+
+/// One input's conversion, for the text and the JSON.
+struct ConvertOutcome {
+  struct Output {
+    std::string path;  ///< Empty: standard output (or the JSON).
+    std::string bytes;
+    std::vector<std::string> cameras;
+    std::vector<std::string> programs;
+  };
+  std::string input;
+  const Format* from = nullptr;
+  const Format* to = nullptr;
+  std::vector<CameraOutcome> cameras;
+  Written written;
+  std::vector<Output> outputs;
+  std::vector<ProofResult> proofs;
+  Diagnostics diagnostics;
+  ExitCode code = ExitCode::kGood;
+};
+
+[[nodiscard]] ConvertOutcome convert_input(const std::string& input, const ConvertArguments& arguments, Console& console);
+
+}  // namespace fca::cli

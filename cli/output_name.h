@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the files of a conversion go.
+#pragma once
+
+#include <fca/formats/format.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fca::cli {
+
+/// The first "{...}" of a pattern that output_path() does not fill in.
+[[nodiscard]] std::optional<std::string> unknown_placeholder(std::string_view pattern);
+
+/// Is `output` (-o) a folder, which has room for several files?
+[[nodiscard]] bool names_folder(const std::string& output);
+
+/// The path of file number `index` of a conversion of `input`, from -o: a path, a folder or a pattern; empty: standard output.
+[[nodiscard]] std::string output_path(const std::string& output, const std::string& input, const Format& format,
+                                      const Written& written, std::size_t index);
+
+}  // namespace fca::cli

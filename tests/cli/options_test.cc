@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Options do what they say or are refused; none is read halfway or without effect.
+#include "cli/run_program.h"
+
+#include <rapidjson/document.h>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+
+void expect_usage(const std::vector<std::string>& words, const std::string& word) {
+  const RunResult run = run_program(words);
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_TRUE(contains(run.err, word)) << run.err;
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(Options, EmptyValuesAreRefused) {
+  for (const char* option :
+       {"--max-error", "--model", "--sensor", "--fps", "--max-angle", "--size", "--with", "-o", "--baseline"})
+    expect_usage({"convert", kTumvi, "--to", "orbslam3", option, ""}, "empty value");
+}
+
+TEST(Options, NumbersAreDecimal) {
+  for (const char* value : {"0x61", "97,5", "97.5deg", "1e", "--"})
+    expect_usage({"convert", kTumvi, "--to", "orbslam3", std::string("--max-angle=") + value}, "--max-angle");
+}
+
+TEST(Options, UnknownPlaceholdersAreRefused) {
+  expect_usage({"convert", kTumvi, "--to", "orbslam3", "-o", "{name}.yaml"}, "{stem}");
+}
+
+TEST(Options, AUsageErrorUnderJsonIsADocument) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"convert", kTumvi, "--to", "nothing", "--json"}, {"convert", "--json"}, {"shwo", "--json"}}) {
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 3);
+    rapidjson::Document document;
+    document.Parse(run.out.c_str());
+    ASSERT_FALSE(document.HasParseError()) << run.out;
+    EXPECT_EQ(document["exit_code"].GetInt(), 3);
+    EXPECT_EQ(document["diagnostics"].Size(), 1U);
+  }
+}
+
+TEST(Options, ASizeThatContradictsTheFileIsRefused) {
+  const RunResult run = run_program({"show", kTumvi, "--size", "640x480"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "512 x 512")) << run.err;
+  EXPECT_EQ(run_program({"show", kTumvi, "--size", "512x512"}).code, 0);
+}
+
+TEST(Options, TheBaselineOfTwoCamerasIsTheirPose) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--baseline", "0.1"});
+  EXPECT_EQ(run.code, 3) << run.err;
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(Options, MaxAngleCutsTheLensInProjectToo) {
+  // 45 and 80 degrees from the axis.
+  const RunResult run = run_program({"project", kTumvi, "--camera", "cam0", "--max-angle", "60"}, {"1 0 1\n5.6713 0 1\n"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_FALSE(first_line(run.out).starts_with("nan")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\nnan nan")) << run.out;
+}
+
+TEST(Options, ALayoutThatItsProgramRefusesIsWrittenAnew) {
+  const std::string chain = testdata("formats/kalibr/good/opencv-header.yaml");  // OpenVINS' first line
+  const RunResult same = run_program({"convert", chain, "--to", "kalibr"});
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_EQ(same.out, read_file(chain));
+  const RunResult other = run_program({"convert", chain, "--to", "kalibr", "--model", "kb4"});
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_TRUE(contains(other.err, "layout-not-kept")) << other.err;
+}
+
+TEST(Options, APoorFitIsWarnedOf) {
+  const RunResult poor = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "fov"});
+  EXPECT_TRUE(contains(poor.err, "poor-fit")) << poor.err;
+  const RunResult good = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "eucm", "--max-angle", "97.5"});
+  EXPECT_FALSE(contains(good.err, "poor-fit")) << good.err;
+}
+
+// Cameras that no settings hold are listed as lost, not fitted.
+TEST(Options, OnlyWrittenCamerasAreReported) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--sensor", "mono", "--json"});
+  rapidjson::Document document;
+  document.Parse(run.out.c_str());
+  ASSERT_FALSE(document.HasParseError()) << run.err;
+  EXPECT_EQ(document["cameras"].Size(), 1U);
+  EXPECT_TRUE(contains(run.out, "camera-dropped"));
+}
+
+}  // namespace
+}  // namespace fca::test

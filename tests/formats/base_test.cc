@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writing into a base whose cameras, parts or style change: what nobody asked to change stays.
+#include "formats/rigs.h"
+#include "formats/test_files.h"
+
+#include <fca/formats/proof.h>
+#include <fca/formats/text/dialect.h>
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+
+namespace fca::test {
+namespace {
+
+std::string good(const char* name) { return read_file(testdata_dir() / name); }
+
+Written written_into(const Calibration& base, const Rig& rig, const WriteOptions& options = {}) {
+  Diagnostics diagnostics;
+  std::optional<Written> written = base.format->write(&base.documents.front(), rig, options, diagnostics);
+  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  return written ? *std::move(written) : Written();
+}
+
+std::string bytes_of(const Written& written) { return written.files.empty() ? "" : written.files.front().document.bytes(); }
+
+std::string value_of(const std::string& bytes, const std::string& key) {
+  const text::Document document = document_of(bytes);
+  const text::Node* node = text::find(document.root(), key, text::Dialect::kOpenCv);
+  return node == nullptr ? "absent" : node->value;
+}
+
+bool loses(const Written& written, const std::string& part) {
+  return std::ranges::any_of(written.losses, [&part](const Loss& loss) { return loss.what.find(part) != std::string::npos; });
+}
+
+/// Keys a user tunes, with values that are nobody's default.
+std::string tuned(std::string settings) {
+  settings = std::string(settings);
+  for (const auto& [key, value] : {std::pair{"Camera.RGB", "0"},
+                                   {"Stereo.ThDepth", "35.0"},
+                                   {"ORBextractor.nFeatures", "1250"},
+                                   {"Viewer.ViewpointF", "1800.0"}}) {
+    const std::size_t at = settings.find(std::string("\n") + key + ":");
+    EXPECT_NE(at, std::string::npos) << key;
+    const std::size_t end = settings.find('\n', at + 1);
+    settings.replace(at, end - at, std::string("\n") + key + ": " + value);
+  }
+  return settings;
+}
+
+std::string settings_with_two_cameras_and_imu() {
+  Diagnostics diagnostics;
+  const std::optional<Written> written =
+      find_format("orbslam3")->write(nullptr, sample_rig("kb4", {true, true}), {}, diagnostics);
+  EXPECT_TRUE(written);
+  return tuned(bytes_of(*written));
+}
+
+TEST(Base, OneCameraOfTwoKeepsTheTuning) {
+  const Calibration base = calibration_of(settings_with_two_cameras_and_imu());
+  Rig second = base.rig;
+  second.cameras.erase(second.cameras.begin());
+  const Written written = written_into(base, second);
+  EXPECT_EQ(written.sensor, "mono-inertial");
+  EXPECT_TRUE(written.losses.empty()) << written.losses.front().what;
+  EXPECT_TRUE(written.defaults.empty()) << written.defaults.front().key;
+  const std::string bytes = bytes_of(written);
+  EXPECT_EQ(value_of(bytes, "Camera.RGB"), "0");
+  EXPECT_EQ(value_of(bytes, "ORBextractor.nFeatures"), "1250");
+  EXPECT_EQ(value_of(bytes, "Camera2.fx"), "absent");
+  const Rig back = calibration_of(bytes).rig;
+  ASSERT_EQ(back.cameras.size(), 1U);
+  EXPECT_EQ(back.cameras[0].model, base.rig.cameras[1].model);
+  EXPECT_LE(largest_difference(back.resolve("cam0", "imu0").value(), base.rig.resolve("cam1", "imu0").value()), 1e-12);
+  EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes, {"mono-inertial"}).loads());
+}
+
+TEST(Base, AnImuThatJoinsIsInserted) {
+  Diagnostics diagnostics;
+  const std::string mono =
+      bytes_of(*find_format("orbslam3")->write(nullptr, sample_rig("kb4", {false, false}), {}, diagnostics));
+  const std::string bytes_before = with_replaced(mono, "Camera.RGB: 1", "Camera.RGB: 0   # mine");
+  const Calibration base = calibration_of(bytes_before);
+  Rig rig = base.rig;
+  const Rig inertial = sample_rig("kb4", {false, true});
+  rig.imus = inertial.imus;
+  rig.poses = inertial.poses;
+  const std::string bytes = bytes_of(written_into(base, rig));
+  EXPECT_NE(bytes.find("Camera.RGB: 0   # mine"), std::string::npos) << bytes;
+  EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes, {"mono-inertial"}).loads()) << bytes;
+}
+
+// A Double Sphere file of a fork becomes stock settings: another parser, the same robot.
+TEST(Base, AnotherStyleCarriesWhatTheInputTunes) {
+  const Calibration base = calibration_of(good("orbslam3/good/old-doublesphere.yaml") +
+                                          "ORBextractor.nFeatures: 1250\nViewer.PointSize: 3\nViewer.ViewpointF: 1800\n");
+  Rig rig = base.rig;
+  for (Camera& camera : rig.cameras) camera.model = sample_model("kb4");
+  const Written written = written_into(base, rig, {"", "v1", std::nullopt});
+  const std::string bytes = bytes_of(written);
+  EXPECT_EQ(value_of(bytes, "File.version"), "1.0");
+  EXPECT_EQ(value_of(bytes, "Viewer.PointSize"), "3.0") << "V1.0 demands a real";
+  for (const text::Entry& entry : base.documents.front().root().entries) {
+    const std::string& key = entry.key.value;
+    if (!key.starts_with("ORBextractor.") && !key.starts_with("Viewer.") && key != "Camera.RGB") continue;
+    const std::optional<double> was = text::parse_real(entry.value.value);
+    EXPECT_EQ(text::parse_real(value_of(bytes, key)), was) << key;
+  }
+  EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes, {written.sensor}).loads()) << bytes;
+}
+
+TEST(Base, ALayoutCanBeAskedFor) {
+  const Calibration base = calibration_of(good("orbslam3/good/orbslam2-tight.yaml"));
+  const Written written = written_into(base, base.rig, {"", "v1", std::nullopt});
+  EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"orbslam3"});
+  EXPECT_EQ(calibration_of(bytes_of(written)).rig.cameras.at(0).model, base.rig.cameras.at(0).model);
+  EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes_of(written), {written.sensor}).loads());
+}
+
+// V1.0 does not read Camera2.* of Rectified settings: Stereo.b is the pair.
+TEST(Base, RectifiedSettingsAreAPairByTheirBaseline) {
+  const std::string bytes = good("orbslam3/good/v1-rectified.yaml") + "\nCamera2.fx: 435.2\nCamera2.fy: 435.2\n";
+  const Calibration base = calibration_of(bytes);
+  EXPECT_EQ(base.rig.cameras.size(), 1U);
+  EXPECT_TRUE(base.rig.baseline_m);
+  const Written written = written_into(base, base.rig);
+  EXPECT_TRUE(written.sensor.starts_with("stereo")) << written.sensor;
+  EXPECT_EQ(bytes_of(written), bytes);
+}
+
+// Whatever stands in a settings file and has no place in a camchain is said, key by key or group by group.
+TEST(Base, NoKeyOfSettingsGoesSilently) {
+  for (const fs::path& path : files_in(testdata_dir() / "orbslam3" / "good", ".yaml")) {
+    const Calibration settings = calibration_of(read_file(path) + "\nMy.own.key: 5\nLEFT.height: 480\n");
+    Rig rig = settings.rig;
+    for (Camera& camera : rig.cameras) camera.model = sample_model("kb4");
+    Diagnostics diagnostics;
+    const std::optional<Written> written = find_format("kalibr")->write(nullptr, rig, {}, diagnostics);
+    ASSERT_TRUE(written) << path;
+    EXPECT_TRUE(loses(*written, "My.own.key 5")) << path;
+    EXPECT_TRUE(loses(*written, "LEFT.height 480")) << path;
+    if (value_of(read_file(path), "ORBextractor.nLevels") != "absent") {
+      EXPECT_TRUE(loses(*written, "ORBextractor.*")) << path;
+    }
+  }
+}
+
+/// A chain with comments, an odd spelling and a key of Kalibr's that Rig has no member for.
+constexpr const char* kChain =
+    "# my rig\n"
+    "cam0:\n"
+    "  camera_model: pinhole   # left\n"
+    "  cam_overlaps: [1]\n"
+    "  intrinsics: [190.50, 190.25, 254.0, 256.0]\n"
+    "  distortion_model: equidistant\n"
+    "  distortion_coeffs: [0.01, 0.02, 0.03, 0.04]\n"
+    "  resolution: [512, 512]\n"
+    "  line_delay: 0.00002\n"
+    "cam1:\n"
+    "  camera_model: pinhole   # right\n"
+    "  cam_overlaps: [0]\n"
+    "  T_cn_cnm1:\n"
+    "  - [1.0, 0.0, 0.0, -0.1]\n"
+    "  - [0.0, 1.0, 0.0, 0.0]\n"
+    "  - [0.0, 0.0, 1.0, 0.0]\n"
+    "  - [0.0, 0.0, 0.0, 1.0]\n"
+    "  intrinsics: [191.50, 191.25, 255.0, 257.0]\n"
+    "  distortion_model: equidistant\n"
+    "  distortion_coeffs: [0.01, 0.02, 0.03, 0.05]\n"
+    "  resolution: [512, 512]\n"
+    "  line_delay: 0.00003\n";
+
+TEST(Base, AChainLosesACameraInPlace) {
+  const Calibration base = calibration_of(kChain);
+  Rig rig = base.rig;
+  rig.cameras.erase(rig.cameras.begin());
+  const Written written = written_into(base, rig);
+  EXPECT_EQ(bytes_of(written),
+            "# my rig\n"
+            "cam0:\n"
+            "  camera_model: pinhole   # right\n"
+            "  intrinsics: [191.50, 191.25, 255.0, 257.0]\n"
+            "  distortion_model: equidistant\n"
+            "  distortion_coeffs: [0.01, 0.02, 0.03, 0.05]\n"
+            "  resolution: [512, 512]\n"
+            "  line_delay: 0.00003\n");
+  EXPECT_TRUE(loses(written, "cam_overlaps"));
+  EXPECT_EQ(written.files.front().cameras, std::vector<std::string>{"cam1"});
+}
+
+TEST(Base, AChainInAnotherOrderMeansTheSame) {
+  const Calibration base = calibration_of(kChain);
+  Rig rig = base.rig;
+  std::swap(rig.cameras[0], rig.cameras[1]);
+  const std::string bytes = bytes_of(written_into(base, rig));
+  const Rig back = calibration_of(bytes).rig;
+  ASSERT_EQ(back.cameras.size(), 2U);
+  EXPECT_EQ(back.cameras[0].model, base.rig.cameras[1].model);
+  EXPECT_EQ(back.cameras[1].model, base.rig.cameras[0].model);
+  EXPECT_LE(largest_difference(back.resolve("cam1", "cam0").value(), base.rig.resolve("cam0", "cam1").value()), 1e-15);
+  EXPECT_NE(bytes.find("# right"), std::string::npos);
+  EXPECT_TRUE(consumers::find_consumer("kalibr")->load(bytes, {}).loads()) << bytes;
+}
+
+TEST(Base, AChainGainsACameraBehindItsOwn) {
+  const Calibration base = calibration_of(kChain);
+  Rig rig = base.rig;
+  Camera third = rig.cameras[0];
+  third.name = "third";
+  third.model = sample_model("eucm");
+  rig.cameras.push_back(third);
+  rig.poses.push_back({"third", "cam1", T_cam1_cam0()});
+  const std::string bytes = bytes_of(written_into(base, rig));
+  EXPECT_NE(bytes.find("# left"), std::string::npos);
+  const Rig back = calibration_of(bytes).rig;
+  ASSERT_EQ(back.cameras.size(), 3U);
+  EXPECT_EQ(back.cameras[2].model, third.model);
+  EXPECT_EQ(back.resolve("cam2", "cam1"), T_cam1_cam0());
+  EXPECT_TRUE(consumers::find_consumer("kalibr")->load(bytes, {}).loads()) << bytes;
+}
+
+// A camera left out must not lend its name's poses to the one that takes the name.
+TEST(Base, ACameraLeftOutLeavesNoPoses) {
+  Rig rig = sample_rig("kb4", {true, true});
+  const Transform T_cam1_imu = rig.resolve("cam1", "imu0").value();
+  rig.cameras.erase(rig.cameras.begin());
+  Diagnostics diagnostics;
+  const std::optional<Written> written = find_format("kalibr")->write(nullptr, rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  const Rig back = calibration_of(bytes_of(*written)).rig;
+  EXPECT_LE(largest_difference(back.resolve("cam0", "imu0").value(), T_cam1_imu), 1e-12);
+}
+
+TEST(Base, AnImuWithoutATopicGetsOneToLookAt) {
+  Rig rig = sample_rig("kb4", {false, true});
+  rig.imus.front().topic.clear();
+  Diagnostics diagnostics;
+  const std::optional<Written> written = find_format("kalibr")->write(nullptr, rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  ASSERT_EQ(written->files.size(), 2U);
+  EXPECT_TRUE(consumers::find_consumer("kalibr-imu")->load(written->files[1].document.bytes(), {}).loads());
+  EXPECT_TRUE(std::ranges::any_of(written->defaults, &DefaultedValue::look_at_it));
+  rig.imus.front().rate_hz.reset();  // a fact: never made up
+  const std::optional<Written> without = find_format("kalibr")->write(nullptr, rig, {}, diagnostics);
+  ASSERT_TRUE(without);
+  EXPECT_EQ(without->files.size(), 1U);
+  EXPECT_TRUE(loses(*without, "noise and rate"));
+}
+
+}  // namespace
+}  // namespace fca::test
