@@ -83,7 +83,7 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
   }
   std::string text;
   if (!look.empty()) text += "not in the input, set them to your camera's:\n" + look;
-  if (!rest.empty()) text += "defaults: " + enumerated(rest) + "\n";
+  if (!rest.empty()) text += "defaults:\n" + wrapped(rest, "  ");
   return text;
 }
 

@@ -30,7 +30,10 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
 
 CLI::Validator decimal_number() {
   return CLI::Validator(
-      [](const std::string& value) { return value.empty() || text::parse_real(value) ? "" : "'" + value + "' is no decimal number"; }, "");
+      [](const std::string& value) {
+        return value.empty() || text::parse_real(value) ? "" : "'" + value + "' is no decimal number";
+      },
+      "");
 }
 
 namespace {
@@ -124,6 +127,14 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
   if (!options.cameras) return calibration;
   const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, *options.cameras, diagnostics);
   if (!indices) return std::nullopt;
+  // What only a camera left out says is not asked for, either.
+  std::erase_if(calibration->rig.as_read, [&](const AsRead& extra) {
+    for (std::size_t i = 0; i < calibration->rig.cameras.size(); ++i) {
+      const bool chosen = std::ranges::find(*indices, i) != indices->end();
+      if (!chosen && extra.key.starts_with(calibration->rig.cameras[i].name + " ")) return true;
+    }
+    return false;
+  });
   std::vector<Camera> cameras;
   for (const std::size_t index : *indices) cameras.push_back(calibration->rig.cameras[index]);
   calibration->rig.cameras = std::move(cameras);

@@ -29,21 +29,34 @@ std::string pixels(double value) {
 
 std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
 
-std::string parameters_in_words(const CameraModel& model, std::string_view indent) {
+namespace {
+
+/// Parts in lines of at most 100 characters, each line behind `indent`.
+std::string in_lines(std::span<const std::string> parts, std::string_view indent, std::string_view separator) {
   constexpr std::size_t kLineLength = 100;
   std::string text;
   std::string line(indent);
-  const std::span<const Parameter> parameters = model_info(model).parameters;
-  const std::span<const double> values = parameter_values(model);
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const std::string item = std::string(parameters[i].name) + " " + text::format_short(values[i], 9);
-    if (line.size() > indent.size() && line.size() + item.size() + 2 > kLineLength) {
-      text += line + "\n";
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string item = parts[i] + (i + 1 < parts.size() ? std::string(separator) : "");
+    if (line.size() > indent.size() && line.size() + item.find_last_not_of(' ') + 1 > kLineLength) {
+      text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
       line = indent;
     }
-    line += (line.size() > indent.size() ? "  " : "") + item;
+    line += item;
   }
   return text + line + "\n";
+}
+
+}  // namespace
+
+std::string wrapped(std::span<const std::string> parts, std::string_view indent) { return in_lines(parts, indent, ", "); }
+
+std::string parameters_in_words(const CameraModel& model, std::string_view indent) {
+  std::vector<std::string> parts;
+  const std::span<const Parameter> parameters = model_info(model).parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    parts.push_back(std::string(parameters[i].name) + " " + text::format_short(parameter_values(model)[i], 9));
+  return in_lines(parts, indent, "  ");
 }
 
 std::string padded(std::string_view text, std::size_t width) {

@@ -176,8 +176,12 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   const Imu imu = rig.imus.empty() ? Imu{} : rig.imus.front();
   const bool noise = imu.gyroscope_noise_density && imu.accelerometer_noise_density && imu.gyroscope_random_walk &&
                      imu.accelerometer_random_walk;
-  if (!noise) missing.emplace_back("the IMU's noise densities and random walks (--with imu.yaml)");
-  if (!imu.rate_hz) missing.emplace_back("the IMU's rate (update_rate in imu.yaml)");
+  if (rig.imus.empty()) {
+    missing.emplace_back("the IMU's noise and rate (--with imu.yaml)");
+    return missing;
+  }
+  if (!noise) missing.emplace_back("the IMU's noise densities and random walks");
+  if (!imu.rate_hz) missing.emplace_back("the IMU's rate (update_rate)");
   return missing;
 }
 

@@ -196,7 +196,7 @@ std::string who_reads(const Target& target, std::string_view model) {
 
 /// The first line people see: who reads the file, the mode, and what is missing for a richer one.
 std::string headline(const Target& target, std::string_view model, const std::string& next) {
-  return who_reads(target, model) + ", " + std::string(target.sensor.id) + (next.empty() ? "" : " (" + next + ")");
+  return who_reads(target, model) + ", " + std::string(target.sensor.id) + (next.empty() ? "" : "; " + next);
 }
 
 std::vector<std::string> programs_for(Style style, std::string_view model) {
