@@ -380,7 +380,7 @@ class Omnidet {
     }
     const Polynomial ours = {
         {named[4], named[5], named[6], named[7]}, {named[1] + 0.5 * named[8] - 0.5, named[2] + 0.5 * named[3] - 0.5}, named[0]};
-    constexpr int kSteps = 60;
+    constexpr int kSteps = 30;
     double worst = 0.0;
     for (int i = 0; i <= kSteps; ++i) {
       const double theta = std::numbers::pi / 2.0 * i / kSteps;
