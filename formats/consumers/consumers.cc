@@ -13,12 +13,17 @@ constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
 
 constexpr std::array kConsumers{
-    Consumer{"kalibr", "Kalibr", "kalibr", kDoublePrecisionPx, &load_kalibr},
-    Consumer{"kalibr-imu", "Kalibr (imu.yaml)", "kalibr", kDoublePrecisionPx, &load_kalibr_imu, false},
+    Consumer{"kalibr", "Kalibr", "kalibr", kDoublePrecisionPx, &load_kalibr, true, "tumvi"},
+    Consumer{"kalibr-imu", "Kalibr (imu.yaml)", "kalibr", kDoublePrecisionPx, &load_kalibr_imu, false, "tumvi"},
     Consumer{"orbslam3", "ORB-SLAM3 V1.0", "orbslam3", kFloatPrecisionPx, &load_orbslam3},
     Consumer{"orbslam2", "ORB-SLAM2", "orbslam3", kFloatPrecisionPx, &load_orbslam2},
     Consumer{"slam_no_opt", "ns15417/slam_no_opt", "orbslam3", kFloatPrecisionPx, &load_slam_no_opt},
     Consumer{"urbste", "urbste/ORB_SLAM3 (feature/gopro_slam)", "orbslam3", kFloatPrecisionPx, &load_urbste},
+    Consumer{"opencv", "OpenCV", "opencv", kDoublePrecisionPx, &load_opencv},
+    Consumer{"ocamcalib", "OCamCalib's C functions (ocam_functions)", "ocamcalib", kDoublePrecisionPx, &load_ocamcalib},
+    Consumer{"woodscape", "WoodScape's projection.py", "woodscape", kDoublePrecisionPx, &load_woodscape},
+    Consumer{"woodscape-omnidet", "WoodScape's omnidet", "woodscape", kFloatPrecisionPx, &load_woodscape_omnidet},
+    Consumer{"dso", "DSO (camera.txt)", "tumvi", kFloatPrecisionPx, &load_dso},
 };
 
 }  // namespace

@@ -7,63 +7,29 @@
 #include <cstring>
 #include <limits>
 
+#include "storage_limits.h"
+
 namespace fca::consumers::orbslam {
 namespace {
-
-constexpr std::size_t kMaxBytes = 2U << 20U;
-// OpenCV 4.6 recurses with some 6 kB of stack per level and has no limit of its own.
-constexpr int kMaxDepth = 64;
-constexpr int kMaxOpenings = 512;
-constexpr std::size_t kMaxIndent = 200;
 
 std::optional<Pixel> finite_pixel(double u, double v) {
   if (!std::isfinite(u) || !std::isfinite(v)) return std::nullopt;
   return Pixel{u, v};
 }
 
-/// Counts brackets without looking at quotes and comments: it may refuse a strange file, but it cannot be talked out of it.
-bool is_nested_too_deep(std::string_view text) {
-  int depth = 0;
-  int openings = 0;
-  std::size_t column = 0;
-  bool at_indent = true;
-  int indicators = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    column = c == '\n' ? 0 : column + 1;
-    if (c == '\n') indicators = 0;
-    at_indent = c == '\n' || (at_indent && c == ' ');
-    if (at_indent && column > kMaxIndent) return true;
-    if (c == '[' || c == '{') {
-      ++depth;
-      ++openings;
-    }
-    if ((c == ']' || c == '}') && depth > 0) --depth;
-    if ((c == '-' || c == ':') && i + 1 < text.size() && text[i + 1] == ' ') ++indicators;
-    if (depth > kMaxDepth || openings > kMaxOpenings || indicators > kMaxDepth) return true;
-  }
-  return false;
-}
-
+/// Before OpenCV's reader sees the bytes.
 std::string find_obstacle(std::string_view bytes) {
-  if (bytes.empty()) return "the file is empty";
-  if (bytes.size() > kMaxBytes) return "the file is larger than 2 MiB; not read";
-  if (bytes.find('\0') != std::string_view::npos) return "the file contains a zero byte: it is not text";
-  const std::string_view head =
-      bytes.substr(bytes.find_first_not_of(" \t\r\n") == std::string_view::npos ? 0 : bytes.find_first_not_of(" \t\r\n"));
-  if (head.starts_with("<?xml")) return "the file is XML, whose names cannot have the '.' of these keys";
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  const std::string_view head = bytes.substr(first == std::string_view::npos ? 0 : first);
+  const bool is_text = bytes.find('\0') == std::string_view::npos;
+  if (is_text && head.starts_with("<?xml")) return "the file is XML, whose names cannot have the '.' of these keys";
+  std::string obstacle = storage::find_obstacle(bytes);
+  if (!obstacle.empty()) return obstacle;
   if (!bytes.starts_with("%YAML") && !head.starts_with("{")) {
     return "the first bytes are not '%YAML:1.0'; OpenCV's reader does not take the file (no comment, blank line or BOM before "
            "it)";
   }
-  if (is_nested_too_deep(bytes)) return "more than 64 nested lists or maps, or an indentation beyond 200";
   return {};
-}
-
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  while (text.ends_with(' ')) text.pop_back();
-  return text;
 }
 
 std::string quoted(const std::string& text) {
@@ -238,7 +204,7 @@ std::optional<cv::Mat> Settings::matrix(std::string_view key) {
     if (found.isMap()) return found.mat();
     refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants an !!opencv-matrix (rows, cols, dt, data)");
   } catch (const cv::Exception& error) {
-    refuse(std::string(key) + " is no matrix OpenCV can read (" + one_line(error.err) + "); " + program_ + " stops");
+    refuse(std::string(key) + " is no matrix OpenCV can read (" + storage::one_line(error.err) + "); " + program_ + " stops");
   }
   return std::nullopt;
 }
@@ -259,9 +225,9 @@ ConsumerView with_settings(std::string_view bytes, std::string_view program, con
     body(settings, *sensor, view);
   } catch (const cv::Exception& error) {
     view.refusals.push_back("OpenCV's reader, which " + std::string(program) +
-                            " uses, does not take the file: " + one_line(error.err));
+                            " uses, does not take the file: " + storage::one_line(error.err));
   } catch (const std::exception& error) {
-    view.refusals.push_back(std::string(program) + " stops: " + one_line(error.what()));
+    view.refusals.push_back(std::string(program) + " stops: " + storage::one_line(error.what()));
   }
   if (!view.loads()) {
     view.cameras.clear();

@@ -14,5 +14,10 @@ namespace fca::consumers {
 [[nodiscard]] ConsumerView load_orbslam2(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_slam_no_opt(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_urbste(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_opencv(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_ocamcalib(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_woodscape(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_woodscape_omnidet(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_dso(std::string_view bytes, const LoadOptions& options);
 
 }  // namespace fca::consumers

@@ -54,6 +54,10 @@ struct ConsumerView {
 struct LoadOptions {
   /// ORB-SLAM3's sensor: "mono", "stereo", "rgbd", "mono-inertial", "stereo-inertial", "rgbd-inertial".
   std::string sensor = "mono";
+  /// Which of OpenCV's functions the program calls, "pinhole" (cv::projectPoints) or "fisheye" (cv::fisheye): a caller knows, a
+  /// file with four coefficients need not say. Empty: what the file says (fisheye_model, distortion_type), else pinhole.
+  /// Files with xi are cv::omnidir's in any case.
+  std::string opencv_model = {};
 };
 
 /// A row of the table of consumers.
@@ -64,6 +68,11 @@ struct Consumer {
   double tolerance_px;       ///< What its own precision allows: 1e-9 for double, 2e-4 (times max(1, |u| / 1000)) for float.
   ConsumerView (*load)(std::string_view bytes, const LoadOptions& options);
   bool cameras = true;  ///< false: it reads files without a camera (Kalibr's imu.yaml).
+  /// Id of a second format whose files it reads, or "": TUM-VI's chains are Kalibr's.
+  std::string_view second_format = {};
+  [[nodiscard]] constexpr bool reads(std::string_view format_id) const {
+    return !format_id.empty() && (format_id == format || format_id == second_format);
+  }
 };
 
 /// All consumers, in the order in which they are asked.
