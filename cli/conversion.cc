@@ -168,7 +168,10 @@ ConvertOutcome convert_input(const std::string& input, const ConvertArguments& a
   const Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
   // Same format in and out: the input document is edited, nothing is composed anew.
   const text::Document* base = calibration->format == outcome.to ? &calibration->documents.front() : nullptr;
-  WriteOptions options = {arguments.sensor, arguments.orbslam3_layout, arguments.fps};
+  WriteOptions options;
+  options.sensor = arguments.sensor;
+  options.layout = arguments.orbslam3_layout;
+  options.frame_rate_hz = arguments.fps;
   std::optional<Written> written = outcome.to->write(base, rig, options, outcome.diagnostics);
   if (!written) return failed();
   const bool unchanged = base != nullptr && written->files.front().document.bytes() == base->source().bytes;

@@ -234,7 +234,7 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
     return ExitCode::kGood;
   }
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
-    console.out(padded(consumer.id, 14) + std::string(consumer.program) + ", reads " + std::string(consumer.format) + "\n");
+    console.out(padded(consumer.id, 19) + std::string(consumer.program) + ", reads " + std::string(consumer.format) + "\n");
   }
   return ExitCode::kGood;
 }

@@ -112,7 +112,7 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
   }
   const Format* format = options.from.empty() ? nullptr : find_format(options.from);
   std::optional<Calibration> calibration =
-      read_calibration(std::move(documents), format, {parse_size(options.size)}, diagnostics);
+      read_calibration(std::move(documents), format, {parse_size(options.size), {}}, diagnostics);
   if (!calibration) return std::nullopt;
   if (const std::optional<ImageSize> size = parse_size(options.size)) {
     for (const Camera& camera : calibration->rig.cameras) {

@@ -128,7 +128,7 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
   const bool has_modes = format != nullptr && !format->modes.empty();
   const std::span<const std::string_view> modes = has_modes ? format->modes : std::span<const std::string_view>(kNoModes);
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
-    if (consumer.format != format_id || (with_cameras && consumer.cameras != *with_cameras)) continue;
+    if (!consumer.reads(format_id) || (with_cameras && consumer.cameras != *with_cameras)) continue;
     Readers::Program program;
     program.program = consumer.program;
     std::size_t fewest = SIZE_MAX;

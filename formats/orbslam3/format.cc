@@ -31,6 +31,9 @@ constexpr std::array<std::string_view, kCount> names_of(const std::array<Row, kC
   return names;
 }
 
+constexpr std::array<std::string_view, 4> kDefaulted = {"frame rate", "colour order", "depth threshold",
+                                                        "ORBextractor.* and Viewer.*"};
+
 constexpr auto kModes = names_of(kSensors, &Sensor::id);
 constexpr auto kLayouts = names_of(kStyleNames, &StyleName::name);
 
@@ -49,14 +52,17 @@ const Format kFormat = {
     .id = "orbslam3",
     .title = "ORB-SLAM3 settings",
     .syntaxes = "OpenCV YAML",
+    .extension = ".yaml",
     .program = "ORB-SLAM3",
     .many_cameras = true,
     .most_cameras = 2,
     .extrinsics = true,
     .imu = true,
     .image_size = true,
+    .frame_rate = true,
     .modes = kModes,
     .layouts = kLayouts,
+    .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,
     .read = read,

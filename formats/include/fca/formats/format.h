@@ -19,6 +19,7 @@ namespace fca {
 /// How a reader is to understand what a file leaves open.
 struct ReadOptions {
   std::optional<ImageSize> image_size;  ///< For files that do not state one.
+  std::string opencv_model;             ///< "pinhole" or "fisheye", for OpenCV files whose four numbers could be either.
 };
 
 /// A way in which a format stores a camera model, and who reads it.
@@ -51,13 +52,15 @@ struct WriteOptions {
   std::string sensor;  ///< orbslam3: "mono", "stereo", ...; empty: the richest the rig serves.
   std::string layout;  ///< One of Format::layouts; empty: the base file's, else the stock program's.
   std::optional<double> frame_rate_hz;
+  std::string
+      extension;      ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
   bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
 };
 
 /// What was written and what the user must know of it.
 struct Written {
   struct File {
-    text::Document document;            ///< Bytes with edits; its source's name is a proposal.
+    text::Document document;            ///< Bytes with edits; its source's name is a proposal ("imu.yaml", "cam1.txt").
     std::vector<std::string> cameras;   ///< Names, as in the rig, of the cameras in it.
     std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
   };
@@ -79,14 +82,20 @@ struct Format {
   std::string_view id;
   std::string_view title;
   std::string_view syntaxes;            ///< For people: "YAML".
+  std::string_view extension;           ///< Of its files, with the point: ".yaml".
   std::string_view program;             ///< The stock program that reads it: "Kalibr".
-  bool many_cameras = true;             ///< In one file.
+  bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool extrinsics = true;
   bool imu = true;
   bool image_size = true;
+  bool time_offset = false;
+  bool frame_rate = false;
+  bool topic = false;
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
+  std::span<const std::string_view> defaulted =
+      {};  ///< What its program demands and calibrations rarely state: "colour order".
   std::span<const StoredModel> models;
 
   ProbeResult (*probe)(const text::Document& document);
