@@ -16,6 +16,9 @@ namespace fca::text {
 enum class Syntax {
   kYaml,        ///< Plain YAML (Kalibr).
   kOpenCvYaml,  ///< YAML of cv::FileStorage: first line %YAML:1.0, "key:value" without a blank allowed.
+  kXml,         ///< XML of cv::FileStorage; the root is what stands in <opencv_storage>.
+  kJson,        ///< Strict JSON. All collections are flow collections.
+  kWords,       ///< Lines of words: a sequence of sequences, one for every physical line (OCamCalib, DSO).
 };
 
 class Document {
