@@ -184,13 +184,15 @@ Refusal describe(rapidjson::ParseErrorCode code, std::size_t offset, const TreeB
   const std::size_t token = std::min(bytes.find_first_not_of(kBetweenTokens, builder.last_end()), bytes.size());
   const bool in_string = token < bytes.size() && bytes[token] == '"' && offset > token;
   if (code == rapidjson::kParseErrorStringMissQuotationMark) return refusal("a string that is never closed", token, "close it");
-  if (code == rapidjson::kParseErrorStringInvalidEncoding && in_string) {
+  if (in_string) {
     const char c = offset < bytes.size() ? bytes[offset] : '\0';
     if (c == '\n' || c == '\r') return refusal("a string that is not closed on its line", token, "close it");
     if (static_cast<unsigned char>(c) < 0x20) return refusal("a control character inside a string", offset, "escape it: \\t");
-    return refusal("a byte that is no UTF-8", offset, "save the file as UTF-8");
+    if (code == rapidjson::kParseErrorStringInvalidEncoding) {
+      return refusal("a byte that is no UTF-8", offset, "save the file as UTF-8");
+    }
+    return refusal("a wrong escape inside a string", offset, "a backslash is spelled \\\\");
   }
-  if (in_string) return refusal("a wrong escape inside a string", offset, "a backslash is spelled \\\\");
 
   // Words are reported where they begin, not where RapidJSON gave up.
   if (code == rapidjson::kParseErrorValueInvalid || code == rapidjson::kParseErrorNumberMissFraction ||

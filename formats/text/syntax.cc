@@ -95,7 +95,7 @@ Syntax choose_syntax(const Source& source) {
   if (std::string_view(source.bytes).substr(source.byte_order_mark()).starts_with("%YAML:")) return Syntax::kOpenCvYaml;
   const std::string_view text = content_of(source);
   if (text.empty() || text[0] == '%') return Syntax::kYaml;
-  if (text[0] == '<' && !text.starts_with("<<<")) return Syntax::kXml;
+  if (text[0] == '<' && !text.starts_with("<<<<<<< ")) return Syntax::kXml;
   if (begins_as_json(text)) return Syntax::kJson;
 
   const std::vector<std::string_view> lines = first_lines(text, 2);

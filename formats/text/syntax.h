@@ -8,7 +8,7 @@ namespace fca::text {
 /// How a file is written, by its first lines and, where they leave it open, by its extension:
 ///
 /// 1. `%YAML:` is cv::FileStorage's YAML, any other `%` plain YAML.
-/// 2. `<` is XML (but `<<<` is git's).
+/// 2. `<` is XML (but `<<<<<<< ` is git's).
 /// 3. `{`, and `[` before a JSON value, are JSON. YAML, too, can begin so: see falls_back_to_yaml.
 /// 4. Otherwise the first line that is neither blank nor a comment decides. Numbers, with or without one name before them, are
 /// words

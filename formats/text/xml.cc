@@ -127,17 +127,18 @@ class TreeBuilder {
     const std::size_t start = offset_of(text.Value());
     const Span whole = {start, std::min(bytes_.find('<', start), bytes_.size()) - start};
     if (resolved(whole) != text.Value()) refuse_place(start);
-    std::size_t at = bytes_.find_first_not_of(kBlanks, start);
+    const std::string_view bytes = bytes_.substr(0, whole.end());
+    std::size_t at = bytes.find_first_not_of(kBlanks, start);
     while (at < whole.end()) {
       Node node;
       node.kind = NodeKind::kScalar;
-      node.quoted = bytes_[at] == '"';
-      std::size_t end = std::min(bytes_.find_first_of(node.quoted ? std::string_view("\"") : kBlanks, at + 1), whole.end());
+      node.quoted = bytes[at] == '"';
+      std::size_t end = std::min(bytes.find_first_of(node.quoted ? std::string_view("\"") : kBlanks, at + 1), whole.end());
       if (node.quoted) {
         if (end == whole.end()) throw Refusal{"xml-syntax", "XML syntax error: a quote that is never closed", "close it", at};
         node.value = resolved({at + 1, end - at - 1});
         ++end;
-        const bool separate = end == whole.end() || kBlanks.find(bytes_[end]) != std::string_view::npos;
+        const bool separate = end == whole.end() || kBlanks.find(bytes[end]) != std::string_view::npos;
         if (!separate) throw Refusal{"xml-syntax", "XML syntax error: a blank is missing behind the quote", "", end};
       } else {
         const std::size_t quote = source_.text({at, end - at}).find('"');
@@ -149,7 +150,7 @@ class TreeBuilder {
       }
       node.span = {at, end - at};
       items.push_back(std::move(node));
-      at = std::min(bytes_.find_first_not_of(kBlanks, end), whole.end());
+      at = bytes.find_first_not_of(kBlanks, end);
     }
   }
 
