@@ -62,22 +62,18 @@ std::string json_string(std::string_view value) {
 
 /// cv::FileStorage wants entities for all five, quotes or not (4.6, persistence_xml.cpp).
 std::string xml_string(std::string_view value) {
+  constexpr std::pair<char, std::string_view> kEntities[] = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}};
   std::string text = "\"";
   for (const char c : value) {
-    if (c == '&')
-      text += "&amp;";
-    else if (c == '<')
-      text += "&lt;";
-    else if (c == '>')
-      text += "&gt;";
-    else if (c == '"')
-      text += "&quot;";
-    else if (c == '\'')
-      text += "&apos;";
-    else if (is_control(c))
+    const auto* entity = std::ranges::find(kEntities, c, &std::pair<char, std::string_view>::first);
+    if (entity != std::end(kEntities)) {
+      text += entity->second;
+    } else if (is_control(c)) {
       text += "&#" + std::to_string(static_cast<int>(c)) + ";";
-    else
+    } else {
       text += c;
+    }
   }
   return text + '"';
 }

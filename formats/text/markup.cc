@@ -85,11 +85,13 @@ std::optional<Markup> next_markup(std::string_view bytes, std::size_t from) {
 Span element_span(std::string_view bytes, const Span& name) {
   const std::size_t start = name.offset - 1;
   int depth = 0;
-  for (std::size_t at = start; const std::optional<Markup> markup = next_markup(bytes, at); at = markup->span.end()) {
+  std::size_t at = start;
+  while (const std::optional<Markup> markup = next_markup(bytes, at)) {
+    at = markup->span.end();
     if (markup->kind == Markup::Kind::kOpen) ++depth;
     if (markup->kind == Markup::Kind::kClose) --depth;
     const bool tag = markup->kind == Markup::Kind::kClose || markup->kind == Markup::Kind::kEmpty;
-    if (tag && depth <= 0) return {start, markup->span.end() - start};
+    if (tag && depth <= 0) return {start, at - start};
   }
   return {start, bytes.size() - start};
 }
@@ -103,9 +105,10 @@ class Checker {
 
   void check() {
     std::size_t at = source_.byte_order_mark();
-    for (; const std::optional<Markup> markup = next_markup(bytes_, at); at = markup->span.end()) {
+    while (const std::optional<Markup> markup = next_markup(bytes_, at)) {
       check_text(at, markup->span.offset);
       check_one(*markup);
+      at = markup->span.end();
     }
     check_text(at, bytes_.size());
     if (!open_.empty()) {

@@ -81,7 +81,7 @@ class TreeBuilder {
   /// Where a string of tinyxml2's stands in the source.
   [[nodiscard]] std::size_t offset_of(const char* value) const {
     const std::size_t length = kPrefix.size() + bytes_.size() - source_.byte_order_mark();
-    const std::less<const char*> before;
+    const std::less<> before;
     if (before(value, base_ + kPrefix.size()) || before(base_ + length, value)) refuse_place(source_.byte_order_mark());
     return static_cast<std::size_t>(value - base_) - kPrefix.size() + source_.byte_order_mark();
   }
@@ -192,12 +192,13 @@ class TreeBuilder {
       throw Refusal{"xml-mixed", "<" + std::string(source_.text(name)) + "> holds both named elements and values", "",
                     name.offset};
     }
-    if (node.items.size() == 1 && !has_item_elements)
+    if (node.items.size() == 1 && !has_item_elements) {
       node = Node(std::move(node.items.front()));
-    else if (!node.items.empty())
+    } else if (!node.items.empty()) {
       node.kind = NodeKind::kSequence;
-    else if (!node.entries.empty())
+    } else if (!node.entries.empty()) {
       node.kind = NodeKind::kMapping;
+    }
     if (!node.is_scalar()) {
       const std::size_t content = next_markup(bytes_, name.offset - 1).value_or(Markup{}).span.end();
       node.span = node.kind == NodeKind::kNull ? Span{content, 0} : Span{first, last - first};

@@ -31,8 +31,9 @@ int expect_same_numbers(const text::Node& ours, const cv::FileNode& theirs) {
   }
   if (theirs.isSeq()) {
     EXPECT_EQ(ours.items.size(), theirs.size());
-    for (std::size_t i = 0; i < std::min(ours.items.size(), theirs.size()); ++i)
-      count += expect_same_numbers(ours.items[i], theirs[static_cast<int>(i)]);
+    std::size_t i = 0;
+    for (cv::FileNodeIterator it = theirs.begin(); it != theirs.end() && i < ours.items.size(); ++it, ++i)
+      count += expect_same_numbers(ours.items[i], *it);
   }
   if (theirs.isMap()) {
     for (const std::string& key : theirs.keys()) {
