@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fields.h"
 
+#include "spelling.h"
+
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -117,18 +119,20 @@ std::optional<std::string> Reader::string(const Node& node, std::string_view wha
 }
 
 std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t count, std::string_view what) {
-  if (!node.is_sequence()) {
+  // XML says a list of one number as it says a number.
+  const bool list_of_one = node.is_scalar() && document_.syntax() == text::Syntax::kXml;
+  if (!node.is_sequence() && !list_of_one) {
     error(node, "not-a-list", std::string(what) + " is " + kind_in_words(node) + "; a list of numbers is wanted");
     return std::nullopt;
   }
-  if (count != 0 && node.items.size() != count) {
-    error(
-        node, "wrong-length",
-        std::string(what) + " has " + std::to_string(node.items.size()) + " numbers; " + std::to_string(count) + " are wanted");
+  const std::span<const Node> items = list_of_one ? std::span(&node, 1) : std::span(node.items);
+  if (count != 0 && items.size() != count) {
+    error(node, "wrong-length",
+          std::string(what) + " has " + std::to_string(items.size()) + " numbers; " + std::to_string(count) + " are wanted");
     return std::nullopt;
   }
   std::vector<double> values;
-  for (const Node& item : node.items) {
+  for (const Node& item : items) {
     const std::optional<double> value = real(item, what);
     if (!value) return std::nullopt;
     values.push_back(*value);
@@ -226,25 +230,6 @@ std::optional<Reader::Matrix> Reader::opencv_matrix(const Node& node, std::strin
   return Matrix{*row_count, *column_count, *std::move(values)};
 }
 
-std::string quote(std::string_view value) {
-  std::string text = "\"";
-  for (const char c : value) {
-    const auto byte = static_cast<unsigned char>(c);
-    constexpr std::string_view kHex = "0123456789abcdef";
-    if (c == '"' || c == '\\') {
-      text += '\\';
-      text += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      text += "\\x";
-      text += kHex[byte >> 4];
-      text += kHex[byte & 0xF];
-    } else {
-      text += c;
-    }
-  }
-  return text + '"';
-}
-
 Field scalar(std::string key, std::string token) { return {std::move(key), Shape::kScalar, {std::move(token)}, 0, {}}; }
 Field real(std::string key, double value) { return scalar(std::move(key), text::format_real(value)); }
 Field integer(std::string key, int value) { return scalar(std::move(key), std::to_string(value)); }
@@ -273,68 +258,6 @@ Field matrix(std::string key, std::span<const double> values, int columns, std::
 
 namespace {
 
-std::string joined(std::span<const std::string> tokens) {
-  std::string text;
-  for (const std::string& token : tokens) text += (text.empty() ? "" : ", ") + token;
-  return text;
-}
-
-/// Tokens in rows of `columns`, each row by `line(row)`.
-template <class F>
-void for_each_row(const Field& field, F&& line) {
-  const auto columns = static_cast<std::size_t>(field.columns);
-  for (std::size_t i = 0; i < field.tokens.size(); i += columns) {
-    line(joined(std::span(field.tokens).subspan(i, columns)), i + columns >= field.tokens.size());
-  }
-}
-
-/// The value's spelling behind "key:".
-std::string spell_value(const Field& field) {
-  std::string text;
-  switch (field.shape) {
-    case Shape::kScalar:
-      return " " + field.tokens.front();
-    case Shape::kList:
-      return " [" + joined(field.tokens) + "]";
-    case Shape::kRows:
-      for_each_row(field, [&text](const std::string& row, bool /*last*/) { text += "\n  - [" + row + "]"; });
-      return text;
-    case Shape::kMatrix:
-      text = " !!opencv-matrix\n  rows: " + std::to_string(static_cast<int>(field.tokens.size()) / field.columns) +
-             "\n  cols: " + std::to_string(field.columns) + "\n  dt: " + field.element_type + "\n  data: [";
-      for_each_row(field, [&text](const std::string& row, bool last) { text += row + (last ? "]" : ",\n         "); });
-      return text;
-  }
-  return text;
-}
-
-/// The value on one line, as it stands inside a flow mapping.
-std::string spell_flow_value(const Field& field) {
-  if (field.shape == Shape::kScalar || field.shape == Shape::kList) return spell_value(field);
-  std::string text;
-  for_each_row(field, [&](const std::string& row, bool last) {
-    text += field.shape == Shape::kRows ? "[" + row + "]" : row;
-    if (!last) text += ", ";
-  });
-  if (field.shape == Shape::kRows) return " [" + text + "]";
-  return " !!opencv-matrix {rows: " + std::to_string(static_cast<int>(field.tokens.size()) / field.columns) +
-         ", cols: " + std::to_string(field.columns) + ", dt: " + field.element_type + ", data: [" + text + "]}";
-}
-
-/// Does the scalar already say what the token says? Numbers by value, anything else by its text.
-bool says(const Node& node, const std::string& token) {
-  if (!node.is_scalar()) return false;
-  const bool token_quoted = token.starts_with('"');
-  if (token_quoted) return node.quoted && quote(node.value) == token;
-  if (node.quoted) return false;
-  if (node.value == token) return true;
-  const std::optional<double> was = text::parse_real(node.value);
-  const std::optional<double> is = text::parse_real(token);
-  // An int where a real is wanted (or the reverse) is another type to the programs.
-  const auto looks_real = [](std::string_view s) { return s.find_first_of(".eE") != std::string_view::npos; };
-  return was && is && *was == *is && std::signbit(*was) == std::signbit(*is) && looks_real(node.value) == looks_real(token);
-}
-
 /// Edits the numbers of a sequence in place; false if the layout does not allow it.
 bool edit_items(text::Document& document, std::span<const Node* const> items, std::span<const std::string> tokens) {
   if (items.size() != tokens.size()) return false;
@@ -342,7 +265,7 @@ bool edit_items(text::Document& document, std::span<const Node* const> items, st
     if (!item->is_scalar() || item->span.length == 0) return false;
   }
   for (std::size_t i = 0; i < items.size(); ++i) {
-    if (!says(*items[i], tokens[i])) document.replace(items[i]->span, tokens[i]);
+    set_scalar(document, *items[i], tokens[i]);
   }
   return true;
 }
@@ -357,18 +280,23 @@ std::vector<const Node*> leaves(const Node& node) {
   return result;
 }
 
+/// A list. XML says one of one number as it says a number.
+bool is_list(const text::Document& document, const Node& node) {
+  return node.is_sequence() || (node.is_scalar() && document.syntax() == text::Syntax::kXml);
+}
+
 bool edit_in_place(text::Document& document, const Node& value, text::Dialect dialect, const Field& field) {
   switch (field.shape) {
     case Shape::kScalar:
       return value.is_scalar() && edit_items(document, std::vector{&value}, field.tokens);
     case Shape::kList:
     case Shape::kRows:
-      return value.is_sequence() && edit_items(document, leaves(value), field.tokens);
+      return is_list(document, value) && edit_items(document, leaves(value), field.tokens);
     case Shape::kMatrix: {
       const Node* data = value.is_mapping() ? text::find(value, "data", dialect) : nullptr;
       const Node* cols = value.is_mapping() ? text::find(value, "cols", dialect) : nullptr;
       const Node* type = value.is_mapping() ? text::find(value, "dt", dialect) : nullptr;
-      if (data == nullptr || cols == nullptr || type == nullptr || !data->is_sequence()) return false;
+      if (data == nullptr || cols == nullptr || type == nullptr || !is_list(document, *data)) return false;
       if (cols->value != std::to_string(field.columns) || type->value != field.element_type) return false;
       return edit_items(document, leaves(*data), field.tokens);
     }
@@ -376,13 +304,13 @@ bool edit_in_place(text::Document& document, const Node& value, text::Dialect di
   return false;
 }
 
-/// `text` with every line but the first indented by `columns`, and the document's line breaks.
-std::string indented(std::string_view text, std::size_t columns, std::string_view line_break) {
+/// `text` with `indentation` before every line but the first, and the document's line breaks.
+std::string indented(std::string_view text, std::string_view indentation, std::string_view line_break) {
   std::string result;
   for (const char c : text) {
     if (c == '\n') {
       result += line_break;
-      result.append(columns, ' ');
+      result += indentation;
     } else {
       result += c;
     }
@@ -390,14 +318,31 @@ std::string indented(std::string_view text, std::size_t columns, std::string_vie
   return result;
 }
 
+/// Must a new value beside `entry` do without line breaks?
+bool on_one_line(const text::Document& document, const Node& mapping, const text::Entry& entry) {
+  switch (document.syntax()) {
+    case text::Syntax::kJson:
+    case text::Syntax::kXml:
+      return !document.begins_line(entry);
+    default:
+      return mapping.flow;
+  }
+}
+
 void replace_value(text::Document& document, const Node& mapping, const text::Entry& entry, const Field& field) {
   const text::Source& source = document.source();
-  const std::size_t column = entry.key.span.offset - source.line_at(entry.key.span.offset).offset;
-  const std::size_t colon = source.bytes.find(':', entry.key.span.end());
-  const std::size_t start = colon == std::string::npos ? entry.key.span.end() : colon + 1;
-  const std::size_t end = std::max(start, entry.value.span.end());
-  document.replace({start, end - start},
-                   mapping.flow ? spell_flow_value(field) : indented(spell_value(field), column, source.line_break()));
+  const std::string value = spell_value(field, document.syntax(), on_one_line(document, mapping, entry));
+  text::Span span = entry.value.span;
+  std::string indentation(document.indentation_at(entry.key.span.offset));
+  if (document.syntax() == text::Syntax::kXml) {
+    span = document.extent(entry);
+  } else if (document.syntax() != text::Syntax::kJson) {
+    const std::size_t colon = source.bytes.find(':', entry.key.span.end());
+    const std::size_t start = colon == std::string::npos ? entry.key.span.end() : colon + 1;
+    span = {start, std::max(start, entry.value.span.end()) - start};
+    indentation.assign(entry.key.span.offset - source.line_at(entry.key.span.offset).offset, ' ');
+  }
+  document.replace(span, indented(value, indentation, source.line_break()));
 }
 
 const Field* find_field(std::span<const Field> fields, std::string_view key) {
@@ -407,8 +352,13 @@ const Field* find_field(std::span<const Field> fields, std::string_view key) {
 
 }  // namespace
 
-std::string spell(const Field& field, std::size_t indentation) {
-  return std::string(indentation, ' ') + indented(field.key + ":" + spell_value(field), indentation, "\n");
+std::string spell(const Field& field, std::size_t indentation, text::Syntax syntax) {
+  const std::string blanks(indentation, ' ');
+  return blanks + indented(spell_entry(field, syntax, false), blanks, "\n");
+}
+
+void set_scalar(text::Document& document, const Node& scalar, const std::string& token) {
+  if (!says(scalar, token, document.syntax())) document.replace(scalar.span, spell_token(token, document.syntax()));
 }
 
 void apply(text::Document& document, const Node& mapping, text::Dialect dialect, std::span<const Field> before,
@@ -422,8 +372,10 @@ void apply(text::Document& document, const Node& mapping, text::Dialect dialect,
       if (old != nullptr && *old == field) continue;
       const text::Entry* anchor = predecessor;
       if (anchor == nullptr && !mapping.entries.empty()) anchor = &mapping.entries.back();
-      if (anchor != nullptr)
-        document.insert_after(mapping, *anchor, mapping.flow ? field.key + ":" + spell_flow_value(field) : spell(field));
+      if (anchor != nullptr) {
+        const bool one_line = on_one_line(document, mapping, *anchor);
+        document.insert_after(mapping, *anchor, spell_entry(field, document.syntax(), one_line));
+      }
       continue;
     }
     predecessor = entry;

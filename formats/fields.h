@@ -73,7 +73,7 @@ enum class Shape {
   kMatrix,  ///< key: !!opencv-matrix with rows, cols, dt, data
 };
 
-/// A key and what its value says, as tokens ready to be written.
+/// A key and what its value says, as tokens ready to be written in YAML; in other syntaxes they are spelled anew.
 struct Field {
   std::string key;
   Shape shape = Shape::kScalar;
@@ -92,13 +92,17 @@ struct Field {
 [[nodiscard]] Field rows(std::string key, const Transform& T);
 [[nodiscard]] Field matrix(std::string key, std::span<const double> values, int columns, std::string element_type);
 
-/// The lines of a field behind `indentation` blanks, without a last line break.
-[[nodiscard]] std::string spell(const Field& field, std::size_t indentation = 0);
+/// The lines of a field behind `indentation` blanks, without a last line break (and, in JSON, without a comma).
+[[nodiscard]] std::string spell(const Field& field, std::size_t indentation = 0, text::Syntax syntax = text::Syntax::kYaml);
+
+/// Makes a scalar say what the token says, in the document's syntax. A scalar that says so already is not touched, whatever its
+/// spelling. For documents of words, which have no keys for apply().
+void set_scalar(text::Document& document, const text::Node& scalar, const std::string& token);
 
 /// A double-quoted YAML string.
 [[nodiscard]] std::string quote(std::string_view value);
 
-/// Takes a block mapping from saying `before` to saying `after`: fields that are equal in both are not touched, whatever their
+/// Takes a mapping from saying `before` to saying `after`: fields that are equal in both are not touched, whatever their
 /// spelling; changed ones are edited number by number where the layout allows; new ones are inserted behind their predecessor,
 /// vanished ones removed. With an empty `before`, every field of `after` is compared with what the document says.
 void apply(text::Document& document, const text::Node& mapping, text::Dialect dialect, std::span<const Field> before,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/text/document.h>
 
+#include "markup.h"
+
 #include <algorithm>
 
 namespace fca::text {
@@ -11,57 +13,145 @@ namespace {
 
 std::size_t end_of(const Entry& entry) { return std::max(entry.key.span.end(), entry.value.span.end()); }
 
+bool contains(const std::vector<std::size_t>& offsets, std::size_t offset) {
+  return std::ranges::find(offsets, offset) != offsets.end();
+}
+
 }  // namespace
 
-void Document::remove_entry(const Node& mapping, const Entry& entry) {
-  if (mapping.flow) {
-    const auto index = static_cast<std::size_t>(&entry - mapping.entries.data());
-    const bool first = index == 0;
-    const bool only = mapping.entries.size() == 1;
-    const std::size_t start = first ? entry.key.span.offset : end_of(mapping.entries[index - 1]);
-    const std::size_t end = first && !only ? mapping.entries[1].key.span.offset : end_of(entry);
-    replace({start, end - start}, "");
-    return;
+Span Document::extent(const Entry& entry) const {
+  if (syntax_ == Syntax::kXml) return element_span(source_.bytes, entry.key.span);
+  return {entry.key.span.offset, end_of(entry) - entry.key.span.offset};
+}
+
+std::string_view Document::indentation_at(std::size_t offset) const {
+  const std::string_view line = source_.text(source_.line_at(offset));
+  return line.substr(0, std::min(line.find_first_not_of(" \t"), line.size()));
+}
+
+bool Document::begins_line(const Entry& entry) const {
+  const std::size_t start = extent(entry).offset;
+  return source_.line_at(start).offset + indentation_at(start).size() == start;
+}
+
+std::string Document::laid_out(std::string_view lines, std::string_view indentation) const {
+  std::string text;
+  for (const char c : lines) {
+    if (c == '\n') {
+      text += source_.line_break();
+      text += indentation;
+    } else {
+      text += c;
+    }
   }
+  return text;
+}
+
+void Document::remove_entry(const Node& mapping, const Entry& entry) {
+  if (syntax_ == Syntax::kXml) return remove_element(entry);
+  if (mapping.flow) return remove_from_flow(mapping, entry);
   const std::size_t start = source_.line_at(entry.key.span.offset).offset;
   const std::size_t newline = source_.bytes.find('\n', end_of(entry));
   const std::size_t end = newline == std::string::npos ? source_.bytes.size() : newline + 1;
   replace({start, end - start}, "");
 }
 
-void Document::insert_after(const Node& mapping, const Entry& entry, const std::string& lines) {
-  if (mapping.flow) {
-    insert(end_of(entry), ", " + lines);
-    return;
+// Which comma goes with an entry depends on which of its neighbours stay, so all removals of the mapping are laid out anew.
+void Document::remove_from_flow(const Node& mapping, const Entry& entry) {
+  const std::size_t owner = mapping.span.offset;
+  removed_.push_back(entry.key.span.offset);
+  std::erase_if(edits_, [owner](const Edit& edit) { return edit.owner == owner && edit.span.length > 0; });
+  const std::vector<Entry>& entries = mapping.entries;
+  const auto gone = [&](std::size_t i) { return contains(removed_, entries[i].key.span.offset); };
+  for (std::size_t first = 0; first < entries.size(); ++first) {
+    if (!gone(first)) continue;
+    std::size_t behind = first + 1;
+    while (behind < entries.size() && gone(behind)) ++behind;
+    const bool takes_comma_behind = first == 0 && behind < entries.size();
+    const std::size_t start = first == 0 ? entries[0].key.span.offset : end_of(entries[first - 1]);
+    const std::size_t end = takes_comma_behind ? entries[behind].key.span.offset : end_of(entries[behind - 1]);
+    edits_.push_back({{start, end - start}, "", owner});
+    if (first == 0 && behind == entries.size()) emptied_.push_back(owner);
+    first = behind;
   }
+}
+
+void Document::remove_element(const Entry& entry) {
+  const std::string_view bytes = source_.bytes;
+  const Span element = extent(entry);
+  if (!begins_line(entry)) return replace(element, "");
+  std::size_t rest = bytes.find_first_not_of(" \t\r", element.end());
+  if (const std::optional<Markup> comment = next_markup(bytes, element.end());
+      comment && comment->kind == Markup::Kind::kComment && comment->span.offset == rest) {
+    const std::size_t behind = bytes.find_first_not_of(" \t\r", comment->span.end());
+    const bool on_this_line = source_.text(comment->span).find('\n') == std::string_view::npos;
+    // A remark behind the element speaks of it.
+    if (on_this_line && (behind == std::string_view::npos || bytes[behind] == '\n')) rest = behind;
+  }
+  const std::size_t line = source_.line_at(element.offset).offset;
+  if (rest != std::string_view::npos && bytes[rest] == '\n') return replace({line, rest + 1 - line}, "");
+  // The parent's closing tag follows: it moves to the end of the line before.
+  std::size_t start = line;
+  if (start > 0 && bytes[start - 1] == '\n') --start;
+  if (start > 0 && bytes[start - 1] == '\r') --start;
+  replace({start, element.end() - start}, "");
+}
+
+void Document::insert_after(const Node& mapping, const Entry& entry, const std::string& lines) {
+  if (syntax_ == Syntax::kXml) return insert_element_after(entry, lines);
+  if (mapping.flow) return insert_in_flow(mapping, entry, lines);
   const std::size_t column = entry.key.span.offset - source_.line_at(entry.key.span.offset).offset;
   const std::string indentation(column, ' ');
-  const std::string line_break(source_.line_break());
-  std::string text = indentation;
-  for (const char c : lines) {
-    if (c == '\n') {
-      text += line_break + indentation;
-    } else {
-      text += c;
-    }
-  }
+  const std::string text = indentation + laid_out(lines, indentation);
   const std::size_t newline = source_.bytes.find('\n', end_of(entry));
   if (newline == std::string::npos) {
-    insert(source_.bytes.size(), line_break + text);
+    insert(source_.bytes.size(), std::string(source_.line_break()) + text);
   } else {
-    insert(newline + 1, text + line_break);
+    insert(newline + 1, text + std::string(source_.line_break()));
+  }
+}
+
+void Document::insert_in_flow(const Node& mapping, const Entry& entry, const std::string& lines) {
+  std::string separator = ", ";
+  std::string_view indentation;
+  if (syntax_ == Syntax::kJson && begins_line(entry)) {
+    indentation = indentation_at(entry.key.span.offset);
+    separator = "," + std::string(source_.line_break()) + std::string(indentation);
+  }
+  edits_.push_back({{end_of(entry), 0}, separator + laid_out(lines, indentation), mapping.span.offset, separator.size()});
+}
+
+void Document::insert_element_after(const Entry& entry, const std::string& lines) {
+  const Span element = extent(entry);
+  if (!begins_line(entry)) return insert(element.end(), laid_out(lines, indentation_at(element.offset)));
+  const std::string_view indentation = indentation_at(element.offset);
+  const std::string text = std::string(indentation) + laid_out(lines, indentation);
+  // Behind the line's remarks, but before a tag that follows on the same line.
+  const std::string_view bytes = source_.bytes;
+  const std::size_t newline = bytes.find('\n', element.end());
+  std::optional<Markup> next = next_markup(bytes, element.end());
+  while (next && next->kind == Markup::Kind::kComment && next->span.end() <= newline)
+    next = next_markup(bytes, next->span.end());
+  const bool ends_line = newline != std::string_view::npos && (!next || next->span.offset > newline);
+  if (ends_line) {
+    insert(newline + 1, text + std::string(source_.line_break()));
+  } else {
+    insert(element.end(), std::string(source_.line_break()) + text);
   }
 }
 
 std::string Document::bytes() const {
   std::vector<Edit> edits = edits_;
   std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.offset; });
+  std::vector<std::size_t> emptied = emptied_;
   std::string result;
   std::size_t copied = 0;
   for (const Edit& edit : edits) {
     if (edit.span.offset < copied) continue;  // inside something removed
     result.append(source_.bytes, copied, edit.span.offset - copied);
-    result += edit.text;
+    // The first of new entries has none before it to be separated from.
+    const bool alone = edit.separator > 0 && std::erase(emptied, edit.owner) > 0;
+    result += std::string_view(edit.text).substr(alone ? edit.separator : 0);
     copied = edit.span.end();
   }
   result.append(source_.bytes, copied, std::string::npos);

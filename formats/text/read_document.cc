@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/text/read_document.h>
 
+#include "json.h"
+#include "syntax.h"
+#include "words.h"
+#include "xml.h"
 #include "yaml.h"
 
 #include <cerrno>
@@ -19,6 +23,36 @@ std::string read_limited(std::istream& stream) {
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
   return bytes;
+}
+
+/// YAML's flow style begins as JSON does. Sets `syntax` to kYaml if that is what it is.
+std::optional<Node> parse_json_or_yaml(const Source& source, Syntax& syntax, Diagnostics& diagnostics) {
+  Diagnostics as_json;
+  std::optional<Node> root = parse_json(source, as_json);
+  if (root) return root;
+  const bool yaml = named_as_yaml(source);
+  Diagnostics as_yaml;
+  if (falls_back_to_yaml(source)) root = parse_yaml(source, Syntax::kYaml, as_yaml);
+  if (root) syntax = Syntax::kYaml;
+  // What is wrong with it, as a file of the kind that its name says.
+  const Diagnostics& said = root || yaml ? as_yaml : as_json;
+  for (const Diagnostic& entry : said.entries()) diagnostics.add(entry);
+  return root;
+}
+
+std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& diagnostics) {
+  switch (syntax) {
+    case Syntax::kYaml:
+    case Syntax::kOpenCvYaml:
+      return parse_yaml(source, syntax, diagnostics);
+    case Syntax::kXml:
+      return parse_xml(source, diagnostics);
+    case Syntax::kJson:
+      return parse_json_or_yaml(source, syntax, diagnostics);
+    case Syntax::kWords:
+      return parse_words(source, diagnostics);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -58,8 +92,8 @@ std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) 
                       "save it as UTF-8 text");
     return std::nullopt;
   }
-  const Syntax syntax = text.starts_with("%YAML:") ? Syntax::kOpenCvYaml : Syntax::kYaml;
-  std::optional<Node> root = parse_yaml(source, syntax, diagnostics);
+  Syntax syntax = choose_syntax(source);
+  std::optional<Node> root = parse(source, syntax, diagnostics);
   if (!root) return std::nullopt;
   return Document(std::move(source), syntax, *std::move(root));
 }

@@ -4,6 +4,7 @@
 #include "yaml.h"
 
 #include "opencv_prepass.h"
+#include "refusal.h"
 
 #include <algorithm>
 #include <sstream>
@@ -17,14 +18,6 @@
 namespace fca::text {
 
 namespace {
-
-/// Why a document is refused, and where in the source.
-struct Refusal {
-  std::string code;
-  std::string message;
-  std::string fix;
-  std::size_t offset;
-};
 
 /// Where a quoted scalar that opens at `open` ends (behind the closing quote). yaml-cpp forgives a quote that the file's end
 /// cuts off.
@@ -209,16 +202,6 @@ class TreeBuilder : public YAML::EventHandler {
 };
 
 /// What often goes wrong, in better words than a parser's.
-void refuse_conflict_markers(const Source& source) {
-  for (const std::string_view marker : {"<<<<<<< ", ">>>>>>> "}) {
-    std::size_t at = source.bytes.find(marker);
-    while (at != std::string::npos && at > 0 && source.bytes[at - 1] != '\n') at = source.bytes.find(marker, at + 1);
-    if (at == std::string::npos) continue;
-    throw Refusal{"merge-conflict", "a git merge-conflict marker: the file holds two versions of these lines",
-                  "keep one version and delete the marker lines", at};
-  }
-}
-
 Refusal describe(const YAML::ParserException& error, const Source& source, std::size_t offset) {
   const Span line = source.line_at(offset);
   const std::string_view text = source.text(line);
@@ -240,7 +223,7 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
   const std::string clean = valid_utf8(std::string_view(source.bytes).substr(skipped));
   const SpacedText spaced = syntax == Syntax::kOpenCvYaml ? space_after_keys(clean) : SpacedText{clean, {}};
   try {
-    refuse_conflict_markers(source);
+    if (const std::optional<Refusal> conflict = find_conflict_marker(source)) throw *conflict;
     std::istringstream stream(spaced.text);
     YAML::Parser parser(stream);
     TreeBuilder builder(source, spaced, skipped);
@@ -260,12 +243,11 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     }
     return builder.take_root();
   } catch (const Refusal& refusal) {
-    diagnostics.error(refusal.code, refusal.message, source.range({refusal.offset, 1}), refusal.fix);
+    report(refusal, source, diagnostics);
   } catch (const YAML::ParserException& error) {
     const std::size_t in_text = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
     const std::size_t offset = std::min(skipped + spaced.original_offset(in_text), source.bytes.size());
-    const Refusal refusal = describe(error, source, offset);
-    diagnostics.error(refusal.code, refusal.message, source.range({refusal.offset, 1}), refusal.fix);
+    report(describe(error, source, offset), source, diagnostics);
   } catch (const YAML::Exception& error) {
     diagnostics.error("yaml-syntax", "YAML error: " + error.msg, source.range({}));
   }

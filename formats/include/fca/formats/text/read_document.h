@@ -9,9 +9,10 @@
 
 namespace fca::text {
 
-/// Bytes to Document, the syntax chosen by the first bytes. Nothing, with an error at line and column, where they are no
-/// document: empty, over kMaxFileBytes, nested deeper than kMaxDepth, anchors or aliases, several YAML documents, syntax
-/// errors.
+/// Bytes to Document, the syntax chosen by the first lines and then by the name's extension (formats/text/syntax.h has the
+/// rule). Nothing, with an error at line and column, where they are no document: empty, over kMaxFileBytes, nested deeper than
+/// kMaxDepth, anchors or aliases, several YAML documents, XML with a document type or another root than <opencv_storage>,
+/// syntax errors.
 [[nodiscard]] std::optional<Document> parse_document(Source source, Diagnostics& diagnostics);
 
 /// Reads and parses a file; "-" is standard input. A missing, unreadable or non-regular file is an error "cannot-read".

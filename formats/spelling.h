@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How fields look in each syntax. YAML is how their tokens are given; the others are made from it.
+#pragma once
+
+#include "fields.h"
+
+namespace fca::fields {
+
+/// The token of a scalar as the syntax has it: JSON quotes every text, XML has entities.
+[[nodiscard]] std::string spell_token(const std::string& token, text::Syntax syntax);
+
+/// A field's value. YAML: what stands behind "key:", with its blank or line break. JSON: what stands behind "key": without. XML
+/// has no value without its element. `one_line`: as it stands inside a flow collection on one line.
+[[nodiscard]] std::string spell_value(const Field& field, text::Syntax syntax, bool one_line);
+
+/// The key with the value; lines but the first are indented relative to it. No last line break.
+[[nodiscard]] std::string spell_entry(const Field& field, text::Syntax syntax, bool one_line);
+
+/// Does the scalar already say what the token says? Numbers by value, anything else by its text.
+[[nodiscard]] bool says(const text::Node& node, const std::string& token, text::Syntax syntax);
+
+}  // namespace fca::fields

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/formats/text/source.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace fca::text {
+
+/// Why a document is refused, and where in the source.
+struct Refusal {
+  std::string code;
+  std::string message;
+  std::string fix;
+  std::size_t offset = 0;
+};
+
+inline void report(const Refusal& refusal, const Source& source, Diagnostics& diagnostics) {
+  diagnostics.error(refusal.code, refusal.message, source.range({refusal.offset, 1}), refusal.fix);
+}
+
+/// What git left in a file, in better words than a parser's.
+[[nodiscard]] std::optional<Refusal> find_conflict_marker(const Source& source);
+
+}  // namespace fca::text
