@@ -25,19 +25,11 @@ struct Job {
   const ModelInfo& target;
   const ConvertOptions& options;
   Domain domain;
-  std::array<double, 2> central_focal{};
-  Pixel centre{};
+  LensCentre centre;  ///< Of the source.
 };
 
-/// Radius per angle at the centre in x and y: the pivot between models whose focal lengths mean different things.
-std::array<double, 2> central_focal_lengths(const CameraModel& model) {
-  const double fx = std::visit([]<class M>(const Intrinsics<M>& m) { return M::central_focal_length(m.values.data()); }, model);
-  const std::span<const double> values = parameter_values(model);
-  return {fx, fx * values[1] / values[0]};
-}
-
 std::optional<internal::FittedModel> fit(const Job& job, std::span<const Correspondence> samples) {
-  return internal::fit_model(job.target.id, samples, job.central_focal, job.centre, job.options.ranges);
+  return internal::fit_model(job.target.id, samples, job.centre, job.options.ranges);
 }
 
 /// The largest cone, in steps of 5 degrees, on which the target reaches every ray and stays under 1 px rms; failing that, the
@@ -137,8 +129,8 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   }
   std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
   if (!domain) return std::nullopt;
-  const std::span<const double> values = parameter_values(camera.model);
-  const Job job{camera, *target, options, *std::move(domain), central_focal_lengths(camera.model), {values[2], values[3]}};
+  const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
+  const Job job{camera, *target, options, *std::move(domain), centre};
 
   std::optional<Conversion> conversion = exact_conversion(job);
   double reach_rad = std::numbers::pi;

@@ -53,15 +53,14 @@ class Fitter {
     }
   }
 
-  /// `central_focal`: fx, fy as radius per angle at the centre; `centre`: the principal point.
-  std::optional<Fit<M>> fit(const std::array<double, 2>& central_focal, const std::array<double, 2>& centre) {
+  /// From the model's own starts, given the source's centre.
+  std::optional<Fit<M>> fit(const LensCentre& centre) {
     std::optional<Candidate> best;
     const std::span<const Correspondence> all = samples_;
     const std::vector<Correspondence> few = spread(all, kCoarseSamples);
     for (int start = 0; start < M::kStarts; ++start) {
       Candidate candidate;
-      candidate.values = {central_focal[0], central_focal[1], centre[0], centre[1]};
-      M::initialise(all, start, candidate.values.data());
+      M::initialise(all, centre, start, candidate.values.data());
       hold_fixed(candidate);
       samples_ = few;
       const bool usable = M::kStarts == 1 || polish(candidate, kCoarseIterations);

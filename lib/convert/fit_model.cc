@@ -6,13 +6,12 @@
 
 namespace fca::internal {
 
-std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
-                                     const std::array<double, 2>& central_focal, const Pixel& centre,
+std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
                                      std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> result;
   ModelList::for_each([&]<CameraModelType M>() {
     if (M::kId != id) return;
-    std::optional<Fit<M>> fit = Fitter<M>(samples, ranges).fit(central_focal, centre);
+    std::optional<Fit<M>> fit = Fitter<M>(samples, ranges).fit(centre);
     if (!fit) return;
     result =
         FittedModel{Intrinsics<M>{fit->parameters}, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};

@@ -22,7 +22,6 @@ struct FittedModel {
 
 /// Fits the listed model of that id; nothing if no start leads anywhere.
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
-                                                   const std::array<double, 2>& central_focal, const Pixel& centre,
-                                                   std::span<const ParameterRange> ranges);
+                                                   const LensCentre& centre, std::span<const ParameterRange> ranges);
 
 }  // namespace fca::internal

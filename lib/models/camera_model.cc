@@ -139,6 +139,14 @@ double max_angle(const CameraModel& model) {
   return std::visit([]<class M>(const Intrinsics<M>& m) { return M::max_angle(m.values.data()); }, model);
 }
 
+Pixel principal_point(const CameraModel& model) {
+  return std::visit([]<class M>(const Intrinsics<M>& m) { return M::principal_point(m.values.data()); }, model);
+}
+
+std::array<double, 2> central_focal_lengths(const CameraModel& model) {
+  return std::visit([]<class M>(const Intrinsics<M>& m) { return M::central_focal_lengths(m.values.data()); }, model);
+}
+
 std::optional<std::string> problem_with(const Parameter& parameter, double value) {
   const std::string what = std::string(parameter.name) + " is " + spelled(value);
   // No lens has such numbers, and their powers overflow a projection.

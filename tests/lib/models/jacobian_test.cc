@@ -85,13 +85,15 @@ TEST(Jacobian, OnTheAxis) {
       jets[kInputs - 1].a = 2.0;
       Jet pixel[2];
       ASSERT_TRUE(M::project(jets.data(), jets.data() + kParameterCount<M>, pixel));
-      const double focal = M::central_focal_length(camera.p());
+      const std::array<double, 2> focal = M::central_focal_lengths(camera.p());
       for (std::size_t i = 0; i < kInputs; ++i) {
         const auto index = static_cast<int>(i);
-        const double du = i == kParameterCount<M> ? focal / 2.0 : (i == 2 ? 1.0 : 0.0);
-        const double dv = i == kParameterCount<M> + 1 ? focal / 2.0 * camera.p()[1] / camera.p()[0] : (i == 3 ? 1.0 : 0.0);
-        EXPECT_NEAR(pixel[0].v[index], du, 1e-12 * (1.0 + focal)) << i;
-        EXPECT_NEAR(pixel[1].v[index], dv, 1e-12 * (1.0 + focal)) << i;
+        const bool of_centre = i < kParameterCount<M> && M::kParameters[i].group == ParameterGroup::kPrincipalPoint;
+        const double du = i == kParameterCount<M> ? focal[0] / 2.0 : (of_centre && M::kParameters[i].name == "cx" ? 1.0 : 0.0);
+        const double dv =
+            i == kParameterCount<M> + 1 ? focal[1] / 2.0 : (of_centre && M::kParameters[i].name == "cy" ? 1.0 : 0.0);
+        EXPECT_NEAR(pixel[0].v[index], du, 1e-12 * (1.0 + focal[0])) << i;
+        EXPECT_NEAR(pixel[1].v[index], dv, 1e-12 * (1.0 + focal[1])) << i;
       }
     }
   });

@@ -101,7 +101,7 @@ TEST(RoundTrip, PrincipalPointIsTheAxis) {
   for_each_model([]<CameraModelType M>() {
     for (const TestCamera<M>& camera : cameras_of<M>()) {
       SCOPED_TRACE(camera.name);
-      const Pixel centre = {camera.p()[2], camera.p()[3]};
+      const Pixel centre = M::principal_point(camera.p());
       Ray ray;
       ASSERT_TRUE(M::unproject(camera.p(), centre.data(), ray.data()));
       EXPECT_EQ(ray, (Ray{0.0, 0.0, 1.0}));

@@ -83,6 +83,12 @@ bool set_parameter(CameraModel& model, std::string_view name, double value);
 /// The limit of the model's domain, in radians from the axis.
 [[nodiscard]] double max_angle(const CameraModel& model);
 
+/// The pixel of the optical axis.
+[[nodiscard]] Pixel principal_point(const CameraModel& model);
+/// Radius per angle at the centre along u and v, in pixels per radian: the focal lengths by which models compare. (fx of ds,
+/// mei and fov is something else.)
+[[nodiscard]] std::array<double, 2> central_focal_lengths(const CameraModel& model);
+
 /// Why this value cannot be that parameter, in a sentence; nothing if it can.
 [[nodiscard]] std::optional<std::string> problem_with(const Parameter& parameter, double value);
 

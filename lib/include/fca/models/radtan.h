@@ -153,7 +153,7 @@ struct RadialTangential {
 
 }  // namespace internal
 
-struct Radtan {
+struct Radtan : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "radtan";
   static constexpr std::string_view kTitle = "Pinhole with radial-tangential distortion";
   static constexpr std::array<std::string_view, 6> kAliases = {"rt",        "pinhole-radtan", "radial-tangential",
@@ -189,7 +189,8 @@ struct Radtan {
 
   /// All coefficients are linear: m - (x, y) = k1 r^2 (x, y) + ...
   static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
+    begin(centre, p);
     internal::LinearFit<5> fit;
     for (const Correspondence& s : samples) {
       if (!(s.ray[2] > 0.0)) continue;
@@ -203,8 +204,6 @@ struct Radtan {
     }
     fit.solve(p + 4);
   }
-
-  static double central_focal_length(const double* p) { return p[0]; }
 
  private:
   template <bool kWithinDomain, class T>
