@@ -100,7 +100,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, double& reach_rad, D
       warn_of_cone(job, cone_rad, diagnostics);
     }
   }
-  if (!fitted || !validate(fitted->model).empty()) {
+  if (!fitted) {
     diagnostics.error("fit-failed", job.camera.name + ": no " + std::string(job.target.id) + " camera comes near this one");
     return std::nullopt;
   }

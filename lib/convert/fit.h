@@ -42,15 +42,38 @@ class Fitter {
   Fitter(std::span<const Correspondence> samples, std::span<const ParameterRange> ranges) : samples_(samples) {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
       const Parameter& p = M::kParameters[i];
-      // An open end of a model's range is not a camera: keep a hair's breadth away from it.
-      lower_[i] = p.lower;
-      upper_[i] = p.upper;
+      // An open end of a model's range is not a camera, but what lies next to it may be the best one: eucm with beta -> 0 is
+      // how a pinhole looks where alpha must be above 0.5.
+      constexpr double kHair = 1e-6;
+      lower_[i] = p.lower + (p.open ? kHair : 0.0);
+      upper_[i] = p.upper - (p.open ? kHair : 0.0);
+      held_[i] = held_in_fits<M>(p.name);
       for (const ParameterRange& range : ranges) {
         if (range.parameter != p.name) continue;
+        held_[i] = false;
         lower_[i] = std::max(lower_[i], range.lower);
         upper_[i] = std::min(upper_[i], range.upper);
       }
     }
+  }
+
+  /// From a given camera.
+  std::optional<Fit<M>> fit_from(const Values& start) {
+    Candidate candidate;
+    candidate.values = start;
+    hold_fixed(candidate);
+    if (!polish(candidate, kFullIterations)) return std::nullopt;
+    respect_bounds(candidate);
+    return finish(candidate);
+  }
+
+  /// That camera as it is, if it lies within the ranges.
+  std::optional<Fit<M>> as_it_is(const Values& values) const {
+    Candidate candidate;
+    candidate.values = values;
+    hold_fixed(candidate);
+    if (candidate.values != values) return std::nullopt;
+    return finish(candidate);
   }
 
   /// From the model's own starts, given the source's centre.
@@ -98,7 +121,7 @@ class Fitter {
 
   void hold_fixed(Candidate& candidate) const {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
-      candidate.fixed[i] = lower_[i] == upper_[i];
+      candidate.fixed[i] = held_[i] || lower_[i] == upper_[i];
       candidate.values[i] = std::clamp(candidate.values[i], lower_[i], upper_[i]);
     }
   }
@@ -217,7 +240,7 @@ class Fitter {
     }
     result.rms_px = weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
-      if (candidate.fixed[i] && lower_[i] != upper_[i]) result.at_bound.emplace_back(M::kParameters[i].name);
+      if (candidate.fixed[i] && !held_[i] && lower_[i] != upper_[i]) result.at_bound.emplace_back(M::kParameters[i].name);
     }
     return result;
   }
@@ -226,6 +249,7 @@ class Fitter {
   std::vector<Correspondence> active_;
   Values lower_{};
   Values upper_{};
+  std::array<bool, kParameterCount<M>> held_{};
 };
 
 }  // namespace fca::internal

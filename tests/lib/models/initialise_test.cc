@@ -46,6 +46,46 @@ TEST(Initialise, LinearModelsFindTheirOwnParameters) {
   expect_found_exactly<Pinhole>();
   expect_found_exactly<Kb4>();
   expect_found_exactly<Radtan>();
+  expect_found_exactly<Woodscape>();
+}
+
+/// Where parameters are not unique (N = D) or held, the pixels are what counts.
+template <CameraModelType M>
+void expect_pixels_found(double largest_angle, double tolerance) {
+  for (const TestCamera<M>& camera : cameras_of<M>()) {
+    SCOPED_TRACE(std::string(M::kId) + " " + camera.name);
+    const double last = std::min(largest_angle, 0.8 * M::max_angle(camera.p()));
+    const std::vector<Correspondence> samples = samples_of(camera, last);
+    Intrinsics<M> found;
+    M::initialise(samples, centre_of(camera), 0, found.values.data());
+    for (const Correspondence& s : samples) {
+      Pixel pixel;
+      ASSERT_TRUE(M::project(found.values.data(), s.ray.data(), pixel.data()));
+      EXPECT_LE(std::hypot(pixel[0] - s.pixel[0], pixel[1] - s.pixel[1]), tolerance);
+    }
+  }
+}
+
+TEST(Initialise, RationalFindsItsOwnPixels) { expect_pixels_found<Rational>(0.9, 1e-3); }
+
+TEST(Initialise, OcamcalibOfDegree4FindsItsOwnPolynomial) {
+  for (TestCamera<Ocamcalib> camera : cameras_of<Ocamcalib>()) {
+    SCOPED_TRACE(camera.name);
+    for (const char* not_found : {"d", "e", "a1", "a5", "a6", "a7", "a8"}) {
+      CameraModel model = camera.intrinsics;
+      set_parameter(model, not_found, 0.0);
+      camera.intrinsics = std::get<Intrinsics<Ocamcalib>>(model);
+    }
+    const double last = std::min(1.9, 0.8 * Ocamcalib::max_angle(camera.p()));
+    Intrinsics<Ocamcalib> found;
+    Ocamcalib::initialise(samples_of(camera, last), centre_of(camera), 0, found.values.data());
+    for (std::size_t i = 0; i < found.values.size(); ++i) {
+      const double expected = camera.p()[i];
+      // Below a millionth of |a0| at a radius of |a0|, a coefficient is noise.
+      const double noise = 1e-6 * std::pow(std::abs(camera.p()[5]), i > 5 ? 6.0 - static_cast<double>(i) : 1.0);
+      EXPECT_NEAR(found.values[i], expected, 1e-6 * std::abs(expected) + noise) << Ocamcalib::kParameters[i].name;
+    }
+  }
 }
 
 TEST(Initialise, UcmFindsAlphaInsideItsClamp) {

@@ -81,6 +81,10 @@ TEST(Validate, SaysWhatIsWrong) {
   EXPECT_EQ(validate(with("eucm", {400, 400, 320, 240, 1.5, 0})),
             (Problems{"alpha is 1.5; it must lie in [0, 1]", "beta is 0; it must be greater than 0"}));
   EXPECT_EQ(validate(with("ds", {400, 400, 320, 240, 0.5, -1})), (Problems{"xi is -1; it must be greater than -1"}));
+  EXPECT_EQ(validate(with("ocamcalib", {320, 240, 0, 0, 0, 209.3})),
+            (Problems{"c is 0; it must be greater than 0", "a0 is 209.3; it must be less than 0"}));
+  EXPECT_EQ(validate(with("woodscape", {-339, 0, 0, 0, -1, 640, 480})),
+            (Problems{"k1 is -339; a focal length is positive", "aspect_ratio is -1; it must be greater than 0"}));
   EXPECT_EQ(validate(with("mei", {400, 400, 320, 240, -0.5, 0, 0, 0, 1e308})),
             (Problems{"xi is -0.5; it must be at least 0", "p2 is 1e+308, too large to compute with"}));
 }

@@ -8,9 +8,12 @@
 #include <fca/models/kb4.h>
 #include <fca/models/mei.h>
 #include <fca/models/model_traits.h>
+#include <fca/models/ocamcalib.h>
 #include <fca/models/pinhole.h>
 #include <fca/models/radtan.h>
+#include <fca/models/rational.h>
 #include <fca/models/ucm.h>
+#include <fca/models/woodscape.h>
 
 #include <array>
 #include <cstddef>
@@ -44,7 +47,7 @@ struct TypeList {
 }  // namespace internal
 
 /// Every model fca knows, in the order in which they are listed to people.
-using ModelList = internal::TypeList<Pinhole, Radtan, Kb4, Ucm, Eucm, Ds, Mei, Fov>;
+using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape>;
 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;

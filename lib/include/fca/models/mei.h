@@ -2,7 +2,7 @@
 // Mei: the unified model with radial-tangential distortion (Mei & Rives 2007).
 //
 //   p      = fx fy cx cy [px]  xi >= 0  k1 k2 p1 p2
-//   (x, y) = ray / (z + xi |ray|), then radial-tangential distortion (radtan.h, k3 = 0)
+//   (x, y) = ray / (z + xi |ray|), then radial-tangential distortion (radial_tangential.h, k3 = 0)
 //   pixel  = (fx m_x + cx, fy m_y + cy)
 //   domain : z > -|ray| min(xi, 1 / xi), and the distortion's disc
 //
@@ -10,7 +10,11 @@
 // Called: Kalibr omni-radtan (order xi fu fv pu pv); cv::omnidir; camodocal and VINS MEI. "Omni" in some forks.
 #pragma once
 
-#include <fca/models/radtan.h>
+#include <fca/models/linear_fit.h>
+#include <fca/models/model_traits.h>
+#include <fca/models/radial_tangential.h>
+
+#include <algorithm>
 
 namespace fca {
 

@@ -69,6 +69,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///   kStarts, initialise(samples, centre, start, p)
 ///                              linear start for a fit, start = 0 .. kStarts - 1 (models with several basins have several): all
 ///                              of p, a camera with that centre.
+///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them a
+///                              range.
 ///
 /// Nothing is assumed of the order or the names of the parameters.
 template <class M>
@@ -87,6 +89,17 @@ concept CameraModelType = requires(const double* p, double* out, const double* i
   { M::principal_point(p) } -> std::same_as<std::array<double, 2>>;
   { M::central_focal_lengths(p) } -> std::same_as<std::array<double, 2>>;
 };
+
+/// Whether fits leave that parameter at its start unless they are told otherwise.
+template <CameraModelType M>
+[[nodiscard]] constexpr bool held_in_fits(std::string_view parameter) {
+  if constexpr (requires { M::kHeldInFits.size(); }) {
+    for (const std::string_view held : M::kHeldInFits) {
+      if (held == parameter) return true;
+    }
+  }
+  return false;
+}
 
 /// Number of parameters of a model.
 template <CameraModelType M>
