@@ -28,33 +28,66 @@ struct Job {
   LensCentre centre;  ///< Of the source.
 };
 
-std::optional<internal::FittedModel> fit(const Job& job, std::span<const Correspondence> samples) {
-  return internal::fit_model(job.target.id, samples, job.centre, job.options.ranges);
+/// Root mean square of the distances between the samples' pixels and the model's, over those it reaches.
+double rms_over(std::span<const Correspondence> samples, const CameraModel& model) {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const Correspondence& s : samples) {
+    const std::optional<Pixel> pixel = project(model, s.ray);
+    if (!pixel) continue;
+    sum += s.weight * (std::pow((*pixel)[0] - s.pixel[0], 2) + std::pow((*pixel)[1] - s.pixel[1], 2));
+    weight += s.weight;
+  }
+  return weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
+}
+
+/// A fit and the number of samples it was made on.
+struct SampledFit {
+  std::optional<internal::FittedModel> model;
+  std::size_t samples = 0;
+};
+
+bool too_few(std::size_t samples, const Job& job) { return 2 * samples < job.target.parameters.size(); }
+
+/// Fits the target to samples of the domain. A model that bends faster than the samples lie (rational beyond 70 degrees) can be
+/// good on them and bad between: then there are twice as many the next time.
+SampledFit fit(const Job& job, const Domain& domain) {
+  constexpr int kMostDoublings = 3;
+  constexpr double kWorse = 1.02;
+  constexpr double kNobodySees = 1e-6;  // px
+  SampledFit result;
+  std::vector<Correspondence> samples = sample(job.camera.model, domain, job.options.samples);
+  for (int doubling = 1; !too_few(samples.size(), job); ++doubling) {
+    result = {internal::fit_model(job.target.id, samples, job.centre, job.options.ranges), samples.size()};
+    if (!result.model || !result.model->reaches_all || doubling > kMostDoublings) break;
+    samples = sample(job.camera.model, domain, job.options.samples << doubling);
+    if (rms_over(samples, result.model->model) <= kWorse * result.model->rms_px + kNobodySees) break;
+  }
+  return result;
 }
 
 /// The largest cone, in steps of 5 degrees, on which the target reaches every ray and stays under 1 px rms; failing that, the
 /// largest on which it reaches every ray.
-std::optional<internal::FittedModel> fit_largest_cone(const Job& job, double& cone_rad) {
+SampledFit fit_largest_cone(const Job& job, double& cone_rad) {
   constexpr double kLimitRms = 1.0;  // px
   constexpr int kWidestDeg = 85;
   constexpr int kNarrowestDeg = 20;
   constexpr int kStepDeg = 5;
-  std::optional<internal::FittedModel> widest_reaching;
+  SampledFit widest_reaching;
   double widest_angle = 0.0;
   for (int degrees = kWidestDeg; degrees >= kNarrowestDeg; degrees -= kStepDeg) {
     const double angle = degrees * kRadiansPerDegree;
     if (angle >= job.domain.max_angle_rad) continue;
     Domain cone = job.domain;
     cone.max_angle_rad = angle;
-    const std::vector<Correspondence> inside = sample(job.camera.model, cone, job.options.samples);
-    if (inside.size() * 2 < job.target.parameters.size()) break;
-    std::optional<internal::FittedModel> candidate = fit(job, inside);
-    if (!candidate || !candidate->reaches_all || max_angle(candidate->model) < angle) continue;
-    if (candidate->rms_px <= kLimitRms) {
+    SampledFit candidate = fit(job, cone);
+    if (too_few(candidate.samples, job)) break;
+    if (!candidate.model || !candidate.model->reaches_all || max_angle(candidate.model->model) < angle) continue;
+    if (candidate.model->rms_px <= kLimitRms) {
       cone_rad = angle;
       return candidate;
     }
-    if (!widest_reaching) {
+    if (!widest_reaching.model) {
       widest_reaching = std::move(candidate);
       widest_angle = angle;
     }
@@ -85,30 +118,29 @@ std::optional<Conversion> exact_conversion(const Job& job) {
 /// The conversion by a fit. `reach_rad`: where the target was given up, if it cannot describe the whole domain.
 std::optional<Conversion> fitted_conversion(const Job& job, double& reach_rad, Diagnostics& diagnostics) {
   const auto start = std::chrono::steady_clock::now();
-  const std::vector<Correspondence> samples = sample(job.camera.model, job.domain, job.options.samples);
-  if (samples.size() * 2 < job.target.parameters.size()) {
+  SampledFit fitted = fit(job, job.domain);
+  if (too_few(fitted.samples, job)) {
     diagnostics.error("domain-too-small",
                       job.camera.name + ": too few pixels of the image have a ray to fit " + std::string(job.target.id));
     return std::nullopt;
   }
-  std::optional<internal::FittedModel> fitted = fit(job, samples);
-  if (!fitted || !fitted->reaches_all) {
+  if (!fitted.model || !fitted.model->reaches_all) {
     double cone_rad = 0.0;
-    if (std::optional<internal::FittedModel> narrower = fit_largest_cone(job, cone_rad)) {
+    if (SampledFit narrower = fit_largest_cone(job, cone_rad); narrower.model) {
       fitted = std::move(narrower);
       reach_rad = cone_rad;
       warn_of_cone(job, cone_rad, diagnostics);
     }
   }
-  if (!fitted) {
+  if (!fitted.model) {
     diagnostics.error("fit-failed", job.camera.name + ": no " + std::string(job.target.id) + " camera comes near this one");
     return std::nullopt;
   }
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
   Conversion conversion{job.camera, {}};
-  conversion.camera.model = fitted->model;
-  conversion.report.fit = {static_cast<int>(samples.size()), fitted->iterations, time.count()};
-  conversion.report.at_bound = fitted->at_bound;
+  conversion.camera.model = fitted.model->model;
+  conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations, time.count()};
+  conversion.report.at_bound = fitted.model->at_bound;
   return conversion;
 }
 

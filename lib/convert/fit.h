@@ -104,7 +104,7 @@ class Fitter {
   };
   static constexpr int kFullIterations = 200;
   static constexpr int kCoarseIterations = 20;
-  static constexpr std::size_t kCoarseSamples = 48;
+  static constexpr std::size_t kCoarseSamples = std::max(48, 8 * kCount);
 
   /// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again
   /// and again from samples that come in rows.
