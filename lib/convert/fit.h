@@ -21,6 +21,19 @@
 
 namespace fca::internal {
 
+/// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again and
+/// again from samples that come in rows.
+inline std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count) {
+  if (count >= samples.size()) return {samples.begin(), samples.end()};
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  std::vector<Correspondence> chosen;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = static_cast<double>(i) * kGoldenRatio;
+    chosen.push_back(samples[static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(samples.size()))]);
+  }
+  return chosen;
+}
+
 /// A fitted model M.
 template <CameraModelType M>
 struct Fit {
@@ -103,21 +116,9 @@ class Fitter {
     int iterations = 0;
   };
   static constexpr int kFullIterations = 200;
-  static constexpr int kCoarseIterations = 20;
+  /// Which basin is deeper shows late where a valley is as long as rational's.
+  static constexpr int kCoarseIterations = kCount > 10 ? 60 : 20;
   static constexpr std::size_t kCoarseSamples = std::max(48, 8 * kCount);
-
-  /// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again
-  /// and again from samples that come in rows.
-  static std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count) {
-    if (count >= samples.size()) return {samples.begin(), samples.end()};
-    constexpr double kGoldenRatio = 0.6180339887498949;
-    std::vector<Correspondence> chosen;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double turn = static_cast<double>(i) * kGoldenRatio;
-      chosen.push_back(samples[static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(samples.size()))]);
-    }
-    return chosen;
-  }
 
   void hold_fixed(Candidate& candidate) const {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {

@@ -5,6 +5,7 @@
 #include "exact.h"
 #include "fit.h"
 
+#include <cmath>
 #include <utility>
 
 namespace fca::internal {
@@ -35,6 +36,31 @@ bool better(const FittedModel& a, const std::optional<FittedModel>& b) {
   return a.rms_px < b->rms_px;
 }
 
+/// Root mean square of the distances between the samples' pixels and the model's.
+double rms_over(std::span<const Correspondence> samples, const CameraModel& model) {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const Correspondence& s : samples) {
+    const std::optional<Pixel> pixel = project(model, s.ray);
+    if (!pixel) continue;
+    sum += s.weight * (std::pow((*pixel)[0] - s.pixel[0], 2) + std::pow((*pixel)[1] - s.pixel[1], 2));
+    weight += s.weight;
+  }
+  return weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
+}
+
+/// May the contained model have a better fit? Not if it stays behind on a few of the samples although fitted to those alone.
+bool may_be_beaten(const FittedModel& best, std::string_view inner, std::span<const Correspondence> samples,
+                   const LensCentre& centre, std::span<const ParameterRange> ranges) {
+  constexpr double kNobodySees = 1e-3;  // px
+  constexpr std::size_t kFew = 48;
+  if (!best.reaches_all) return true;
+  if (best.rms_px <= kNobodySees) return false;
+  const std::vector<Correspondence> few = spread(samples, kFew);
+  const std::optional<FittedModel> rival = fit_from_own_starts(inner, few, centre, ranges);
+  return !rival || rival->rms_px < rms_over(few, best.model);
+}
+
 /// Keeps in `best` the best of itself, a fit from `start`, and `start` as it is.
 void improve_from(const CameraModel& start, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges,
                   std::optional<FittedModel>& best) {
@@ -53,10 +79,9 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
 
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
                                      std::span<const ParameterRange> ranges) {
-  constexpr double kNobodySees = 1e-3;  // px
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
   const std::string_view inner = contained_model(id);
-  if (inner.empty() || (best && best->reaches_all && best->rms_px <= kNobodySees)) return best;
+  if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
   if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges)) {
     if (const std::optional<CameraModel> start = convert_exactly(contained->model, id)) {
       improve_from(*start, samples, ranges, best);

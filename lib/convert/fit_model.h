@@ -22,9 +22,9 @@ struct FittedModel {
 
 /// Fits the listed model of that id to the samples of a lens with that centre; nothing if no start leads to a camera.
 ///
-/// Never worse than the fit of a model that the target contains (pinhole in radtan, ucm in eucm, ...), but for what nobody
-/// sees: where the target's own starts fail, do not reach every sample or leave more than a thousandth of a pixel, the
-/// contained model is fitted, too, and what it finds is one more start.
+/// Never worse than the fit of a model that the target contains (pinhole in radtan, ucm in eucm, ...), but for a thousandth of
+/// a pixel: where the target's own starts fail, do not reach every sample or may have lost to the contained model, that is
+/// fitted, too, and what it finds is one more start.
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
                                                    const LensCentre& centre, std::span<const ParameterRange> ranges);
 
