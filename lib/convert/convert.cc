@@ -107,12 +107,13 @@ std::optional<Conversion> exact_conversion(const Job& job) {
   return conversion;
 }
 
-/// Is the model as good between the samples of its fit as on them? One that bends faster than they lie (rational beyond 70
-/// degrees) may not be. (A few percent are the image's border: the judge counts whole pixels there.)
-bool good_between_samples(const Judgement& judgement, const internal::FittedModel& fitted) {
-  constexpr double kWorse = 1.03;
-  constexpr double kNobodySees = 1e-5;  // px
-  return !fitted.reaches_all || judgement.error.rms <= kWorse * fitted.rms_px + kNobodySees;
+/// How many times worse the model is over the image than on the samples of its fit; 1 if nobody sees the difference. One that
+/// bends faster than they lie (rational beyond 70 degrees) can be twice as bad; a few percent are the image's border, where the
+/// judge counts whole pixels.
+double worse_between_samples(const Judgement& judgement, const internal::FittedModel& fitted) {
+  constexpr double kNobodySees = 1e-6;  // px
+  if (!fitted.reaches_all || judgement.error.rms <= fitted.rms_px + kNobodySees) return 1.0;
+  return judgement.error.rms / fitted.rms_px;
 }
 
 /// The conversion by a fit, on twice as many samples while it is worse between them and that helps, and its judgement.
@@ -120,6 +121,8 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   using Clock = std::chrono::steady_clock;
   constexpr int kMostDoublings = 3;
   Clock::duration time{};
+  constexpr double kBorder = 1.03;
+  constexpr double kMuchWorse = 1.2;
   constexpr double kHelps = 0.99;
   SampledFit fitted;
   Judgement judgement;
@@ -134,10 +137,12 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
     Judgement finer_judgement = judge_within_reach(job, finer.model->model, finer.reach_rad);
     const bool helps = doubling == 0 || finer_judgement.coverage.scored > judgement.coverage.scored + 1e-3 ||
                        finer_judgement.error.rms < kHelps * judgement.error.rms;
-    if (!helps) break;
-    fitted = std::move(finer);
-    judgement = std::move(finer_judgement);
-    if (good_between_samples(judgement, *fitted.model)) break;
+    const double worse = worse_between_samples(finer_judgement, *finer.model);
+    if (helps) {
+      fitted = std::move(finer);
+      judgement = std::move(finer_judgement);
+    }
+    if (worse <= (helps ? kBorder : kMuchWorse)) break;
   }
   if (too_few(fitted.samples, job)) {
     diagnostics.error("domain-too-small",

@@ -116,9 +116,10 @@ class Fitter {
     int iterations = 0;
   };
   static constexpr int kFullIterations = 200;
-  /// Which basin is deeper shows late where a valley is as long as rational's.
-  static constexpr int kCoarseIterations = kCount > 10 ? 60 : 20;
-  static constexpr std::size_t kCoarseSamples = std::max(48, 8 * kCount);
+  /// Which basin is deeper shows late, and only on many points, where parameters are as many as rational's.
+  static constexpr bool kManyParameters = kCount > 10;
+  static constexpr int kCoarseIterations = kManyParameters ? 60 : 20;
+  static constexpr std::size_t kCoarseSamples = kManyParameters ? 200 : 48;
 
   void hold_fixed(Candidate& candidate) const {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
