@@ -25,49 +25,49 @@ struct Job {
   const ModelInfo& target;
   const ConvertOptions& options;
   Domain domain;
-  std::array<double, 2> central_focal{};
-  Pixel centre{};
+  LensCentre centre;  ///< Of the source.
 };
 
-/// Radius per angle at the centre in x and y: the pivot between models whose focal lengths mean different things.
-std::array<double, 2> central_focal_lengths(const CameraModel& model) {
-  const double fx = std::visit([]<class M>(const Intrinsics<M>& m) { return M::central_focal_length(m.values.data()); }, model);
-  const std::span<const double> values = parameter_values(model);
-  return {fx, fx * values[1] / values[0]};
-}
+/// A fit, the number of samples it was made on, and the angle up to which it counts.
+struct SampledFit {
+  std::optional<internal::FittedModel> model;
+  std::size_t samples = 0;
+  double reach_rad = std::numbers::pi;
+};
 
-std::optional<internal::FittedModel> fit(const Job& job, std::span<const Correspondence> samples) {
-  return internal::fit_model(job.target.id, samples, job.central_focal, job.centre, job.options.ranges);
+bool too_few(std::size_t samples, const Job& job) { return 2 * samples < job.target.parameters.size(); }
+
+/// Fits the target to about `count` samples of the domain.
+SampledFit fit(const Job& job, const Domain& domain, int count) {
+  const std::vector<Correspondence> samples = sample(job.camera.model, domain, count);
+  SampledFit result;
+  result.samples = samples.size();
+  if (!too_few(samples.size(), job)) {
+    result.model = internal::fit_model(job.target.id, samples, job.centre, job.options.ranges);
+  }
+  return result;
 }
 
 /// The largest cone, in steps of 5 degrees, on which the target reaches every ray and stays under 1 px rms; failing that, the
 /// largest on which it reaches every ray.
-std::optional<internal::FittedModel> fit_largest_cone(const Job& job, double& cone_rad) {
+SampledFit fit_largest_cone(const Job& job, int count) {
   constexpr double kLimitRms = 1.0;  // px
   constexpr int kWidestDeg = 85;
   constexpr int kNarrowestDeg = 20;
   constexpr int kStepDeg = 5;
-  std::optional<internal::FittedModel> widest_reaching;
-  double widest_angle = 0.0;
+  SampledFit widest_reaching;
   for (int degrees = kWidestDeg; degrees >= kNarrowestDeg; degrees -= kStepDeg) {
     const double angle = degrees * kRadiansPerDegree;
     if (angle >= job.domain.max_angle_rad) continue;
     Domain cone = job.domain;
     cone.max_angle_rad = angle;
-    const std::vector<Correspondence> inside = sample(job.camera.model, cone, job.options.samples);
-    if (inside.size() * 2 < job.target.parameters.size()) break;
-    std::optional<internal::FittedModel> candidate = fit(job, inside);
-    if (!candidate || !candidate->reaches_all || max_angle(candidate->model) < angle) continue;
-    if (candidate->rms_px <= kLimitRms) {
-      cone_rad = angle;
-      return candidate;
-    }
-    if (!widest_reaching) {
-      widest_reaching = std::move(candidate);
-      widest_angle = angle;
-    }
+    SampledFit candidate = fit(job, cone, count);
+    if (too_few(candidate.samples, job)) break;
+    if (!candidate.model || !candidate.model->reaches_all || max_angle(candidate.model->model) < angle) continue;
+    candidate.reach_rad = angle;
+    if (candidate.model->rms_px <= kLimitRms) return candidate;
+    if (!widest_reaching.model) widest_reaching = std::move(candidate);
   }
-  cone_rad = widest_angle;
   return widest_reaching;
 }
 
@@ -80,6 +80,22 @@ void warn_of_cone(const Job& job, double cone_rad, Diagnostics& diagnostics) {
                       {}, "kb4, eucm and ds reach further");
 }
 
+/// The fit to the whole domain or, if the target cannot describe that, to the largest cone.
+SampledFit fit_as_far_as_possible(const Job& job, int count) {
+  SampledFit fitted = fit(job, job.domain, count);
+  if (!too_few(fitted.samples, job) && (!fitted.model || !fitted.model->reaches_all)) {
+    if (SampledFit narrower = fit_largest_cone(job, count); narrower.model) return narrower;
+  }
+  return fitted;
+}
+
+Judgement judge_within_reach(const Job& job, const CameraModel& model, double reach_rad) {
+  const Projection target = [&model, reach_rad](const Ray& ray) {
+    return angle_from_axis(ray) <= reach_rad ? project(model, ray) : std::nullopt;
+  };
+  return judge(job.camera.model, target, job.domain);
+}
+
 /// Does nothing beyond double's rounding separate the two models? Then no fit is reported as one.
 std::optional<Conversion> exact_conversion(const Job& job) {
   const std::optional<CameraModel> model = internal::convert_exactly(job.camera.model, job.target.id);
@@ -87,36 +103,63 @@ std::optional<Conversion> exact_conversion(const Job& job) {
   Conversion conversion{job.camera, {}};
   conversion.camera.model = *model;
   conversion.report.exact = true;
+  conversion.report.judgement = judge_within_reach(job, *model, std::numbers::pi);
   return conversion;
 }
 
-/// The conversion by a fit. `reach_rad`: where the target was given up, if it cannot describe the whole domain.
-std::optional<Conversion> fitted_conversion(const Job& job, double& reach_rad, Diagnostics& diagnostics) {
-  const auto start = std::chrono::steady_clock::now();
-  const std::vector<Correspondence> samples = sample(job.camera.model, job.domain, job.options.samples);
-  if (samples.size() * 2 < job.target.parameters.size()) {
+/// How many times worse the model is over the image than on the samples of its fit; 1 if nobody sees the difference. One that
+/// bends faster than they lie (rational beyond 70 degrees) can be twice as bad; a few percent are the image's border, where the
+/// judge counts whole pixels.
+double worse_between_samples(const Judgement& judgement, const internal::FittedModel& fitted) {
+  constexpr double kNobodySees = 1e-6;  // px
+  if (!fitted.reaches_all || judgement.error.rms <= fitted.rms_px + kNobodySees) return 1.0;
+  return judgement.error.rms / fitted.rms_px;
+}
+
+/// The conversion by a fit, on twice as many samples while it is worse between them and that helps, and its judgement.
+std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnostics) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kMostDoublings = 3;
+  Clock::duration time{};
+  constexpr double kBorder = 1.03;
+  constexpr double kMuchWorse = 1.2;
+  constexpr double kHelps = 0.99;
+  SampledFit fitted;
+  Judgement judgement;
+  for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
+    const Clock::time_point start = Clock::now();
+    SampledFit finer = fit_as_far_as_possible(job, job.options.samples << doubling);
+    time += Clock::now() - start;
+    if (!finer.model) {
+      if (doubling == 0) fitted = std::move(finer);
+      break;
+    }
+    Judgement finer_judgement = judge_within_reach(job, finer.model->model, finer.reach_rad);
+    const bool helps = doubling == 0 || finer_judgement.coverage.scored > judgement.coverage.scored + 1e-3 ||
+                       finer_judgement.error.rms < kHelps * judgement.error.rms;
+    const double worse = worse_between_samples(finer_judgement, *finer.model);
+    if (helps) {
+      fitted = std::move(finer);
+      judgement = std::move(finer_judgement);
+    }
+    if (worse <= (helps ? kBorder : kMuchWorse)) break;
+  }
+  if (too_few(fitted.samples, job)) {
     diagnostics.error("domain-too-small",
                       job.camera.name + ": too few pixels of the image have a ray to fit " + std::string(job.target.id));
     return std::nullopt;
   }
-  std::optional<internal::FittedModel> fitted = fit(job, samples);
-  if (!fitted || !fitted->reaches_all) {
-    double cone_rad = 0.0;
-    if (std::optional<internal::FittedModel> narrower = fit_largest_cone(job, cone_rad)) {
-      fitted = std::move(narrower);
-      reach_rad = cone_rad;
-      warn_of_cone(job, cone_rad, diagnostics);
-    }
-  }
-  if (!fitted || !validate(fitted->model).empty()) {
+  if (!fitted.model) {
     diagnostics.error("fit-failed", job.camera.name + ": no " + std::string(job.target.id) + " camera comes near this one");
     return std::nullopt;
   }
-  const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+  if (fitted.reach_rad < std::numbers::pi) warn_of_cone(job, fitted.reach_rad, diagnostics);
   Conversion conversion{job.camera, {}};
-  conversion.camera.model = fitted->model;
-  conversion.report.fit = {static_cast<int>(samples.size()), fitted->iterations, time.count()};
-  conversion.report.at_bound = fitted->at_bound;
+  conversion.camera.model = fitted.model->model;
+  conversion.report.judgement = std::move(judgement);
+  conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations,
+                           std::chrono::duration<double, std::micro>(time).count()};
+  conversion.report.at_bound = fitted.model->at_bound;
   return conversion;
 }
 
@@ -137,19 +180,14 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   }
   std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
   if (!domain) return std::nullopt;
-  const std::span<const double> values = parameter_values(camera.model);
-  const Job job{camera, *target, options, *std::move(domain), central_focal_lengths(camera.model), {values[2], values[3]}};
+  const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
+  const Job job{camera, *target, options, *std::move(domain), centre};
 
   std::optional<Conversion> conversion = exact_conversion(job);
-  double reach_rad = std::numbers::pi;
-  if (!conversion) conversion = fitted_conversion(job, reach_rad, diagnostics);
+  if (!conversion) conversion = fitted_conversion(job, diagnostics);
   if (!conversion) return std::nullopt;
   conversion->report.from_model = model_info(camera.model).id;
   conversion->report.to_model = target->id;
-  const Projection target_within_reach = [&model = conversion->camera.model, reach_rad](const Ray& ray) {
-    return angle_from_axis(ray) <= reach_rad ? project(model, ray) : std::nullopt;
-  };
-  conversion->report.judgement = judge(camera.model, target_within_reach, job.domain);
   if (!(conversion->report.judgement.coverage.scored > 0.0)) {
     diagnostics.error("nothing-to-compare",
                       camera.name + ": no part of the image could be compared with " + std::string(target->id));

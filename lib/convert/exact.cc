@@ -12,6 +12,17 @@ bool all_zero(std::span<const double> values) {
   return std::ranges::all_of(values, [](double v) { return v == 0.0; });
 }
 
+/// The source as radtan, where it is one.
+std::optional<Intrinsics<Radtan>> as_radtan(const CameraModel& source) {
+  if (const auto* m = std::get_if<Intrinsics<Radtan>>(&source)) return *m;
+  if (const auto* m = std::get_if<Intrinsics<Rational>>(&source)) {
+    const auto& [fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, k5, k6] = m->values;
+    const double denominator[] = {k4, k5, k6};
+    if (all_zero(denominator)) return Intrinsics<Radtan>{{fx, fy, cx, cy, k1, k2, p1, p2, k3}};
+  }
+  return std::nullopt;
+}
+
 /// The source as UCM, where it is one.
 std::optional<Intrinsics<Ucm>> as_ucm(const CameraModel& source) {
   if (const auto* m = std::get_if<Intrinsics<Ucm>>(&source)) return *m;
@@ -35,8 +46,8 @@ std::optional<Intrinsics<Ucm>> as_ucm(const CameraModel& source) {
 /// The source as pinhole, where it is one.
 std::optional<Intrinsics<Pinhole>> as_pinhole(const CameraModel& source) {
   if (const auto* m = std::get_if<Intrinsics<Pinhole>>(&source)) return *m;
-  if (const auto* m = std::get_if<Intrinsics<Radtan>>(&source)) {
-    const std::span<const double> values(m->values);
+  if (const std::optional<Intrinsics<Radtan>> radtan = as_radtan(source)) {
+    const std::span<const double> values(radtan->values);
     if (all_zero(values.subspan(4))) return Intrinsics<Pinhole>{{values[0], values[1], values[2], values[3]}};
   }
   if (const std::optional<Intrinsics<Ucm>> ucm = as_ucm(source)) {
@@ -50,12 +61,18 @@ std::optional<Intrinsics<Pinhole>> as_pinhole(const CameraModel& source) {
 
 std::optional<CameraModel> convert_exactly(const CameraModel& source, std::string_view target_id) {
   if (model_info(source).id == target_id) return source;
+  std::optional<Intrinsics<Radtan>> radtan = as_radtan(source);
   std::optional<Intrinsics<Ucm>> ucm = as_ucm(source);
   if (const std::optional<Intrinsics<Pinhole>> pinhole = as_pinhole(source)) {
     const auto& [fx, fy, cx, cy] = pinhole->values;
     if (target_id == Pinhole::kId) return *pinhole;
-    if (target_id == Radtan::kId) return Intrinsics<Radtan>{{fx, fy, cx, cy, 0, 0, 0, 0, 0}};
+    radtan = Intrinsics<Radtan>{{fx, fy, cx, cy, 0, 0, 0, 0, 0}};
     ucm = Intrinsics<Ucm>{{fx, fy, cx, cy, 0.0}};
+  }
+  if (radtan) {
+    const auto& [fx, fy, cx, cy, k1, k2, p1, p2, k3] = radtan->values;
+    if (target_id == Radtan::kId) return *radtan;
+    if (target_id == Rational::kId) return Intrinsics<Rational>{{fx, fy, cx, cy, k1, k2, p1, p2, k3, 0, 0, 0}};
   }
   if (ucm) {
     const auto& [fx, fy, cx, cy, alpha] = ucm->values;
@@ -67,6 +84,21 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
     }
   }
   return std::nullopt;
+}
+
+std::string_view contained_model(std::string_view id) {
+  struct Containment {
+    std::string_view outer;
+    std::string_view inner;
+  };
+  static constexpr Containment kContainments[] = {
+      {Radtan::kId, Pinhole::kId}, {Rational::kId, Radtan::kId}, {Ucm::kId, Pinhole::kId},
+      {Eucm::kId, Ucm::kId},       {Ds::kId, Ucm::kId},          {Mei::kId, Ucm::kId},
+  };
+  for (const Containment& c : kContainments) {
+    if (c.outer == id) return c.inner;
+  }
+  return {};
 }
 
 }  // namespace fca::internal

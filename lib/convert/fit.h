@@ -21,6 +21,19 @@
 
 namespace fca::internal {
 
+/// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again and
+/// again from samples that come in rows.
+inline std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count) {
+  if (count >= samples.size()) return {samples.begin(), samples.end()};
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  std::vector<Correspondence> chosen;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double turn = static_cast<double>(i) * kGoldenRatio;
+    chosen.push_back(samples[static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(samples.size()))]);
+  }
+  return chosen;
+}
+
 /// A fitted model M.
 template <CameraModelType M>
 struct Fit {
@@ -42,26 +55,48 @@ class Fitter {
   Fitter(std::span<const Correspondence> samples, std::span<const ParameterRange> ranges) : samples_(samples) {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
       const Parameter& p = M::kParameters[i];
-      // An open end of a model's range is not a camera: keep a hair's breadth away from it.
-      lower_[i] = p.lower;
-      upper_[i] = p.upper;
+      // An open end of a model's range is not a camera, but what lies next to it may be the best one: eucm with beta -> 0 is
+      // how a pinhole looks where alpha must be above 0.5.
+      constexpr double kHair = 1e-6;
+      lower_[i] = p.lower + (p.open ? kHair : 0.0);
+      upper_[i] = p.upper - (p.open ? kHair : 0.0);
+      held_[i] = held_in_fits<M>(p.name);
       for (const ParameterRange& range : ranges) {
         if (range.parameter != p.name) continue;
+        held_[i] = false;
         lower_[i] = std::max(lower_[i], range.lower);
         upper_[i] = std::min(upper_[i], range.upper);
       }
     }
   }
 
-  /// `central_focal`: fx, fy as radius per angle at the centre; `centre`: the principal point.
-  std::optional<Fit<M>> fit(const std::array<double, 2>& central_focal, const std::array<double, 2>& centre) {
+  /// From a given camera.
+  std::optional<Fit<M>> fit_from(const Values& start) {
+    Candidate candidate;
+    candidate.values = start;
+    hold_fixed(candidate);
+    if (!polish(candidate, kFullIterations)) return std::nullopt;
+    respect_bounds(candidate);
+    return finish(candidate);
+  }
+
+  /// That camera as it is, if it lies within the ranges.
+  std::optional<Fit<M>> as_it_is(const Values& values) const {
+    Candidate candidate;
+    candidate.values = values;
+    hold_fixed(candidate);
+    if (candidate.values != values) return std::nullopt;
+    return finish(candidate);
+  }
+
+  /// From the model's own starts, given the source's centre.
+  std::optional<Fit<M>> fit(const LensCentre& centre) {
     std::optional<Candidate> best;
     const std::span<const Correspondence> all = samples_;
     const std::vector<Correspondence> few = spread(all, kCoarseSamples);
     for (int start = 0; start < M::kStarts; ++start) {
       Candidate candidate;
-      candidate.values = {central_focal[0], central_focal[1], centre[0], centre[1]};
-      M::initialise(all, start, candidate.values.data());
+      M::initialise(all, centre, start, candidate.values.data());
       hold_fixed(candidate);
       samples_ = few;
       const bool usable = M::kStarts == 1 || polish(candidate, kCoarseIterations);
@@ -81,25 +116,14 @@ class Fitter {
     int iterations = 0;
   };
   static constexpr int kFullIterations = 200;
-  static constexpr int kCoarseIterations = 20;
-  static constexpr std::size_t kCoarseSamples = 48;
-
-  /// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again
-  /// and again from samples that come in rows.
-  static std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count) {
-    if (count >= samples.size()) return {samples.begin(), samples.end()};
-    constexpr double kGoldenRatio = 0.6180339887498949;
-    std::vector<Correspondence> chosen;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double turn = static_cast<double>(i) * kGoldenRatio;
-      chosen.push_back(samples[static_cast<std::size_t>((turn - std::floor(turn)) * static_cast<double>(samples.size()))]);
-    }
-    return chosen;
-  }
+  /// Which basin is deeper shows late, and only on many points, where parameters are as many as rational's.
+  static constexpr bool kManyParameters = kCount > 10;
+  static constexpr int kCoarseIterations = kManyParameters ? 60 : 20;
+  static constexpr std::size_t kCoarseSamples = kManyParameters ? 200 : 48;
 
   void hold_fixed(Candidate& candidate) const {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
-      candidate.fixed[i] = lower_[i] == upper_[i];
+      candidate.fixed[i] = held_[i] || lower_[i] == upper_[i];
       candidate.values[i] = std::clamp(candidate.values[i], lower_[i], upper_[i]);
     }
   }
@@ -218,7 +242,7 @@ class Fitter {
     }
     result.rms_px = weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
-      if (candidate.fixed[i] && lower_[i] != upper_[i]) result.at_bound.emplace_back(M::kParameters[i].name);
+      if (candidate.fixed[i] && !held_[i] && lower_[i] != upper_[i]) result.at_bound.emplace_back(M::kParameters[i].name);
     }
     return result;
   }
@@ -227,6 +251,7 @@ class Fitter {
   std::vector<Correspondence> active_;
   Values lower_{};
   Values upper_{};
+  std::array<bool, kParameterCount<M>> held_{};
 };
 
 }  // namespace fca::internal

@@ -2,22 +2,92 @@
 // The one place where the fit is instantiated for the models of the list.
 #include "fit_model.h"
 
+#include "exact.h"
 #include "fit.h"
+
+#include <cmath>
+#include <utility>
 
 namespace fca::internal {
 
-std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
-                                     const std::array<double, 2>& central_focal, const Pixel& centre,
-                                     std::span<const ParameterRange> ranges) {
+namespace {
+
+template <CameraModelType M>
+std::optional<FittedModel> listed(std::optional<Fit<M>> fit) {
+  if (!fit) return std::nullopt;
+  FittedModel result{Intrinsics<M>{fit->parameters}, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};
+  if (!validate(result.model).empty()) return std::nullopt;
+  return result;
+}
+
+std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<const Correspondence> samples,
+                                               const LensCentre& centre, std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> result;
   ModelList::for_each([&]<CameraModelType M>() {
-    if (M::kId != id) return;
-    std::optional<Fit<M>> fit = Fitter<M>(samples, ranges).fit(central_focal, centre);
-    if (!fit) return;
-    result =
-        FittedModel{Intrinsics<M>{fit->parameters}, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};
+    if (M::kId == id) result = listed<M>(Fitter<M>(samples, ranges).fit(centre));
   });
   return result;
+}
+
+/// Does a conversion prefer a to b? More of the lens first, then fewer pixels.
+bool better(const FittedModel& a, const std::optional<FittedModel>& b) {
+  if (!b) return true;
+  if (a.reaches_all != b->reaches_all) return a.reaches_all;
+  return a.rms_px < b->rms_px;
+}
+
+/// Root mean square of the distances between the samples' pixels and the model's.
+double rms_over(std::span<const Correspondence> samples, const CameraModel& model) {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const Correspondence& s : samples) {
+    const std::optional<Pixel> pixel = project(model, s.ray);
+    if (!pixel) continue;
+    sum += s.weight * (std::pow((*pixel)[0] - s.pixel[0], 2) + std::pow((*pixel)[1] - s.pixel[1], 2));
+    weight += s.weight;
+  }
+  return weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
+}
+
+/// May the contained model have a better fit? Not if it stays behind on a few of the samples although fitted to those alone.
+bool may_be_beaten(const FittedModel& best, std::string_view inner, std::span<const Correspondence> samples,
+                   const LensCentre& centre, std::span<const ParameterRange> ranges) {
+  constexpr double kNobodySees = 1e-3;  // px
+  constexpr std::size_t kFew = 48;
+  if (!best.reaches_all) return true;
+  if (best.rms_px <= kNobodySees) return false;
+  const std::vector<Correspondence> few = spread(samples, kFew);
+  const std::optional<FittedModel> rival = fit_from_own_starts(inner, few, centre, ranges);
+  return !rival || rival->rms_px < rms_over(few, best.model);
+}
+
+/// Keeps in `best` the best of itself, a fit from `start`, and `start` as it is.
+void improve_from(const CameraModel& start, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges,
+                  std::optional<FittedModel>& best) {
+  std::visit(
+      [&]<class M>(const Intrinsics<M>& m) {
+        Fitter<M> fitter(samples, ranges);
+        for (auto fit : {fitter.fit_from(m.values), fitter.as_it_is(m.values)}) {
+          std::optional<FittedModel> candidate = listed<M>(std::move(fit));
+          if (candidate && better(*candidate, best)) best = std::move(candidate);
+        }
+      },
+      start);
+}
+
+}  // namespace
+
+std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
+                                     std::span<const ParameterRange> ranges) {
+  std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
+  const std::string_view inner = contained_model(id);
+  if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
+  if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges)) {
+    if (const std::optional<CameraModel> start = convert_exactly(contained->model, id)) {
+      improve_from(*start, samples, ranges, best);
+    }
+  }
+  return best;
 }
 
 }  // namespace fca::internal

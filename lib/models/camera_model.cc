@@ -29,6 +29,7 @@ std::string spelled(double value) {
 
 /// "lie in [0, 1]", "be greater than -1", ...
 std::string range_of(const Parameter& p) {
+  if (!std::isfinite(p.lower)) return (p.open ? "be less than " : "be at most ") + spelled(p.upper);
   if (std::isfinite(p.upper)) {
     return std::string("lie in ") + (p.open ? "(" : "[") + spelled(p.lower) + ", " + spelled(p.upper) + (p.open ? ")" : "]");
   }
@@ -139,13 +140,22 @@ double max_angle(const CameraModel& model) {
   return std::visit([]<class M>(const Intrinsics<M>& m) { return M::max_angle(m.values.data()); }, model);
 }
 
+Pixel principal_point(const CameraModel& model) {
+  return std::visit([]<class M>(const Intrinsics<M>& m) { return M::principal_point(m.values.data()); }, model);
+}
+
+std::array<double, 2> central_focal_lengths(const CameraModel& model) {
+  return std::visit([]<class M>(const Intrinsics<M>& m) { return M::central_focal_lengths(m.values.data()); }, model);
+}
+
 std::optional<std::string> problem_with(const Parameter& parameter, double value) {
   const std::string what = std::string(parameter.name) + " is " + spelled(value);
   // No lens has such numbers, and their powers overflow a projection.
   constexpr double kLargest = 1e12;
   if (!std::isfinite(value)) return what + ", not a finite number";
   if (std::abs(value) > kLargest) return what + ", too large to compute with";
-  if (parameter.group == ParameterGroup::kFocalLength && !(value > 0.0)) return what + "; a focal length is positive";
+  if (parameter.group == ParameterGroup::kFocalLength && parameter.lower == 0.0 && !(value > 0.0))
+    return what + "; a focal length is positive";
   const bool at_open_end = parameter.open && (value == parameter.lower || value == parameter.upper);
   if (value < parameter.lower || value > parameter.upper || at_open_end) return what + "; it must " + range_of(parameter);
   return std::nullopt;

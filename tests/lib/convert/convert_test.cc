@@ -47,6 +47,10 @@ TEST(Convert, ContainedModelsAreExact) {
       {Intrinsics<Pinhole>{{400, 401, 320, 240}}, "radtan"},
       {Intrinsics<Pinhole>{{400, 401, 320, 240}}, "eucm"},
       {Intrinsics<Radtan>{{400, 401, 320, 240, 0, 0, 0, 0, 0}}, "pinhole"},
+      {Intrinsics<Radtan>{{400, 401, 320, 240, -0.2, 0.05, 1e-3, -2e-3, 0.01}}, "rational"},
+      {Intrinsics<Rational>{{400, 401, 320, 240, -0.2, 0.05, 1e-3, -2e-3, 0.01, 0, 0, 0}}, "radtan"},
+      {Intrinsics<Pinhole>{{400, 401, 320, 240}}, "rational"},
+      {Intrinsics<Rational>{{400, 401, 320, 240, 0, 0, 0, 0, 0, 0, 0, 0}}, "ucm"},
   };
   for (const Pair& pair : pairs) {
     const std::optional<Conversion> conversion = to(test::make_camera(pair.source, {640, 480}), pair.target);
@@ -111,6 +115,39 @@ TEST(Convert, RangesOfTheTargetAreKept) {
   ASSERT_TRUE(no_k3);
   EXPECT_EQ(parameter(no_k3->camera.model, "k3").value(), 0.0);
   EXPECT_TRUE(no_k3->report.at_bound.empty()) << "a fixed parameter is no bound that was hit";
+}
+
+TEST(Convert, ABestCameraAtAnOpenBoundIsFound) {
+  // With alpha above 0.5 a pinhole, and a lens that bends outwards, is eucm for beta -> 0, where no eucm is.
+  ConvertOptions options;
+  options.model = "eucm";
+  options.ranges = {{"alpha", 0.501, 1.0}};
+  for (const CameraModel& model : std::vector<CameraModel>{Intrinsics<Pinhole>{{535.4, 539.2, 320.1, 247.6}},
+                                                           Intrinsics<Radtan>{{520, 521, 325, 249, 0.05, 0.02, 0, 0, 0}}}) {
+    const Camera camera = test::make_camera(model, {640, 480});
+    Diagnostics diagnostics;
+    const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+    ASSERT_TRUE(conversion) << model_info(model).id;
+    EXPECT_EQ(conversion->report.at_bound, (std::vector<std::string>{"alpha", "beta"}));
+    const std::optional<Conversion> pinhole = to(camera, "pinhole");
+    ASSERT_TRUE(pinhole);
+    EXPECT_LE(conversion->report.judgement.error.rms, pinhole->report.judgement.error.rms + 1e-4);
+  }
+}
+
+TEST(Convert, OcamcalibHoldsItsHigherCoefficientsUnlessAsked) {
+  ConvertOptions options;
+  options.model = "ocamcalib";
+  Diagnostics diagnostics;
+  const std::optional<Conversion> degree_4 = convert(test::euroc(), options, diagnostics);
+  ASSERT_TRUE(degree_4);
+  for (const char* held : {"a1", "a5", "a6", "a7", "a8"}) EXPECT_EQ(parameter(degree_4->camera.model, held), 0.0) << held;
+  EXPECT_TRUE(degree_4->report.at_bound.empty());
+  options.ranges = {{"a5", -1.0, 1.0}, {"a6", -1.0, 1.0}};
+  const std::optional<Conversion> degree_6 = convert(test::euroc(), options, diagnostics);
+  ASSERT_TRUE(degree_6);
+  EXPECT_NE(parameter(degree_6->camera.model, "a6"), 0.0);
+  EXPECT_LT(degree_6->report.judgement.error.rms, 0.8 * degree_4->report.judgement.error.rms);
 }
 
 TEST(Convert, APrincipalPointOnASampleIsFine) {

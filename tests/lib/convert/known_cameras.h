@@ -62,4 +62,23 @@ inline Camera lens_220() {
   return make_camera(Intrinsics<Kb4>{{265.1, 264.9, 513.3, 509.7, -0.012, 0.004, -0.0015, 0.0002}}, {1024, 1024});
 }
 
+/// The sample data of OCamCalib, from the published (u, v) form: c = 1 / c', d = e' c, e = d' c, a_k = -a'_k c^(k - 1)
+/// (ERRATA).
+inline Camera ocamcalib_sample() {
+  return make_camera(Intrinsics<Ocamcalib>{{359.829671, 243.611488, 1.0011312783445292, 0.00011012444061789821,
+                                            -0.00016919118604022542, -209.06718681900003, 0.0, 0.002218682110785187,
+                                            -5.134154633670041e-06, 2.157249816212779e-08, 0.0, 0.0, 0.0, 0.0}},
+                     {752, 480});
+}
+/// WoodScape data set, front camera; the lens reaches 95 degrees from the axis.
+inline Camera woodscape_front() {
+  return make_camera(Intrinsics<Woodscape>{{339.749, -31.988, 48.275, -7.201, 1.0, 639.5 + 3.942, 482.5 - 3.093}}, {1280, 966});
+}
+/// A depth camera's rational lens, not a real one.
+inline Camera rational_lens() {
+  return make_camera(Intrinsics<Rational>{{605.286, 605.699, 637.01, 366.758, 0.5220, -2.6951, 0.000899, -0.000228, 1.5296,
+                                           0.4012, -2.5146, 1.4555}},
+                     {1280, 720});
+}
+
 }  // namespace fca::test

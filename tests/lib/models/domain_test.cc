@@ -44,6 +44,19 @@ RadiusFunction mei(Real xi, Real k1, Real k2, Real k3) {
   };
 }
 
+RadiusFunction rational(const std::array<double, 6>& k) {
+  return [=](Real angle) {
+    if (angle >= kPi / 2) return std::numeric_limits<Real>::quiet_NaN();
+    const Real r = std::tan(angle);
+    const Real t = r * r;
+    return r * (1 + t * (k[0] + t * (k[1] + t * k[2]))) / positive_or_nan(1 + t * (k[3] + t * (k[4] + t * k[5])));
+  };
+}
+
+RadiusFunction radial_polynomial(Real k1, Real k2, Real k3, Real k4) {
+  return [=](Real a) { return a * (k1 + a * (k2 + a * (k3 + a * k4))); };
+}
+
 /// The first angle at which the radius is not defined or does not grow, at most pi.
 double end_of_growth(const RadiusFunction& radius) {
   constexpr Real kStep = 2e-4L;
@@ -138,6 +151,80 @@ TEST(Domain, RadialRadtanAgreesWithSearch) {
   for (const auto& [k1, k2, k3] : coefficients) {
     SCOPED_TRACE(::testing::Message() << k1 << ' ' << k2 << ' ' << k3);
     expect_domain_ends_at(Intrinsics<Radtan>{{300, 310, 320, 240, k1, k2, 0, 0, k3}}, end_of_growth(mei(0, k1, k2, k3)));
+  }
+}
+
+TEST(Domain, RadialRationalAgreesWithSearch) {
+  std::mt19937_64 generator(5);
+  std::normal_distribution<double> normal;
+  std::vector<std::array<double, 6>> coefficients = {
+      {0, 0, 0, 0, 0, 0},       {0.5220, -2.6951, 1.5296, 0.4012, -2.5146, 1.4555}, {0, 0, 0, -0.4, 0, 0},  // a pole
+      {-0.4, 0, 0, 0, 0, 0},                                                                                // radtan that folds
+      {0.1, 0, 0, 0.5, 0.2, 0},                                                                             // bends
+      {0, 0, 0, 0, 0, 0.05}};  // the radius falls back to 0
+  for (int i = 0; i < 200; ++i) {
+    coefficients.push_back({0.5 * normal(generator), 0.2 * normal(generator), 0.1 * normal(generator), 0.5 * normal(generator),
+                            0.2 * normal(generator), 0.1 * normal(generator)});
+  }
+  for (const auto& k : coefficients) {
+    SCOPED_TRACE(::testing::PrintToString(k));
+    expect_domain_ends_at(Intrinsics<Rational>{{300, 310, 320, 240, k[0], k[1], 0, 0, k[2], k[3], k[4], k[5]}},
+                          end_of_growth(rational(k)));
+  }
+}
+
+TEST(Domain, WoodscapeAgreesWithSearch) {
+  std::mt19937_64 generator(6);
+  std::normal_distribution<double> normal;
+  std::vector<std::array<double, 4>> coefficients = {{339.749, -31.988, 48.275, -7.201}, {300, 0, 0, 0}, {300, -60, 0, 0}};
+  for (int i = 0; i < 100; ++i)
+    coefficients.push_back({300, 60 * normal(generator), 30 * normal(generator), 10 * normal(generator)});
+  for (const auto& k : coefficients) {
+    SCOPED_TRACE(::testing::PrintToString(k));
+    expect_domain_ends_at(Intrinsics<Woodscape>{{k[0], k[1], k[2], k[3], 1.02, 320, 240}},
+                          end_of_growth(radial_polynomial(k[0], k[1], k[2], k[3])));
+  }
+}
+
+/// Walks along rho until the angle stops growing.
+double largest_ocam_angle(const std::array<double, 9>& a) {
+  const auto angle = [&](Real rho) {
+    Real f = a[8];
+    for (std::size_t k = 8; k-- > 0;) f = f * rho + a[k];
+    return std::atan2(rho, -f);
+  };
+  Real largest = 0;
+  for (Real rho = 1e-3L; rho < 1e9L; rho *= 1.0001L) {
+    const Real next = angle(rho);
+    if (!(next > largest)) return static_cast<double>(largest);
+    largest = next;
+  }
+  return static_cast<double>(largest);
+}
+
+TEST(Domain, OcamcalibAgreesWithSearch) {
+  std::mt19937_64 generator(7);
+  std::normal_distribution<double> normal;
+  std::vector<std::array<double, 9>> polynomials = {
+      {-209.3, 0, 2.2e-3, -5.1e-6, 2.1e-8, 0, 0, 0, 0}, {-200, 0.3, 0, 0, 0, 0, 0, 0, 0}, {-200, 0, -1e-3, 0, 0, 0, 0, 0, 0}};
+  for (int i = 0; i < 100; ++i) {
+    std::array<double, 9> a{};
+    for (std::size_t k = 0; k < a.size(); ++k) a[k] = 200 * std::pow(250.0, -static_cast<double>(k)) * normal(generator) / 2;
+    a[0] = -200;
+    polynomials.push_back(a);
+  }
+  for (const auto& a : polynomials) {
+    SCOPED_TRACE(::testing::PrintToString(a));
+    Intrinsics<Ocamcalib> camera{{320, 240, 1.01, 0.002, -0.001}};
+    std::ranges::copy(a, camera.values.begin() + 5);
+    const double end = max_angle(camera);
+    EXPECT_NEAR(end, largest_ocam_angle(a), 1e-6);
+    for (const double azimuth : some_azimuths()) {
+      for (const double share : {0.01, 0.5, 0.9, 0.999}) EXPECT_TRUE(project(camera, ray_at(share * end, azimuth))) << share;
+      if (end + 1e-6 < std::numbers::pi) {
+        EXPECT_FALSE(project(camera, ray_at(end + 1e-6, azimuth)));
+      }
+    }
   }
 }
 

@@ -41,6 +41,36 @@ TEST(Equivalence, MeiWithXi0IsRadtan) {
               Intrinsics<Radtan>{{458, 457, 367, 248, -0.28, 0.07, 0.0002, 0.00002, 0}});
 }
 
+TEST(Equivalence, RationalWithoutDenominatorIsRadtan) {
+  expect_same(Intrinsics<Rational>{{458, 457, 367, 248, -0.28, 0.07, 0.0002, 0.00002, 0.01, 0, 0, 0}},
+              Intrinsics<Radtan>{{458, 457, 367, 248, -0.28, 0.07, 0.0002, 0.00002, 0.01}});
+}
+
+// N = D cancels: the same lens in other words.
+TEST(Equivalence, RationalWithEqualPolynomialsIsPinhole) {
+  expect_same(Intrinsics<Pinhole>{{300, 310, 320, 240}},
+              Intrinsics<Rational>{{300, 310, 320, 240, 0.5, 0.2, 0, 0, 0.1, 0.5, 0.2, 0.1}});
+}
+
+// f = a0 is a plane: tan(angle) = rho / |a0|.
+TEST(Equivalence, OcamcalibOfDegree0IsPinhole) {
+  expect_same(Intrinsics<Pinhole>{{300, 330, 320, 240}},
+              Intrinsics<Ocamcalib>{{320, 240, 1.1, 0, 0, -300, 0, 0, 0, 0, 0, 0, 0, 0}});
+}
+
+// f = (rho^2 - r0^2) / (2 r0) is a paraboloid with its focus in the origin: rho = r0 tan(angle / 2), the stereographic lens.
+TEST(Equivalence, OcamcalibParaboloidIsStereographic) {
+  const double focal = 200.0;
+  const double r0 = 2.0 * focal;
+  expect_same(Intrinsics<Ocamcalib>{{320, 240, 1, 0, 0, -0.5 * r0, 0, 0.5 / r0, 0, 0, 0, 0, 0, 0}},
+              Intrinsics<Ucm>{{0.5 * r0, 0.5 * r0, 320, 240, 0.5}});
+}
+
+TEST(Equivalence, EquidistantLenses) {
+  expect_same(Intrinsics<Kb4>{{200, 210, 320, 240, 0, 0, 0, 0}}, Intrinsics<Woodscape>{{200, 0, 0, 0, 1.05, 320, 240}});
+  expect_same(Intrinsics<Kb4>{{200, 210, 320, 240, 0.05, 0, 0, 0}}, Intrinsics<Woodscape>{{200, 0, 10, 0, 1.05, 320, 240}});
+}
+
 TEST(Equivalence, EucmWithBeta1IsUcm) {
   for (const double alpha : kAlphas) {
     SCOPED_TRACE(alpha);
@@ -66,6 +96,7 @@ TEST(Equivalence, DsWithAlpha0IsMei) {
 TEST(Equivalence, WithoutDistortionEverythingIsPinhole) {
   const Intrinsics<Pinhole> pinhole{{300, 310, 320, 240}};
   expect_same(pinhole, Intrinsics<Radtan>{{300, 310, 320, 240, 0, 0, 0, 0, 0}});
+  expect_same(pinhole, Intrinsics<Rational>{{300, 310, 320, 240, 0, 0, 0, 0, 0, 0, 0, 0}});
   expect_same(pinhole, Intrinsics<Ucm>{{300, 310, 320, 240, 0}});
   expect_same(pinhole, Intrinsics<Eucm>{{300, 310, 320, 240, 0, 1.7}});
   expect_same(pinhole, Intrinsics<Ds>{{300, 310, 320, 240, 0, 0}});

@@ -52,6 +52,8 @@ TEST(Jacobian, AgreesWithDifferences) {
           ASSERT_TRUE(M::project(jets.data(), jets.data() + kParameterCount<M>, pixel));
           for (std::size_t i = 0; i < kInputs; ++i) {
             const bool is_parameter = i < kParameterCount<M>;
+            // A coefficient of a power of pixels has no natural step at 0.
+            if (is_parameter && inputs[i] == 0.0 && M::kParameters[i].unit.starts_with("1/px")) continue;
             SCOPED_TRACE(::testing::Message() << camera.name << " angle " << share * end << " azimuth " << azimuth << " d/d"
                                               << (is_parameter ? M::kParameters[i].name : "ray"));
             const auto index = static_cast<int>(i);
@@ -85,13 +87,19 @@ TEST(Jacobian, OnTheAxis) {
       jets[kInputs - 1].a = 2.0;
       Jet pixel[2];
       ASSERT_TRUE(M::project(jets.data(), jets.data() + kParameterCount<M>, pixel));
-      const double focal = M::central_focal_length(camera.p());
+      const std::array<double, 2> focal = M::central_focal_lengths(camera.p());
       for (std::size_t i = 0; i < kInputs; ++i) {
         const auto index = static_cast<int>(i);
-        const double du = i == kParameterCount<M> ? focal / 2.0 : (i == 2 ? 1.0 : 0.0);
-        const double dv = i == kParameterCount<M> + 1 ? focal / 2.0 * camera.p()[1] / camera.p()[0] : (i == 3 ? 1.0 : 0.0);
-        EXPECT_NEAR(pixel[0].v[index], du, 1e-12 * (1.0 + focal)) << i;
-        EXPECT_NEAR(pixel[1].v[index], dv, 1e-12 * (1.0 + focal)) << i;
+        const bool of_centre = i < kParameterCount<M> && M::kParameters[i].group == ParameterGroup::kPrincipalPoint;
+        const double du = i == kParameterCount<M> ? focal[0] / 2.0 : (of_centre && M::kParameters[i].name == "cx" ? 1.0 : 0.0);
+        const double dv =
+            i == kParameterCount<M> + 1 ? focal[1] / 2.0 : (of_centre && M::kParameters[i].name == "cy" ? 1.0 : 0.0);
+        // Shear (ocamcalib) mixes the axes.
+        const double shear_u =
+            i == kParameterCount<M> + 1 ? focal[0] / 2.0 * parameter(camera.intrinsics, "e").value_or(0.0) : 0.0;
+        const double shear_v = i == kParameterCount<M> ? focal[0] / 2.0 * parameter(camera.intrinsics, "d").value_or(0.0) : 0.0;
+        EXPECT_NEAR(pixel[0].v[index], du + shear_u, 1e-12 * (1.0 + focal[0])) << i;
+        EXPECT_NEAR(pixel[1].v[index], dv + shear_v, 1e-12 * (1.0 + focal[1])) << i;
       }
     }
   });

@@ -34,10 +34,20 @@ TEST(ModelLookup, NoNameBelongsToTwoModels) {
 }
 
 TEST(ModelLookup, NamesOfOtherPrograms) {
-  const std::vector<std::pair<std::string_view, std::string_view>> names = {
-      {"KannalaBrandt8", "kb4"}, {"pinhole-equi", "kb4"}, {"equidistant", "kb4"}, {"omni-radtan", "mei"},
-      {"eucm-none", "eucm"},     {"DoubleSphere", "ds"},  {"ds-none", "ds"},      {"pinhole-radtan", "radtan"},
-      {"plumb_bob", "radtan"},   {"pinhole-fov", "fov"},  {"PinHole", "pinhole"}};
+  const std::vector<std::pair<std::string_view, std::string_view>> names = {{"KannalaBrandt8", "kb4"},
+                                                                            {"pinhole-equi", "kb4"},
+                                                                            {"equidistant", "kb4"},
+                                                                            {"omni-radtan", "mei"},
+                                                                            {"eucm-none", "eucm"},
+                                                                            {"DoubleSphere", "ds"},
+                                                                            {"ds-none", "ds"},
+                                                                            {"pinhole-radtan", "radtan"},
+                                                                            {"plumb_bob", "radtan"},
+                                                                            {"pinhole-fov", "fov"},
+                                                                            {"rational_polynomial", "rational"},
+                                                                            {"scaramuzza", "ocamcalib"},
+                                                                            {"radial_poly", "woodscape"},
+                                                                            {"PinHole", "pinhole"}};
   for (const auto& [name, id] : names) {
     ASSERT_NE(find_model(name), nullptr) << name;
     EXPECT_EQ(find_model(name)->id, id) << name;

@@ -73,8 +73,8 @@ std::vector<TestCamera<M>> cameras_of() {
   return cameras;
 }
 
-/// The cameras of cameras_of() and, for each, some neighbours: every lens parameter changed by up to 10 % of itself plus 0.01,
-/// inside its bounds. Seeded: the same in every run.
+/// The cameras of cameras_of() and, for each, some neighbours: every lens parameter changed by up to 10 % of itself, plus 0.01
+/// unless it is in pixels, inside its bounds. Seeded: the same in every run.
 template <CameraModelType M>
 std::vector<TestCamera<M>> cameras_and_neighbours_of(int neighbours) {
   std::vector<TestCamera<M>> result;
@@ -85,9 +85,11 @@ std::vector<TestCamera<M>> cameras_and_neighbours_of(int neighbours) {
     for (int n = 0; n < neighbours; ++n) {
       TestCamera<M> neighbour = camera;
       neighbour.name += " neighbour " + std::to_string(n);
-      for (std::size_t i = 4; i < kParameterCount<M>; ++i) {
+      for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+        if (M::kParameters[i].group != ParameterGroup::kLens) continue;
+        const bool in_pixels = M::kParameters[i].unit.find("px") != std::string_view::npos;
         const double value = camera.intrinsics.values[i];
-        const double changed = value + (0.1 * std::abs(value) + 0.01) * uniform(generator);
+        const double changed = value + (0.1 * std::abs(value) + (in_pixels ? 0.0 : 0.01)) * uniform(generator);
         const bool allowed = changed > M::kParameters[i].lower && changed < M::kParameters[i].upper;
         neighbour.intrinsics.values[i] = allowed ? changed : value;
       }
@@ -111,7 +113,8 @@ inline double angle_between(const Ray& a, const Ray& b) {
   return std::atan2(std::hypot(cross[0], cross[1], cross[2]), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
-/// Image radius on the normalised plane, |((u - cx) / fx, (v - cy) / fy)|, and its derivative by the angle [1 / rad].
+/// Image radius on the normalised plane (distance from the principal point over the central focal lengths), and its derivative
+/// by the angle [1 / rad].
 struct RadiusAndSlope {
   double radius;
   double slope;
@@ -125,8 +128,10 @@ std::optional<RadiusAndSlope> radius_and_slope(const double* p, double angle, do
   const std::array<Jet, 3> ray = ray_at(Jet(angle, 0), azimuth);
   Jet pixel[2];
   if (!M::project(parameters.data(), ray.data(), pixel)) return std::nullopt;
-  const Jet mx = (pixel[0] - p[2]) / p[0];
-  const Jet my = (pixel[1] - p[3]) / p[1];
+  const std::array<double, 2> centre = M::principal_point(p);
+  const std::array<double, 2> focal = M::central_focal_lengths(p);
+  const Jet mx = (pixel[0] - centre[0]) / focal[0];
+  const Jet my = (pixel[1] - centre[1]) / focal[1];
   const Jet radius = ceres::sqrt(mx * mx + my * my);
   return RadiusAndSlope{radius.a, radius.v[0]};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// radtan, kb4 and mei are OpenCV's cv::projectPoints, cv::fisheye and cv::omnidir, to 1e-9 px.
+// radtan, rational, kb4 and mei are OpenCV's cv::projectPoints, cv::fisheye and cv::omnidir, to 1e-9 px.
 #include "model_test_support.h"
 
 #include <opencv2/calib3d.hpp>
@@ -54,6 +54,17 @@ TEST(OpenCvAgreement, RadtanIsProjectPoints) {
     const double* p = camera.p();
     std::vector<cv::Point2d> theirs;
     cv::projectPoints(ours.points, kZero, kZero, matrix_of(p), std::vector<double>(p + 4, p + 9), theirs);
+    expect_equal(ours.pixels, theirs);
+  }
+}
+
+TEST(OpenCvAgreement, RationalIsProjectPoints) {
+  for (const TestCamera<Rational>& camera : cameras_of<Rational>()) {
+    SCOPED_TRACE(camera.name);
+    const PointsAndPixels ours = projected_by_us(camera, 85 * kDegree);
+    const double* p = camera.p();
+    std::vector<cv::Point2d> theirs;
+    cv::projectPoints(ours.points, kZero, kZero, matrix_of(p), std::vector<double>(p + 4, p + 12), theirs);
     expect_equal(ours.pixels, theirs);
   }
 }

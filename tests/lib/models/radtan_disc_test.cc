@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The domain of the radial-tangential distortion: a disc on which its Jacobian is positive definite (radtan.h), so that no two
-// points share an image. Checked with a Jacobian by differences of a formula written down again here.
+// The domain of the radial-tangential distortion: a disc on which its Jacobian is positive definite (radial_tangential.h), so
+// that no two points share an image. Checked with a Jacobian by differences of a formula written down again here.
 #include "model_test_support.h"
 
 namespace fca::test {

@@ -63,7 +63,7 @@ TEST(Refusal, AnswersAreNumbersWhateverTheParameters) {
           broken.values[i] = value;
           const CameraModel model = broken;
           (void)max_angle(model);
-          for (const Pixel& pixel : {Pixel{100, 50}, Pixel{camera.p()[2], camera.p()[3]}, Pixel{-500, 2000}}) {
+          for (const Pixel& pixel : {Pixel{100, 50}, principal_point(camera.intrinsics), Pixel{-500, 2000}}) {
             const auto ray = unproject(model, pixel);
             EXPECT_TRUE(!ray || is_unit(*ray));
           }

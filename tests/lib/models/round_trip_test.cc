@@ -26,7 +26,14 @@ TEST(RoundTrip, PixelToRayToPixel) {
           Pixel back;
           ASSERT_TRUE(M::project(camera.p(), ray.data(), back.data())) << pixel[0] << ' ' << pixel[1];
           const double error = std::hypot(back[0] - pixel[0], back[1] - pixel[1]);
-          ASSERT_LE(error, 1e-9) << pixel[0] << ' ' << pixel[1];
+          // At the end of OCamCalib's domain the radius grows ever faster with the angle: the rounding of the ray shows.
+          double tolerance = 1e-9;
+          if (error > tolerance) {
+            const auto lens = radius_and_slope<M>(camera.p(), std::atan2(std::hypot(ray[0], ray[1]), ray[2]), 0.0);
+            ASSERT_TRUE(lens);
+            tolerance += 8.0 * std::numeric_limits<double>::epsilon() * M::central_focal_lengths(camera.p())[0] * lens->slope;
+          }
+          ASSERT_LE(error, tolerance) << pixel[0] << ' ' << pixel[1];
           worst = std::max(worst, error);
         }
       }
@@ -101,7 +108,7 @@ TEST(RoundTrip, PrincipalPointIsTheAxis) {
   for_each_model([]<CameraModelType M>() {
     for (const TestCamera<M>& camera : cameras_of<M>()) {
       SCOPED_TRACE(camera.name);
-      const Pixel centre = {camera.p()[2], camera.p()[3]};
+      const Pixel centre = M::principal_point(camera.p());
       Ray ray;
       ASSERT_TRUE(M::unproject(camera.p(), centre.data(), ray.data()));
       EXPECT_EQ(ray, (Ray{0.0, 0.0, 1.0}));

@@ -59,13 +59,14 @@ TEST(Validate, EveryParameterMustLieInItsRange) {
 TEST(Validate, ValidCamerasSeeTheAxis) {
   for_each_model([]<CameraModelType M>() {
     const TestCamera<M> camera = cameras_of<M>()[0];
-    for (std::size_t i = 4; i < kParameterCount<M>; ++i) {
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      if (M::kParameters[i].group != ParameterGroup::kLens) continue;
       for (const double value : {-2.0, -1.0, -0.999, 0.0, 1e-9, 0.5, 1.0, 3.0, std::numbers::pi, 4.0}) {
         Intrinsics<M> changed = camera.intrinsics;
         changed.values[i] = value;
         if (!validate(changed).empty()) continue;
         EXPECT_TRUE(project(changed, {0, 0, 1})) << M::kParameters[i].name << ' ' << value;
-        EXPECT_TRUE(unproject(changed, {changed.values[2], changed.values[3]})) << M::kParameters[i].name << ' ' << value;
+        EXPECT_TRUE(unproject(changed, principal_point(changed))) << M::kParameters[i].name << ' ' << value;
         EXPECT_GT(max_angle(changed), 0.0);
       }
     }
@@ -80,6 +81,10 @@ TEST(Validate, SaysWhatIsWrong) {
   EXPECT_EQ(validate(with("eucm", {400, 400, 320, 240, 1.5, 0})),
             (Problems{"alpha is 1.5; it must lie in [0, 1]", "beta is 0; it must be greater than 0"}));
   EXPECT_EQ(validate(with("ds", {400, 400, 320, 240, 0.5, -1})), (Problems{"xi is -1; it must be greater than -1"}));
+  EXPECT_EQ(validate(with("ocamcalib", {320, 240, 0, 0, 0, 209.3})),
+            (Problems{"c is 0; it must be greater than 0", "a0 is 209.3; it must be less than 0"}));
+  EXPECT_EQ(validate(with("woodscape", {-339, 0, 0, 0, -1, 640, 480})),
+            (Problems{"k1 is -339; a focal length is positive", "aspect_ratio is -1; it must be greater than 0"}));
   EXPECT_EQ(validate(with("mei", {400, 400, 320, 240, -0.5, 0, 0, 0, 1e308})),
             (Problems{"xi is -0.5; it must be at least 0", "p2 is 1e+308, too large to compute with"}));
 }

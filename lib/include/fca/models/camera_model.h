@@ -8,9 +8,12 @@
 #include <fca/models/kb4.h>
 #include <fca/models/mei.h>
 #include <fca/models/model_traits.h>
+#include <fca/models/ocamcalib.h>
 #include <fca/models/pinhole.h>
 #include <fca/models/radtan.h>
+#include <fca/models/rational.h>
 #include <fca/models/ucm.h>
+#include <fca/models/woodscape.h>
 
 #include <array>
 #include <cstddef>
@@ -44,7 +47,7 @@ struct TypeList {
 }  // namespace internal
 
 /// Every model fca knows, in the order in which they are listed to people.
-using ModelList = internal::TypeList<Pinhole, Radtan, Kb4, Ucm, Eucm, Ds, Mei, Fov>;
+using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape>;
 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;
@@ -82,6 +85,12 @@ bool set_parameter(CameraModel& model, std::string_view name, double value);
 [[nodiscard]] std::optional<Ray> unproject(const CameraModel& model, const Pixel& pixel);
 /// The limit of the model's domain, in radians from the axis.
 [[nodiscard]] double max_angle(const CameraModel& model);
+
+/// The pixel of the optical axis.
+[[nodiscard]] Pixel principal_point(const CameraModel& model);
+/// Radius per angle at the centre along u and v, in pixels per radian: the focal lengths by which models compare. (fx of ds,
+/// mei and fov is something else.)
+[[nodiscard]] std::array<double, 2> central_focal_lengths(const CameraModel& model);
 
 /// Why this value cannot be that parameter, in a sentence; nothing if it can.
 [[nodiscard]] std::optional<std::string> problem_with(const Parameter& parameter, double value);

@@ -23,7 +23,7 @@
 
 namespace fca {
 
-struct Ds {
+struct Ds : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "ds";
   static constexpr std::string_view kTitle = "Double Sphere";
   static constexpr std::array<std::string_view, 3> kAliases = {"double-sphere", "doublesphere", "ds-none"};
@@ -82,10 +82,9 @@ struct Ds {
   /// (u - c)(alpha d2 + (1 - alpha) k) = f (x, y).
   static constexpr std::array kStartXi = {-0.6, -0.2, 0.3, 0.7};
   static constexpr int kStarts = static_cast<int>(kStartXi.size());
-  static void initialise(std::span<const Correspondence> samples, int start, double* p) {
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {
     const double xi = kStartXi[static_cast<std::size_t>(start)];
-    p[0] *= 1.0 + xi;
-    p[1] *= 1.0 + xi;
+    begin(centre, p, 1.0 + xi);
     p[5] = xi;
     double numerator = 0.0;
     double denominator = 0.0;
@@ -102,7 +101,7 @@ struct Ds {
     p[4] = std::isfinite(alpha) ? std::clamp(alpha, 0.05, 0.95) : 0.6;
   }
 
-  static double central_focal_length(const double* p) { return p[0] / (1.0 + p[5]); }
+  static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0] / (1.0 + p[5]), p[1] / (1.0 + p[5])}; }
 
  private:
   template <bool kWithinDomain, class T>

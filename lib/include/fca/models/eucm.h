@@ -76,7 +76,7 @@ struct UnifiedPlane {
 
 }  // namespace internal
 
-struct Eucm {
+struct Eucm : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "eucm";
   static constexpr std::string_view kTitle = "Enhanced Unified Camera Model";
   static constexpr std::array<std::string_view, 3> kAliases = {"eucm-none", "extended-unified", "enhanced-unified"};
@@ -106,12 +106,11 @@ struct Eucm {
   static double max_angle(const double* p) { return internal::UnifiedPlane::max_angle(p[4], p[5]); }
 
   static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
+    begin(centre, p);
     p[5] = 1.0;  // beta is not linear: start as UCM
     p[4] = internal::UnifiedPlane::linear_alpha(samples, p, p[5]);
   }
-
-  static double central_focal_length(const double* p) { return p[0]; }
 
  private:
   template <bool kWithinDomain, class T>

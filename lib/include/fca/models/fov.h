@@ -16,7 +16,7 @@
 
 namespace fca {
 
-struct Fov {
+struct Fov : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "fov";
   static constexpr std::string_view kTitle = "Field of view (FOV, ATAN)";
   static constexpr std::array<std::string_view, 2> kAliases = {"pinhole-fov", "atan"};
@@ -64,33 +64,36 @@ struct Fov {
 
   /// w by a scan: the residual over w has one minimum, and one parameter costs little.
   static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
-    const std::array<double, 2> central = {p[0], p[1]};
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
     double best = std::numeric_limits<double>::infinity();
-    std::array<double, 3> chosen = {p[0], p[1], 1.0};
+    std::array<double, kParameters.size()> candidate{};
+    begin(centre, p, 1.0 / central_factor(1.0));
+    p[4] = 1.0;
     for (double w = 0.1; w < 3.0; w += 0.1) {
-      const double to_fx = w / (2.0 * std::tan(0.5 * w));
-      const double candidate[5] = {central[0] * to_fx, central[1] * to_fx, p[2], p[3], w};
+      begin(centre, candidate.data(), 1.0 / central_factor(w));
+      candidate.back() = w;
       double cost = 0.0;
       for (const Correspondence& s : samples) {
         double pixel[2];
-        if (project(candidate, s.ray.data(), pixel)) {
+        if (project(candidate.data(), s.ray.data(), pixel)) {
           cost += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
         }
       }
       if (cost < best) {
         best = cost;
-        chosen = {candidate[0], candidate[1], w};
+        std::ranges::copy(candidate, p);
       }
     }
-    p[0] = chosen[0];
-    p[1] = chosen[1];
-    p[4] = chosen[2];
   }
 
-  static double central_focal_length(const double* p) { return p[0] * 2.0 * std::tan(0.5 * p[4]) / p[4]; }
+  static std::array<double, 2> central_focal_lengths(const double* p) {
+    return {p[0] * central_factor(p[4]), p[1] * central_factor(p[4])};
+  }
 
  private:
+  /// r_d per angle at the centre.
+  static double central_factor(double w) { return 2.0 * std::tan(0.5 * w) / w; }
+
   static bool valid(double w) { return w > 0.0 && w < std::numbers::pi; }
 };
 

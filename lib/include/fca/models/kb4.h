@@ -20,7 +20,7 @@
 
 namespace fca {
 
-struct Kb4 {
+struct Kb4 : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "kb4";
   static constexpr std::string_view kTitle = "Kannala-Brandt";
   static constexpr std::array<std::string_view, 12> kAliases = {
@@ -61,7 +61,8 @@ struct Kb4 {
 
   /// k1..k4 are linear in the radius: one radial row per point (ERRATA 8), d - theta = k1 theta^3 + ...
   static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
+    begin(centre, p);
     internal::LinearFit<4> fit;
     for (const Correspondence& s : samples) {
       const double theta = std::atan2(std::hypot(s.ray[0], s.ray[1]), s.ray[2]);
@@ -71,8 +72,6 @@ struct Kb4 {
     }
     fit.solve(p + 4);
   }
-
-  static double central_focal_length(const double* p) { return p[0]; }
 
  private:
   template <bool kWithinDomain, class T>

@@ -2,7 +2,7 @@
 // Mei: the unified model with radial-tangential distortion (Mei & Rives 2007).
 //
 //   p      = fx fy cx cy [px]  xi >= 0  k1 k2 p1 p2
-//   (x, y) = ray / (z + xi |ray|), then radial-tangential distortion (radtan.h, k3 = 0)
+//   (x, y) = ray / (z + xi |ray|), then radial-tangential distortion (radial_tangential.h, k3 = 0)
 //   pixel  = (fx m_x + cx, fy m_y + cy)
 //   domain : z > -|ray| min(xi, 1 / xi), and the distortion's disc
 //
@@ -10,11 +10,15 @@
 // Called: Kalibr omni-radtan (order xi fu fv pu pv); cv::omnidir; camodocal and VINS MEI. "Omni" in some forks.
 #pragma once
 
-#include <fca/models/radtan.h>
+#include <fca/models/linear_fit.h>
+#include <fca/models/model_traits.h>
+#include <fca/models/radial_tangential.h>
+
+#include <algorithm>
 
 namespace fca {
 
-struct Mei {
+struct Mei : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "mei";
   static constexpr std::string_view kTitle = "Mei (unified model with radial-tangential distortion)";
   static constexpr std::array<std::string_view, 4> kAliases = {"omni", "omni-radtan", "omni-none", "omnidir"};
@@ -67,10 +71,9 @@ struct Mei {
 
   /// Given xi = 1 the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi.
   static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
     p[4] = 1.0;
-    p[0] *= 1.0 + p[4];
-    p[1] *= 1.0 + p[4];
+    begin(centre, p, 1.0 + p[4]);
     internal::LinearFit<4> fit;
     for (const Correspondence& s : samples) {
       const double denominator = s.ray[2] + p[4];
@@ -84,7 +87,7 @@ struct Mei {
     fit.solve(p + 5);
   }
 
-  static double central_focal_length(const double* p) { return p[0] / (1.0 + p[4]); }
+  static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0] / (1.0 + p[4]), p[1] / (1.0 + p[4])}; }
 
  private:
   template <bool kWithinDomain, class T>

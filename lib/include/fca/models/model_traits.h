@@ -37,7 +37,14 @@ struct Correspondence {
   double weight = 1.0;  ///< Share of the domain's area; the weights of a fit sum to 1.
 };
 
-/// The parameters every model but OCamCalib begins with.
+/// What is seen at the optical axis, whatever a model's parameters are: the pivot between models, and all a fit is given of the
+/// lens it looks for.
+struct LensCentre {
+  std::array<double, 2> focal{};  ///< Radius per angle at the centre, in pixels per radian, along u and v.
+  std::array<double, 2> point{};  ///< Principal point: the pixel of the axis.
+};
+
+/// Parameters that many models have.
 namespace common_parameter {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Parameter kFx{"fx", "px", 0.0, kInfinity, ParameterGroup::kFocalLength, true};
@@ -57,13 +64,18 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              parameters whose domain is too small for their rays on the way to ones whose is not.
 ///   unproject(p, pixel, ray)   pixel -> unit ray, double only; false where no ray of the domain has that pixel.
 ///   max_angle(p)               the domain's limit in radians from the axis (the smallest over all azimuths).
-///   kStarts, initialise(samples, start, p)
-///                              linear start for a fit, start = 0 .. kStarts - 1 (models with several basins have several).
-///                              Given in p: cx, cy, and as fx, fy the central focal lengths; found: the lens parameters (fx, fy
-///                              adapted to them).
-///   central_focal_length(p)    radius per angle at the centre, in pixels per radian (x direction): the pivot between models.
+///   principal_point(p)         the pixel of the axis.
+///   central_focal_lengths(p)   radius per angle at the centre along u and v, in pixels per radian.
+///   kStarts, initialise(samples, centre, start, p)
+///                              linear start for a fit, start = 0 .. kStarts - 1 (models with several basins have several): all
+///                              of p, a camera with that centre.
+///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them a
+///                              range.
+///
+/// Nothing is assumed of the order or the names of the parameters.
 template <class M>
-concept CameraModelType = requires(const double* p, double* out, const double* in, std::span<const Correspondence> samples) {
+concept CameraModelType = requires(const double* p, double* out, const double* in, std::span<const Correspondence> samples,
+                                   const LensCentre& centre) {
   { M::kId } -> std::convertible_to<std::string_view>;
   { M::kTitle } -> std::convertible_to<std::string_view>;
   { M::kAliases.size() } -> std::convertible_to<std::size_t>;
@@ -73,9 +85,21 @@ concept CameraModelType = requires(const double* p, double* out, const double* i
   { M::unproject(p, in, out) } -> std::same_as<bool>;
   { M::max_angle(p) } -> std::same_as<double>;
   { M::kStarts } -> std::convertible_to<int>;
-  { M::initialise(samples, int{}, out) } -> std::same_as<void>;
-  { M::central_focal_length(p) } -> std::same_as<double>;
+  { M::initialise(samples, centre, int{}, out) } -> std::same_as<void>;
+  { M::principal_point(p) } -> std::same_as<std::array<double, 2>>;
+  { M::central_focal_lengths(p) } -> std::same_as<std::array<double, 2>>;
 };
+
+/// Whether fits leave that parameter at its start unless they are told otherwise.
+template <CameraModelType M>
+[[nodiscard]] constexpr bool held_in_fits(std::string_view parameter) {
+  if constexpr (requires { M::kHeldInFits.size(); }) {
+    for (const std::string_view held : M::kHeldInFits) {
+      if (held == parameter) return true;
+    }
+  }
+  return false;
+}
 
 /// Number of parameters of a model.
 template <CameraModelType M>
@@ -94,11 +118,27 @@ template <class T>
 }
 
 /// Reads p[0..3] = fx fy cx cy and applies them to a point on the normalised image plane.
+///
+/// to_pixel, to_plane and FocalLengthsFirst are shared by the models that begin with these four parameters.
 template <class T>
 void to_pixel(const T* p, const T& mx, const T& my, T* pixel) {
   pixel[0] = p[0] * mx + p[2];
   pixel[1] = p[1] * my + p[3];
 }
+
+/// What a model inherits that begins with fx fy cx cy, where fx and fy are the central focal lengths.
+struct FocalLengthsFirst {
+  static std::array<double, 2> principal_point(const double* p) { return {p[2], p[3]}; }
+  static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0], p[1]}; }
+
+  /// Where a start begins: the four parameters of that centre, if fx and fy are `scale` times the central focal lengths.
+  static void begin(const LensCentre& centre, double* p, double scale = 1.0) {
+    p[0] = scale * centre.focal[0];
+    p[1] = scale * centre.focal[1];
+    p[2] = centre.point[0];
+    p[3] = centre.point[1];
+  }
+};
 
 /// a d + b z, for d^2 = r2 + z^2 and a, b >= 0, without cancellation where z is near -d (as far from the axis as a ray can be).
 template <class T>

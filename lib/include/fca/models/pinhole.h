@@ -14,7 +14,7 @@
 
 namespace fca {
 
-struct Pinhole {
+struct Pinhole : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "pinhole";
   static constexpr std::string_view kTitle = "Pinhole";
   static constexpr std::array<std::string_view, 4> kAliases = {"none", "pinhole-none", "rectified", "perspective"};
@@ -41,8 +41,9 @@ struct Pinhole {
 
   static double max_angle(const double* /*p*/) { return 0.5 * std::numbers::pi; }
   static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> /*samples*/, int /*start*/, double* /*p*/) {}
-  static double central_focal_length(const double* p) { return p[0]; }
+  static void initialise(std::span<const Correspondence> /*samples*/, const LensCentre& centre, int /*start*/, double* p) {
+    begin(centre, p);
+  }
 };
 
 static_assert(CameraModelType<Pinhole>);

@@ -15,7 +15,7 @@
 
 namespace fca {
 
-struct Ucm {
+struct Ucm : internal::FocalLengthsFirst {
   static constexpr std::string_view kId = "ucm";
   static constexpr std::string_view kTitle = "Unified Camera Model";
   static constexpr std::array<std::string_view, 2> kAliases = {"unified", "unified-camera-model"};
@@ -40,11 +40,10 @@ struct Ucm {
   static double max_angle(const double* p) { return internal::UnifiedPlane::max_angle(p[4], 1.0); }
 
   static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, int /*start*/, double* p) {
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
+    begin(centre, p);
     p[4] = internal::UnifiedPlane::linear_alpha(samples, p, 1.0);
   }
-
-  static double central_focal_length(const double* p) { return p[0]; }
 
  private:
   template <bool kWithinDomain, class T>

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Radial-tangential distortion of the normalised plane, for any radial factor L(r^2): radtan, mei (a polynomial) and rational
+// (a quotient of two).
+//
+//   q      = the coefficients, of which q[2], q[3] = p1, p2
+//   m_x    = x L + 2 p1 x y + p2 (r^2 + 2 x^2)
+//   m_y    = y L + p1 (r^2 + 2 y^2) + 2 p2 x y
+//   domain : r < r_max, the disc on which the Jacobian is positive definite
+//
+// The distortion is the gradient of Phi(x, y) = F(r) + r^2 (p2 x + p1 y), F' = r L. So its Jacobian is symmetric, and where
+// that is positive definite on a disc, Phi is strictly convex there: the distortion is injective on the disc, and its inverse
+// is the minimum of Phi(x) - x . m, which damped Newton always finds.
+//
+// In polar coordinates, with P = |(p1, p2)| and A = d(r L)/dr, the Jacobian's determinant at azimuth phi from that of (p2, p1)
+// is A L - 4 P^2 r^2 + 2 P r (A + 3 L) cos phi + 16 P^2 r^2 cos^2 phi. It is smallest at cos phi = -1, and there
+// (A - 6 P r)(L - 2 P r), as long as A + 3 L >= 16 P r (else it is smaller at another azimuth); and A > 6 P r up to r implies
+// L > 3 P r. So r_max is the first root of A - 6 P r or A + 3 L - 16 P r. Where the second comes first (6 of a million random
+// lenses) the disc is a few percent smaller than the largest possible one.
+#pragma once
+
+#include <fca/models/model_traits.h>
+#include <fca/models/polynomial.h>
+
+#include <algorithm>
+
+namespace fca::internal {
+
+/// The length of a vector.
+inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
+/// `Radial` is the factor L:
+///   kCount                      number of coefficients q
+///   factor(q, r2)               L, for double and for automatic differentiation
+///   factor_and_slope(q, r2, L, slope)   L and dL/d(r^2)
+///   defined(q, r2)              does L have a value there?
+///   inside(q, r), max_radius(q) the disc
+template <class Radial>
+struct TangentialOver {
+  /// false outside the disc, if that is asked.
+  template <bool kWithinDomain, class T>
+  static bool distort(const T* q, const T& x, const T& y, T* m) {
+    const T r2 = x * x + y * y;
+    double values[Radial::kCount];
+    std::transform(q, q + Radial::kCount, values, [](const T& value) { return value_of(value); });
+    if (!Radial::defined(values, value_of(r2))) return false;
+    if (kWithinDomain && !inside(values, std::sqrt(value_of(r2)))) return false;
+    apply(q, x, y, r2, m);
+    return true;
+  }
+
+  /// m -> the (x, y) of the disc that has it; false if there is none. First Newton from m, nearly always enough; else from the
+  /// solution without tangential terms, kept inside the disc.
+  static bool undistort(const double* q, const double* m, double* xy) {
+    xy[0] = m[0];
+    xy[1] = m[1];
+    constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+    if (newton(q, m, kUnlimited, xy) && inside(q, length(xy[0], xy[1]))) return true;
+
+    const double limit = max_radius(q);
+    const double radius = length(m[0], m[1]);
+    const auto radial = [q](double r, double& value, double& slope) {
+      Radial::factor_and_slope(q, r * r, value, slope);
+      slope = value + 2.0 * r * r * slope;
+      value *= r;
+    };
+    double r = std::min(radius, limit);
+    if (!invert_increasing(radial, radius, limit, r)) {
+      double largest = 0.0;
+      double slope = 0.0;
+      radial(limit, largest, slope);
+      // The tangential terms are at most 3 P r^2 long.
+      if (!(radius < largest + 3.0 * length(q[2], q[3]) * limit * limit)) return false;
+      r = 0.999 * limit;
+    }
+    xy[0] = radius > 0.0 ? m[0] * (r / radius) : 0.0;
+    xy[1] = radius > 0.0 ? m[1] * (r / radius) : 0.0;
+    return newton(q, m, limit, xy);
+  }
+
+  /// r_max; infinite where the distortion never ends.
+  static double max_radius(const double* q) { return Radial::max_radius(q); }
+  static bool inside(const double* q, double r) { return Radial::inside(q, r); }
+
+ private:
+  template <class T>
+  static void apply(const T* q, const T& x, const T& y, const T& r2, T* m) {
+    const T radial = Radial::factor(q, r2);
+    const T xy2 = T(2.0) * x * y;
+    m[0] = x * radial + q[2] * xy2 + q[3] * (r2 + T(2.0) * x * x);
+    m[1] = y * radial + q[2] * (r2 + T(2.0) * y * y) + q[3] * xy2;
+  }
+
+  static void jacobian(const double* q, double x, double y, double* j) {
+    double radial = 0.0;
+    double slope = 0.0;
+    Radial::factor_and_slope(q, x * x + y * y, radial, slope);
+    const double radial_slope = 2.0 * slope;  // dL/dx = x * this
+    j[0] = radial + x * x * radial_slope + 2.0 * q[2] * y + 6.0 * q[3] * x;
+    j[1] = x * y * radial_slope + 2.0 * q[2] * x + 2.0 * q[3] * y;
+    j[2] = radial + y * y * radial_slope + 6.0 * q[2] * y + 2.0 * q[3] * x;
+  }
+
+  /// Damped Newton from the given (x, y): halves the step until it stays inside the disc and the residual does not grow.
+  static bool newton(const double* q, const double* m, double limit, double* xy) {
+    constexpr double kRounding = 1e-13;
+    const double tolerance = kRounding * (1.0 + length(m[0], m[1]));
+    double value[2];
+    apply(q, xy[0], xy[1], xy[0] * xy[0] + xy[1] * xy[1], value);
+    double residual = length(value[0] - m[0], value[1] - m[1]);
+    constexpr int kMaxSteps = 50;
+    for (int i = 0; i < kMaxSteps && residual > 0.0; ++i) {
+      double j[3];  // xx, xy, yy
+      jacobian(q, xy[0], xy[1], j);
+      const double determinant = j[0] * j[2] - j[1] * j[1];
+      if (!(determinant > 0.0)) return false;
+      const double ex = value[0] - m[0];
+      const double ey = value[1] - m[1];
+      double dx = (j[2] * ex - j[1] * ey) / determinant;
+      double dy = (j[0] * ey - j[1] * ex) / determinant;
+      // The step after a very short one would be about its square.
+      const double step = length(dx, dy) / (1.0 + length(xy[0], xy[1]));
+      const bool last = step <= 1e-10;
+      const double previous = residual;
+      double next[2];
+      bool accepted = false;
+      constexpr int kMaxTries = 60;
+      for (int halving = 0; halving < kMaxTries && !accepted; ++halving, dx *= 0.5, dy *= 0.5) {
+        next[0] = xy[0] - dx;
+        next[1] = xy[1] - dy;
+        if (!(length(next[0], next[1]) < limit)) continue;
+        apply(q, next[0], next[1], next[0] * next[0] + next[1] * next[1], value);
+        residual = length(value[0] - m[0], value[1] - m[1]);
+        accepted = residual <= previous;
+      }
+      // No step helps: at the rounding floor (of the residual or, where that is steep, of the point), or against the disc's
+      // edge because no ray has this pixel.
+      if (!accepted) return previous <= tolerance || step <= kRounding;
+      xy[0] = next[0];
+      xy[1] = next[1];
+      if (last && step <= kRounding) return true;
+      if (residual == previous) break;
+      if (last && residual <= tolerance) return true;
+    }
+    return residual <= tolerance;
+  }
+};
+
+/// L = 1 + k1 r^2 + k2 r^4 + k3 r^6, q = k1 k2 p1 p2 k3: A = 1 + 3 k1 r^2 + 5 k2 r^4 + 7 k3 r^6.
+struct PolynomialFactor {
+  static constexpr std::size_t kCount = 5;
+
+  template <class T>
+  static T factor(const T* q, const T& r2) {
+    return T(1.0) + r2 * (q[0] + r2 * (q[1] + r2 * q[4]));
+  }
+  static void factor_and_slope(const double* q, double r2, double& value, double& slope) {
+    value = factor(q, r2);
+    slope = q[0] + r2 * (2.0 * q[1] + r2 * 3.0 * q[4]);
+  }
+  static bool defined(const double* /*q*/, double /*r2*/) { return true; }
+
+  static bool inside(const double* q, double r) { return positive_on(radial_slope(q), r) && positive_on(other_azimuths(q), r); }
+  static double max_radius(const double* q) {
+    return positive_until(other_azimuths(q), positive_until(radial_slope(q), std::numeric_limits<double>::infinity()));
+  }
+
+ private:
+  /// A - 6 P r as a polynomial in r.
+  static std::array<double, 7> radial_slope(const double* q) {
+    return {1.0, -6.0 * length(q[2], q[3]), 3.0 * q[0], 0.0, 5.0 * q[1], 0.0, 7.0 * q[4]};
+  }
+  /// A + 3 L - 16 P r as a polynomial in r.
+  static std::array<double, 7> other_azimuths(const double* q) {
+    return {4.0, -16.0 * length(q[2], q[3]), 6.0 * q[0], 0.0, 8.0 * q[1], 0.0, 10.0 * q[4]};
+  }
+};
+
+/// The distortion of radtan, and with k3 = 0 of mei.
+using RadialTangential = TangentialOver<PolynomialFactor>;
+
+}  // namespace fca::internal
