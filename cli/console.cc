@@ -32,10 +32,21 @@ void Console::error(const std::string& message, const std::string& fix) const {
 }
 
 ExitCode Console::refuse(ExitCode code, const std::string& message, const std::string& fix) const {
-  error(message, fix);
-  if (!json_promised_) return code;
   Diagnostics diagnostics;
   diagnostics.error(code == ExitCode::kUsage ? "usage" : "refused", message, {}, fix);
+  error(message, fix);
+  print_refusal(code, diagnostics);
+  return code;
+}
+
+ExitCode Console::refuse(ExitCode code, const Diagnostics& diagnostics) const {
+  show(diagnostics);
+  print_refusal(code, diagnostics);
+  return code;
+}
+
+void Console::print_refusal(ExitCode code, const Diagnostics& diagnostics) const {
+  if (!json_promised_) return;
   Json json;
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
@@ -43,7 +54,6 @@ ExitCode Console::refuse(ExitCode code, const std::string& message, const std::s
     put_diagnostics(json, diagnostics, *this);
   });
   out(json.document());
-  return code;
 }
 
 ExitCode Console::finish(ExitCode code) const {

@@ -24,6 +24,8 @@ class Console {
   void error(const std::string& message, const std::string& fix = {}) const;
   /// An error that ends the command before it has a document of its own to print: as text, and under --json as a document, too.
   [[nodiscard]] ExitCode refuse(ExitCode code, const std::string& message, const std::string& fix = {}) const;
+  /// The same with what was found on the way.
+  [[nodiscard]] ExitCode refuse(ExitCode code, const Diagnostics& diagnostics) const;
   /// Was --json given?
   void promise_json() { json_promised_ = true; }
   /// Text for people, without control characters that a file may have brought in; to stdout, or beside it to stderr.
@@ -41,6 +43,8 @@ class Console {
   [[nodiscard]] const std::vector<text::Source>& sources() const { return sources_; }
 
  private:
+  void print_refusal(ExitCode code, const Diagnostics& diagnostics) const;
+
   std::vector<text::Source> sources_;
   bool colour_ = false;
   bool json_promised_ = false;

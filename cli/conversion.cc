@@ -22,6 +22,9 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
   for (std::size_t i = 0; i < outcome.written.files.size(); ++i) {
     const Written::File& file = outcome.written.files[i];
     if (i > 0 && file.cameras.empty() && !folder) {
+      std::erase_if(outcome.written.defaults, [&file](const DefaultedValue& value) {
+        return value.key.ends_with("(" + file.document.source().name + ")");
+      });
       outcome.written.losses.push_back({"second-file-dropped", file.document.source().name + " (the IMU's noise and rate)",
                                         "a camchain has no place for it and there is one output",
                                         "-o FOLDER/ writes it beside the camchain"});
@@ -83,7 +86,7 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
       outcome.diagnostics.warning(
           "program-refuses",
           "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
-          outcome.to->layouts.empty() ? "" : "--orbslam3-layout v1 writes the settings anew, as stock V1.0 reads them");
+          "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
       outcome.diagnostics.error("proof-failed",
                                 program + " would not understand what was to be written: " + disagreement(proof));
@@ -123,6 +126,14 @@ std::optional<std::string> refused(const Written& written, const ConvertArgument
 }
 
 void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
+  for (const ProofResult& proof : outcome.proofs) {
+    if (!arguments.max_error_px || proof.misread_px <= *arguments.max_error_px) continue;
+    outcome.diagnostics.error("error-limit",
+                              proof.program + " misreads a camera by up to " + pixels(proof.misread_px) +
+                                  " px, more than --max-error " + pixels(*arguments.max_error_px),
+                              {}, outcome.written.misread_remedy);
+    outcome.code = ExitCode::kJudgedBad;
+  }
   for (const CameraOutcome& camera : outcome.cameras) {
     if (!arguments.max_error_px || !camera.report) continue;
     const double worst = camera.report->judgement.error.max;
@@ -164,6 +175,7 @@ WriteOptions write_options(const ConvertArguments& arguments) {
   options.sensor = arguments.sensor;
   options.layout = arguments.orbslam3_layout.empty() ? arguments.opencv_layout : arguments.orbslam3_layout;
   options.frame_rate_hz = arguments.fps;
+  options.anew = arguments.anew;
   const std::string extension = std::filesystem::path(arguments.output).extension().string();
   options.extension = extension;
   return options;
@@ -173,8 +185,9 @@ WriteOptions write_options(const ConvertArguments& arguments) {
 std::optional<Written> write_rig(const Rig& rig, const Base& base, const ConvertArguments& arguments, ConvertOutcome& outcome) {
   WriteOptions options = write_options(arguments);
   std::optional<Written> written = outcome.to->write(base.document, rig, options, outcome.diagnostics);
-  if (!written || base.document == nullptr || arguments.no_verify || !written->files.front().document.edited()) return written;
-  const std::optional<std::string> refusal = refused(*written, arguments);
+  if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
+  const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
+  const std::optional<std::string> refusal = asked_for ? refused(*written, arguments) : std::nullopt;
   if (!refusal) return written;
   // OpenVINS' first line in a camchain is no base for a file that Kalibr is to read.
   options.anew = true;

@@ -26,6 +26,7 @@ struct ConvertArguments {
   std::string opencv_layout;
   std::string into;
   bool in_place = false;
+  bool anew = false;
   std::optional<double> fps;
   std::optional<double> max_error_px;
   std::optional<double> baseline_m;
@@ -46,6 +47,7 @@ struct ConvertOutcome {
     std::vector<std::string> programs;
   };
   std::string input;
+  bool one_of_many = false;  ///< Then its report names it.
   const Format* from = nullptr;
   const Format* to = nullptr;
   std::vector<CameraOutcome> cameras;

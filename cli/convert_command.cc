@@ -42,7 +42,8 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (arguments.in_place && arguments.into.empty()) return "--in-place is for --into BASE";
   if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
   if (!arguments.model.empty() && find_model(arguments.model) == nullptr) return unknown_model(arguments.model);
-  if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6)) return "--fps wants a positive number";
+  if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6))
+    return "--fps wants a rate in Hz, more than 0 and below 1e6";
   if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6))
     return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
@@ -79,28 +80,21 @@ bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console
 
 void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, const Console& console) {
   if (outcome.code != ExitCode::kGood || arguments.dry_run) return;
-  // All or nothing: what would be refused is refused before the first file is written.
+  std::vector<OutputFile> files;
   for (const ConvertOutcome::Output& output : outcome.outputs) {
-    if (output.path.empty() || arguments.force || arguments.in_place || !fs::is_regular_file(output.path)) continue;
-    outcome.diagnostics.error("cannot-write", output.path + " exists; --force overwrites it");
-    outcome.code = ExitCode::kIo;
-    return;
+    if (!output.path.empty()) {
+      files.push_back({output.path, output.bytes});
+    } else if (!arguments.json) {
+      console.out(output.bytes);
+    }
   }
-  for (const ConvertOutcome::Output& output : outcome.outputs) {
-    if (output.path.empty()) {
-      if (!arguments.json) console.out(output.bytes);
-      continue;
-    }
-    if (arguments.output.ends_with('/')) {
-      std::error_code error;
-      fs::create_directories(arguments.output, error);
-    }
-    if (const std::optional<std::string> failure =
-            write_file(output.path, output.bytes, arguments.force || arguments.in_place, arguments.fsync)) {
-      outcome.diagnostics.error("cannot-write", *failure);
-      outcome.code = ExitCode::kIo;
-      return;
-    }
+  if (arguments.output.ends_with('/')) {
+    std::error_code error;  // what is wrong with the folder, writing into it will tell
+    fs::create_directories(arguments.output, error);
+  }
+  if (const std::optional<std::string> failure = write_files(files, arguments.force || arguments.in_place, arguments.fsync)) {
+    outcome.diagnostics.error("cannot-write", *failure);
+    outcome.code = ExitCode::kIo;
   }
 }
 
@@ -109,6 +103,7 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   std::vector<ConvertOutcome> outcomes;
   for (const std::vector<std::string>& group : grouped(arguments.inputs, arguments.reading))
     outcomes.push_back(convert_inputs(group, arguments, console));
+  for (ConvertOutcome& outcome : outcomes) outcome.one_of_many = outcomes.size() > 1;
   if (collide(outcomes, console)) return ExitCode::kUsage;
 
   ExitCode code = ExitCode::kGood;
@@ -159,6 +154,7 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       ->type_name("LAYOUT");
   command.add_option("--into", arguments.into, "Write what the input says into this file's text; its format is --to")
       ->type_name("BASE");
+  command.add_flag("--anew", arguments.anew, "Write a fresh file even where the input's own text could be edited; comments go");
   command.add_flag("--in-place", arguments.in_place, "With --into: change BASE itself");
   command.add_option("--fps", arguments.fps, "Frame rate, for formats that state it")->type_name("HZ")->check(decimal_number());
   command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")

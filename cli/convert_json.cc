@@ -46,6 +46,49 @@ void put_report(Json& json, const ConversionReport& report) {
   });
 }
 
+void put_proofs(Json& json, const ConvertOutcome& outcome) {
+  json.array("proof", outcome.proofs, [&](const ProofResult& proof) {
+    json.object([&] {
+      json.put("program", proof.program);
+      json.put("loads", proof.loads);
+      json.put("agrees", proof.agrees());
+      json.put("max_diff_px", proof.max_diff_px);
+      json.put("misread_px", proof.misread_px);
+      json.put("unanswered_share", proof.unanswered_share);
+      json.put("max_diff_pose", proof.max_diff_pose);
+      json.put("refusals", std::span<const std::string>(proof.refusals));
+      json.put("warnings", std::span<const std::string>(proof.warnings));
+    });
+  });
+}
+
+void put_defaults(Json& json, const ConvertOutcome& outcome) {
+  json.array("defaults", outcome.written.defaults, [&](const DefaultedValue& value) {
+    json.object([&] {
+      json.put("key", value.key);
+      if (const std::optional<int> whole = text::parse_int(value.value)) {
+        json.put("value", *whole);
+      } else if (const std::optional<double> number = text::parse_real(value.value)) {
+        json.put("value", *number);
+      } else {
+        json.put("value", value.value);
+      }
+      json.put("look_at_it", value.look_at_it);
+    });
+  });
+}
+
+void put_losses(Json& json, const ConvertOutcome& outcome) {
+  json.array("losses", outcome.written.losses, [&](const Loss& loss) {
+    json.object([&] {
+      json.put("code", loss.code);
+      json.put("what", loss.what);
+      json.put("why", loss.why);
+      json.put("do", loss.remedy);
+    });
+  });
+}
+
 void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
   json.put("input", outcome.input);
   if (outcome.from != nullptr) json.put("from", outcome.from->id);
@@ -74,39 +117,9 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
       }
     });
   });
-  json.array("proof", outcome.proofs, [&](const ProofResult& proof) {
-    json.object([&] {
-      json.put("program", proof.program);
-      json.put("loads", proof.loads);
-      json.put("agrees", proof.agrees());
-      json.put("max_diff_px", proof.max_diff_px);
-      json.put("misread_px", proof.misread_px);
-      json.put("max_diff_pose", proof.max_diff_pose);
-      json.put("refusals", std::span<const std::string>(proof.refusals));
-      json.put("warnings", std::span<const std::string>(proof.warnings));
-    });
-  });
-  json.array("defaults", outcome.written.defaults, [&](const DefaultedValue& value) {
-    json.object([&] {
-      json.put("key", value.key);
-      if (const std::optional<int> whole = text::parse_int(value.value)) {
-        json.put("value", *whole);
-      } else if (const std::optional<double> number = text::parse_real(value.value)) {
-        json.put("value", *number);
-      } else {
-        json.put("value", value.value);
-      }
-      json.put("look_at_it", value.look_at_it);
-    });
-  });
-  json.array("losses", outcome.written.losses, [&](const Loss& loss) {
-    json.object([&] {
-      json.put("code", loss.code);
-      json.put("what", loss.what);
-      json.put("why", loss.why);
-      json.put("do", loss.remedy);
-    });
-  });
+  put_proofs(json, outcome);
+  put_defaults(json, outcome);
+  put_losses(json, outcome);
   put_diagnostics(json, outcome.diagnostics, console);
 }
 

@@ -37,9 +37,28 @@ std::string band_table(const std::vector<ErrorBand>& bands) {
   return text;
 }
 
-std::string report_text(const ConversionReport& report, const Format& to) {
+std::string domain_text(const Judgement& j) {
+  return "  domain: " + angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + "\n";
+}
+
+/// The program's reason, where it is the program's range that ends there and not the model's.
+std::string why_at_bound(const ConversionReport& report, const Format& to, const CameraModel& target) {
+  const StoredModel* stored = find_stored_model(to, report.to_model, false);
+  if (stored == nullptr || stored->why.empty()) return "";
+  const bool programs = std::ranges::any_of(stored->ranges, [&](const ParameterRange& range) {
+    const std::span<const Parameter> own = model_info(target).parameters;
+    const auto parameter = std::ranges::find(own, range.parameter, &Parameter::name);
+    const std::optional<double> value = fca::parameter(target, range.parameter);
+    if (parameter == own.end() || !value) return false;
+    return (*value == range.lower && range.lower > parameter->lower) ||
+           (*value == range.upper && range.upper < parameter->upper);
+  });
+  return programs ? " (" + std::string(stored->why) + ")" : "";
+}
+
+std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const Judgement& j = report.judgement;
-  std::string text = "  domain: " + angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + "\n";
+  std::string text = domain_text(j);
   text += "          " + coverage_text(j.coverage) + "\n";
   text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" +
           fixed(j.error.max_at[0], 1) + ", " + fixed(j.error.max_at[1], 1) + ")\n";
@@ -51,13 +70,10 @@ std::string report_text(const ConversionReport& report, const Format& to) {
     }
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
-    text += band_table(j.bands);
   }
-  if (!report.at_bound.empty()) {
-    const StoredModel* stored = find_stored_model(to, report.to_model, false);
-    text += "  at the edge of its range: " + enumerated(report.at_bound) +
-            (stored != nullptr && !stored->why.empty() ? " (" + std::string(stored->why) + ")" : "") + "\n";
-  }
+  text += band_table(j.bands);
+  if (!report.at_bound.empty())
+    text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
   return text;
 }
 
@@ -87,7 +103,7 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
   return text;
 }
 
-std::string proofs_text(const std::vector<ProofResult>& proofs) {
+std::string proofs_text(const std::vector<ProofResult>& proofs, const std::string& remedy) {
   std::string text;
   for (const ProofResult& proof : proofs) {
     text += "proof: " + proof.program + " ";
@@ -99,7 +115,10 @@ std::string proofs_text(const std::vector<ProofResult>& proofs) {
       text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
     for (const std::string& warning : proof.warnings) text += "  warning: " + warning + "\n";
-    if (proof.misread_px > 0.0) text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
+    if (proof.misread_px > 0.0) {
+      text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
+      if (!remedy.empty()) text += "  do: " + remedy + "\n";
+    }
   }
   return text;
 }
@@ -107,13 +126,16 @@ std::string proofs_text(const std::vector<ProofResult>& proofs) {
 }  // namespace
 
 std::string convert_text(const ConvertOutcome& outcome, bool written) {
-  std::string text = outcome.written.headline + "\n";
+  std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.written.headline + "\n";
   for (const CameraOutcome& camera : outcome.cameras) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
-    // A kept model has nothing to report: its pixels are the source's.
-    if (camera.report && camera.source.model != camera.target.model) text += report_text(*camera.report, *outcome.to);
+    // A kept model has no error to report: its pixels are the source's.
+    const bool kept = camera.source.model == camera.target.model;
+    if (camera.report)
+      text += kept ? domain_text(camera.report->judgement) : report_text(*camera.report, *outcome.to, camera.target.model);
   }
-  text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome.proofs);
+  text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) +
+          proofs_text(outcome.proofs, outcome.written.misread_remedy);
   if (outcome.code == ExitCode::kGood && written) {
     for (const ConvertOutcome::Output& output : outcome.outputs) {
       if (!output.path.empty()) text += "wrote " + output.path + "\n";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ledger.h"
 
+#include <fca/formats/text/numbers.h>
+
 #include <algorithm>
 #include <array>
 
@@ -21,21 +23,36 @@ constexpr std::array kFacts = {
     Fact{&Format::time_offset, "time offset"},
     Fact{&Format::frame_rate, "frame rate"},
     Fact{&Format::topic, "topics"},
+    Fact{&Format::baseline, "baseline without poses"},
 };
 
-bool holds(const Format& format, std::string_view model) { return find_stored_model(format, model, true) != nullptr; }
+/// " (k3 = 0)": what the target demands of a model's parameters and the source does not.
+std::string limits_in_words(const StoredModel& from, const StoredModel& to) {
+  std::string text;
+  for (const ParameterRange& range : to.ranges) {
+    if (std::ranges::find(from.ranges, range) != from.ranges.end()) continue;
+    const std::string name(range.parameter);
+    text += (text.empty() ? "" : ", ") + (range.lower == range.upper ? name + " = " + text::format_short(range.lower)
+                                                                     : name + " in [" + text::format_short(range.lower) + ", " +
+                                                                           text::format_short(range.upper) + "]");
+  }
+  return text.empty() ? "" : " (" + text + ")";
+}
 
 LedgerRow row(const Format& from, const Format& to) {
   LedgerRow result{&from, &to, {}, {}, {}, {}};
   for (const StoredModel& stored : from.models) {
-    std::vector<std::string>& list = holds(to, stored.model) ? result.exact : result.fitted;
-    if (std::ranges::find(list, stored.model) == list.end()) list.emplace_back(stored.model);
+    const StoredModel* there = find_stored_model(to, stored.model, true);
+    std::vector<std::string>& list = there != nullptr ? result.exact : result.fitted;
+    const std::string name = std::string(stored.model) + (there != nullptr ? limits_in_words(stored, *there) : "");
+    if (std::ranges::find(list, name) == list.end()) list.push_back(name);
   }
   for (const Fact& fact : kFacts) {
     if (from.*fact.held && !(to.*fact.held)) result.dropped.emplace_back(fact.name);
   }
   for (const std::string_view value : to.defaulted) {
-    if (!(value == "frame rate" && from.frame_rate)) result.defaulted.emplace_back(value);
+    const bool stated = (value == "frame rate" && from.frame_rate) || (value == "IMU topic" && from.topic);
+    if (!stated) result.defaulted.emplace_back(value);
   }
   if (to.image_size && !from.image_size) result.defaulted.emplace_back("nothing: the image size is asked for (--size)");
   return result;

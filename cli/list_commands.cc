@@ -230,16 +230,13 @@ ExitCode compare_models(const ListArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
   Diagnostics diagnostics;
   const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
-  if (!calibration) {
-    console.show(diagnostics);
-    return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), "no calibration to compare models for");
-  }
+  if (!calibration) return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), diagnostics);
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   if (cameras.empty()) return console.refuse(ExitCode::kBadInput, arguments.file + " holds no camera");
   // What no model could mend is said once, not once per model.
   for (const Camera& camera : cameras) static_cast<void>(domain_of(camera, max_angle_rad(arguments.reading), diagnostics));
+  if (diagnostics.has_errors()) return console.refuse(ExitCode::kBadInput, diagnostics);
   console.show(diagnostics);
-  if (diagnostics.has_errors()) return console.refuse(ExitCode::kBadInput, "no model can be fitted to these cameras");
   if (arguments.json) {
     console.out(candidates_json(arguments.file, cameras, arguments.reading));
     return ExitCode::kGood;

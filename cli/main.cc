@@ -5,7 +5,9 @@
 #include "show_command.h"
 #include "words.h"
 
+#include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <string>
@@ -36,11 +38,11 @@ void refuse_empty_values(CLI::App& app) {
 
 /// `fca-io FILE` is `fca-io show FILE`; a word that is neither command nor anything like a path is a mistyped command.
 void insert_show(std::vector<std::string>& words, const CLI::App& app, bool& mistyped) {
-  if (words.empty() || words.front().starts_with('-')) return;
+  if (words.empty() || (words.front().starts_with('-') && words.front() != "-")) return;
   const std::vector<std::string> names = subcommand_names(app);
   const std::string& first = words.front();
   if (std::ranges::find(names, first) != names.end()) return;
-  const bool path = first.find_first_of("./") != std::string::npos ||
+  const bool path = first == "-" || first.find_first_of("./") != std::string::npos ||
                     CLI::detail::check_path(first.c_str()) != CLI::detail::path_type::nonexistent;
   if (path) {
     words.insert(words.begin(), "show");
@@ -118,6 +120,9 @@ int main(int argc, char** argv) {
     return fca::cli::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fca-io: a bug, please report it: %s\n", error.what());
+    return static_cast<int>(fca::cli::ExitCode::kBug);
+  } catch (...) {
+    std::fputs("fca-io: a bug, please report it: an exception of no known kind\n", stderr);
     return static_cast<int>(fca::cli::ExitCode::kBug);
   }
 }

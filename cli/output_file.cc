@@ -2,8 +2,10 @@
 #include "output_file.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -59,38 +61,103 @@ std::optional<std::string> write_directly(const std::string& path, std::string_v
   return std::nullopt;
 }
 
-std::optional<std::string> replace(const std::string& path, std::string_view bytes, mode_t mode, bool sync) {
-  std::string pattern = (fs::path(path).parent_path() / (".fca-io-XXXXXX")).string();
-  if (!fs::path(path).has_parent_path()) pattern = ".fca-io-XXXXXX";
-  std::vector<char> name(pattern.begin(), pattern.end());
-  name.push_back('\0');
-  Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
-  if (file.get() < 0) return failure("cannot create a file beside", path);
-  const bool good = write_all(file.get(), bytes) && ::fchmod(file.get(), mode) == 0 && (!sync || ::fsync(file.get()) == 0) &&
-                    file.close() && ::rename(name.data(), path.c_str()) == 0;
-  if (good) return std::nullopt;
-  std::string message = failure("cannot write", path);
-  ::unlink(name.data());
-  return message;
+/// A temporary file beside its place; gone with the object unless it was put there.
+class StagedFile {
+ public:
+  StagedFile() = default;
+  ~StagedFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+  StagedFile(StagedFile&& other) noexcept
+      : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, {})) {}
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  StagedFile& operator=(StagedFile&&) = delete;
+
+  [[nodiscard]] std::optional<std::string> write(const std::string& target, std::string_view bytes, mode_t mode, bool sync) {
+    target_ = target;
+    std::string pattern = (fs::path(target).parent_path() / ".fca-io-XXXXXX").string();
+    Descriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
+    if (file.get() < 0) return failure("cannot create a file beside", target);
+    temporary_ = pattern;
+    if (write_all(file.get(), bytes) && ::fchmod(file.get(), mode) == 0 && (!sync || ::fsync(file.get()) == 0) && file.close())
+      return std::nullopt;
+    return failure("cannot write", target);
+  }
+
+  /// Puts the file into its place; without `overwrite` not over one that appeared meanwhile.
+  [[nodiscard]] std::optional<std::string> put(bool overwrite) {
+    const unsigned flags = overwrite ? 0 : RENAME_NOREPLACE;
+    int result = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags);
+    // Some file systems know no such flag.
+    if (result != 0 && errno == EINVAL) result = ::rename(temporary_.c_str(), target_.c_str());
+    if (result != 0) return failure("cannot write", target_);
+    temporary_.clear();
+    return std::nullopt;
+  }
+
+ private:
+  std::string target_;
+  std::string temporary_;
+};
+
+/// Where a path leads and what is there.
+struct Place {
+  std::string target;
+  bool exists = false;
+  bool device = false;
+  mode_t mode = 0;
+};
+
+std::optional<std::string> find_place(const std::string& path, bool overwrite, Place& place) {
+  struct stat status {};
+  place.exists = ::stat(path.c_str(), &status) == 0;
+  if (!place.exists && errno != ENOENT) return failure("cannot write", path);
+  if (place.exists && S_ISDIR(status.st_mode)) return path + " is a directory";
+  place.device = place.exists && !S_ISREG(status.st_mode);
+  if (place.exists && !place.device && !overwrite) return path + " exists; --force overwrites it";
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  place.mode = place.exists ? status.st_mode & 07777 : 0666 & ~mask;
+  place.target = path;
+  // Written through a symbolic link, also one whose target is yet to come.
+  std::error_code error;
+  if (place.exists && !place.device) {
+    place.target = fs::canonical(path, error).string();
+  } else if (!place.exists && fs::is_symlink(fs::symlink_status(path, error))) {
+    place.target = (fs::path(path).parent_path() / fs::read_symlink(path, error)).string();
+  } else {
+    error.clear();  // symlink_status of what does not exist
+  }
+  if (error) return path + ": " + error.message();
+  const fs::path folder = fs::path(place.target).parent_path();
+  if (!place.exists && !folder.empty() && !fs::exists(folder, error))
+    return "cannot write " + path + ": there is no folder " + folder.string();
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<std::string> write_file(const std::string& path, std::string_view bytes, bool overwrite, bool sync) {
-  struct stat status {};
-  const bool exists = ::stat(path.c_str(), &status) == 0;
-  if (!exists && errno != ENOENT) return failure("cannot write", path);
-  if (exists && S_ISDIR(status.st_mode)) return path + " is a directory";
-  if (exists && !S_ISREG(status.st_mode)) return write_directly(path, bytes);
-  if (exists && !overwrite) return path + " exists; --force overwrites it";
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  std::error_code error;
-  // Written through a symbolic link, also one whose target is yet to come.
-  fs::path target = exists ? fs::canonical(path, error) : fs::path(path);
-  if (!exists && fs::is_symlink(path)) target = fs::path(path).parent_path() / fs::read_symlink(path, error);
-  if (error) return path + ": " + error.message();
-  return replace(target.string(), bytes, exists ? status.st_mode & 07777 : 0666 & ~mask, sync);
+std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync) {
+  std::vector<Place> places(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (std::optional<std::string> problem = find_place(files[i].path, overwrite, places[i])) return problem;
+  }
+  std::vector<StagedFile> staged;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (places[i].device) continue;
+    if (std::optional<std::string> problem =
+            staged.emplace_back().write(places[i].target, files[i].bytes, places[i].mode, sync))
+      return problem;
+  }
+  for (StagedFile& file : staged) {
+    if (std::optional<std::string> problem = file.put(overwrite)) return problem;
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!places[i].device) continue;
+    if (std::optional<std::string> problem = write_directly(files[i].path, files[i].bytes)) return problem;
+  }
+  return std::nullopt;
 }
 
 }  // namespace fca::cli

@@ -2,14 +2,20 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 
 namespace fca::cli {
 
-/// Writes a file so that its path holds the old content or the new, never half: a temporary file beside it, then a rename.
-/// Symbolic links are followed, permissions of an existing file kept. Devices and pipes are written directly. Returns what went
-/// wrong.
-[[nodiscard]] std::optional<std::string> write_file(const std::string& path, std::string_view bytes, bool overwrite, bool sync);
+/// A file to be written.
+struct OutputFile {
+  std::string path;
+  std::string bytes;
+};
+
+/// Writes files so that all their paths hold the old content or the new, never half: temporary files beside them first, then,
+/// when all of them are complete, renames. Symbolic links are followed, permissions of existing files kept. Devices and pipes
+/// are written directly, last. Returns what went wrong; then no temporary file stays.
+[[nodiscard]] std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync);
 
 }  // namespace fca::cli

@@ -45,7 +45,10 @@ std::optional<std::string> unknown_placeholder(std::string_view pattern) {
   return std::nullopt;
 }
 
-bool names_folder(const std::string& output) { return !output.empty() && (fs::is_directory(output) || output.ends_with('/')); }
+bool names_folder(const std::string& output) {
+  std::error_code error;  // what cannot be asked is no folder; writing will tell
+  return !output.empty() && (output.ends_with('/') || fs::is_directory(output, error));
+}
 
 std::string output_path(const std::string& output, const std::string& input, const Format& format, const Written& written,
                         std::size_t index) {

@@ -95,8 +95,8 @@ ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& 
     return console.refuse(ExitCode::kUsage, "standard input holds the points, so the calibration must be a file");
   Diagnostics diagnostics;
   const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
+  if (!calibration) return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), diagnostics);
   console.show(diagnostics);
-  if (!calibration) return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), "no calibration to project with");
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   if (cameras.empty()) return console.refuse(ExitCode::kBadInput, "the file holds no camera");
   if (cameras.size() > 1) {

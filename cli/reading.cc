@@ -61,7 +61,8 @@ std::optional<std::vector<std::size_t>> chosen_cameras(const Rig& rig, const std
     if (index >= rig.cameras.size()) {
       std::vector<std::string> names;
       for (const Camera& camera : rig.cameras) names.push_back(camera.name);
-      diagnostics.error("unknown-camera", "there is no camera '" + item + "'; the calibration has " + enumerated(names));
+      diagnostics.error("unknown-camera", "there is no camera '" + item + "'; the calibration has " +
+                                              (names.empty() ? "none" : enumerated(names)));
       return std::nullopt;
     }
     if (std::ranges::find(indices, index) != indices.end()) {

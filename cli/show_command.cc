@@ -11,6 +11,7 @@ namespace {
 ShownFile read_files(const std::vector<std::string>& files, const ShowArguments& arguments, Console& console) {
   ShownFile shown;
   shown.file = enumerated(files, "and");
+  shown.limit_deg = arguments.reading.max_angle_deg.value_or(shown.limit_deg);
   shown.calibration = read_input(files, arguments.reading, console, shown.diagnostics);
   if (shown.calibration) {
     shown.readers = ask_readers(shown.calibration->format->id, shown.calibration->documents.front().source().bytes,

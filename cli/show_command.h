@@ -28,6 +28,7 @@ struct ShownFile {
   std::string file;
   std::optional<Calibration> calibration;
   Readers readers;
+  double limit_deg = 180.0;  ///< --max-angle
   Diagnostics diagnostics;
 };
 

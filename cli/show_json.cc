@@ -9,7 +9,7 @@ namespace fca::cli {
 
 namespace {
 
-void put_camera(Json& json, const Camera& camera) {
+void put_camera(Json& json, const Camera& camera, double limit_deg) {
   json.put("name", camera.name);
   json.put("model", model_info(camera.model).id);
   put_parameters(json, camera.model);
@@ -21,7 +21,7 @@ void put_camera(Json& json, const Camera& camera) {
     json.null("width_px");
     json.null("height_px");
   }
-  const FieldsOfView view = fields_of_view(camera);
+  const FieldsOfView view = fields_of_view(camera, limit_deg);
   json.put("horizontal_fov_deg", view.horizontal);
   json.put("vertical_fov_deg", view.vertical);
   json.put("diagonal_fov_deg", view.diagonal);
@@ -49,7 +49,7 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
     json.put("format", calibration.format->id);
     json.put("why", calibration.why);
     json.array("cameras", calibration.rig.cameras,
-               [&](const Camera& camera) { json.object([&] { put_camera(json, camera); }); });
+               [&](const Camera& camera) { json.object([&] { put_camera(json, camera, shown.limit_deg); }); });
     json.array("imus", calibration.rig.imus, [&](const Imu& imu) { json.object([&] { put_imu(json, imu); }); });
     json.array("poses", calibration.rig.poses, [&](const PoseEdge& edge) {
       json.object([&] {

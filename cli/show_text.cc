@@ -12,10 +12,10 @@ namespace fca::cli {
 namespace {
 
 std::string degrees_or(const std::optional<double>& value) {
-  return value ? fixed(*value, 1) + " deg" : std::string("not covered by the model");
+  return value ? fixed(*value, 1) + " deg" : std::string("not covered");
 }
 
-std::string camera_text(const Camera& camera) {
+std::string camera_text(const Camera& camera, double limit_deg) {
   const ModelInfo& model = model_info(camera.model);
   std::string text = "\n" + camera.name + ": " + std::string(model.title) + " (" + std::string(model.id) + ")\n";
   const std::vector<std::string> elsewhere = names_elsewhere(model.id);
@@ -24,7 +24,7 @@ std::string camera_text(const Camera& camera) {
   if (camera.image_size) {
     text +=
         "  image    " + std::to_string(camera.image_size->width) + " x " + std::to_string(camera.image_size->height) + " px\n";
-    const FieldsOfView view = fields_of_view(camera);
+    const FieldsOfView view = fields_of_view(camera, limit_deg);
     text += "  view     horizontal " + degrees_or(view.horizontal) + ", vertical " + degrees_or(view.vertical) + ", diagonal " +
             degrees_or(view.diagonal) + "\n";
     if (view.largest_from_axis) text += "           up to " + angle_in_words(*view.largest_from_axis) + "\n";
@@ -97,7 +97,7 @@ std::string show_text(const ShownFile& shown) {
   const Calibration& calibration = *shown.calibration;
   std::string text = shown.file + ": " + std::string(calibration.format->title) +
                      (calibration.rig.cameras.empty() ? ", an IMU without cameras" : "") + " (" + calibration.why + ")\n";
-  for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera);
+  for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera, shown.limit_deg);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";

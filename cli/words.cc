@@ -76,16 +76,17 @@ std::optional<ImageSize> parse_size(std::string_view text) {
   return ImageSize{*width, *height};
 }
 
-FieldsOfView fields_of_view(const Camera& camera) {
+FieldsOfView fields_of_view(const Camera& camera, double limit_deg) {
   FieldsOfView result;
   if (!camera.image_size) return result;
   const std::optional<Pixel> centre = project(camera.model, {0.0, 0.0, 1.0});
   if (!centre) return result;
   const Pixel last = {camera.image_size->width - 1.0, camera.image_size->height - 1.0};
-  const auto angle = [&camera](const Pixel& pixel) -> std::optional<double> {
+  const auto angle = [&camera, limit_deg](const Pixel& pixel) -> std::optional<double> {
     const std::optional<Ray> ray = unproject(camera.model, pixel);
     if (!ray) return std::nullopt;
-    return angle_from_axis(*ray) * kDegreesPerRadian;
+    const double degrees = angle_from_axis(*ray) * kDegreesPerRadian;
+    return degrees <= limit_deg ? std::optional(degrees) : std::nullopt;
   };
   const auto across = [&angle](const Pixel& a, const Pixel& b) -> std::optional<double> {
     const std::optional<double> first = angle(a);

@@ -43,6 +43,7 @@ struct FieldsOfView {
   std::optional<double> diagonal;
   std::optional<double> largest_from_axis;  ///< Among the pixels that have a ray.
 };
-[[nodiscard]] FieldsOfView fields_of_view(const Camera& camera);
+/// `limit_deg`: what counts as lens, from the axis.
+[[nodiscard]] FieldsOfView fields_of_view(const Camera& camera, double limit_deg = 180.0);
 
 }  // namespace fca::cli

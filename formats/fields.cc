@@ -55,6 +55,19 @@ void Reader::warning(const Node& node, std::string code, std::string message, st
   diagnostics_.warning(std::move(code), std::move(message), document_.range(node), std::move(fix));
 }
 
+void Reader::warn_of_duplicates(const Node& mapping) {
+  constexpr std::size_t kMostNamed = 10;
+  const std::vector<const text::Entry*> shadowed = text::shadowed_entries(mapping, dialect_);
+  for (std::size_t i = 0; i < std::min(kMostNamed, shadowed.size()); ++i) {
+    const Node& key = shadowed[i]->key;
+    warning(key, "duplicate-key", "the key " + key.value + " stands twice; this one is not read");
+  }
+  if (shadowed.size() > kMostNamed) {
+    warning(shadowed[kMostNamed]->key, "duplicate-key",
+            std::to_string(shadowed.size() - kMostNamed) + " more keys stand twice and are not read");
+  }
+}
+
 const Node* Reader::require(const Node& mapping, std::string_view key, std::string_view owner) {
   const Node* node = find(mapping, key);
   if (node == nullptr) {

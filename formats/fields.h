@@ -52,6 +52,8 @@ class Reader {
   };
   [[nodiscard]] std::optional<Matrix> opencv_matrix(const text::Node& node, std::string_view what);
 
+  /// A warning at every entry of a mapping that does not count; after a few only their number.
+  void warn_of_duplicates(const text::Node& mapping);
   void error(const text::Node& node, std::string code, std::string message, std::string fix = {});
   void warning(const text::Node& node, std::string code, std::string message, std::string fix = {});
 

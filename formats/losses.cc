@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "losses.h"
 
-#include <algorithm>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace fca {
 
@@ -17,18 +19,29 @@ std::string_view group_of(const AsRead& extra) {
 }  // namespace
 
 void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses) {
-  constexpr std::ptrdiff_t kFewest = 3;  // fewer keys are named one by one
-  std::vector<std::string_view> told;
+  constexpr int kFewest = 3;  // fewer keys are named one by one
+  std::map<std::string_view, int> sizes;
+  for (const AsRead& extra : extras) ++sizes[group_of(extra)];
+  std::set<std::string_view> told;
   for (const AsRead& extra : extras) {
     const std::string_view group = group_of(extra);
-    const auto members = std::ranges::count(extras, group, group_of);
+    const int members = sizes[group];
     if (group.empty() || members < kFewest) {
       losses.push_back({"not-carried", extra.key + (extra.value.empty() ? "" : " " + extra.value), std::string(why), ""});
-    } else if (std::ranges::find(told, group) == told.end()) {
-      told.push_back(group);
+    } else if (told.insert(group).second) {
       losses.push_back({"not-carried", std::string(group) + "* (" + std::to_string(members) + " keys)", std::string(why), ""});
     }
   }
+}
+
+std::vector<AsRead> not_in_base(std::span<const AsRead> extras, std::span<const AsRead> base) {
+  std::set<std::pair<std::string_view, std::string_view>> there;
+  for (const AsRead& extra : base) there.emplace(extra.key, extra.value);
+  std::vector<AsRead> result;
+  for (const AsRead& extra : extras) {
+    if (!there.contains({extra.key, extra.value})) result.push_back(extra);
+  }
+  return result;
 }
 
 }  // namespace fca

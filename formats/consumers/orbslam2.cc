@@ -37,7 +37,8 @@ void refuse_imu(Settings& settings, const Sensor& sensor) {
 
 void warn_about_depth(Settings& settings, const Sensor& sensor) {
   if (!sensor.stereo && !sensor.rgbd) return;
-  warn_missing(settings, "Camera.bf");
+  if (!settings.has("Camera.bf"))
+    settings.refuse("Camera.bf is missing; " + settings.program() + " takes 0, and without a baseline there is no depth");
   warn_missing(settings, "ThDepth");
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// ConfigReader.py demands 0 <= alpha < 1; a radtan has no k3.
 constexpr double kBelowOne = 1.0 - std::numeric_limits<double>::epsilon() / 2;
 constexpr std::array kAlphaRange = {ParameterRange{"alpha", 0.0, kBelowOne}};
-constexpr std::string_view kAlphaReason = "Kalibr refuses alpha = 1";
+constexpr std::string_view kAlphaReason = "Kalibr demands alpha < 1";
 constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
 
 constexpr std::array kModels = {
@@ -27,6 +27,8 @@ constexpr std::array kModels = {
     StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5])", {}},
     StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr", {}},
 };
+
+constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 
 ProbeResult probe(const text::Document& document) {
   const Node& root = document.root();
@@ -64,6 +66,7 @@ const Format kFormat = {
     .image_size = true,
     .time_offset = true,
     .topic = true,
+    .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,
     .read = read,

@@ -29,18 +29,17 @@ class ChainReader {
 
   void read_into(Rig& rig) {
     const Node& root = reader_.document().root();
-    if (holds_noise(root)) read_imu(root, "imu0", rig);
+    const bool bare_imu = holds_noise(root);  // imu.yaml: its keys stand at the top
+    if (bare_imu) read_imu(root, "imu0", rig);
+    reader_.warn_of_duplicates(root);
+    const std::vector<const text::Entry*> shadowed = text::shadowed_entries(root, reader_.dialect());
     for (const text::Entry& entry : root.entries) {
-      const bool counts = text::find_entry(root, entry.key.value, reader_.dialect()) == &entry;
-      if (!counts) {
-        reader_.warning(entry.key, "duplicate-key", "the key " + entry.key.value + " stands twice; this one is not read");
-        continue;
-      }
+      if (std::ranges::binary_search(shadowed, &entry)) continue;
       if (index_in(entry.key.value, "cam")) {
         read_camera(entry.value, entry.key, rig);
       } else if (index_in(entry.key.value, "imu") && entry.value.is_mapping()) {
         read_imu(entry.value, entry.key.value, rig);
-      } else if (!read_named_pose(entry, rig) && !holds_noise(root)) {
+      } else if (!read_named_pose(entry, rig) && !bare_imu) {
         rig.as_read.push_back({entry.key.value, entry.value.value});
       }
     }
@@ -55,6 +54,7 @@ class ChainReader {
       reader_.error(key, "not-a-mapping", name + " holds no keys");
       return;
     }
+    reader_.warn_of_duplicates(node);
     Camera camera;
     camera.name = name;
     if (!read_model(node, key, camera)) return;
@@ -118,8 +118,8 @@ class ChainReader {
     for (const ParameterRange& range : stored->ranges) {
       if (within(camera.model, std::span(&range, 1))) continue;
       reader_.warning(*reader_.find(node, "intrinsics"), "program-refuses",
-                      name + ": Kalibr refuses " + std::string(range.parameter) + " = " +
-                          text::format_short(*parameter(camera.model, range.parameter)) + "; it must be less than 1");
+                      name + ": " + std::string(range.parameter) + " = " +
+                          text::format_short(*parameter(camera.model, range.parameter)) + ": " + std::string(stored->why));
     }
     return true;
   }

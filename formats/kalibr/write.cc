@@ -130,8 +130,7 @@ class Editor {
     const text::Entry* overlaps = text::find_entry(camera.value, "cam_overlaps", dialect_);
     if (overlaps == nullptr) return;
     document_.remove_entry(camera.value, *overlaps);
-    losses.push_back(
-        {"not-carried", camera.key.value + " cam_overlaps", "it counts cameras that are not in the chain any more", ""});
+    losses.push_back({"not-carried", camera.key.value + " cam_overlaps", "it counts the cameras of the old chain", ""});
   }
 
   text::Document document_;
@@ -193,9 +192,11 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
 
 std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  const Rig rig = renamed(rig_as_named);
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  // A chain that counts its cameras in its own way (cam0, cam2) keeps doing so.
+  const bool same_cameras = old && std::ranges::equal(old->cameras, rig_as_named.cameras, {}, &Camera::name, &Camera::name);
+  const Rig rig = same_cameras && !options.anew ? rig_as_named : renamed(rig_as_named);
   Written written;
   if (rig.cameras.empty()) {
     if (!old || !old->cameras.empty()) {
@@ -221,7 +222,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const bool there = edited != nullptr && std::ranges::find(edited->imus, imu) != edited->imus.end();
     if (!there) add_imu_file(imu, written, diagnostics);
   }
-  if (!editor) add_not_carried(rig.as_read, "a camchain has no place for it", written.losses);
+  const std::vector<AsRead> kept = editor ? old->as_read : std::vector<AsRead>();
+  add_not_carried(not_in_base(rig.as_read, kept), "the camchain written has no place for it", written.losses);
   list_losses(rig_as_named, written.losses);
   written.headline = "a camchain for Kalibr";
   return written;

@@ -11,32 +11,22 @@ using fields::Field;
 
 namespace {
 
-/// What to tell people about a value that no input states; keys end in `key`.
+/// What to tell people beside a value that no input states.
 struct Note {
-  std::string_view key;
   std::string_view comment;
   bool look_at_it = false;
 };
 
-constexpr std::array kNotes = {
-    Note{"Camera.fps", "Frames per second: not in the input, upstream's example value. Set your camera's.", true},
-    Note{"Camera.RGB", "Colour order (0: BGR, 1: RGB; no matter for grey images): not in the input.", true},
-    Note{"appingBegin", "Columns that both cameras see: not in the input, the whole width."},
-    Note{"appingEnd", ""},
-    Note{"ThDepth", "Close/far threshold in baselines: tuning, upstream's value."},
-    Note{"DepthMapFactor", "Depth image units per metre: not in the input. Set your sensor's.", true},
-    Note{"Camera.Tbc", "Identity: not in the input, and slam_no_opt does not start without it.", true},
-};
+constexpr Note kFrameRateNote = {"Frames per second: not in the input, upstream's example value. Set your camera's.", true};
+constexpr Note kPoseNote = {"Identity: not in the input, and slam_no_opt does not start without it.", true};
 
-/// The note on a field whose value no input states; null on a stated one.
-const Note* note_on(const Field& field, const Target& target, const Rig& rig) {
-  const auto note = std::ranges::find_if(kNotes, [&field](const Note& row) { return field.key.ends_with(row.key); });
-  if (note == kNotes.end()) return nullptr;
-  const TuningKey* tuning = find_tuning_key(field.key);
-  const bool stated = tuning != nullptr           ? target.tuning.states(*tuning)
-                      : field.key == "Camera.fps" ? target.frame_rate_known
-                                                  : rig.resolve("imu0", rig.cameras.front().name).has_value();
-  return stated ? nullptr : &*note;
+/// The note on a field; nothing on a value that an input states, or that is told with its group.
+std::optional<Note> note_on(const Field& field, const Target& target, const Rig& rig) {
+  if (field.key == "Camera.fps" && !target.frame_rate_known) return kFrameRateNote;
+  if (field.key == "Camera.Tbc" && !rig.resolve("imu0", rig.cameras.front().name)) return kPoseNote;
+  const TuningKey* key = find_tuning_key(field.key);
+  if (key == nullptr || key->note.empty() || target.tuning.states(*key)) return std::nullopt;
+  return Note{key->note, key->look_at_it};
 }
 
 /// "Viewer." and "ORBextractor.": keys that are told as one.
@@ -76,7 +66,7 @@ constexpr std::array kHeadings = {
 std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Target& target, const Rig& rig) {
   std::vector<DefaultedValue> result;
   for (const Field& field : fields) {
-    if (const Note* note = note_on(field, target, rig)) {
+    if (const std::optional<Note> note = note_on(field, target, rig)) {
       const bool is_pose = field.shape == fields::Shape::kMatrix;
       result.push_back({field.key, is_pose ? "identity" : field.tokens.front(), note->look_at_it});
     }
@@ -103,8 +93,7 @@ std::string compose(const std::vector<Field>& fields, const Target& target, cons
       if (heading.key != field.key) continue;
       text += "\n# " + std::string(heading.comment) + (upstreams(field, target) ? ", upstream's values" : "") + "\n";
     }
-    const Note* note = note_on(field, target, rig);
-    if (note != nullptr && !note->comment.empty()) text += "# Default. " + std::string(note->comment) + "\n";
+    if (const std::optional<Note> note = note_on(field, target, rig)) text += "# Default. " + std::string(note->comment) + "\n";
     text += fields::spell(field) + "\n";
     if (field.key == "Camera.type" || field.key == "File.version") text += "\n";
   }

@@ -10,8 +10,8 @@ namespace fca::orbslam3 {
 
 namespace {
 
-/// Both EUCM forks compute a validity radius 1 / (beta (2 alpha - 1)) without guarding alpha: at alpha < 0.5 they reject every
-/// point. A little above 0.5 keeps that radius far outside any image.
+/// Both EUCM forks compute a validity radius 1 / (beta (2 alpha - 1)) without guarding alpha: below 0.5 it is negative and they
+/// reject every point. A little above 0.5 keeps it far outside any image.
 constexpr std::array kAlphaAboveHalf = {ParameterRange{"alpha", 0.501, 1.0}};
 
 constexpr std::array kModels = {
@@ -19,7 +19,7 @@ constexpr std::array kModels = {
     StoredModel{"kb4", "KannalaBrandt8", true, "ORB-SLAM3 V1.0", {}},
     StoredModel{"pinhole", "PinHole, Rectified", true, "ORB-SLAM3 V1.0", {}},
     StoredModel{"eucm", "EUCM", false, "ns15417/slam_no_opt, lsyads/fisheye-ORB-SLAM", kAlphaAboveHalf,
-                "these programs reject every point at alpha <= 0.5"},
+                "these programs reject every point below alpha = 0.5"},
     StoredModel{"ds", "DoubleSphere", false, "urbste/ORB_SLAM3 (branch feature/gopro_slam)", {}},
 };
 
@@ -60,6 +60,7 @@ const Format kFormat = {
     .imu = true,
     .image_size = true,
     .frame_rate = true,
+    .baseline = true,
     .modes = kModes,
     .layouts = kLayouts,
     .defaulted = kDefaulted,

@@ -4,6 +4,8 @@
 
 #include "../fields.h"
 
+#include <fca/formats/text/numbers.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +27,7 @@ class SettingsReader {
 
   void read_into(Rig& rig) {
     warn_of_version();
-    warn_of_duplicates();
+    reader_.warn_of_duplicates(document_.root());
     const Layout* layout = read_layout();
     if (layout == nullptr) return;
     if (!read_camera(*layout, camera_prefix(style_, 0), "cam0", rig)) return;
@@ -55,16 +57,6 @@ class SettingsReader {
       reader_.warning(*version, "file-version-not-string",
                       "File.version is not the string \"1.0\": ORB-SLAM3 silently runs its old parser",
                       "write \"1.0\" with quotes");
-    }
-  }
-
-  void warn_of_duplicates() {
-    for (const text::Entry& entry : document_.root().entries) {
-      const text::Entry* first = text::find_entry(document_.root(), entry.key.value, text::Dialect::kOpenCv);
-      if (first != &entry && first->value.value != entry.value.value) {
-        reader_.warning(entry.key, "duplicate-key",
-                        "the key " + entry.key.value + " stands twice with different values; this one is not read");
-      }
     }
   }
 
@@ -115,6 +107,8 @@ class SettingsReader {
         reader_.error(document_.root().entries.front().key, "missing-key", "there is no " + key);
         good = false;
       }
+      if (node != nullptr && slot.parameter.empty() && text::parse_real(node->value) != 0.0)
+        rig.as_read.push_back({key, node->value});
       if (node == nullptr || slot.parameter.empty()) continue;
       good = reader_.parameter(*node, key, slot.parameter, camera.model) && good;
     }

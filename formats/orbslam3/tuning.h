@@ -16,23 +16,35 @@ namespace fca::orbslam3 {
 
 /// One such key.
 struct TuningKey {
-  std::string_view key;      ///< V1.0's name
-  std::string_view old_key;  ///< the name before V1.0
-  bool whole = false;        ///< An int to the parsers; else a real.
-  double upstream = 0.0;     ///< Value in upstream's Examples/*/*.yaml; none for optional keys.
-  bool optional = false;     ///< Upstream's value is not written where the input states none.
+  std::string_view key;        ///< V1.0's name
+  std::string_view old_key;    ///< the name before V1.0
+  bool whole = false;          ///< An int to the parsers; else a real.
+  double upstream = 0.0;       ///< Value in upstream's Examples/*/*.yaml; none for optional keys.
+  bool optional = false;       ///< Upstream's value is not written where the input states none.
+  std::string_view note = {};  ///< What to tell people beside a value that no input states.
+  bool look_at_it = false;     ///< They must check it; the others are tuning.
 };
 
 namespace tuning_key {
-inline constexpr TuningKey kColourOrder{"Camera.RGB", "Camera.RGB", true, 1.0};  ///< 1: RGB
-inline constexpr TuningKey kThDepth{"Stereo.ThDepth", "ThDepth", false, 40.0};   ///< close/far threshold in baselines
-inline constexpr TuningKey kDepthMapFactor{"RGBD.DepthMapFactor", "DepthMapFactor", false, 1000.0};  ///< depth units per metre
+inline constexpr TuningKey kColourOrder{
+    "Camera.RGB", "Camera.RGB", true, 1.0, false, "Colour order (0: BGR, 1: RGB; no matter for grey images): not in the input.",
+    true};
+inline constexpr TuningKey kThDepth{
+    "Stereo.ThDepth", "ThDepth", false, 40.0, false, "Close/far threshold in baselines: tuning, upstream's value."};
+inline constexpr TuningKey kDepthMapFactor{"RGBD.DepthMapFactor",
+                                           "DepthMapFactor",
+                                           false,
+                                           1000.0,
+                                           false,
+                                           "Depth image units per metre: not in the input. Set your sensor's.",
+                                           true};
 /// Columns of each image that both cameras see.
-inline constexpr TuningKey kOverlapBegin1{"Camera1.overlappingBegin", "Camera.lappingBegin", true, 0.0, true};
-inline constexpr TuningKey kOverlapEnd1{"Camera1.overlappingEnd", "Camera.lappingEnd", true, 0.0, true};
-inline constexpr TuningKey kOverlapBegin2{"Camera2.overlappingBegin", "Camera2.lappingBegin", true, 0.0, true};
-inline constexpr TuningKey kOverlapEnd2{"Camera2.overlappingEnd", "Camera2.lappingEnd", true, 0.0, true};
-inline constexpr TuningKey kInsertKeyFrames{"IMU.InsertKFsWhenLost", "IMU.InsertKFsWhenLost", true, 1.0, true};
+inline constexpr std::string_view kOverlapNote = "Column range that both cameras see: not in the input, the whole width.";
+inline constexpr TuningKey kOverlapBegin1{"Camera1.overlappingBegin", "Camera.lappingBegin", true, 0.0, true, kOverlapNote};
+inline constexpr TuningKey kOverlapEnd1{"Camera1.overlappingEnd", "Camera.lappingEnd", true, 0.0, true, kOverlapNote};
+inline constexpr TuningKey kOverlapBegin2{"Camera2.overlappingBegin", "Camera2.lappingBegin", true, 0.0, true, kOverlapNote};
+inline constexpr TuningKey kOverlapEnd2{"Camera2.overlappingEnd", "Camera2.lappingEnd", true, 0.0, true, kOverlapNote};
+inline constexpr TuningKey kInsertKeyFrames{"IMU.InsertKFsWhenLost", "InsertKFsWhenLost", true, 0.0, true};
 }  // namespace tuning_key
 
 /// ORBextractor.* and Viewer.*, in upstream's order: every mode exits without them.

@@ -9,6 +9,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fca::orbslam3 {
@@ -124,6 +125,8 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
     losses.push_back({"topic-dropped", rig.imus.front().name + " " + rig.imus.front().topic,
                       program + " takes topics on its command line", ""});
   }
+  for (std::size_t i = 1; i < rig.imus.size(); ++i)
+    losses.push_back({"imu-dropped", rig.imus[i].name + " noise and rate", "the settings hold one IMU", ""});
   const std::string& first = rig.cameras.front().name;
   const bool untouched_pose = untouched_imu && edited->rig.stated("imu0", edited->rig.cameras.front().name) != nullptr;
   if (!target.sensor.inertial && !slam_no_opt && rig.resolve("imu0", first) && !untouched_pose) {
@@ -183,28 +186,34 @@ bool check_cameras(const Rig& rig, const Target& target, const Base* edited, Dia
   return true;
 }
 
-std::string who_reads(const Target& target, std::string_view model) {
-  if (target.style == Style::kSlamNoOpt && model == "eucm") {
-    return "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
-  }
-  if (target.style == Style::kSlamNoOpt) return "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3";
-  if (model == "ds")
-    return "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)";
-  if (target.style == Style::kV1) return "settings for ORB-SLAM3 V1.0";
-  return target.style == Style::kOrbSlam2 ? "settings for ORB-SLAM2" : "settings in the style before ORB-SLAM3 V1.0";
-}
+/// Who reads settings of a style that hold a model.
+struct Audience {
+  Style style;
+  std::string_view model;     ///< "" for any other
+  std::string_view headline;  ///< Who reads it, for people.
+  std::string_view program;   ///< Its name in messages.
+  std::string_view consumer;  ///< The one that proves it.
+};
 
-/// The first line people see: who reads the file, the mode, and what is missing for a richer one.
-std::string headline(const Target& target, std::string_view model, const std::string& next) {
-  return who_reads(target, model) + ", " + std::string(target.sensor.id) + (next.empty() ? "" : "; " + next);
-}
+constexpr std::array kAudiences = {
+    Audience{Style::kSlamNoOpt, "eucm",
+             "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)",
+             "slam_no_opt", "slam_no_opt"},
+    Audience{Style::kSlamNoOpt, "", "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3 (--orbslam3-layout v1 for that)",
+             "slam_no_opt", "slam_no_opt"},
+    Audience{Style::kOld, "ds",
+             "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)",
+             "urbste/ORB_SLAM3", "urbste"},
+    Audience{Style::kV1, "", "settings for ORB-SLAM3 V1.0", "ORB-SLAM3", "orbslam3"},
+    Audience{Style::kOld, "", "settings in the style before ORB-SLAM3 V1.0", "ORB-SLAM3", "orbslam3"},
+    Audience{Style::kOrbSlam2, "", "settings for ORB-SLAM2, NOT for stock ORB-SLAM3 (--orbslam3-layout v1 for that)",
+             "ORB-SLAM2", "orbslam2"},
+};
 
-std::vector<std::string> programs_for(Style style, std::string_view model) {
-  if (style == Style::kV1) return {"orbslam3"};
-  if (style == Style::kSlamNoOpt) return {"slam_no_opt"};
-  if (style == Style::kOrbSlam2) return {"orbslam2"};
-  if (model == "ds") return {"urbste"};
-  return {"orbslam3"};
+const Audience& audience_of(Style style, std::string_view model) {
+  const auto* const found = std::ranges::find_if(
+      kAudiences, [&](const Audience& row) { return row.style == style && (row.model.empty() || row.model == model); });
+  return found == kAudiences.end() ? kAudiences.back() : *found;
 }
 
 std::optional<Sensor> asked_sensor(const Rig& rig, Style style, const std::string& id, Diagnostics& diagnostics) {
@@ -276,6 +285,9 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   return target;
 }
 
+/// Has the pair two lens polynomials that V1.0 confuses and the parser before it does not?
+bool is_confused_pair(const Rig& rig) { return rig.cameras.size() > 1 && model_info(rig.cameras[1].model).id == "kb4"; }
+
 /// Of the values that no input states, those that the base does not already have.
 std::vector<fields::Field> new_fields(const std::vector<fields::Field>& fields, const Base& base) {
   std::vector<fields::Field> result;
@@ -304,7 +316,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   const Base* edited = base && !options.anew && base->target.style == target->style ? &*base : nullptr;
   if (!check_cameras(rig, *target, edited, diagnostics)) return std::nullopt;
 
-  const std::string_view model = model_info(rig.cameras.front().model).id;
+  const Audience& audience = audience_of(target->style, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;
   if (edited != nullptr) {
@@ -312,24 +324,30 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(edited->rig, edited->target), fields);
     written.files.push_back({std::move(document), {}, {}});
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
+    add_not_carried(not_in_base(rig.as_read, edited->rig.as_read), "the settings have no place for it", written.losses);
   } else {
     std::optional<text::Document> document =
-        text::parse_document({"settings.yaml", compose(fields, *target, rig, who_reads(*target, model))}, diagnostics);
+        text::parse_document({"settings.yaml", compose(fields, *target, rig, audience.headline)}, diagnostics);
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}, {}});
     written.defaults = defaulted(fields, *target, rig);
     list_extras(rig, fields, written.losses);
   }
-  const std::string program = target->style == Style::kSlamNoOpt ? "slam_no_opt" : "ORB-SLAM3";
+  const std::string program(audience.program);
   list_camera_losses(rig, *target, program, written.losses);
   list_mode_losses(rig, *target, edited, program, written.losses);
   list_rounded_rates(rig, *target, written);
   Written::File& file = written.files.front();
   const std::size_t used = std::min<std::size_t>(target->sensor.two_cameras ? 2 : 1, rig.cameras.size());
   for (std::size_t i = 0; i < used; ++i) file.cameras.push_back(rig.cameras[i].name);
-  file.programs = programs_for(target->style, model);
-  written.headline = headline(*target, model, next);
+  file.programs = {std::string(audience.consumer)};
+  // The first line people see: who reads the file, the mode, and what is missing for a richer one.
+  written.headline = std::string(audience.headline) + ", " + std::string(target->sensor.id) + (next.empty() ? "" : "; " + next);
   written.sensor = target->sensor.id;
+  // Settings.cc, readCamera2 of V1.0 takes Camera2's k1..k4 from Camera1; the parser before it does not.
+  const bool second_misread = target->style == Style::kV1 && target->sensor.two_cameras && is_confused_pair(rig);
+  if (second_misread)
+    written.misread_remedy = "--orbslam3-layout old: V1.0 also reads the older style, and there both cameras rightly";
   return written;
 }
 

@@ -2,6 +2,8 @@
 #include <fca/formats/text/dialect.h>
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 namespace fca::text {
 
@@ -65,6 +67,19 @@ const Entry* find_entry(const Node& mapping, std::string_view key, Dialect diale
   }
   const auto first = std::ranges::find_if(mapping.entries, matches);
   return first == mapping.entries.end() ? nullptr : &*first;
+}
+
+std::vector<const Entry*> shadowed_entries(const Node& mapping, Dialect dialect) {
+  std::unordered_map<std::string_view, const Entry*> counting;
+  std::vector<const Entry*> shadowed;
+  for (const Entry& entry : mapping.entries) {
+    const auto [place, fresh] = counting.emplace(entry.key.value, &entry);
+    if (fresh) continue;
+    const bool last_counts = dialect == Dialect::kPyYaml;
+    shadowed.push_back(last_counts ? std::exchange(place->second, &entry) : &entry);
+  }
+  std::ranges::sort(shadowed);  // entries stand in file order
+  return shadowed;
 }
 
 const Node* find(const Node& mapping, std::string_view key, Dialect dialect) {

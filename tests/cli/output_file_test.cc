@@ -9,6 +9,7 @@ namespace fca::test {
 namespace {
 
 const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
 const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kOld = "an old file\n";
 
@@ -132,6 +133,26 @@ TEST(OutputFile, AFolderOrAFileThatCannotBeWrittenIsAnError) {
   EXPECT_EQ(convert({"-o", folder / "out.yaml"}).code, 4);
   fs::permissions(folder.path(), fs::perms::owner_all);
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(OutputFile, PathsThatLeadNowhereAreInputOutput) {
+  const TemporaryFolder folder;
+  fs::create_symlink("loop", folder.path() / "loop");
+  for (const std::string& path : {folder / "loop", folder / std::string(5000, 'a'), folder / "loop/out.yaml"}) {
+    const RunResult run = convert({"-o", path});
+    EXPECT_EQ(run.code, 4) << path << run.err;
+    EXPECT_FALSE(contains(run.err, "bug")) << run.err;
+  }
+  EXPECT_EQ(folder.names(), std::set<std::string>{"loop"});
+}
+
+// A second file that cannot be written takes the first with it.
+TEST(OutputFile, SeveralFilesAreWrittenAllOrNone) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "imu.yaml");
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "kalibr", "--model", "ds", "-o", folder.path().string()});
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_EQ(folder.names(), std::set<std::string>{"imu.yaml"});
 }
 
 TEST(OutputFile, AFileInTheWayOfAFolderIsAnError) {

@@ -47,7 +47,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-/// The same words; numbers within 5 % or 1e-6.
+/// The same words; numbers within 1e-3, those that are rounding themselves (below 1e-3) within a tenth.
 bool same(const std::string& expected, const std::string& printed) {
   const std::vector<std::string> a = words_of(expected);
   const std::vector<std::string> b = words_of(printed);
@@ -58,7 +58,9 @@ bool same(const std::string& expected, const std::string& printed) {
   return std::ranges::equal(a, b, [&number](const std::string& x, const std::string& y) {
     const std::optional<double> u = number(x);
     const std::optional<double> v = number(y);
-    return x == y || (u && v && std::abs(*u - *v) <= 1e-6 + 0.05 * std::abs(*u));
+    if (!u || !v) return x == y;
+    const double tolerance = std::abs(*u) < 1e-12 ? 1e-12 : (std::abs(*u) < 1e-3 ? 0.1 : 1e-3) * std::abs(*u);
+    return std::abs(*u - *v) <= tolerance;
   });
 }
 

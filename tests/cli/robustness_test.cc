@@ -181,6 +181,18 @@ TEST(Robustness, KnownRuins) {
   EXPECT_EQ(watch.runs(), static_cast<int>(std::size(kRuins) * kCommands.size()));
 }
 
+// Just under the limit of size, with as many keys as fit: no step may be quadratic.
+TEST(Robustness, ManyKeysAreReadInTime) {
+  const TemporaryFolder folder;
+  for (const char* head : {"cam0:\n  camera_model: pinhole\n", "%YAML:1.0\nCamera.fx: 1.0\n"}) {
+    std::string bytes = head;
+    for (int i = 0; bytes.size() < 1'900'000; ++i) bytes += "k" + std::to_string(i % 100'000) + ": 1\n";
+    const RunResult run = run_program({"show", folder.write("keys.yaml", bytes)}, {.limit_seconds = 30.0});
+    EXPECT_FALSE(run.timed_out);
+    EXPECT_EQ(run.code, 2) << run.err.substr(0, 500);
+  }
+}
+
 TEST(Robustness, OptionsAloneDoNotCrash) {
   for (const char* subcommand :
        {"convert", "show", "project", "unproject", "formats", "models", "programs", "--json", "-", "--", "", "."}) {

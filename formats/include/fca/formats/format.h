@@ -66,8 +66,9 @@ struct Written {
     std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
   };
   std::vector<File> files;
-  std::string headline;  ///< First line for people: mode, who reads it, who does not.
-  std::string sensor;    ///< orbslam3: the mode written for.
+  std::string headline;        ///< First line for people: mode, who reads it, who does not.
+  std::string sensor;          ///< orbslam3: the mode written for.
+  std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
 };
@@ -93,6 +94,7 @@ struct Format {
   bool time_offset = false;
   bool frame_rate = false;
   bool topic = false;
+  bool baseline = false;                           ///< Of a rectified pair or depth sensor, without a pose.
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   std::span<const std::string_view> defaulted =

@@ -18,18 +18,20 @@ namespace fca {
 struct ProofResult {
   std::string program;
   bool loads = false;
-  double max_diff_px = 0.0;     ///< Between the program's pixels and ours, where both have one.
-  double misread_px = 0.0;      ///< The same for cameras the program is known to misread; not held against the file.
-  bool all_misread = false;     ///< There was no other camera to compare.
-  double compared_share = 0.0;  ///< Of the rays asked, how many both answer.
-  double max_diff_pose = 0.0;   ///< Largest difference of an element of a pose both state.
-  bool pixels_agree = false;    ///< To what its precision allows; also where there was nothing to compare (no image size).
+  double max_diff_px = 0.0;       ///< Between the program's pixels and ours, where both have one.
+  double misread_px = 0.0;        ///< The same for cameras the program is known to misread; not held against the file.
+  bool all_misread = false;       ///< There was no other camera to compare.
+  double compared_share = 0.0;    ///< Of the rays asked, how many both answer.
+  double unanswered_share = 0.0;  ///< Of the rays asked, how many the program has no right pixel for.
+  double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
+  bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
   std::vector<std::string> refusals;
   std::vector<std::string> warnings;  ///< What it silently misreads or ignores.
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }
 };
 
+/// Compared are pixels and poses; numbers of the IMU, rates and sizes are only checked for what makes the program refuse them.
 /// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
 /// them? Rays: a lattice over each camera's image.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,

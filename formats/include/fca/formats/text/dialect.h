@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace fca::text {
 
@@ -23,5 +24,8 @@ enum class ScalarType { kText, kInteger, kReal };
 [[nodiscard]] const Node* find(const Node& mapping, std::string_view key, Dialect dialect);
 /// The same with its key.
 [[nodiscard]] const Entry* find_entry(const Node& mapping, std::string_view key, Dialect dialect);
+
+/// The entries of a mapping that do not count, because another with the same key does; in file order.
+[[nodiscard]] std::vector<const Entry*> shadowed_entries(const Node& mapping, Dialect dialect);
 
 }  // namespace fca::text
