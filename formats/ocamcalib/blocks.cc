@@ -30,9 +30,11 @@ class BlockFinder {
   std::optional<Blocks> run() {
     Blocks blocks;
     if (!skip_comment("direct polynomial") || !polynomial(blocks.direct, "direct polynomial", kMostDirect)) return {};
-    if (!skip_comment("inverse polynomial") ||
-        !polynomial(blocks.inverse, "inverse polynomial", static_cast<int>(kMostCoefficients)))
-      return {};
+    if (!inverse_left_out()) {
+      if (!skip_comment("inverse polynomial") ||
+          !polynomial(blocks.inverse, "inverse polynomial", static_cast<int>(kMostCoefficients)))
+        return {};
+    }
     if (!skip_comment("centre") || !numbers(blocks.centre, "centre (row, column)")) return {};
     if (!skip_comment("affine parameters") || !numbers(blocks.affine, "affine parameters (c, d, e)")) return {};
     if (!skip_comment("image size") || !numbers(blocks.size, "image size (height, width)")) return {};
@@ -55,6 +57,16 @@ class BlockFinder {
     const Node* word = peek();
     if (word != nullptr) ++word_;
     return word;
+  }
+
+  /// Four blocks instead of five: behind the direct polynomial come a centre, three affine parameters and a size, and no more.
+  bool inverse_left_out() const {
+    std::vector<std::size_t> lengths;
+    for (std::size_t i = line_ + 1; i < lines_.size(); ++i) {
+      if (!lines_[i].items.empty() && std::ranges::all_of(lines_[i].items, is_number))
+        lengths.push_back(lines_[i].items.size());
+    }
+    return lengths == std::vector<std::size_t>{2, 3, 2};
   }
 
   void error(const Node& word, std::string code, std::string message, std::string fix) {
@@ -125,7 +137,8 @@ class BlockFinder {
     if (!whole(*nodes.count, "number of coefficients of the " + what)) return false;
     const int count = *text::parse_int(nodes.count->value);
     const int most_of_reader = static_cast<int>(kMostCoefficients);
-    if (count < 1 || count > most_of_reader) {
+    const int fewest = what == "inverse polynomial" ? 0 : 1;  // a missing one can be rebuilt
+    if (count < fewest || count > most_of_reader) {
       error(*nodes.count, "wrong-count",
             "the " + what + " announces " + nodes.count->value + " coefficients; OCamCalib's reader has places for 1 to 64 " +
                 "and does not check",

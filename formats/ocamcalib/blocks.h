@@ -13,7 +13,7 @@ namespace fca::ocamcalib {
 
 /// A polynomial's number of coefficients and the coefficients.
 struct PolynomialNodes {
-  const text::Node* count = nullptr;
+  const text::Node* count = nullptr;  ///< Null: the block is not there at all (the inverse polynomial may be left out).
   std::vector<const text::Node*> coefficients;
 };
 

@@ -33,6 +33,13 @@ class ResultsReader {
     const std::optional<std::vector<double>> inverse = read_inverse(blocks->inverse);
     if (!good || !inverse) return std::nullopt;
     warn_if_swapped(*blocks, camera);
+    if (inverse->empty()) {
+      reader_.warning(blocks->inverse.count != nullptr ? *blocks->inverse.count : *blocks->centre[0], "inverse-missing",
+                      "there is no inverse polynomial: OCamCalib's world2cam cannot project without it",
+                      "fca-io convert FILE --to ocamcalib fits one to the direct polynomial");
+      rig.cameras.push_back(std::move(camera));
+      return rig;
+    }
     const double error = inverse_error(camera, *inverse);
     warn_if_stale(*blocks, error);
     rig.as_read.push_back({"cam0 inverse polynomial", std::to_string(inverse->size()) + " coefficients, up to " +
@@ -104,7 +111,7 @@ class ResultsReader {
                     "the inverse polynomial is up to " + text::format_short(error, 3) +
                         " px from the inverse of the direct one: programs that project (world2cam) and those that unproject " +
                         "(cam2world) see two different lenses; fca-io goes by the direct one",
-                    "fca-io convert --to ocamcalib rebuilds it whenever it writes the file anew");
+                    "fca-io convert FILE --to ocamcalib rebuilds it");
   }
 
   fields::Reader reader_;

@@ -19,6 +19,11 @@ namespace {
 constexpr std::size_t kFirstCoefficient = 5;  // behind cx cy c d e
 /// The toolbox's own degree is 4, and programs with places for a fixed number have five (camodocal, MATLAB).
 constexpr std::size_t kUsualCoefficients = 5;
+/// In the words of exportData2TXT.m.
+constexpr std::string_view kDirectComment =
+    "polynomial coefficients for the DIRECT mapping function (ocam_model.ss in MATLAB). These are used by cam2world";
+constexpr std::string_view kInverseComment =
+    "polynomial coefficients for the inverse mapping function (ocam_model.invpol in MATLAB). These are used by world2cam";
 /// As in read.cc: farther from the direct polynomial's inverse it is not of the same lens.
 constexpr double kStalePx = 1.0;
 
@@ -36,17 +41,11 @@ std::string block(std::string_view comment, std::span<const double> values, bool
   return text + "\n\n";
 }
 
-/// In the words of exportData2TXT.m.
 std::string compose(const Camera& camera, const InversePolynomial& inverse) {
   const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
   const std::array<double, 2> centre = {value("cy"), value("cx")};
   const std::array<double, 3> affine = {value("c"), value("d"), value("e")};
-  return block("polynomial coefficients for the DIRECT mapping function (ocam_model.ss in MATLAB). These are used by cam2world",
-               direct_polynomial(camera.model), true) +
-         block(
-             "polynomial coefficients for the inverse mapping function (ocam_model.invpol in MATLAB). These are used by "
-             "world2cam",
-             inverse.coefficients, true) +
+  return block(kDirectComment, direct_polynomial(camera.model), true) + block(kInverseComment, inverse.coefficients, true) +
          block("center: \"row\" and \"column\", starting from 0 (C convention)", centre, false) +
          block("affine parameters \"c\", \"d\", \"e\"", affine, false) + "#image size: \"height\" and \"width\"\n\n" +
          std::to_string(camera.image_size->height) + " " + std::to_string(camera.image_size->width) + "\n";
@@ -71,7 +70,8 @@ void edit_polynomial(text::Document& document, const PolynomialNodes& nodes, std
   const std::size_t common = std::min(nodes.coefficients.size(), values.size());
   fields::set_scalar(document, *nodes.count, std::to_string(values.size()));
   for (std::size_t i = 0; i < common; ++i) fields::set_scalar(document, *nodes.coefficients[i], text::format_real(values[i]));
-  const std::size_t old_end = nodes.coefficients.back()->span.end();
+  const text::Node& last = nodes.coefficients.empty() ? *nodes.count : *nodes.coefficients.back();
+  const std::size_t old_end = last.span.end();
   if (values.size() > common) {
     std::string more;
     for (const double value : values.subspan(common)) more += " " + text::format_real(value);
@@ -82,11 +82,19 @@ void edit_polynomial(text::Document& document, const PolynomialNodes& nodes, std
   }
 }
 
+/// Adds the block that a file of four blocks lacks, behind the direct polynomial's line.
+void insert_inverse(text::Document& document, const Blocks& blocks, std::span<const double> values) {
+  const std::string line_break(document.source().line_break());
+  std::string lines;
+  for (const char c : "\n\n" + block(kInverseComment, values, true)) lines += c == '\n' ? line_break : std::string(1, c);
+  lines.resize(lines.size() - 2 * line_break.size());
+  document.insert(document.source().line_at(blocks.direct.coefficients.back()->span.offset).end(), lines);
+}
+
 /// Takes the base from saying `old` to saying `camera`.
 text::Document edited(const text::Document& base, const Camera& old, const Camera& camera, Written& written,
                       Diagnostics& diagnostics) {
   text::Document document = base;
-  if (old.model == camera.model && old.image_size == camera.image_size) return document;
   Diagnostics ignored;
   const Blocks blocks = find_blocks(document, ignored).value();
   const auto set = [&](const text::Node* node, std::string_view name) {
@@ -114,7 +122,11 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
   for (const text::Node* node : blocks.inverse.coefficients) inverse.push_back(*text::parse_real(node->value));
   if (before == direct_polynomial(camera.model) && inverse_error(camera, inverse) <= kStalePx) return document;
   const InversePolynomial fitted = fit_inverse(camera);
-  edit_polynomial(document, blocks.inverse, fitted.coefficients);
+  if (blocks.inverse.count != nullptr) {
+    edit_polynomial(document, blocks.inverse, fitted.coefficients);
+  } else {
+    insert_inverse(document, blocks, fitted.coefficients);
+  }
   tell_inverse(camera, fitted, written, diagnostics);
   return document;
 }
