@@ -3,6 +3,7 @@
 #include "kalibr/kalibr.h"
 #include "ocamcalib/ocamcalib.h"
 #include "orbslam3/orbslam3.h"
+#include "tumvi/tumvi.h"
 #include "woodscape/woodscape.h"
 
 #include <fca/formats/text/numbers.h>
@@ -15,7 +16,7 @@ namespace fca {
 namespace {
 
 const auto& table() {
-  static const std::array kTable = {kalibr::kFormat, ocamcalib::kFormat, orbslam3::kFormat, woodscape::kFormat};
+  static const std::array kTable = {kalibr::kFormat, ocamcalib::kFormat, tumvi::kFormat, orbslam3::kFormat, woodscape::kFormat};
   return kTable;
 }
 
