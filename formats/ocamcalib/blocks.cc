@@ -111,6 +111,7 @@ class BlockFinder {
     const Node* word = peek();
     if (word == nullptr) return ended_before(block);
     if (is_number(*word)) return true;
+    if (meant_as_number(*word)) return not_a_number(*word, block);
     if (blank) {
       error(*word, "comment-lines",
             "a blank line before the first comment: OCamCalib's reader skips that one instead and takes " + shown(*word) +
@@ -122,6 +123,18 @@ class BlockFinder {
                 (rest_of_line ? ", the rest of the one above" : "") + ", and takes " + shown(*word) + " for a number",
             "leave one line of comment");
     }
+    return false;
+  }
+
+  /// "1,5", "nan", "1.5px"
+  static bool meant_as_number(const Node& word) {
+    const char first = word.value.front();
+    return (first >= '0' && first <= '9') || first == '-' || first == '+' || first == '.' || word.value == "nan" ||
+           word.value == "NaN" || word.value == "inf" || word.value == "Inf";
+  }
+  bool not_a_number(const Node& word, const std::string& what) {
+    const bool comma = word.value.find(',') != std::string::npos;
+    error(word, "not-a-number", what + ": " + shown(word) + " is no finite number", comma ? "write a decimal point" : "");
     return false;
   }
 
@@ -172,6 +185,7 @@ class BlockFinder {
   }
 
   bool too_few(const Node& word, const std::string& what, int wanted, int found) {
+    if (meant_as_number(word)) return not_a_number(word, what);
     error(word, "wrong-count",
           shown(word) + " stands where number " + std::to_string(found + 1) + " of " + std::to_string(wanted) + " of the " +
               what + " is wanted",

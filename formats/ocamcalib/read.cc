@@ -32,7 +32,7 @@ class ResultsReader {
     good = read_rest(*blocks, camera) && good;
     const std::optional<std::vector<double>> inverse = read_inverse(blocks->inverse);
     if (!good || !inverse) return std::nullopt;
-    warn_if_swapped(*blocks, camera);
+    const bool swapped = warn_if_swapped(*blocks, camera);
     if (inverse->empty()) {
       reader_.warning(blocks->inverse.count != nullptr ? *blocks->inverse.count : *blocks->centre[0], "inverse-missing",
                       "there is no inverse polynomial: OCamCalib's world2cam cannot project without it",
@@ -41,7 +41,7 @@ class ResultsReader {
       return rig;
     }
     const double error = inverse_error(camera, *inverse);
-    warn_if_stale(*blocks, error);
+    if (!swapped) warn_if_stale(*blocks, error);  // else the lens is not where the centre says
     rig.as_read.push_back({"cam0 inverse polynomial", std::to_string(inverse->size()) + " coefficients, up to " +
                                                           text::format_short(error, 3) +
                                                           " px from the exact inverse of the direct polynomial"});
@@ -91,18 +91,19 @@ class ResultsReader {
   }
 
   /// Some exporters write column before row (MATLAB's DistortionCenter is so). On a square image nobody can tell.
-  void warn_if_swapped(const Blocks& blocks, const Camera& camera) {
+  bool warn_if_swapped(const Blocks& blocks, const Camera& camera) {
     const double row = *parameter(camera.model, "cy");
     const double column = *parameter(camera.model, "cx");
     const ImageSize size = *camera.image_size;
     const double straight = std::hypot(row - 0.5 * size.height, column - 0.5 * size.width);
     const double swapped = std::hypot(row - 0.5 * size.width, column - 0.5 * size.height);
-    if (swapped >= straight) return;
+    if (swapped >= straight) return false;
     reader_.warning(*blocks.centre[0], "centre-swapped",
                     "the centre is row " + blocks.centre[0]->value + ", column " + blocks.centre[1]->value +
                         " of an image of " + std::to_string(size.height) + " rows and " + std::to_string(size.width) +
                         " columns; the other way round it would be nearer to the middle",
                     "if they are swapped, write  " + blocks.centre[1]->value + " " + blocks.centre[0]->value);
+    return true;
   }
 
   void warn_if_stale(const Blocks& blocks, double error) {

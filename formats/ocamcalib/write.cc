@@ -65,11 +65,16 @@ void tell_inverse(const Camera& camera, const InversePolynomial& inverse, Writte
                           error + "; OCamCalib's world2cam is off by as much");
 }
 
+/// A word that has the value already is not touched: scanf's %lf takes "0" and "0.0" alike.
+void set_real(text::Document& document, const text::Node& word, double value) {
+  if (text::parse_real(word.value) != value) document.replace(word.span, text::format_real(value));
+}
+
 /// Makes the words of a polynomial say those numbers; its count is made to fit.
 void edit_polynomial(text::Document& document, const PolynomialNodes& nodes, std::span<const double> values) {
   const std::size_t common = std::min(nodes.coefficients.size(), values.size());
   fields::set_scalar(document, *nodes.count, std::to_string(values.size()));
-  for (std::size_t i = 0; i < common; ++i) fields::set_scalar(document, *nodes.coefficients[i], text::format_real(values[i]));
+  for (std::size_t i = 0; i < common; ++i) set_real(document, *nodes.coefficients[i], values[i]);
   const text::Node& last = nodes.coefficients.empty() ? *nodes.count : *nodes.coefficients.back();
   const std::size_t old_end = last.span.end();
   if (values.size() > common) {
@@ -98,7 +103,7 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
   Diagnostics ignored;
   const Blocks blocks = find_blocks(document, ignored).value();
   const auto set = [&](const text::Node* node, std::string_view name) {
-    fields::set_scalar(document, *node, text::format_real(parameter(camera.model, name).value_or(0.0)));
+    set_real(document, *node, parameter(camera.model, name).value_or(0.0));
   };
   set(blocks.centre[0], "cy");
   set(blocks.centre[1], "cx");

@@ -103,6 +103,11 @@ double to_relative(double value, std::size_t index, const ImageSize& size) {
   return relative;
 }
 
+/// A word that has the value already is not touched: scanf takes "0" and "0.0" alike.
+void set_real(text::Document& document, const Node& word, double value) {
+  if (text::parse_real(word.value) != value) document.replace(word.span, text::format_real(value));
+}
+
 constexpr std::array<std::string_view, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
 
 class CameraTxtReader {
@@ -139,6 +144,11 @@ class CameraTxtReader {
     const Node& at = lines_.empty() || lines_.front().items.empty() ? root : lines_.front();
     SourceRange where = reader_.document().range(at);
     if (&at == &root) where.length = 0;
+    const std::size_t read = (first.named ? 1 : 0) + first.numbers.size();
+    if (first.lens != nullptr && read < at.items.size()) {
+      reader_.error(at.items[read], "not-a-number", "line 1: '" + at.items[read].value.substr(0, 40) + "' is no number");
+      return;
+    }
     std::string message = "line 1 is no lens of DSO's";
     if (first.lens != nullptr) {
       message = "line 1 has " + std::to_string(first.numbers.size()) + " numbers; " + std::string(first.lens->name) + " has " +
@@ -174,12 +184,11 @@ class CameraTxtReader {
                       "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height");
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      good = reader_.parameter(*first.numbers[i], kFocalAndCentre[i], kFocalAndCentre[i], camera.model) && good;
+      good = reader_.parameter(*first.numbers[i], "line 1", kFocalAndCentre[i], camera.model) && good;
       if (good && relative) set_parameter(camera.model, kFocalAndCentre[i], to_pixels(numbers[i], i, size));
     }
     for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i) {
-      good = reader_.parameter(*first.numbers[4 + i], first.lens->coefficients[i], first.lens->coefficients[i], camera.model) &&
-             good;
+      good = reader_.parameter(*first.numbers[4 + i], "line 1", first.lens->coefficients[i], camera.model) && good;
     }
     if (first.lens->model == "pinhole" && text::parse_real(first.numbers[4]->value) != 0.0) {
       reader_.warning(*first.numbers[4], "program-ignores", "the fifth number of Pinhole is read by DSO and used for nothing");
@@ -271,10 +280,9 @@ std::optional<text::Document> edited_camera_txt(const text::Document& base, cons
     numbers[i] = same ? old[i] : relative ? to_relative(wanted, i, size) : wanted;
   }
   if (is_relative(numbers) != relative) return std::nullopt;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    fields::set_scalar(document, *first.numbers[i], text::format_real(numbers[i]));
+  for (std::size_t i = 0; i < numbers.size(); ++i) set_real(document, *first.numbers[i], numbers[i]);
   for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i)
-    fields::set_scalar(document, *first.numbers[4 + i], text::format_real(value(first.lens->coefficients[i])));
+    set_real(document, *first.numbers[4 + i], value(first.lens->coefficients[i]));
   fields::set_scalar(document, lines[1].items[0], std::to_string(size.width));
   fields::set_scalar(document, lines[1].items[1], std::to_string(size.height));
   return document;

@@ -119,7 +119,7 @@ class CameraReader {
     bool good = check_model(intrinsic);
     for (const std::string_view key : kParameterKeys) {
       const Node* node = require(intrinsic, key);
-      good = node != nullptr && reader_.parameter(*node, key, key, camera.model) && good;
+      good = node != nullptr && reader_.parameter(*node, "intrinsic", key, camera.model) && good;
       if (good && key == "k1") good = check_scale(*node, camera.model);
     }
     const Node* width = require(intrinsic, "width");
