@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inverse.h"
 
+#include <fca/models/polynomial_fit.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,6 +36,8 @@ class Lens {
     // The same lens around (0, 0), without the affine part: u is then the radius.
     for (const char* name : {"cx", "cy", "d", "e"}) set_parameter(camera_, name, 0.0);
     set_parameter(camera_, "c", 1.0);
+    constexpr double kSmallest = 1.0;  // px: of an image of one pixel, too, there is a curve
+    farthest = std::max(farthest, kSmallest);
     const std::optional<Ray> edge = unproject(camera_, {farthest, 0.0});
     largest_angle_ = edge ? std::atan2((*edge)[0], (*edge)[2]) : max_angle(camera_);
   }
@@ -94,15 +98,24 @@ double largest_error(const Curve& curve, std::span<const double> coefficients) {
 
 constexpr std::size_t kCheckedPoints = 2001;
 
-/// Chebyshev coefficients of the curve over its angles, from the nodes at which that series is a best one. The nodes are inside
-/// the ends, so all have a pixel.
-std::vector<long double> chebyshev_series(const Lens& lens) {
-  constexpr std::size_t kNodes = 256;
-  std::vector<long double> rho(kNodes);
+constexpr std::size_t kNodes = 512;
+
+/// The curve at Chebyshev's nodes, where a fit does not oscillate towards the ends. They are inside the ends, so all have a
+/// pixel.
+Curve chebyshev_nodes(const Lens& lens) {
+  Curve nodes;
   for (std::size_t j = 0; j < kNodes; ++j) {
     const double x = std::cos(std::numbers::pi * (static_cast<double>(j) + 0.5) / kNodes);
-    rho[j] = lens.radius(0.5 * lens.largest_angle() * (x + 1.0)).value_or(0.0);
+    const double angle = 0.5 * lens.largest_angle() * (x + 1.0);
+    nodes.theta.push_back(angle - std::numbers::pi / 2.0);
+    nodes.rho.push_back(lens.radius(angle).value_or(0.0));
   }
+  return nodes;
+}
+
+/// Chebyshev coefficients of the curve over its angles.
+std::vector<long double> chebyshev_series(const Lens& lens) {
+  const std::vector<double> rho = chebyshev_nodes(lens).rho;
   std::vector<long double> series(kMostCoefficients);
   for (std::size_t k = 0; k < series.size(); ++k) {
     long double sum = 0.0L;
@@ -161,6 +174,17 @@ InversePolynomial fit_inverse(const Camera& camera) {
     const double error = lens.stretch() * largest_error(curve, coefficients);
     if (error < best.error_px) best = {std::move(coefficients), error};
     if (best.error_px <= kMargin * kGoal) break;
+  }
+  // Where the series needs so many terms that rounding eats them (lenses of pinhole cameras, whose curve ends near a pole), a
+  // longer polynomial of smaller terms is better.
+  if (best.error_px > kGoal) {
+    const Curve nodes = chebyshev_nodes(lens);
+    for (const std::size_t count : {20U, 24U, 32U, 40U, 48U, 64U}) {
+      std::vector<double> coefficients = fit_powers(nodes.theta, nodes.rho, count);
+      const double error = lens.stretch() * largest_error(curve, coefficients);
+      if (error < best.error_px) best = {std::move(coefficients), error};
+      if (best.error_px <= kMargin * kGoal) break;
+    }
   }
   return best;
 }
