@@ -283,8 +283,14 @@ std::optional<text::Document> edited_camera_txt(const text::Document& base, cons
   for (std::size_t i = 0; i < numbers.size(); ++i) set_real(document, *first.numbers[i], numbers[i]);
   for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i)
     set_real(document, *first.numbers[4 + i], value(first.lens->coefficients[i]));
-  fields::set_scalar(document, lines[1].items[0], std::to_string(size.width));
-  fields::set_scalar(document, lines[1].items[1], std::to_string(size.height));
+  // With "none" DSO demands that what goes in comes out.
+  const bool passes_through = lines.size() > 3 && lines[3].items.size() >= 2 && whole_line(document, lines[2]) == "none";
+  std::vector<const Node*> sizes = {&lines[1]};
+  if (passes_through) sizes.push_back(&lines[3]);
+  for (const Node* line : sizes) {
+    fields::set_scalar(document, line->items[0], std::to_string(size.width));
+    fields::set_scalar(document, line->items[1], std::to_string(size.height));
+  }
   return document;
 }
 

@@ -6,6 +6,7 @@
 #include "../fields.h"
 #include "../losses.h"
 
+#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -66,6 +67,14 @@ std::string compose(const Camera& camera, const Transform& T) {
          members(intrinsic_fields(camera)) + "\n  },\n  " + fields::spell(name, 0, text::Syntax::kJson) + "\n}\n";
 }
 
+/// Number by number: to Python 3 and 3.0 are one, and what has not changed keeps its spelling.
+void edit_translation(text::Document& document, const Node& list, const std::array<double, 3>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Node& number = list.items.at(i);
+    if (text::parse_real(number.value) != values.at(i)) document.replace(number.span, text::format_real(values.at(i)));
+  }
+}
+
 /// Takes the base from saying `old` to saying `camera` at that pose. Its own name and, where the rotation is the same, its own
 /// quaternion stay.
 text::Document edited(const text::Document& base, const Rig& old, const Camera& camera, const std::optional<Transform>& pose) {
@@ -83,6 +92,11 @@ text::Document edited(const text::Document& base, const Rig& old, const Camera& 
   constexpr double kSameRotation = 1e-12;
   if (stated != nullptr && largest_difference_of_rotations(*stated, *pose) <= kSameRotation) to.front() = from.front();
   const text::Entry* extrinsic = text::find_entry(root, "extrinsic", kDialect);
+  if (stated != nullptr) {
+    edit_translation(document, *text::find(extrinsic->value, "translation", kDialect), translation_of(*pose));
+    from.pop_back();
+    to.pop_back();
+  }
   if (extrinsic != nullptr && extrinsic->value.is_mapping() && !extrinsic->value.entries.empty()) {
     fields::apply(document, extrinsic->value, kDialect, from, to);
   } else if (extrinsic == nullptr) {
