@@ -3,6 +3,9 @@
 
 #include <fca/formats/text/numbers.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace fca {
 
 void list_camera_losses(const Rig& rig, std::string_view program, std::string_view kept_frame, std::vector<Loss>& losses) {
@@ -32,6 +35,13 @@ void list_camera_losses(const Rig& rig, std::string_view program, std::string_vi
   if (rig.baseline_m) {
     losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
   }
+}
+
+std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there) {
+  std::vector<AsRead> result;
+  std::ranges::copy_if(extras, std::back_inserter(result),
+                       [there](const AsRead& extra) { return std::ranges::find(there, extra) == there.end(); });
+  return result;
 }
 
 }  // namespace fca

@@ -11,7 +11,7 @@ using text::Node;
 
 namespace {
 
-constexpr std::array kModels = {StoredModel{"ocamcalib", "direct polynomial of degree 8 at most", true, "OCamCalib", {}}};
+constexpr std::array kModels = {StoredModel{"ocamcalib", "direct polynomial", true, "OCamCalib", {}}};
 constexpr std::array<std::string_view, 1> kDefaulted = {"inverse polynomial (fitted)"};
 
 bool mentions(const Node& line, std::string_view lower_case) {

@@ -284,7 +284,8 @@ std::optional<text::Document> edited_camera_txt(const text::Document& base, cons
   for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i)
     set_real(document, *first.numbers[4 + i], value(first.lens->coefficients[i]));
   // With "none" DSO demands that what goes in comes out.
-  const bool passes_through = lines.size() > 3 && lines[3].items.size() >= 2 && whole_line(document, lines[2]) == "none";
+  const bool passes_through =
+      size != *old_size && lines.size() > 3 && lines[3].items.size() >= 2 && whole_line(document, lines[2]) == "none";
   std::vector<const Node*> sizes = {&lines[1]};
   if (passes_through) sizes.push_back(&lines[3]);
   for (const Node* line : sizes) {

@@ -4,6 +4,7 @@
 
 #include "../camera_losses.h"
 #include "../kalibr/kalibr.h"
+#include "../losses.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -86,6 +87,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
       Written written;
       written.files.push_back({*std::move(document), {rig_as_named.cameras.front().name}, {"dso"}});
       list_camera_losses(rig_as_named, "DSO", "", written.losses);
+      add_not_carried(extras_beyond(rig_as_named.as_read, old->as_read), "a camera.txt has no place for it", written.losses);
       written.headline = "a camera.txt for DSO";
       return written;
     }

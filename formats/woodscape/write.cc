@@ -154,7 +154,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.push_back({*std::move(document), {camera.name}, {"woodscape"}});
   }
   list_camera_losses(rig, "WoodScape", kVehicle, written.losses);
-  if (!old) add_not_carried(rig.as_read, "a WoodScape JSON has no place for it", written.losses);
+  add_not_carried(extras_beyond(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>()),
+                  "a WoodScape JSON has no place for it", written.losses);
   written.headline =
       rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py" : "one WoodScape JSON per camera for projection.py";
   return written;
