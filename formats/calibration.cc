@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/calibration.h>
 
+#include "known_formats.h"
+
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 
@@ -28,8 +30,11 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
   }
   const SourceRange where = {document.source().name, 0, 0};
   if (best.format == nullptr) {
-    diagnostics.error("unknown-format", "none of the formats fca-io reads: no key of it stands here", where,
-                      "'fca-io formats' lists them; --from FORMAT forces one");
+    const std::string known = looks_like(document);
+    diagnostics.error("unknown-format",
+                      known.empty() ? "none of the formats fca-io reads: no key of it stands here"
+                                    : "looks like " + known + ", which fca-io does not read",
+                      where, "'fca-io formats' lists them; --from FORMAT forces one");
     return std::nullopt;
   }
   if (best_score == second_score) {

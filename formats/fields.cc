@@ -31,8 +31,9 @@ std::string kind_in_words(const Node& node) {
   return "";
 }
 
-/// "017": the programs that read it as a number at all take it for octal, fifteen.
-std::optional<int> octal(const Node& node) {
+/// "017": the programs that read it as a number at all take it for octal, fifteen. Not scanf, by which words are read.
+std::optional<int> octal(const Node& node, text::Syntax syntax) {
+  if (syntax == text::Syntax::kWords) return std::nullopt;
   std::string_view text = node.value;
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
@@ -79,7 +80,7 @@ const Node* Reader::require(const Node& mapping, std::string_view key, std::stri
 }
 
 std::optional<double> Reader::real(const Node& node, std::string_view what) {
-  if (const std::optional<int> value = node.is_scalar() ? octal(node) : std::nullopt) {
+  if (const std::optional<int> value = node.is_scalar() ? octal(node, document_.syntax()) : std::nullopt) {
     warning(node, "octal",
             std::string(what) + " is written " + quoted_text(node) + ", which the programs read as octal " +
                 std::to_string(*value));
@@ -112,7 +113,7 @@ std::optional<int> Reader::integer(const Node& node, std::string_view what) {
     error(node, "not-an-integer", std::string(what) + " is " + kind_in_words(node) + "; a whole number is wanted");
     return std::nullopt;
   }
-  if (const std::optional<int> value = text::parse_int(node.value); value && !octal(node)) return value;
+  if (const std::optional<int> value = text::parse_int(node.value); value && !octal(node, document_.syntax())) return value;
   const std::optional<double> real_value = real(node, what);
   if (!real_value) return std::nullopt;
   constexpr double kLargestInt = 2147483647.0;

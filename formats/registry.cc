@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
 #include "kalibr/kalibr.h"
+#include "ocamcalib/ocamcalib.h"
 #include "orbslam3/orbslam3.h"
+#include "tumvi/tumvi.h"
+#include "woodscape/woodscape.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -12,8 +15,8 @@ namespace fca {
 
 namespace {
 
-const std::array<Format, 2>& table() {
-  static const std::array<Format, 2> kTable = {kalibr::kFormat, orbslam3::kFormat};
+const auto& table() {
+  static const std::array kTable = {kalibr::kFormat, ocamcalib::kFormat, tumvi::kFormat, orbslam3::kFormat, woodscape::kFormat};
   return kTable;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // testdata/formats/<format>/bad: every file stands beside what people are told about it, word for word. Adding a file adds a
-// test: put NAME.yaml there and run with FCA_WRITE_EXPECTED=1 to have NAME.yaml.expected written, then read it.
+// test: put NAME there and run with FCA_WRITE_EXPECTED=1 to have NAME.expected written, then read it.
 //
-// A file can be bad in three ways, and NAME.yaml.expected holds them in this order: the reader refuses or warns; the numbers
+// A file can be bad in three ways, and NAME.expected holds them in this order: the reader refuses or warns; the numbers
 // are no camera (validate); it is a camera, but the format's own program would not load it (ask_readers; its first reason).
 #include "formats/test_files.h"
 
@@ -13,6 +13,14 @@
 
 namespace fca::test {
 namespace {
+
+/// Is that the program which files of the format are written for? Of TUM-VI's, camera.txt is DSO's.
+bool is_stock(const std::string& program, const Calibration& calibration) {
+  if (calibration.documents.front().syntax() == text::Syntax::kWords && calibration.format->id == "tumvi")
+    return program.starts_with("DSO");
+  return program.starts_with("Kalibr") || program == "ORB-SLAM3 V1.0" || program.starts_with("OCamCalib") ||
+         program == "WoodScape's projection.py";
+}
 
 std::string judged(const fs::path& path) {
   Parsed parsed = parse(read_file(path), path.filename().string());
@@ -26,8 +34,8 @@ std::string judged(const fs::path& path) {
   const bool cameras = !calibration->rig.cameras.empty();
   const Readers readers = ask_readers(calibration->format->id, parsed.source.bytes, cameras);
   for (const Readers::Program& program : readers.programs) {
-    const bool stock = program.program.starts_with("Kalibr") || program.program == "ORB-SLAM3 V1.0";
-    if (stock && !program.refusals.empty()) text += program.program + " would refuse it: " + program.refusals.front() + "\n";
+    if (is_stock(program.program, *calibration) && !program.refusals.empty())
+      text += program.program + " would refuse it: " + program.refusals.front() + "\n";
   }
   return text;
 }
@@ -43,12 +51,14 @@ TEST_P(BadFiles, AreExplainedWordForWord) {
   EXPECT_FALSE(text.empty()) << "nothing is said about a bad file";
 }
 
-std::vector<fs::path> bad_files() {
+/// The files of every format's folder of that name, without the expected texts.
+std::vector<fs::path> files_of_all_formats(const std::string& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& format : fs::directory_iterator(testdata_dir())) {
-    if (!fs::exists(format.path() / "bad")) continue;
-    const std::vector<fs::path> found = files_in(format.path() / "bad", ".yaml");
-    files.insert(files.end(), found.begin(), found.end());
+    if (!fs::exists(format.path() / folder)) continue;
+    const std::vector<fs::path> found = files_in(format.path() / folder);
+    std::ranges::copy_if(found, std::back_inserter(files),
+                         [](const fs::path& path) { return path.extension() != ".expected"; });
   }
   std::ranges::sort(files);
   return files;
@@ -61,12 +71,11 @@ std::string test_name(const testing::TestParamInfo<fs::path>& info) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, BadFiles, testing::ValuesIn(bad_files()), test_name);
+INSTANTIATE_TEST_SUITE_P(Formats, BadFiles, testing::ValuesIn(files_of_all_formats("bad")), test_name);
 
 TEST(BadFileFolder, HoldsEnough) {
-  for (const char* format : {"kalibr", "orbslam3"})
-    EXPECT_GE(files_in(testdata_dir() / format / "bad", ".yaml").size(), 12U) << format;
-  for (const char* format : {"kalibr", "orbslam3"}) {
+  for (const char* format : {"kalibr", "ocamcalib", "orbslam3", "tumvi", "woodscape"}) {
+    EXPECT_GE(files_in(testdata_dir() / format / "bad", ".expected").size(), 12U) << format;
     for (const fs::path& path : files_in(testdata_dir() / format / "bad", ".expected")) {
       EXPECT_TRUE(fs::exists(path.parent_path() / path.stem())) << path << " explains a file that is not there";
     }
@@ -121,7 +130,7 @@ TEST(BadSizes, TheCaretIsUnderTheBadSide) {
 class GoodFiles : public testing::TestWithParam<fs::path> {};
 
 TEST_P(GoodFiles, AreReadWithoutAWord) {
-  Parsed parsed = parse(read_file(GetParam()));
+  Parsed parsed = parse(read_file(GetParam()), GetParam().filename().string());
   ASSERT_TRUE(parsed.document) << parsed.rendered();
   const std::optional<Calibration> calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
   ASSERT_TRUE(calibration) << parsed.rendered();
@@ -132,7 +141,7 @@ TEST_P(GoodFiles, AreReadWithoutAWord) {
 
 TEST_P(GoodFiles, AreWrittenBackByteForByte) {
   const std::string bytes = read_file(GetParam());
-  const Calibration calibration = calibration_of(bytes);
+  const Calibration calibration = calibration_of(bytes, GetParam().filename().string());
   Diagnostics diagnostics;
   const std::optional<Written> written =
       calibration.format->write(&calibration.documents.front(), calibration.rig, {}, diagnostics);
@@ -141,16 +150,7 @@ TEST_P(GoodFiles, AreWrittenBackByteForByte) {
   EXPECT_EQ(written->files.front().document.bytes(), bytes);
 }
 
-std::vector<fs::path> good_files() {
-  std::vector<fs::path> files;
-  for (const char* format : {"kalibr", "orbslam3"}) {
-    const std::vector<fs::path> found = files_in(testdata_dir() / format / "good", ".yaml");
-    files.insert(files.end(), found.begin(), found.end());
-  }
-  return files;
-}
-
-INSTANTIATE_TEST_SUITE_P(Formats, GoodFiles, testing::ValuesIn(good_files()), test_name);
+INSTANTIATE_TEST_SUITE_P(Formats, GoodFiles, testing::ValuesIn(files_of_all_formats("good")), test_name);
 
 }  // namespace
 }  // namespace fca::test

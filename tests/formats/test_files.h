@@ -72,16 +72,16 @@ inline Parsed parse(const std::string& bytes, const std::string& name = "file.ya
 }
 
 /// A document that is known to parse.
-inline text::Document document_of(const std::string& bytes) {
-  Parsed parsed = parse(bytes);
+inline text::Document document_of(const std::string& bytes, const std::string& name = "file.yaml") {
+  Parsed parsed = parse(bytes, name);
   EXPECT_TRUE(parsed.document) << parsed.rendered() << bytes;
   return parsed.document ? *std::move(parsed.document) : text::Document();
 }
 
 /// The rig of bytes that are known to be a calibration.
-inline Calibration calibration_of(const std::string& bytes) {
+inline Calibration calibration_of(const std::string& bytes, const std::string& name = "file.yaml") {
   Diagnostics diagnostics;
-  std::optional<Calibration> calibration = read_calibration({document_of(bytes)}, nullptr, {}, diagnostics);
+  std::optional<Calibration> calibration = read_calibration({document_of(bytes, name)}, nullptr, {}, diagnostics);
   EXPECT_TRUE(calibration) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message) << "\n" << bytes;
   return calibration ? *std::move(calibration) : Calibration();
 }

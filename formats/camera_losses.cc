@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_losses.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace fca {
+
+void list_camera_losses(const Rig& rig, std::string_view program, std::string_view kept_frame, std::vector<Loss>& losses) {
+  const std::string no_place = "files of " + std::string(program) + " have no place for it";
+  for (const Camera& camera : rig.cameras) {
+    if (camera.time_offset_s.value_or(0.0) != 0.0) {
+      const std::string shift = text::format_short(*camera.time_offset_s);
+      losses.push_back({"time-offset-dropped", camera.name + " time offset " + shift + " s", no_place,
+                        "add " + shift + " s to every image time stamp of " + camera.name});
+    }
+    if (!camera.topic.empty()) losses.push_back({"topic-dropped", camera.name + " " + camera.topic, no_place, ""});
+    if (camera.frame_rate_hz) {
+      losses.push_back(
+          {"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz", no_place, ""});
+    }
+  }
+  for (const Imu& imu : rig.imus) losses.push_back({"imu-dropped", imu.name + " noise and rate", no_place, ""});
+  for (const PoseEdge& edge : rig.poses) {
+    const bool of_camera = rig.find_camera(edge.a) != nullptr || rig.find_camera(edge.b) != nullptr;
+    if (!kept_frame.empty() && of_camera && (edge.a == kept_frame || edge.b == kept_frame)) continue;
+    losses.push_back({"pose-dropped", "T_" + edge.a + "_" + edge.b,
+                      kept_frame.empty() ? no_place
+                                         : "files of " + std::string(program) + " hold the pose of a camera in the " +
+                                               std::string(kept_frame) + " and no other",
+                      ""});
+  }
+  if (rig.baseline_m) {
+    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
+  }
+}
+
+std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there) {
+  std::vector<AsRead> result;
+  std::ranges::copy_if(extras, std::back_inserter(result),
+                       [there](const AsRead& extra) { return std::ranges::find(there, extra) == there.end(); });
+  return result;
+}
+
+}  // namespace fca

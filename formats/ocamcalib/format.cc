@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "blocks.h"
+#include "ocamcalib.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fca::ocamcalib {
+
+using text::Node;
+
+namespace {
+
+constexpr std::array kModels = {StoredModel{"ocamcalib", "direct polynomial", true, "OCamCalib", {}}};
+constexpr std::array<std::string_view, 1> kDefaulted = {"inverse polynomial (fitted)"};
+
+bool mentions(const Node& line, std::string_view lower_case) {
+  return std::ranges::any_of(line.items, [lower_case](const Node& word) {
+    std::string text = word.value;
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text.find(lower_case) != std::string::npos;
+  });
+}
+
+bool is_numbers(const Node& line) { return !line.items.empty() && std::ranges::all_of(line.items, is_number); }
+
+/// The shape alone, comments or not, so that a file that lost a comment is still known: the lines of numbers begin with a
+/// counted polynomial and end with 2, 3 and 2 numbers.
+bool has_shape(const std::vector<Node>& lines) {
+  std::vector<const Node*> numbers;
+  for (const Node& line : lines) {
+    if (is_numbers(line)) numbers.push_back(&line);
+  }
+  const std::size_t count = numbers.size();
+  return count >= 5 && is_whole(numbers.front()->items.front()) && numbers[count - 3]->items.size() == 2 &&
+         numbers[count - 2]->items.size() == 3 && numbers[count - 1]->items.size() == 2;
+}
+
+ProbeResult probe(const text::Document& document) {
+  if (document.syntax() != text::Syntax::kWords) return {};
+  const std::vector<Node>& lines = document.root().items;
+  for (const Node& line : lines) {
+    if (!is_numbers(line) && mentions(line, "direct") && mentions(line, "mapping"))
+      return {95, "a comment on the direct mapping function"};
+  }
+  Diagnostics ignored;
+  if (find_blocks(document, ignored)) return {90, "five blocks of numbers behind one line each"};
+  if (has_shape(lines)) return {70, "lines of numbers that end with a centre, three affine parameters and a size"};
+  const auto comment = std::ranges::find_if(
+      lines, [](const Node& line) { return !is_numbers(line) && (mentions(line, "polynomial") || mentions(line, "affine")); });
+  if (comment != lines.end()) return {50, "a comment on a polynomial or affine parameters"};
+  return {};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "ocamcalib",
+    .title = "OCamCalib calib_results.txt",
+    .syntaxes = "text",
+    .extension = ".txt",
+    .program = "OCamCalib",
+    .many_cameras = false,
+    .extrinsics = false,
+    .imu = false,
+    .image_size = true,
+    .defaulted = kDefaulted,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::ocamcalib

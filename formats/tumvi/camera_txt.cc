@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_txt.h"
+
+#include "../fields.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fca::tumvi {
+
+using text::Node;
+
+namespace {
+
+/// A lens of DSO's.
+struct Lens {
+  std::string_view name;
+  std::string_view model;
+  std::span<const std::string_view> coefficients;  ///< Our parameters, behind fx fy cx cy.
+  std::size_t numbers;                             ///< That DSO demands.
+};
+
+constexpr std::array<std::string_view, 4> kKannalaBrandt = {"k1", "k2", "k3", "k4"};
+constexpr std::array<std::string_view, 4> kRadTan = {"k1", "k2", "p1", "p2"};
+constexpr std::array<std::string_view, 1> kOmega = {"w"};
+constexpr std::array kLenses = {Lens{"EquiDistant", "kb4", kKannalaBrandt, 8},
+                                Lens{"KannalaBrandt", "kb4", kKannalaBrandt, 8},
+                                Lens{"RadTan", "radtan", kRadTan, 8},
+                                Lens{"FOV", "fov", kOmega, 5},
+                                Lens{"ATAN", "fov", kOmega, 5},  // PTAM's name for it; DSO knows only the first
+                                Lens{"Pinhole", "pinhole", {}, 5}};
+
+const Lens& lens_named(std::string_view name) { return *std::ranges::find(kLenses, name, &Lens::name); }
+
+bool is_number(const Node& word) { return text::parse_real(word.value).has_value(); }
+bool is_whole(const Node& word) { return text::parse_int(word.value).has_value(); }
+
+/// The line as it stands, to the line break: DSO compares all of it.
+std::string_view whole_line(const text::Document& document, const Node& line) {
+  const std::string_view bytes = document.source().bytes;
+  const std::size_t start = document.source().line_at(line.span.offset).offset;
+  return bytes.substr(start, std::min(bytes.find('\n', start), bytes.size()) - start);
+}
+
+/// Line 1: the lens and its numbers.
+struct FirstLine {
+  const Lens* lens = nullptr;
+  bool named = false;
+  std::vector<const Node*> numbers;
+};
+
+/// As DSO's getUndistorterForFile chooses. No lens: none fits.
+FirstLine first_line(const Node& line) {
+  FirstLine result;
+  if (line.items.empty()) return result;
+  result.named = !is_number(line.items.front());
+  for (const Node& word : std::span(line.items).subspan(result.named ? 1 : 0)) {
+    if (!is_number(word)) break;
+    result.numbers.push_back(&word);
+  }
+  const std::size_t count = result.numbers.size();
+  if (result.named) {
+    const auto found = std::ranges::find(kLenses, line.items.front().value, &Lens::name);
+    if (found != kLenses.end()) result.lens = &*found;
+  } else if (count >= 8) {
+    result.lens = &lens_named("RadTan");
+  } else if (count >= 5) {
+    result.lens = &lens_named("FOV");
+  }
+  // A lens of angle 0 bends nothing.
+  if (result.lens != nullptr && result.lens->model == "fov" && count >= 5 && text::parse_real(result.numbers[4]->value) == 0.0)
+    result.lens = &lens_named("Pinhole");
+  return result;
+}
+
+/// DSO knows the relative form by the centre alone.
+bool is_relative(const std::array<double, 4>& numbers) { return numbers[2] < 1.0 && numbers[3] < 1.0; }
+
+/// The factor and the shift from a relative number to pixels.
+double to_pixels(double relative, std::size_t index, const ImageSize& size) {
+  const double side = index % 2 == 0 ? size.width : size.height;
+  return index < 2 ? relative * side : relative * side - 0.5;
+}
+
+/// The number that reads back as exactly `value` where there is one, else the nearest.
+double to_relative(double value, std::size_t index, const ImageSize& size) {
+  const double side = index % 2 == 0 ? size.width : size.height;
+  const double relative = (index < 2 ? value : value + 0.5) / side;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double below = relative;
+  double above = relative;
+  constexpr int kNeighbours = 3;
+  for (int i = 0; i < kNeighbours; ++i) {
+    if (to_pixels(below, index, size) == value) return below;
+    if (to_pixels(above, index, size) == value) return above;
+    below = std::nextafter(below, -kInfinity);
+    above = std::nextafter(above, kInfinity);
+  }
+  return relative;
+}
+
+/// A word that has the value already is not touched: scanf takes "0" and "0.0" alike.
+void set_real(text::Document& document, const Node& word, double value) {
+  if (text::parse_real(word.value) != value) document.replace(word.span, text::format_real(value));
+}
+
+constexpr std::array<std::string_view, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
+
+class CameraTxtReader {
+ public:
+  CameraTxtReader(const text::Document& document, Diagnostics& diagnostics)
+      : reader_(document, text::Dialect::kPyYaml, diagnostics), lines_(document.root().items) {}
+
+  std::optional<Rig> run() {
+    const FirstLine first = lines_.empty() ? FirstLine() : first_line(lines_.front());
+    if (first.lens == nullptr || first.numbers.size() < first.lens->numbers) {
+      refuse_first_line(first);
+      return std::nullopt;
+    }
+    if (first.lens->name == "ATAN") {
+      reader_.warning(lines_.front().items.front(), "program-refuses",
+                      "DSO knows no lens ATAN and stops; it is PTAM's name for DSO's FOV", "write FOV");
+    }
+    const std::optional<ImageSize> size = read_size();
+    if (!size) return std::nullopt;
+    Camera camera;
+    camera.name = "cam0";
+    camera.image_size = size;
+    camera.model = *make_model(first.lens->model);
+    if (!read_numbers(first, *size, camera)) return std::nullopt;
+    Rig rig;
+    read_output(camera, *size, rig);
+    rig.cameras.push_back(std::move(camera));
+    return rig;
+  }
+
+ private:
+  void refuse_first_line(const FirstLine& first) {
+    const Node& root = reader_.document().root();
+    const Node& at = lines_.empty() || lines_.front().items.empty() ? root : lines_.front();
+    SourceRange where = reader_.document().range(at);
+    if (&at == &root) where.length = 0;
+    const std::size_t read = (first.named ? 1 : 0) + first.numbers.size();
+    if (first.lens != nullptr && read < at.items.size()) {
+      reader_.error(at.items[read], "not-a-number", "line 1: '" + at.items[read].value.substr(0, 40) + "' is no number");
+      return;
+    }
+    std::string message = "line 1 is no lens of DSO's";
+    if (first.lens != nullptr) {
+      message = "line 1 has " + std::to_string(first.numbers.size()) + " numbers; " + std::string(first.lens->name) + " has " +
+                std::to_string(first.lens->numbers);
+    }
+    reader_.diagnostics().error(
+        "unknown-model", message, where,
+        "EquiDistant, KannalaBrandt or RadTan with 8 numbers (fx fy cx cy and four coefficients), FOV or "
+        "Pinhole with 5");
+  }
+
+  std::optional<ImageSize> read_size() {
+    if (lines_.size() < 2 || lines_[1].items.size() < 2 || !is_whole(lines_[1].items[0]) || !is_whole(lines_[1].items[1])) {
+      const Node& at = lines_.size() < 2 || lines_[1].items.empty() ? lines_.front() : lines_[1];
+      reader_.error(at, "missing-block", "line 2 must be the image's width and height, two whole numbers");
+      return std::nullopt;
+    }
+    return reader_.image_size(lines_[1].items[0], lines_[1].items[1], "image ");
+  }
+
+  bool read_numbers(const FirstLine& first, const ImageSize& size, Camera& camera) {
+    std::array<double, 4> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const std::optional<double> value = reader_.real(*first.numbers[i], kFocalAndCentre[i]);
+      if (!value) return false;
+      numbers[i] = *value;
+    }
+    bool good = true;
+    const bool relative = is_relative(numbers);
+    constexpr double kLargestShare = 10.0;
+    if (relative && (numbers[0] > kLargestShare || numbers[1] > kLargestShare)) {
+      reader_.warning(*first.numbers[2], "relative-by-centre",
+                      "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height");
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      good = reader_.parameter(*first.numbers[i], "line 1", kFocalAndCentre[i], camera.model) && good;
+      if (good && relative) set_parameter(camera.model, kFocalAndCentre[i], to_pixels(numbers[i], i, size));
+    }
+    for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i) {
+      good = reader_.parameter(*first.numbers[4 + i], "line 1", first.lens->coefficients[i], camera.model) && good;
+    }
+    if (first.lens->model == "pinhole" && text::parse_real(first.numbers[4]->value) != 0.0) {
+      reader_.warning(*first.numbers[4], "program-ignores", "the fifth number of Pinhole is read by DSO and used for nothing");
+    }
+    return good;
+  }
+
+  /// The lines 3 and 4: what DSO makes of the camera's images.
+  void read_output(const Camera& camera, const ImageSize& size, Rig& rig) {
+    if (lines_.size() < 4 || lines_[2].items.empty() || lines_[3].items.size() < 2) {
+      const Node& last = lines_[std::min<std::size_t>(lines_.size() - 1, 3)];
+      reader_.warning(
+          last.items.empty() ? lines_[1] : last, "program-refuses",
+          "DSO wants a line 3 (crop, none or five numbers) and a line 4 (width and height of its images), and stops");
+      return;
+    }
+    const Node& mode = lines_[2];
+    const std::string_view line = whole_line(reader_.document(), mode);
+    const bool numbers = mode.items.size() >= 5 && std::ranges::all_of(std::span(mode.items).first(5), is_number);
+    if (line == "full") {
+      reader_.warning(mode, "program-refuses", "DSO has not written \"full\" yet and stops", "write  crop");
+    } else if (!numbers && line != "crop" && line != "none") {
+      reader_.warning(mode, "program-refuses",
+                      "line 3 must be exactly crop or none (no blank, no CR behind it) or five numbers; DSO stops", "");
+    }
+    const Node& output = lines_[3];
+    const bool same_size =
+        output.items[0].value == std::to_string(size.width) && output.items[1].value == std::to_string(size.height);
+    if (line == "none" && !same_size)
+      reader_.warning(output, "program-refuses", "line 3 is none, but the sizes of the lines 2 and 4 differ: DSO stops");
+    if (line == "none" && model_info(camera.model).id != "pinhole") {
+      reader_.warning(mode, "program-ignores",
+                      "line 3 is none: DSO takes the images as they are, and ignores the distortion of line 1", "write  crop");
+    }
+    std::string words;
+    for (const Node& word : mode.items) words += word.value + " ";
+    rig.as_read.push_back({"cam0 DSO's rectified image", words + output.items[0].value + " x " + output.items[1].value});
+  }
+
+  fields::Reader reader_;
+  const std::vector<Node>& lines_;
+};
+
+}  // namespace
+
+ProbeResult probe_camera_txt(const text::Document& document) {
+  if (document.syntax() != text::Syntax::kWords) return {};
+  const std::vector<Node>& lines = document.root().items;
+  if (lines.empty()) return {};
+  const FirstLine first = first_line(lines.front());
+  const bool sized = lines.size() > 1 && lines[1].items.size() == 2 && std::ranges::all_of(lines[1].items, is_whole);
+  if (first.named && first.lens != nullptr && !first.numbers.empty())
+    return {sized ? 95 : 60, "a first line " + lines.front().items.front().value + " as in DSO's camera.txt"};
+  if (!sized || first.numbers.size() < 4) return {};
+  const bool mode = lines.size() > 2 && !lines[2].items.empty() &&
+                    (lines[2].items.size() == 5 || lines[2].items.front().value == "crop" ||
+                     lines[2].items.front().value == "none" || lines[2].items.front().value == "full");
+  if (mode) return {90, "a line of numbers, a size and a mode as in DSO's camera.txt"};
+  if (first.named || first.lens != nullptr) return {50, "a line of numbers and a size as in DSO's camera.txt"};
+  return {};
+}
+
+std::optional<Rig> read_camera_txt(const text::Document& document, Diagnostics& diagnostics) {
+  return CameraTxtReader(document, diagnostics).run();
+}
+
+std::optional<text::Document> edited_camera_txt(const text::Document& base, const Camera& camera) {
+  text::Document document = base;
+  const std::vector<Node>& lines = document.root().items;
+  const FirstLine first = first_line(lines.front());
+  if (first.lens == nullptr || first.lens->model != model_info(camera.model).id || !camera.image_size) return std::nullopt;
+  const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+  if (first.lens->model == "radtan" && value("k3") != 0.0) return std::nullopt;
+  std::array<double, 4> old{};
+  for (std::size_t i = 0; i < old.size(); ++i) old[i] = text::parse_real(first.numbers[i]->value).value_or(0.0);
+  const bool relative = is_relative(old);
+
+  const ImageSize size = *camera.image_size;
+  const std::optional<ImageSize> old_size = [&]() -> std::optional<ImageSize> {
+    const std::optional<int> width = text::parse_int(lines[1].items[0].value);
+    const std::optional<int> height = text::parse_int(lines[1].items[1].value);
+    return width && height ? std::optional(ImageSize{*width, *height}) : std::nullopt;
+  }();
+  if (!old_size) return std::nullopt;
+  std::array<double, 4> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double wanted = value(kFocalAndCentre[i]);
+    const bool same = relative && size == *old_size && to_pixels(old[i], i, size) == wanted;
+    numbers[i] = same ? old[i] : relative ? to_relative(wanted, i, size) : wanted;
+  }
+  if (is_relative(numbers) != relative) return std::nullopt;
+  for (std::size_t i = 0; i < numbers.size(); ++i) set_real(document, *first.numbers[i], numbers[i]);
+  for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i)
+    set_real(document, *first.numbers[4 + i], value(first.lens->coefficients[i]));
+  // With "none" DSO demands that what goes in comes out.
+  const bool passes_through =
+      size != *old_size && lines.size() > 3 && lines[3].items.size() >= 2 && whole_line(document, lines[2]) == "none";
+  std::vector<const Node*> sizes = {&lines[1]};
+  if (passes_through) sizes.push_back(&lines[3]);
+  for (const Node* line : sizes) {
+    fields::set_scalar(document, line->items[0], std::to_string(size.width));
+    fields::set_scalar(document, line->items[1], std::to_string(size.height));
+  }
+  return document;
+}
+
+}  // namespace fca::tumvi

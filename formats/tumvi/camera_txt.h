@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// DSO's camera.txt (JakobEngel/dso@1469e1e, src/util/Undistort.cpp), by which TUM-VI's sequences run in DSO and DM-VIO:
+//
+//   1  [name] fx fy cx cy ...   EquiDistant or KannalaBrandt k1 k2 k3 k4, RadTan k1 k2 p1 p2, FOV omega, Pinhole 0; without a
+//                               name 8 numbers are RadTan, 5 are FOV, or Pinhole if the fifth is 0
+//   2  w h
+//   3  crop | none | five numbers: how DSO rectifies, which is no part of the camera
+//   4  w h of what DSO makes of it
+//
+// If cx < 1 and cy < 1, all four are relative: fx w, fy h, cx w - 0.5, cy h - 0.5.
+#pragma once
+
+#include <fca/formats/format.h>
+
+namespace fca::tumvi {
+
+/// Words that are such a file, whatever is wrong with it.
+[[nodiscard]] ProbeResult probe_camera_txt(const text::Document& document);
+
+[[nodiscard]] std::optional<Rig> read_camera_txt(const text::Document& document, Diagnostics& diagnostics);
+
+/// The base with the camera's numbers in place of its own; nothing if it cannot say them (another model, a centre that DSO
+/// would take for a relative one).
+[[nodiscard]] std::optional<text::Document> edited_camera_txt(const text::Document& base, const Camera& camera);
+
+}  // namespace fca::tumvi

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_txt.h"
+#include "tumvi.h"
+
+#include "../camera_losses.h"
+#include "../kalibr/kalibr.h"
+#include "../losses.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fca::tumvi {
+
+namespace {
+
+constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
+
+/// The dataset has two calibrations of its cameras, and these are their models. The others are Kalibr's or DSO's.
+constexpr std::array kModels = {
+    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg)", {}},
+    StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
+    StoredModel{"radtan", "pinhole-radtan", false, "Kalibr, DSO (camera.txt)", kNoK3, "Kalibr's radtan has no k3"},
+    StoredModel{"pinhole", "pinhole-radtan with zeros", false, "Kalibr, DSO (camera.txt)", {}},
+    StoredModel{"fov", "pinhole-fov", false, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}},
+};
+
+/// A chain is Kalibr's, and says so.
+ProbeResult probe(const text::Document& document) { return probe_camera_txt(document); }
+
+bool is_camera_txt(const text::Document& document) { return document.syntax() == text::Syntax::kWords; }
+
+/// The dataset states T_cam_imu and T_cn_cnm1 of one estimate. Where a rig's contradict each other, the chain and the first
+/// camera's pose are kept, and the others follow from them.
+void make_consistent(Rig& rig, std::vector<Loss>& losses) {
+  constexpr double kRounding = 1e-9;
+  for (std::size_t i = 1; i < rig.cameras.size(); ++i) {
+    const std::string& name = rig.cameras[i].name;
+    const Transform* stated = rig.stated(name, "imu0");
+    const Transform* chain = rig.stated(name, rig.cameras[i - 1].name);
+    const std::optional<Transform> before = rig.resolve(rig.cameras[i - 1].name, "imu0");
+    if (stated == nullptr || chain == nullptr || !before) continue;
+    const Transform derived = *chain * *before;
+    double worst = 0.0;
+    for (std::size_t k = 0; k < derived.values.size(); ++k)
+      worst = std::max(worst, std::abs(derived.values[k] - stated->values[k]));
+    if (worst <= kRounding) continue;
+    losses.push_back({"pose-recomputed", name + " T_cam_imu",
+                      "as stated it differs from T_cn_cnm1 times the pose of " + rig.cameras[i - 1].name + " by up to " +
+                          text::format_short(worst, 3) + " in an element, and TUM-VI's two statements agree",
+                      "check which of them is right"});
+    std::erase_if(rig.poses, [&name](const PoseEdge& edge) { return edge.a == name && edge.b == "imu0"; });
+    rig.poses.push_back({name, "imu0", derived});
+  }
+}
+
+/// The dataset's images and IMU share one clock, and its chains have no timeshift_cam_imu. A base that states one keeps it.
+void remove_time_offsets(Rig& rig, const Rig* old, std::vector<Loss>& losses) {
+  for (Camera& camera : rig.cameras) {
+    const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
+    if (before != nullptr && before->time_offset_s == camera.time_offset_s) continue;
+    if (camera.time_offset_s.value_or(0.0) != 0.0) {
+      const std::string shift = text::format_short(*camera.time_offset_s);
+      losses.push_back({"time-offset-dropped", camera.name + " timeshift_cam_imu " + shift + " s",
+                        "TUM-VI's chains have none: the dataset's offsets are removed from its time stamps",
+                        "add " + shift + " s to every image time stamp of " + camera.name});
+    }
+    camera.time_offset_s.reset();
+  }
+}
+
+}  // namespace
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  if (documents.size() == 1 && is_camera_txt(documents.front())) return read_camera_txt(documents.front(), diagnostics);
+  return kalibr::read(documents, options, diagnostics);
+}
+
+std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
+  Diagnostics ignored;
+  const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  if (old && is_camera_txt(*base) && rig_as_named.cameras.size() == 1) {
+    if (std::optional<text::Document> document = edited_camera_txt(*base, rig_as_named.cameras.front())) {
+      Written written;
+      written.files.push_back({*std::move(document), {rig_as_named.cameras.front().name}, {"dso"}});
+      list_camera_losses(rig_as_named, "DSO", "", written.losses);
+      add_not_carried(extras_beyond(rig_as_named.as_read, old->as_read), "a camera.txt has no place for it", written.losses);
+      written.headline = "a camera.txt for DSO";
+      return written;
+    }
+  }
+  const text::Document* chain = base != nullptr && !is_camera_txt(*base) ? base : nullptr;
+  Rig rig = rig_as_named;
+  std::vector<Loss> losses;
+  remove_time_offsets(rig, chain != nullptr && old ? &*old : nullptr, losses);
+  if (chain == nullptr) make_consistent(rig, losses);
+  std::optional<Written> written = kalibr::write(chain, rig, options, diagnostics);
+  if (!written) return std::nullopt;
+  written->losses.insert(written->losses.begin(), losses.begin(), losses.end());
+  written->headline = "a camchain as TUM-VI's, for Kalibr";
+  return written;
+}
+
+const Format kFormat = {
+    .id = "tumvi",
+    .title = "TUM-VI calibration",
+    .syntaxes = "YAML, text",
+    .extension = ".yaml",
+    .program = "Kalibr",
+    .many_cameras = true,
+    .extrinsics = true,
+    .imu = true,
+    .image_size = true,
+    .topic = true,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::tumvi

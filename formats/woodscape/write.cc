@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layout.h"
+#include "woodscape.h"
+
+#include "../camera_losses.h"
+#include "../fields.h"
+#include "../losses.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::woodscape {
+
+using fields::Field;
+using text::Node;
+
+namespace {
+
+/// The keys of intrinsic in their order, which omnidet depends on.
+std::vector<Field> intrinsic_fields(const Camera& camera) {
+  const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+  return {fields::real("aspect_ratio", value("aspect_ratio")),
+          fields::real("cx_offset", offset_of(value("cx"), camera.image_size->width)),
+          fields::real("cy_offset", offset_of(value("cy"), camera.image_size->height)),
+          fields::real("height", camera.image_size->height),
+          fields::real("k1", value("k1")),
+          fields::real("k2", value("k2")),
+          fields::real("k3", value("k3")),
+          fields::real("k4", value("k4")),
+          fields::quoted("model", "radial_poly"),
+          fields::integer("poly_order", 4),
+          fields::real("width", camera.image_size->width)};
+}
+
+std::vector<Field> extrinsic_fields(const Transform& T) {
+  return {fields::list("quaternion", quaternion_of(T)), fields::list("translation", translation_of(T))};
+}
+
+double largest_difference_of_rotations(const Transform& a, const Transform& b) {
+  double worst = 0.0;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) worst = std::max(worst, std::abs(a(row, column) - b(row, column)));
+  }
+  return worst;
+}
+
+/// The dataset's own layout: two blanks deeper per level, one number per line.
+std::string compose(const Camera& camera, const Transform& T) {
+  const auto members = [](const std::vector<Field>& fields) {
+    std::string text;
+    for (const Field& field : fields) {
+      text += (text.empty() ? "" : ",") + std::string("\n    \"") + field.key + "\": ";
+      if (field.shape == fields::Shape::kScalar) {
+        text += field.tokens.front();
+        continue;
+      }
+      for (std::size_t i = 0; i < field.tokens.size(); ++i) text += (i == 0 ? "[\n      " : ",\n      ") + field.tokens[i];
+      text += "\n    ]";
+    }
+    return text;
+  };
+  const Field name = fields::quoted("name", camera.name);
+  return "{\n  \"extrinsic\": {" + members(extrinsic_fields(T)) + "\n  },\n  \"intrinsic\": {" +
+         members(intrinsic_fields(camera)) + "\n  },\n  " + fields::spell(name, 0, text::Syntax::kJson) + "\n}\n";
+}
+
+/// Number by number: to Python 3 and 3.0 are one, and what has not changed keeps its spelling.
+void edit_translation(text::Document& document, const Node& list, const std::array<double, 3>& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Node& number = list.items.at(i);
+    if (text::parse_real(number.value) != values.at(i)) document.replace(number.span, text::format_real(values.at(i)));
+  }
+}
+
+/// Takes the base from saying `old` to saying `camera` at that pose. Its own name and, where the rotation is the same, its own
+/// quaternion stay.
+text::Document edited(const text::Document& base, const Rig& old, const Camera& camera, const std::optional<Transform>& pose) {
+  text::Document document = base;
+  constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
+  const Node& root = document.root();
+  const Camera& before = old.cameras.front();
+  const Node* intrinsic = text::find(root, "intrinsic", kDialect);
+  fields::apply(document, *intrinsic, kDialect, intrinsic_fields(before), intrinsic_fields(camera));
+
+  const Transform* stated = old.stated(kVehicle, before.name);
+  if (!pose || (stated != nullptr && *stated == *pose)) return document;
+  std::vector<Field> from = stated != nullptr ? extrinsic_fields(*stated) : std::vector<Field>();
+  std::vector<Field> to = extrinsic_fields(*pose);
+  constexpr double kSameRotation = 1e-12;
+  if (stated != nullptr && largest_difference_of_rotations(*stated, *pose) <= kSameRotation) to.front() = from.front();
+  const text::Entry* extrinsic = text::find_entry(root, "extrinsic", kDialect);
+  if (stated != nullptr) {
+    edit_translation(document, *text::find(extrinsic->value, "translation", kDialect), translation_of(*pose));
+    from.pop_back();
+    to.pop_back();
+  }
+  if (extrinsic != nullptr && extrinsic->value.is_mapping() && !extrinsic->value.entries.empty()) {
+    fields::apply(document, extrinsic->value, kDialect, from, to);
+  } else if (extrinsic == nullptr) {
+    const std::string keys = fields::spell(to[0], 0, text::Syntax::kJson) + ", " + fields::spell(to[1], 0, text::Syntax::kJson);
+    document.insert_after(root, root.entries.front(), "\"extrinsic\": {" + keys + "}");
+  }
+  return document;
+}
+
+bool storable(const Camera& camera, Diagnostics& diagnostics) {
+  if (model_info(camera.model).id != "woodscape") {
+    diagnostics.error("model-not-storable",
+                      camera.name + ": WoodScape has no " + std::string(model_info(camera.model).id) + " model");
+    return false;
+  }
+  if (!camera.image_size) {
+    diagnostics.error("image-size-missing",
+                      camera.name + ": WoodScape counts the centre from the middle of the image and the input has no size", {},
+                      "give it: --size WIDTHxHEIGHT");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
+  if (rig.cameras.empty()) {
+    diagnostics.error("no-camera", "a WoodScape calibration needs a camera and the input has none");
+    return std::nullopt;
+  }
+  bool good = true;
+  for (const Camera& camera : rig.cameras) good = storable(camera, diagnostics) && good;
+  if (!good) return std::nullopt;
+
+  Diagnostics ignored;
+  const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  Written written;
+  for (const Camera& camera : rig.cameras) {
+    const Transform* stated = rig.stated(kVehicle, camera.name);
+    const std::optional<Transform> pose = stated != nullptr ? *stated : rig.resolve(kVehicle, camera.name);
+    std::optional<text::Document> document;
+    const bool of_base = old && (rig.cameras.size() == 1 || camera.name == old->cameras.front().name);
+    if (of_base) {
+      document = edited(*base, *old, camera, pose);
+    } else {
+      document = text::parse_document({camera.name + ".json", compose(camera, pose.value_or(Transform{}))}, diagnostics);
+      if (!pose) {
+        written.defaults.push_back(
+            {camera.name + " extrinsic", "identity: not in the input, and projection.py stops without it", true});
+      }
+    }
+    if (!document) return std::nullopt;
+    written.files.push_back({*std::move(document), {camera.name}, {"woodscape"}});
+  }
+  list_camera_losses(rig, "WoodScape", kVehicle, written.losses);
+  add_not_carried(extras_beyond(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>()),
+                  "a WoodScape JSON has no place for it", written.losses);
+  written.headline =
+      rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py" : "one WoodScape JSON per camera for projection.py";
+  return written;
+}
+
+}  // namespace fca::woodscape

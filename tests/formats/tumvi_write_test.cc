@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// TUM-VI: chains as Kalibr reads them, with the dataset's habits; and DSO's camera.txt, edited in place.
+#include "formats/oracle_table.h"
+#include "formats/rigs.h"
+
+#include <fca/formats/proof.h>
+#include <fca/formats/text/numbers.h>
+
+#include <rapidcheck/gtest.h>
+
+namespace fca::test {
+namespace {
+
+const Format& tumvi_format() { return *find_format("tumvi"); }
+std::string bytes_of(const Written& written) { return written.files.empty() ? "" : written.files.front().document.bytes(); }
+
+double random_in(double low, double high) {
+  const auto bits = *rc::gen::arbitrary<std::uint64_t>();
+  return low + (high - low) * (static_cast<double>(bits >> 11U) * 0x1p-53);
+}
+
+std::vector<std::string> codes_of(const Written& written) {
+  std::vector<std::string> codes;
+  for (const Loss& loss : written.losses) codes.push_back(loss.code);
+  return codes;
+}
+
+/// A chain read as TUM-VI's: --from tumvi.
+Rig read_as_tumvi(const std::string& bytes) {
+  Diagnostics diagnostics;
+  const text::Document document = document_of(bytes);
+  const std::optional<Rig> rig = tumvi_format().read(std::span(&document, 1), {}, diagnostics);
+  EXPECT_TRUE(rig) << bytes;
+  return rig.value_or(Rig());
+}
+
+TEST(TumViChain, AChainIsDetectedAsKalibrs) {
+  const text::Document chain = document_of(read_file(testdata_dir() / "kalibr/good/tumvi.yaml"));
+  EXPECT_EQ(tumvi_format().probe(chain).score, 0);
+  Diagnostics diagnostics;
+  EXPECT_EQ(detect_format(chain, diagnostics)->format->id, "kalibr");
+}
+
+TEST(TumViChain, ReadByNameAndWrittenBackByteForByte) {
+  for (const char* file : {"tumvi.yaml", "crlf.yaml", "omni.yaml", "ds.yaml"}) {
+    const std::string bytes = read_file(testdata_dir() / "kalibr/good" / file);
+    const text::Document document = document_of(bytes);
+    EXPECT_EQ(bytes_of(written_by(tumvi_format(), &document, read_as_tumvi(bytes))), bytes) << file;
+  }
+}
+
+TEST(TumViChain, ReadsBackBitEqualAndKalibrAgrees) {
+  for (const StoredModel& row : tumvi_format().models) {
+    SCOPED_TRACE(row.model);
+    const Rig rig = sample_rig(std::string(row.model), {true, true});
+    const Written written = written_by(tumvi_format(), nullptr, rig);
+    EXPECT_EQ(bytes_of(written).find("timeshift_cam_imu"), std::string::npos);
+    const Rig back = read_as_tumvi(bytes_of(written));
+    if (row.model != "pinhole") {  // Kalibr has it as radtan with zeros
+      EXPECT_TRUE(back.cameras == rig.cameras);
+    }
+    EXPECT_EQ(back.resolve("cam1", "cam0"), rig.resolve("cam1", "cam0"));
+    EXPECT_EQ(back.resolve("cam0", "imu0"), rig.resolve("cam0", "imu0"));
+    ASSERT_NE(back.stated("cam1", "imu0"), nullptr) << "of both cameras";
+    EXPECT_LE(largest_difference(*back.stated("cam1", "imu0"), T_cam1_cam0() * T_cam0_imu()), 1e-15);
+    const ProofResult proof = prove(*consumers::find_consumer("kalibr"), bytes_of(written), {}, rig);
+    EXPECT_TRUE(proof.agrees()) << proof.max_diff_px;
+    ASSERT_EQ(written.files.size(), 2U);
+    EXPECT_TRUE(consumers::find_consumer("kalibr-imu")->load(written.files[1].document.bytes(), {}).loads());
+  }
+}
+
+TEST(TumViChain, TheDatasetsModelsAreTheStockOnes) {
+  for (const auto& [model, stock] :
+       {std::pair{"kb4", true}, std::pair{"mei", true}, std::pair{"radtan", false}, std::pair{"fov", false}}) {
+    ASSERT_NE(find_stored_model(tumvi_format(), model, false), nullptr) << model;
+    EXPECT_EQ(find_stored_model(tumvi_format(), model, true) != nullptr, stock) << model;
+  }
+  EXPECT_EQ(find_stored_model(tumvi_format(), "ds", false), nullptr);
+}
+
+TEST(TumViChain, ATimeOffsetIsDroppedAndSaid) {
+  Rig rig = sample_rig("kb4", {true, true});
+  rig.cameras[0].time_offset_s = -0.0021;
+  rig.cameras[1].time_offset_s = 0.0;
+  const Written written = written_by(tumvi_format(), nullptr, rig);
+  EXPECT_EQ(codes_of(written), std::vector<std::string>{"time-offset-dropped"});
+  EXPECT_NE(written.losses.front().remedy.find("add -0.0021 s"), std::string::npos);
+  EXPECT_EQ(bytes_of(written).find("timeshift_cam_imu"), std::string::npos);
+}
+
+TEST(TumViChain, ContradictingPosesAreMadeOne) {
+  Rig rig = sample_rig("kb4", {true, true});
+  Transform off = T_cam1_cam0() * T_cam0_imu();
+  off(0, 3) += 0.01;
+  rig.poses.push_back({"cam1", "imu0", off});
+  const Written written = written_by(tumvi_format(), nullptr, rig);
+  EXPECT_EQ(codes_of(written), std::vector<std::string>{"pose-recomputed"});
+  const Rig back = read_as_tumvi(bytes_of(written));
+  EXPECT_LE(largest_difference(*back.stated("cam1", "imu0"), *back.stated("cam1", "cam0") * *back.stated("cam0", "imu0")),
+            1e-15);
+}
+
+// Half the size: the pixel-centre rule is lib's affair; the format keeps what it is told.
+TEST(TumViChain, BothSizesOfTheDataset) {
+  for (const int side : {512, 1024}) {
+    Rig rig = sample_rig("kb4", {true, false});
+    for (Camera& camera : rig.cameras) camera.image_size = ImageSize{side, side};
+    EXPECT_EQ(read_as_tumvi(bytes_of(written_by(tumvi_format(), nullptr, rig))).cameras[1].image_size, (ImageSize{side, side}));
+  }
+}
+
+struct Meaning {
+  const char* file;
+  const char* model;
+  std::vector<double> parameters;
+  ImageSize size;
+};
+
+TEST(CameraTxt, WhatTheFilesMean) {
+  const std::vector<Meaning> meanings = {
+      {"equidistant.txt",
+       "kb4",
+       {190.75, 190.625, 254.875, 256.9375, 0.0034375, 0.00071875, -0.002046875, 0.000203125},
+       {512, 512}},
+      {"radtan-bare.txt",
+       "radtan",
+       {458.75, 457.25, 367.125, 248.375, -0.2834375, 0.07390625, 0.00019375, 1.75e-05, 0.0},
+       {752, 480}},
+      {"fov-bare.txt", "fov", {445.5, 558.75, 631.0, 511.0, 0.9375}, {1280, 1024}},
+      {"fov-relative.txt",
+       "fov",
+       {0.349153 * 1280, 0.436593 * 1024, 0.49314 * 1280 - 0.5, 0.499021 * 1024 - 0.5, 0.933271},
+       {1280, 1024}},
+      {"pinhole.txt", "pinhole", {501.5, 501.5, 421.75, 167.625}, {800, 304}},
+      {"pinhole-relative.txt", "pinhole", {500.0, 500.0, 421.5, 167.5}, {800, 400}},
+  };
+  for (const Meaning& meaning : meanings) {
+    SCOPED_TRACE(meaning.file);
+    const std::string bytes = read_file(testdata_dir() / "tumvi/good" / meaning.file);
+    const Calibration calibration = calibration_of(bytes, meaning.file);
+    const Camera& camera = calibration.rig.cameras.at(0);
+    EXPECT_EQ(model_info(camera.model).id, meaning.model);
+    const std::span<const double> values = parameter_values(camera.model);
+    EXPECT_EQ(std::vector<double>(values.begin(), values.end()), meaning.parameters);
+    EXPECT_EQ(camera.image_size, meaning.size);
+    const ProofResult proof = prove(*consumers::find_consumer("dso"), bytes, {}, calibration.rig);
+    EXPECT_TRUE(proof.agrees()) << proof.max_diff_px;
+    ASSERT_EQ(calibration.rig.as_read.size(), 1U) << "what DSO makes of the images is no part of the camera";
+  }
+}
+
+// Every number, one at a time; in the relative form a centre and a focal length are written as shares.
+TEST(CameraTxt, OneNumberChangesItsOwnBytesOnly) {
+  for (const fs::path& path : files_in(testdata_dir() / "tumvi/good", ".txt")) {
+    const std::string bytes = read_file(path);
+    const Calibration calibration = calibration_of(bytes, path.filename().string());
+    const auto& parameters = model_info(calibration.rig.cameras[0].model).parameters;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      if (parameters[i].name == "k3" && parameters.size() == 9) continue;  // radtan's, of which DSO has none
+      SCOPED_TRACE(path.filename().string() + " " + std::string(parameters[i].name));
+      Rig rig = calibration.rig;
+      parameter_values(rig.cameras[0].model)[i] += 0.0009765625;
+      const Written written = written_by(tumvi_format(), &calibration.documents.front(), rig);
+      EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"dso"});
+      const std::string edited = bytes_of(written);
+      EXPECT_TRUE(calibration_of(edited, "camera.txt").rig.cameras == rig.cameras) << edited;
+      std::vector<std::string> before = split(bytes, '\n');
+      std::vector<std::string> after = split(edited, '\n');
+      ASSERT_EQ(before.size(), after.size());
+      EXPECT_TRUE(std::equal(before.begin() + 1, before.end(), after.begin() + 1)) << "only line 1";
+      const text::Document old_words = document_of(before[0] + "\n1 1\n", "camera.txt");
+      const text::Document new_words = document_of(after[0] + "\n1 1\n", "camera.txt");
+      int different = 0;
+      for (std::size_t k = 0; k < old_words.root().items[0].items.size(); ++k)
+        different += old_words.root().items[0].items[k].value != new_words.root().items[0].items.at(k).value ? 1 : 0;
+      EXPECT_EQ(different, 1) << after[0];
+    }
+  }
+}
+
+RC_GTEST_PROP(CameraTxt, AnyOtherCameraOfTheModelReadsBack, ()) {
+  const std::string file = *rc::gen::element<std::string>("equidistant.txt", "radtan-bare.txt", "fov-bare.txt", "pinhole.txt");
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good" / file), file);
+  Rig rig = calibration.rig;
+  Camera& camera = rig.cameras.front();
+  camera.image_size = ImageSize{*rc::gen::inRange(64, 3000), *rc::gen::inRange(64, 3000)};
+  const double focal = random_in(100.0, 900.0);
+  for (const char* name : {"fx", "fy"}) set_parameter(camera.model, name, focal * random_in(0.98, 1.02));
+  set_parameter(camera.model, "cx", random_in(0.4, 0.6) * camera.image_size->width);
+  set_parameter(camera.model, "cy", random_in(0.4, 0.6) * camera.image_size->height);
+  for (const char* name : {"k1", "k2", "p1", "p2"}) set_parameter(camera.model, name, random_in(-0.01, 0.01));
+  const std::string edited = bytes_of(written_by(tumvi_format(), &calibration.documents.front(), rig));
+  RC_ASSERT(calibration_of(edited, file).rig.cameras == rig.cameras);
+  RC_ASSERT(consumers::find_consumer("dso")->load(edited, {}).cameras.size() == 1U);
+}
+
+// Shares cannot say every double of a pixel: the nearest is written, and less than a billionth of a pixel lost.
+RC_GTEST_PROP(CameraTxt, RelativeNumbersReadBackToRounding, ()) {
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/fov-relative.txt"), "camera.txt");
+  Rig rig = calibration.rig;
+  Camera& camera = rig.cameras.front();
+  for (const char* name : {"fx", "fy", "cx", "cy"}) set_parameter(camera.model, name, random_in(300.0, 700.0));
+  const Calibration back =
+      calibration_of(bytes_of(written_by(tumvi_format(), &calibration.documents.front(), rig)), "camera.txt");
+  for (std::size_t i = 0; i < 5; ++i)
+    RC_ASSERT(std::abs(parameter_values(back.rig.cameras[0].model)[i] - parameter_values(camera.model)[i]) <= 2.5e-13);
+}
+
+// DSO has no such lens, or would take the centre for a relative one: the camera goes into a chain.
+TEST(CameraTxt, WhatItCannotSayBecomesAChain) {
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/radtan-bare.txt"), "camera.txt");
+  const auto becomes_a_chain = [&calibration](const Rig& rig) {
+    const Written written = written_by(tumvi_format(), &calibration.documents.front(), rig);
+    return written.files.front().programs == std::vector<std::string>{"kalibr"} &&
+           read_as_tumvi(bytes_of(written)).cameras.at(0).model == rig.cameras.at(0).model;
+  };
+  Rig other_model = calibration.rig;
+  other_model.cameras[0].model = sample_model("kb4");
+  EXPECT_TRUE(becomes_a_chain(other_model));
+  Rig near_the_corner = calibration.rig;
+  set_parameter(near_the_corner.cameras[0].model, "cx", 0.5);
+  set_parameter(near_the_corner.cameras[0].model, "cy", 0.25);
+  EXPECT_TRUE(becomes_a_chain(near_the_corner));
+}
+
+}  // namespace
+}  // namespace fca::test
