@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
 #include "kalibr/kalibr.h"
+#include "opencv/opencv.h"
 #include "orbslam3/orbslam3.h"
 
 #include <fca/formats/text/numbers.h>
@@ -12,8 +13,8 @@ namespace fca {
 
 namespace {
 
-const std::array<Format, 2>& table() {
-  static const std::array<Format, 2> kTable = {kalibr::kFormat, orbslam3::kFormat};
+const std::array<Format, 3>& table() {
+  static const std::array<Format, 3> kTable = {kalibr::kFormat, opencv::kFormat, orbslam3::kFormat};
   return kTable;
 }
 
