@@ -145,7 +145,8 @@ void FieldMaker::add_lens(const Camera& camera, const CameraKeys& keys, bool kep
   // A base without coefficients says a pinhole so.
   const bool none = base_ != nullptr && kept_length && count == 0 && model_info(camera.model).id == "pinhole";
   if (!keys.distortion.empty() && !none) {
-    fields.push_back(vector_as(keys.distortion, coefficients(camera.model, kept_length ? count : 0), layout_.row_vectors, D_there));
+    fields.push_back(
+        vector_as(keys.distortion, coefficients(camera.model, kept_length ? count : 0), layout_.row_vectors, D_there));
   }
   if (keys.xi.empty() || kind_of(camera.model) != Kind::kOmnidir) return;
   const double xi = value_of(camera.model, "xi");

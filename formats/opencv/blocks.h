@@ -25,7 +25,8 @@ class FieldMaker {
  private:
   [[nodiscard]] const text::Node* there(const text::Node* mapping, const std::string& key) const;
   [[nodiscard]] const text::Node* mapping_in_base(const CameraKeys& keys) const;
-  void add_size(const SizeKeys& keys, const Camera& camera, const text::Node* mapping, std::vector<fields::Field>& fields) const;
+  void add_size(const SizeKeys& keys, const Camera& camera, const text::Node* mapping,
+                std::vector<fields::Field>& fields) const;
   void add_lens(const Camera& camera, const CameraKeys& keys, bool kept_length, std::vector<fields::Field>& fields) const;
   void add_stereo_pose(std::vector<fields::Field>& fields) const;
 

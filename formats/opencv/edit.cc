@@ -47,10 +47,12 @@ bool adapt_keys(const Base& base, const Camera& before, const Camera& after, Cam
   const std::string_view id = model_info(after.model).id;
   if (!keys.radial.empty()) {
     if (id != "radtan" && id != "pinhole") return false;
-    const bool tangential = parameter(after.model, "p1").value_or(0.0) != 0.0 || parameter(after.model, "p2").value_or(0.0) != 0.0;
+    const bool tangential =
+        parameter(after.model, "p1").value_or(0.0) != 0.0 || parameter(after.model, "p2").value_or(0.0) != 0.0;
     return !tangential || !keys.tangential.empty();
   }
-  if (keys.distortion.empty() && id != "pinhole") keys.distortion = keys.map.empty() ? distortion_key_for(keys.matrix) : "distortion_vector";
+  if (keys.distortion.empty() && id != "pinhole")
+    keys.distortion = keys.map.empty() ? distortion_key_for(keys.matrix) : "distortion_vector";
   if (keys.distortion.empty() && id != "pinhole") return false;
   if (was == is) return true;
   const ModelKey& model = keys.model.key.empty() ? base.layout.model : keys.model;
@@ -237,8 +239,8 @@ std::optional<Base> read_base(const text::Document& document, const Rig& rig) {
   if (!layout || layout->cameras.empty()) return std::nullopt;
   Diagnostics ignored;
   std::optional<Rig> old = read(std::span(&document, 1), {}, ignored);
-  const bool ambiguous = std::ranges::any_of(ignored.entries(),
-                                             [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
+  const bool ambiguous =
+      std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
   if (!old && ambiguous) {
     const bool fisheye =
         std::ranges::any_of(rig.cameras, [](const Camera& camera) { return kind_of(camera.model) == Kind::kFisheye; });
@@ -271,7 +273,7 @@ std::string name_of_layout(const Layout& layout) {
 }
 
 bool samples_read(const Layout& layout) {
-  constexpr std::array<std::string_view, 7> kKnown = {"camera_matrix", "Camera_Matrix",   "M1",      "K1",
+  constexpr std::array<std::string_view, 7> kKnown = {"camera_matrix",   "Camera_Matrix",      "M1",      "K1",
                                                       "camera_matrix_1", "camera_matrix_left", "camera_0"};
   if (layout.cameras.empty()) return false;
   const CameraKeys& first = layout.cameras.front();

@@ -25,9 +25,7 @@ constexpr std::array<std::string_view, 6> kSizePairs = {"imagesize",  "imgsize",
 constexpr std::array<std::string_view, 4> kRotations = {"r", "rotationmatrix", "rotation", "rotationofcamera2"};
 constexpr std::array<std::string_view, 4> kTranslations = {"t", "translationvector", "translation", "translationofcamera2"};
 
-bool counts(const Node& mapping, const Entry& entry) {
-  return text::find_entry(mapping, entry.key.value, kDialect) == &entry;
-}
+bool counts(const Node& mapping, const Entry& entry) { return text::find_entry(mapping, entry.key.value, kDialect) == &entry; }
 
 /// The key of `mapping` that folds to `word`; "" if there is none.
 std::string key_folding_to(const Node& mapping, std::string_view word) {
@@ -228,8 +226,8 @@ std::vector<std::string> keys_of(const Layout& layout, const std::string& map) {
       if (map.empty()) keys.push_back(camera.map);
       continue;
     }
-    keys.insert(keys.end(), {camera.matrix, camera.distortion, camera.radial, camera.tangential, camera.xi, camera.pose,
-                             camera.model.key});
+    keys.insert(keys.end(),
+                {camera.matrix, camera.distortion, camera.radial, camera.tangential, camera.xi, camera.pose, camera.model.key});
     add_size(camera.size);
   }
   if (map.empty()) {

@@ -58,7 +58,7 @@ struct Layout {
   std::string translation;  ///< T
   bool rotation_vector = false;
   bool rotation_transposed = false;
-  std::string count;  ///< "nb_camera" or empty.
+  std::string count;         ///< "nb_camera" or empty.
   bool row_vectors = false;  ///< Of a fresh file: distortion coefficients in one row.
   std::string why;           ///< "camera_matrix and distortion_coefficients"
 

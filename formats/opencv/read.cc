@@ -147,7 +147,8 @@ class CalibrationReader {
     const bool upper = k[2] != 0.0 || k[5] != 0.0;
     const bool lower = k[6] != 0.0 || k[7] != 0.0;
     if (!transposed && lower && !upper) {
-      reader_.error(node, "matrix-transposed", what + " is transposed: its principal point stands in the last row, as MATLAB writes it",
+      reader_.error(node, "matrix-transposed",
+                    what + " is transposed: its principal point stands in the last row, as MATLAB writes it",
                     "OpenCV wants fx 0 cx, 0 fy cy, 0 0 1 row by row");
       return false;
     }
@@ -248,8 +249,8 @@ class CalibrationReader {
     }
     if (!check_no_prism(node, what, D)) return std::nullopt;
     const auto all_zero = [&D](std::size_t from, std::size_t to) {
-      return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from), D.values.begin() + static_cast<std::ptrdiff_t>(to),
-                         [](double v) { return v == 0.0; });
+      return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from),
+                         D.values.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0.0; });
     };
     if (all_zero(0, std::min<std::size_t>(count, 8))) return make_model("pinhole");
     if (count == 5 || (count > 8 && all_zero(5, 8))) return with("radtan", {"k1", "k2", "p1", "p2", "k3"}, D, what);
@@ -397,18 +398,20 @@ class CalibrationReader {
     const double length = std::hypot(T(0, 3), T(1, 3), T(2, 3));
     constexpr double kLongerThanARig = 10.0;
     if (length <= kLongerThanARig) return;
-    reader_.warning(node, "units-not-stated",
-                    what + " is " + text::format_short(length, 4) +
-                        " long, in the units of the calibration board, which no file states; read as metres, probably millimetres",
-                    "divide it by 1000 if they are millimetres");
+    reader_.warning(
+        node, "units-not-stated",
+        what + " is " + text::format_short(length, 4) +
+            " long, in the units of the calibration board, which no file states; read as metres, probably millimetres",
+        "divide it by 1000 if they are millimetres");
   }
 
   void read_stereo_pose(Rig& rig) {
     const bool has_rotation = !layout_.rotation.empty();
     const bool has_translation = !layout_.translation.empty();
     if (has_rotation != has_translation) {
-      reader_.warning(*reader_.find(document_.root(), has_rotation ? layout_.rotation : layout_.translation), "pose-missing",
-                      "the pose of the second camera needs R and T, and " + std::string(has_rotation ? "T" : "R") + " is missing");
+      reader_.warning(
+          *reader_.find(document_.root(), has_rotation ? layout_.rotation : layout_.translation), "pose-missing",
+          "the pose of the second camera needs R and T, and " + std::string(has_rotation ? "T" : "R") + " is missing");
     }
     if (!has_rotation || !has_translation) return;
     const Node& R_node = *reader_.find(document_.root(), layout_.rotation);
@@ -496,8 +499,9 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   for (const text::Document& document : documents) {
     const std::optional<Layout> layout = find_layout(document);
     if (!layout) {
-      diagnostics.error("no-calibration", "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) stands here",
-                        document.source().range({0, 1}), "OpenCV's calibration samples write camera_matrix and distortion_coefficients");
+      diagnostics.error(
+          "no-calibration", "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) stands here",
+          document.source().range({0, 1}), "OpenCV's calibration samples write camera_matrix and distortion_coefficients");
       return std::nullopt;
     }
     Rig part;
@@ -505,7 +509,8 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     CalibrationReader(document, *layout, options, found).read_into(part);
     for (const Camera& camera : part.cameras) {
       if (rig.find_camera(camera.name) != nullptr)
-        found.error("stated-twice", "a camera " + camera.name + " stands here and in the file before", document.source().range({0, 1}));
+        found.error("stated-twice", "a camera " + camera.name + " stands here and in the file before",
+                    document.source().range({0, 1}));
     }
     for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
     if (found.has_errors()) return std::nullopt;

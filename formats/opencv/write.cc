@@ -37,8 +37,7 @@ bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   for (const Camera& camera : rig.cameras) {
     if (camera.time_offset_s) {
-      losses.push_back({"time-offset-dropped",
-                        camera.name + " time offset " + text::format_short(*camera.time_offset_s) + " s",
+      losses.push_back({"time-offset-dropped", camera.name + " time offset " + text::format_short(*camera.time_offset_s) + " s",
                         "OpenCV's files have no key for it",
                         "add " + text::format_short(*camera.time_offset_s) + " s to every image time stamp"});
     }
