@@ -27,6 +27,7 @@ bool one_size(const Rig& rig) {
 }
 
 bool one_camera_per_file(std::string_view layout, const Rig& rig) {
+  if (layout == "cameras") return false;
   return rig.cameras.size() == 1 || layout == "calibration" || (layout == "omnidir" && rig.cameras.size() != 2);
 }
 
@@ -141,8 +142,7 @@ bool compose(const Rig& rig, const std::string& layout, Syntax syntax, std::stri
   for (const Camera& camera : rig.cameras) {
     Rig one;
     one.cameras = {camera};
-    std::optional<Written::File> file =
-        compose_file(one, layout == "cameras" ? layout : "calibration", syntax, camera.name + extension, diagnostics);
+    std::optional<Written::File> file = compose_file(one, "calibration", syntax, camera.name + extension, diagnostics);
     if (!file) return false;
     written.files.push_back(*std::move(file));
   }

@@ -247,7 +247,7 @@ class CalibrationReader {
                     what + " has " + std::to_string(count) + " numbers; OpenCV knows vectors of 0, 4, 5, 8, 12 and 14");
       return std::nullopt;
     }
-    if (!check_no_prism(node, what, D)) return std::nullopt;
+    if (!check_no_prism(what, D)) return std::nullopt;
     const auto all_zero = [&D](std::size_t from, std::size_t to) {
       return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from),
                          D.values.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0.0; });
@@ -258,16 +258,18 @@ class CalibrationReader {
   }
 
   /// s1..s4 and tau_x, tau_y: no model of ours has them.
-  bool check_no_prism(const Node& node, const std::string& what, const Numbers& D) {
+  bool check_no_prism(const std::string& what, const Numbers& D) {
     constexpr std::array<std::string_view, 6> kTerms = {"s1", "s2", "s3", "s4", "tau_x", "tau_y"};
     std::string found;
+    const Node* first = nullptr;
     for (std::size_t i = 8; i < D.values.size(); ++i) {
       if (D.values[i] == 0.0) continue;
+      if (first == nullptr) first = D.nodes[i];
       found += (found.empty() ? "" : ", ") + std::string(kTerms.at(i - 8)) + " = " + text::format_short(D.values[i]);
     }
     if (found.empty()) return true;
     const bool tilt = D.values.size() > 12 && (D.values[12] != 0.0 || D.values[13] != 0.0);
-    reader_.error(node, tilt ? "tilted-sensor" : "thin-prism",
+    reader_.error(*first, tilt ? "tilted-sensor" : "thin-prism",
                   what + " has " + found + ": " + (tilt ? "a tilted sensor" : "thin-prism distortion") +
                       ", which none of our models can hold",
                   tilt ? "calibrate without CALIB_TILTED_MODEL" : "calibrate without CALIB_THIN_PRISM_MODEL");
@@ -294,8 +296,12 @@ class CalibrationReader {
     if (said) return said;
     const auto spelled = [&D](std::initializer_list<const char*> names) {
       std::string text;
-      std::size_t i = 0;
-      for (const char* name : names) text += (i > 0 ? " " : "") + std::string(name) + "=" + text::format_short(D.values[i++]);
+      std::size_t place = 0;
+      for (const char* name : names) {
+        if (place > 0) text += " ";
+        text += std::string(name) + "=" + text::format_short(D.values[place]);
+        ++place;
+      }
       return text;
     };
     reader_.error(node, "ambiguous-model",
