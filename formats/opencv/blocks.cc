@@ -4,6 +4,7 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fca::opencv {
 
@@ -38,11 +39,32 @@ std::string_view value_at(const Node* node, std::string_view key) {
   return found == nullptr ? std::string_view() : std::string_view(found->value);
 }
 
+/// Numbers that the base says already keep its spelling: "500" in a matrix of doubles, "0.1" in one of floats.
+void keep_spellings(std::span<const double> values, bool floats, const Node* node, Field& field) {
+  const Node* data = node != nullptr && node->is_mapping() ? text::find(*node, "data", kDialect) : node;
+  if (data == nullptr || data->items.size() != values.size()) return;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Node& item = data->items[i];
+    const std::optional<double> there = item.is_scalar() ? text::parse_real(item.value) : std::nullopt;
+    if (!there) continue;
+    const double read = floats ? static_cast<double>(static_cast<float>(*there)) : *there;
+    if (read == values[i] && std::signbit(read) == std::signbit(values[i])) field.tokens[i] = item.value;
+  }
+}
+
 /// A matrix of `columns`; as the base writes it, where there is one of as many numbers. Floats stay floats where they can.
 Field matrix_as(const std::string& key, std::span<const double> values, int columns, const Node* node) {
-  if (node != nullptr && !node->is_mapping()) return fields::list(key, values);
-  const bool floats = value_at(node, "dt") == "f" && all_floats(values);
-  return fields::matrix(key, values, columns, floats ? "f" : "d");
+  if (node != nullptr && !node->is_mapping()) {
+    Field list = fields::list(key, values);
+    keep_spellings(values, false, node, list);
+    return list;
+  }
+  const std::string_view type = value_at(node, "dt");
+  const bool floats = type == "f" && all_floats(values);
+  Field matrix = fields::matrix(key, values, columns, floats ? "f" : "d");
+  // Digits that were a float's are another number as a double's.
+  if (floats || type == "d") keep_spellings(values, floats, node, matrix);
+  return matrix;
 }
 
 /// A vector lies as the base's, else as `row` says.
@@ -180,8 +202,8 @@ std::vector<Field> FieldMaker::root(const std::vector<bool>& kept_length) const 
     const bool fisheye = kind_of(rig_.cameras.front().model) == Kind::kFisheye;
     fields.push_back(fields::integer(layout_.model.key, fisheye ? 1 : 0));
   }
-  if (layout_.in_maps()) return fields;
-  for (std::size_t i = 0; i < rig_.cameras.size(); ++i) add_lens(rig_.cameras[i], layout_.cameras[i], kept_length[i], fields);
+  for (std::size_t i = 0; i < rig_.cameras.size() && !layout_.in_maps(); ++i)
+    add_lens(rig_.cameras[i], layout_.cameras[i], kept_length[i], fields);
   add_stereo_pose(fields);
   return fields;
 }

@@ -107,7 +107,8 @@ class Editor {
       return false;
     }
     // A pair whose file holds no pose can begin to.
-    if (after_.cameras.size() == 2 && !after_.in_maps() && after_.rotation.empty() && after_.translation.empty()) {
+    if (after_.cameras.size() == 2 && after_.cameras.front().pose.empty() && after_.rotation.empty() &&
+        after_.translation.empty()) {
       after_.rotation = "R";
       after_.translation = "T";
     }
@@ -261,7 +262,7 @@ std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {
   Editor editor(base, rig, *std::move(places));
   if (!editor.plan(why)) return std::nullopt;
   text::Document document = editor.edited();
-  return Edited{std::move(document), base.rig, editor.layout(), {}};
+  return Edited{std::move(document), base.rig, editor.layout()};
 }
 
 std::string name_of_layout(const Layout& layout) {

@@ -25,7 +25,6 @@ struct Edited {
   text::Document document;
   Rig old;
   Layout layout;
-  std::vector<Loss> losses;
 };
 
 /// Nothing, and `why` says why, where its keys cannot hold the rig.

@@ -56,11 +56,22 @@ SizeKeys find_size(const Node& mapping) {
   return keys;
 }
 
-/// 0 or 1, or a name of a model.
+/// A name of a model that one of OpenCV's functions projects: is it cv::fisheye's?
+std::optional<bool> is_fisheye(const std::string& name) {
+  const std::string word = folded(name);
+  for (const std::string_view part : {"fisheye", "equidistant", "kannala"}) {
+    if (word.find(part) != std::string::npos) return true;
+  }
+  const ModelInfo* model = find_model(name);
+  if (model == nullptr) return std::nullopt;
+  if (model->id == "kb4") return true;
+  if (model->id == "radtan" || model->id == "rational" || model->id == "pinhole") return false;
+  return std::nullopt;
+}
+
+/// A flag, 0 or 1, or a name of a model.
 ModelKey find_model_key(const Node& mapping) {
   constexpr std::array<std::string_view, 4> kFlags = {"fisheyemodel", "distortiontype", "isfisheye", "fisheye"};
-  constexpr std::array<std::string_view, 6> kNames = {"distortionmodel", "distortiontype", "cameramodel",
-                                                      "cameratype",      "modeltype",      "model"};
   for (const std::string_view flag : kFlags) {
     const std::string key = key_folding_to(mapping, flag);
     const Node* node = key.empty() ? nullptr : text::find(mapping, key, kDialect);
@@ -68,14 +79,11 @@ ModelKey find_model_key(const Node& mapping) {
     if (const std::optional<double> value = text::parse_real(node->value)) return {key, true, *value != 0.0};
     if (node->value == "true" || node->value == "false") return {key, false, node->value == "true"};
   }
-  for (const std::string_view name : kNames) {
-    const std::string key = key_folding_to(mapping, name);
-    const Node* node = key.empty() ? nullptr : text::find(mapping, key, kDialect);
-    if (node == nullptr || !node->is_scalar()) continue;
-    const ModelInfo* model = find_model(node->value);
-    if (model == nullptr) continue;
-    if (model->id == "kb4") return {key, false, true};
-    if (model->id == "radtan" || model->id == "rational" || model->id == "pinhole") return {key, false, false};
+  for (const Entry& entry : mapping.entries) {
+    const std::string key = folded(entry.key.value);
+    const bool speaks = key.find("model") != std::string::npos || key.ends_with("type");
+    if (!speaks || !entry.value.is_scalar()) continue;
+    if (const std::optional<bool> fisheye = is_fisheye(entry.value.value)) return {entry.key.value, false, fisheye};
   }
   return {};
 }
@@ -212,7 +220,7 @@ std::optional<Layout> find_layout(const text::Document& document) {
   }
   layout.size = find_size(root);
   layout.model = find_model_key(root);
-  if (layout.cameras.size() == 2 && !layout.in_maps()) take_pose(root, layout);
+  if (layout.cameras.size() == 2 && layout.cameras.front().pose.empty()) take_pose(root, layout);
   layout.size.rows_first = layout.cameras.front().transposed;
   layout.why = said_by(layout.cameras.front());
   return layout;

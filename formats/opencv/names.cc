@@ -85,8 +85,19 @@ Name name_of(std::string_view key) {
   }
   name.role = role_of(word);
   if (name.role != Role::kNone) return name;
+  // "cam0_K", "camera1_matrix"
+  for (const std::string_view camera : {"camera", "cam"}) {
+    if (!word.starts_with(camera)) continue;
+    const std::size_t behind = std::min(word.find_first_not_of("0123456789", camera.size()), word.size());
+    const std::string_view rest = std::string_view(word).substr(behind);
+    if (behind == camera.size()) continue;
+    name.role = rest == "matrix" ? Role::kMatrix : role_of(rest);
+    name.side = word.substr(camera.size(), behind - camera.size());
+    if (name.role != Role::kNone) return name;
+  }
   std::size_t digits = word.size();
   while (digits > 0 && is_digit(word[digits - 1])) --digits;
+  name.side.clear();
   if (digits < word.size()) {
     name.role = role_of(std::string_view(word).substr(0, digits));
     name.side = word.substr(digits);

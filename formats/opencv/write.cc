@@ -11,6 +11,7 @@
 #include <fca/formats/text/prose.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace fca::opencv {
 
@@ -150,7 +151,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (samples_read(edited->layout)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
     written.headline = headline(name_of_layout(edited->layout), rig);
-    written.losses = std::move(edited->losses);
+    // What the file itself says beside its cameras is still there.
+    std::vector<AsRead> elsewhere;
+    std::ranges::copy_if(rig.as_read, std::back_inserter(elsewhere), [&edited](const AsRead& extra) {
+      return std::ranges::find(edited->old.as_read, extra) == edited->old.as_read.end();
+    });
+    add_not_carried(elsewhere, "OpenCV's files have no key for it", written.losses);
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
     if (!layout) return std::nullopt;

@@ -95,6 +95,40 @@ TEST(OpenCvEdit, AFloatMatrixThatIsToHoldADoubleBecomesOne) {
   EXPECT_EQ(bytes.substr(0, bytes.find("fisheye_dist")), base.bytes.substr(0, base.bytes.find("fisheye_dist")));
 }
 
+// Numbers that have not changed keep their digits, whatever those are; changed ones are doubles or floats as dt has it.
+TEST(OpenCvEdit, NumbersThatStayKeepTheirSpelling) {
+  for (const char* type : {"d", "f"}) {
+    SCOPED_TRACE(type);
+    const std::string bytes = std::string("%YAML:1.0\nK: !!opencv-matrix\n  rows: 3\n  cols: 3\n  dt: ") + type +
+                              "\n  data: [ 500, 0, 320.1, 0, 501.70, 2.4e+02, 0, 0, 1 ]\nD: !!opencv-matrix\n  rows: 1\n  "
+                              "cols: 5\n  dt: " +
+                              type + "\n  data: [ 1e-1, 2E-1, 0, -0.3, 0.40 ]\n";
+    const Base base = base_of(bytes, "x.yml");
+    Rig rig = base.rig();
+    set_parameter(rig.cameras[0].model, "fy", 502.5);
+    set_parameter(rig.cameras[0].model, "p1", 0.25);
+    EXPECT_EQ(bytes_of(write(base, rig)), with_replaced(with_replaced(bytes, "501.70", "502.5"), "2E-1, 0,", "2E-1, 0.25,"));
+  }
+}
+
+TEST(OpenCvEdit, MapsOfTwoCamerasCanHoldTheirPoseBesideThem) {
+  const auto camera = [](const char* name) {
+    return std::string(name) +
+           ":\n  K: !!opencv-matrix\n    rows: 3\n    cols: 3\n    dt: d\n    data: [ 500., 0., 320.5, 0., "
+           "501., 240., 0., 0., 1. ]\n  D: !!opencv-matrix\n    rows: 1\n    cols: 5\n    dt: d\n    data: [ "
+           "0.1, 0., 0., 0., 0. ]\n";
+  };
+  const std::string bytes = "%YAML:1.0\n" + camera("left") + camera("right") +
+                            "R: !!opencv-matrix\n  rows: 3\n  cols: 3\n  dt: d\n  data: [ 1., 0., 0., 0., 1., 0., 0., 0., 1. "
+                            "]\nT: [ -0.125, 0., 0. ]\n";
+  const Base base = base_of(bytes, "x.yml");
+  ASSERT_EQ(base.rig().cameras.size(), 2U);
+  ASSERT_EQ(base.rig().poses.size(), 1U);
+  Rig rig = base.rig();
+  rig.poses[0].T_a_b(0, 3) = -0.25;
+  EXPECT_EQ(bytes_of(write(base, rig)), with_replaced(bytes, "-0.125", "-0.25"));
+}
+
 /// Everything a base may be asked to say anew: the result reads as the rig that was asked for, and OpenCV agrees.
 struct Change {
   const char* what;
