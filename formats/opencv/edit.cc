@@ -211,8 +211,11 @@ class Editor {
   /// A new camera's mapping, indented as its siblings'.
   [[nodiscard]] std::string block(std::size_t index) const {
     const Entry& sibling = *text::find_entry(base_.document.root(), base_.layout.cameras.front().map, kDialect);
-    const auto column = [this](const Entry& entry) { return base_.document.indentation_at(entry.key.span.offset).size(); };
-    const std::size_t deeper = std::max<std::size_t>(1, column(sibling.value.entries.front()) - column(sibling));
+    const auto column = [this](const Entry& entry) {
+      return static_cast<std::ptrdiff_t>(base_.document.indentation_at(entry.key.span.offset).size());
+    };
+    const auto deeper =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, column(sibling.value.entries.front()) - column(sibling)));
     const bool json = base_.document.syntax() == text::Syntax::kJson;
     CameraKeys keys = after_.cameras[index];
     keys.map = "camera_" + std::to_string(index);
@@ -273,13 +276,41 @@ std::string name_of_layout(const Layout& layout) {
   return name_of(layout.cameras.front().matrix).side.starts_with("l") ? "left-right" : "stereo";
 }
 
-bool samples_read(const Layout& layout) {
-  constexpr std::array<std::string_view, 7> kKnown = {"camera_matrix",   "Camera_Matrix",      "M1",      "K1",
-                                                      "camera_matrix_1", "camera_matrix_left", "camera_0"};
-  if (layout.cameras.empty()) return false;
-  const CameraKeys& first = layout.cameras.front();
-  const std::string& key = first.map.empty() ? first.matrix : first.map;
-  return std::ranges::find(kKnown, key) != kKnown.end();
+bool samples_read(const Layout& layout, const Rig& rig) {
+  struct Known {
+    std::string_view matrix;
+    std::string_view distortion;
+  };
+  // formats/consumers/opencv.cc is written from the samples, independently of this.
+  constexpr std::array<Known, 17> kKnown = {{{"camera_matrix", "distortion_coefficients"},
+                                             {"camera_matrix", "dist_coeffs"},
+                                             {"camera_matrix", "distortion_coeffs"},
+                                             {"Camera_Matrix", "Distortion_Coefficients"},
+                                             {"M1", "D1"},
+                                             {"M2", "D2"},
+                                             {"K1", "D1"},
+                                             {"K2", "D2"},
+                                             {"camera_matrix_1", "distortion_coefficients_1"},
+                                             {"camera_matrix_2", "distortion_coefficients_2"},
+                                             {"camera_matrix_left", "dist_coeffs_left"},
+                                             {"camera_matrix_left", "distortion_coeffs_left"},
+                                             {"camera_matrix_left", "distortion_coefficients_left"},
+                                             {"camera_matrix_right", "dist_coeffs_right"},
+                                             {"camera_matrix_right", "distortion_coeffs_right"},
+                                             {"camera_matrix_right", "distortion_coefficients_right"},
+                                             {"camera_matrix", "distortion_vector"}}};
+  for (std::size_t i = 0; i < layout.cameras.size(); ++i) {
+    const CameraKeys& keys = layout.cameras[i];
+    const bool in_map = !keys.map.empty();
+    if (in_map && (keys.map != "camera_" + std::to_string(i) || keys.distortion != "distortion_vector")) return false;
+    const bool known = std::ranges::any_of(kKnown, [&keys](const Known& row) {
+      return row.matrix == keys.matrix && (keys.distortion.empty() || row.distortion == keys.distortion);
+    });
+    if (!known || (!in_map && keys.distortion == "distortion_vector")) return false;
+    const bool says_fisheye = in_map ? keys.model.key == "distortion_type" : layout.model.key == "fisheye_model";
+    if (kind_of(rig.cameras[i].model) == Kind::kFisheye && !says_fisheye) return false;
+  }
+  return !layout.cameras.empty();
 }
 
 }  // namespace fca::opencv

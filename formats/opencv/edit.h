@@ -33,7 +33,7 @@ struct Edited {
 /// Which of kLayoutNames a file's keys are nearest to.
 [[nodiscard]] std::string name_of_layout(const Layout& layout);
 
-/// Do programs around OpenCV's samples know these keys?
-[[nodiscard]] bool samples_read(const Layout& layout);
+/// Do programs around OpenCV's samples know these keys, and understand the cameras without being told what they are?
+[[nodiscard]] bool samples_read(const Layout& layout, const Rig& rig);
 
 }  // namespace fca::opencv

@@ -148,7 +148,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (edited) {
     Written::File file{std::move(edited->document), {}, {}};
     for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
-    if (samples_read(edited->layout)) file.programs = {"opencv"};
+    if (samples_read(edited->layout, rig)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
     written.headline = headline(name_of_layout(edited->layout), rig);
     // What the file itself says beside its cameras is still there.

@@ -84,6 +84,64 @@ TEST(OpenCvCorpus, WhatIsReadIsWrittenBackByteForByte) {
   }
 }
 
+// Any one parameter of any camera: one scalar of the file changes, and the rest of its bytes stays.
+TEST(OpenCvCorpus, OneChangedParameterChangesOneNumber) {
+  if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  int edits = 0;
+  for (const fs::path& path : files_in(shared_dir() / "corpus" / "opencv")) {
+    const Outcome outcome = read(path);
+    if (!outcome.calibration || outcome.calibration->rig.cameras.empty()) continue;
+    SCOPED_TRACE(path.filename());
+    const text::Document& base = outcome.calibration->documents.front();
+    const std::string& bytes = base.source().bytes;
+    // The file has no key for a lens, or a pinhole's zeros.
+    const bool no_lens = model_info(outcome.calibration->rig.cameras.front().model).id == "pinhole";
+    for (std::size_t camera = 0; camera < outcome.calibration->rig.cameras.size(); ++camera) {
+      Rig rig = outcome.calibration->rig;
+      const std::span<double> values = parameter_values(rig.cameras[camera].model);
+      for (std::size_t i = 0; i < (no_lens ? 4 : values.size()); ++i) {
+        const double before = values[i];
+        // A float, so that a matrix of floats can hold it.
+        values[i] = static_cast<float>(before + 0.015625);
+        Diagnostics diagnostics;
+        const std::optional<Written> written = find_format("opencv")->write(&base, rig, {}, diagnostics);
+        ASSERT_TRUE(written);
+        const std::string result = written->files.front().document.bytes();
+        Parsed parsed = parse(result, path.filename().string());
+        ASSERT_TRUE(parsed.document) << parsed.rendered();
+        const std::vector<const text::Node*> old_scalars = scalars_of(base);
+        const std::vector<const text::Node*> new_scalars = scalars_of(*parsed.document);
+        // MATLAB's two radial coefficients become three when k3 is no longer 0.
+        const bool grown = new_scalars.size() == old_scalars.size() + 1;
+        if (!grown) {
+          ASSERT_EQ(new_scalars.size(), old_scalars.size());
+          std::size_t changed = 0;
+          std::size_t place = 0;
+          for (std::size_t k = 0; k < new_scalars.size(); ++k) {
+            if (new_scalars[k]->value == old_scalars[k]->value) continue;
+            ++changed;
+            place = k;
+          }
+          ASSERT_EQ(changed, 1U) << model_info(rig.cameras[camera].model).parameters[i].name;
+          const text::Span was = old_scalars[place]->span;
+          EXPECT_EQ(result.substr(0, was.offset), bytes.substr(0, was.offset));
+          EXPECT_EQ(result.substr(new_scalars[place]->span.end()), bytes.substr(was.end()));
+        }
+        const Calibration back = [&] {
+          std::optional<Calibration> again = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
+          EXPECT_TRUE(again) << parsed.rendered();
+          return again ? *std::move(again) : Calibration();
+        }();
+        EXPECT_TRUE(back.rig.cameras == rig.cameras);
+        values[i] = before;
+        ++edits;
+      }
+    }
+  }
+  std::printf("%d edits\n", edits);
+  EXPECT_GT(edits, 500);
+}
+
 // Everything else in the corpus: other formats, and the inputs of OpenCV's samples (image lists, board settings).
 TEST(OpenCvCorpus, NothingElseIsTakenForACalibration) {
   if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
