@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout.h"
+#include "lens.h"
+#include "numbers.h"
 #include "opencv.h"
 
 #include "../fields.h"
@@ -14,18 +16,6 @@ namespace fca::opencv {
 using text::Node;
 
 namespace {
-
-/// Numbers of a matrix or list, with their places.
-struct Numbers {
-  int rows = 0;
-  int cols = 0;
-  bool is_float = false;  ///< dt: f; OpenCV holds floats.
-  std::vector<double> values;
-  std::vector<const Node*> nodes;
-  [[nodiscard]] bool is_vector() const { return rows <= 1 || cols <= 1; }
-};
-
-std::string size_of(const Numbers& numbers) { return std::to_string(numbers.rows) + " x " + std::to_string(numbers.cols); }
 
 class CalibrationReader {
  public:
@@ -45,10 +35,6 @@ class CalibrationReader {
   }
 
  private:
-  static std::string label(const CameraKeys& keys, std::string_view key) {
-    return (keys.map.empty() ? "" : keys.map + " ") + std::string(key);
-  }
-
   void warn_of_duplicates() {
     for (const text::Entry& entry : document_.root().entries) {
       if (text::find_entry(document_.root(), entry.key.value, kDialect) != &entry)
@@ -56,70 +42,13 @@ class CalibrationReader {
     }
   }
 
-  /// An opencv-matrix or a list. An error where neither stands.
-  std::optional<Numbers> numbers(const Node& node, const std::string& what) {
-    Numbers result;
-    const Node* data = &node;
-    if (node.is_mapping()) {
-      const Node* type = reader_.require(node, "dt", what);
-      if (type == nullptr || !is_float_type(*type, what)) return std::nullopt;
-      result.is_float = type->value == "f";
-      if (is_empty(node)) return result;
-      const std::optional<fields::Reader::Matrix> matrix = reader_.opencv_matrix(node, what);
-      if (!matrix) return std::nullopt;
-      result.rows = matrix->rows;
-      result.cols = matrix->cols;
-      result.values = matrix->values;
-      data = reader_.find(node, "data");
-    } else {
-      const std::optional<std::vector<double>> values = reader_.reals(node, 0, what);
-      if (!values) return std::nullopt;
-      result.rows = static_cast<int>(values->size());
-      result.cols = 1;
-      result.values = *values;
-    }
-    if (data->is_sequence()) {
-      for (const Node& item : data->items) result.nodes.push_back(&item);
-    } else {
-      result.nodes.push_back(data);
-    }
-    if (result.is_float) {
-      for (double& value : result.values) value = static_cast<float>(value);
-    }
-    return result;
-  }
-
-  bool is_float_type(const Node& type, const std::string& what) {
-    if (type.value == "d" || type.value == "f") return true;
-    if (type.value.ends_with('i') || type.value.ends_with('u') || type.value.ends_with('s') || type.value.ends_with('w')) {
-      reader_.error(type, "matrix-type",
-                    what + " holds dt '" + type.value + "', whole numbers; OpenCV's functions want floating-point numbers",
-                    "write dt: d");
-    } else {
-      reader_.error(type, "matrix-type", what + " holds dt '" + type.value + "'; d (double) or f (float) is wanted");
-    }
-    return false;
-  }
-
-  /// cv::FileStorage's way to write an empty matrix.
-  bool is_empty(const Node& matrix) {
-    const Node* rows = reader_.find(matrix, "rows");
-    const Node* cols = reader_.find(matrix, "cols");
-    return (rows != nullptr && rows->value == "0") || (cols != nullptr && cols->value == "0");
-  }
-
-  bool set(const Numbers& from, std::size_t place, const std::string& what, std::string_view name, CameraModel& model) {
-    if (!reader_.parameter(*from.nodes[place], what, name, model)) return false;
-    return !from.is_float || set_parameter(model, name, from.values[place]);
-  }
-
   void read_camera(const CameraKeys& keys, const std::string& name, Rig& rig) {
     const Node& map = mapping_of(document_, keys);
     const Node& K_node = *reader_.find(map, keys.matrix);
     const std::string K_label = label(keys, keys.matrix);
-    std::optional<Numbers> K = numbers(K_node, K_label);
+    std::optional<Numbers> K = read_numbers(K_node, K_label, reader_);
     if (K && !check_matrix(*K, K_node, K_label, keys.transposed)) K.reset();
-    const std::optional<CameraModel> lens = read_lens(keys, map);
+    const std::optional<CameraModel> lens = read_lens(layout_, keys, map, options_, reader_);
     if (!K || !lens) return;
     Camera camera;
     camera.name = name;
@@ -127,10 +56,10 @@ class CalibrationReader {
     // Row-major, transposed in MATLAB.
     const std::size_t cx = keys.transposed ? 6 : 2;
     const std::size_t cy = keys.transposed ? 7 : 5;
-    bool good = set(*K, 0, K_label, "fx", camera.model);
-    good = set(*K, 4, K_label, "fy", camera.model) && good;
-    good = set(*K, cx, K_label, "cx", camera.model) && good;
-    good = set(*K, cy, K_label, "cy", camera.model) && good;
+    bool good = set(*K, 0, K_label, "fx", camera.model, reader_);
+    good = set(*K, 4, K_label, "fy", camera.model, reader_) && good;
+    good = set(*K, cx, K_label, "cx", camera.model, reader_) && good;
+    good = set(*K, cy, K_label, "cy", camera.model, reader_) && good;
     good = check_skew(*K, keys, K_label, camera.model) && good;
     if (!good) return;
     camera.image_size = read_size(keys, map);
@@ -193,174 +122,6 @@ class CalibrationReader {
     return false;
   }
 
-  /// The model with its distortion, the matrix still to be read.
-  std::optional<CameraModel> read_lens(const CameraKeys& keys, const Node& map) {
-    if (!keys.radial.empty()) return read_matlab_lens(keys, map);
-    Numbers D;
-    if (!keys.distortion.empty()) {
-      const std::string what = label(keys, keys.distortion);
-      const Node& node = *reader_.find(map, keys.distortion);
-      std::optional<Numbers> read = numbers(node, what);
-      if (!read) return std::nullopt;
-      if (!read->is_vector()) {
-        reader_.error(node, "wrong-length", what + " is " + size_of(*read) + "; a vector is wanted");
-        return std::nullopt;
-      }
-      D = *std::move(read);
-      if (!keys.xi.empty()) return read_omnidir(keys, map, node, D);
-      return lens_of(keys, node, D);
-    }
-    if (!keys.xi.empty()) return read_omnidir(keys, map, *reader_.find(map, keys.xi), D);
-    reader_.warning(*reader_.find(map, keys.matrix), "distortion-missing",
-                    label(keys, keys.matrix) + " has no distortion coefficients beside it: read as a lens without distortion");
-    return make_model("pinhole");
-  }
-
-  std::optional<CameraModel> with(std::string_view id, std::initializer_list<std::string_view> names, const Numbers& D,
-                                  const std::string& what) {
-    std::optional<CameraModel> model = make_model(id);
-    std::size_t place = 0;
-    for (const std::string_view name : names) {
-      if (place < D.values.size() && !set(D, place++, what, name, *model)) return std::nullopt;
-    }
-    return model;
-  }
-
-  std::optional<CameraModel> lens_of(const CameraKeys& keys, const Node& node, const Numbers& D) {
-    const std::string what = label(keys, keys.distortion);
-    const std::size_t count = D.values.size();
-    const std::optional<bool> said = fisheye_said(keys);
-    if (count == 0) return make_model("pinhole");
-    if (count == 4) {
-      const std::optional<bool> fisheye = decide(said, node, what, D);
-      if (!fisheye) return std::nullopt;
-      if (*fisheye) return with("kb4", {"k1", "k2", "k3", "k4"}, D, what);
-      return with("radtan", {"k1", "k2", "p1", "p2"}, D, what);
-    }
-    if (said.value_or(false) && count != 4) {
-      reader_.error(node, "wrong-length",
-                    what + " has " + std::to_string(count) + " numbers and the file says fisheye; cv::fisheye wants 4");
-      return std::nullopt;
-    }
-    if (count != 5 && count != 8 && count != 12 && count != 14) {
-      reader_.error(node, "wrong-length",
-                    what + " has " + std::to_string(count) + " numbers; OpenCV knows vectors of 0, 4, 5, 8, 12 and 14");
-      return std::nullopt;
-    }
-    if (!check_no_prism(what, D)) return std::nullopt;
-    const auto all_zero = [&D](std::size_t from, std::size_t to) {
-      return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from),
-                         D.values.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0.0; });
-    };
-    if (all_zero(0, std::min<std::size_t>(count, 8))) return make_model("pinhole");
-    if (count == 5 || (count > 8 && all_zero(5, 8))) return with("radtan", {"k1", "k2", "p1", "p2", "k3"}, D, what);
-    return with("rational", {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}, D, what);
-  }
-
-  /// s1..s4 and tau_x, tau_y: no model of ours has them.
-  bool check_no_prism(const std::string& what, const Numbers& D) {
-    constexpr std::array<std::string_view, 6> kTerms = {"s1", "s2", "s3", "s4", "tau_x", "tau_y"};
-    std::string found;
-    const Node* first = nullptr;
-    for (std::size_t i = 8; i < D.values.size(); ++i) {
-      if (D.values[i] == 0.0) continue;
-      if (first == nullptr) first = D.nodes[i];
-      found += (found.empty() ? "" : ", ") + std::string(kTerms.at(i - 8)) + " = " + text::format_short(D.values[i]);
-    }
-    if (found.empty()) return true;
-    const bool tilt = D.values.size() > 12 && (D.values[12] != 0.0 || D.values[13] != 0.0);
-    reader_.error(*first, tilt ? "tilted-sensor" : "thin-prism",
-                  what + " has " + found + ": " + (tilt ? "a tilted sensor" : "thin-prism distortion") +
-                      ", which none of our models can hold",
-                  tilt ? "calibrate without CALIB_TILTED_MODEL" : "calibrate without CALIB_THIN_PRISM_MODEL");
-    return false;
-  }
-
-  /// What the file says of a camera's four numbers.
-  [[nodiscard]] std::optional<bool> fisheye_said(const CameraKeys& keys) const {
-    if (keys.fisheye) return true;
-    return keys.model.fisheye ? keys.model.fisheye : layout_.model.fisheye;
-  }
-
-  /// Are four numbers cv::fisheye's? Nothing, with an error, where nobody says.
-  std::optional<bool> decide(std::optional<bool> said, const Node& node, const std::string& what, const Numbers& D) {
-    if (!options_.opencv_model.empty()) {
-      const bool fisheye = options_.opencv_model == "fisheye";
-      if (said && *said != fisheye) {
-        reader_.warning(node, "model-contradicts",
-                        what + " is " + (*said ? "fisheye" : "pinhole") + " by the file and read as " + options_.opencv_model +
-                            ", as told");
-      }
-      return fisheye;
-    }
-    if (said) return said;
-    const auto spelled = [&D](std::initializer_list<const char*> names) {
-      std::string text;
-      std::size_t place = 0;
-      for (const char* name : names) {
-        if (place > 0) text += " ";
-        text += std::string(name) + "=" + text::format_short(D.values[place]);
-        ++place;
-      }
-      return text;
-    };
-    reader_.error(node, "ambiguous-model",
-                  what + " has four numbers and nothing in the file says of what: pinhole " +
-                      spelled({"k1", "k2", "p1", "p2"}) + " (cv::projectPoints), or fisheye " +
-                      spelled({"k1", "k2", "k3", "k4"}) + " (cv::fisheye)",
-                  "say which: --opencv-model pinhole or --opencv-model fisheye");
-    return std::nullopt;
-  }
-
-  std::optional<CameraModel> read_omnidir(const CameraKeys& keys, const Node& map, const Node& place, const Numbers& D) {
-    if (D.values.size() != 4) {
-      reader_.error(place, "wrong-length",
-                    label(keys, keys.xi) + " says cv::omnidir, which wants 4 distortion coefficients, not " +
-                        std::to_string(D.values.size()));
-      return std::nullopt;
-    }
-    const std::string what = label(keys, keys.xi);
-    std::optional<CameraModel> model = with("mei", {"k1", "k2", "p1", "p2"}, D, label(keys, keys.distortion));
-    const Node& node = *reader_.find(map, keys.xi);
-    if (node.is_scalar()) {
-      if (!model || !reader_.parameter(node, what, "xi", *model)) return std::nullopt;
-      return model;
-    }
-    // The 1 x 1 matrix that cv::omnidir::calibrate returns.
-    const std::optional<Numbers> xi = numbers(node, what);
-    if (!xi || !model) return std::nullopt;
-    if (xi->values.size() != 1) {
-      reader_.error(node, "wrong-length", what + " has " + std::to_string(xi->values.size()) + " numbers; one is wanted");
-      return std::nullopt;
-    }
-    if (!set(*xi, 0, what, "xi", *model)) return std::nullopt;
-    return model;
-  }
-
-  std::optional<CameraModel> read_matlab_lens(const CameraKeys& keys, const Node& map) {
-    const Node& node = *reader_.find(map, keys.radial);
-    const std::optional<Numbers> radial = numbers(node, keys.radial);
-    if (!radial) return std::nullopt;
-    if (radial->values.size() != 2 && radial->values.size() != 3) {
-      reader_.error(node, "wrong-length",
-                    keys.radial + " has " + std::to_string(radial->values.size()) + " numbers; 2 or 3 are wanted");
-      return std::nullopt;
-    }
-    std::optional<CameraModel> model = with("radtan", {"k1", "k2", "k3"}, *radial, keys.radial);
-    if (!model || keys.tangential.empty()) return model;
-    const Node& second = *reader_.find(map, keys.tangential);
-    const std::optional<Numbers> tangential = numbers(second, keys.tangential);
-    if (!tangential) return std::nullopt;
-    if (tangential->values.size() != 2) {
-      reader_.error(second, "wrong-length",
-                    keys.tangential + " has " + std::to_string(tangential->values.size()) + " numbers; 2 are wanted");
-      return std::nullopt;
-    }
-    if (!set(*tangential, 0, keys.tangential, "p1", *model) || !set(*tangential, 1, keys.tangential, "p2", *model))
-      return std::nullopt;
-    return model;
-  }
-
   std::optional<ImageSize> read_size(const CameraKeys& keys, const Node& map) {
     const bool own = keys.size.stated();
     const SizeKeys& size = own ? keys.size : layout_.size;
@@ -385,7 +146,7 @@ class CalibrationReader {
     if (keys.pose.empty()) return;
     const Node& node = *reader_.find(map, keys.pose);
     const std::string what = label(keys, keys.pose);
-    const std::optional<Numbers> values = numbers(node, what);
+    const std::optional<Numbers> values = read_numbers(node, what, reader_);
     if (!values) return;
     if (values->values.size() != 16 || values->rows != 4) {
       reader_.error(node, "wrong-length", what + " is " + size_of(*values) + "; 4 x 4 is wanted");
@@ -422,8 +183,8 @@ class CalibrationReader {
     if (!has_rotation || !has_translation) return;
     const Node& R_node = *reader_.find(document_.root(), layout_.rotation);
     const Node& T_node = *reader_.find(document_.root(), layout_.translation);
-    const std::optional<Numbers> R = numbers(R_node, layout_.rotation);
-    const std::optional<Numbers> T = numbers(T_node, layout_.translation);
+    const std::optional<Numbers> R = read_numbers(R_node, layout_.rotation, reader_);
+    const std::optional<Numbers> T = read_numbers(T_node, layout_.translation, reader_);
     if (!R || !T) return;
     const std::size_t wanted = layout_.rotation_vector ? 3 : 9;
     if (R->values.size() != wanted || (R_node.is_mapping() && !layout_.rotation_vector && R->rows != 3)) {
@@ -514,9 +275,10 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     Diagnostics found;
     CalibrationReader(document, *layout, options, found).read_into(part);
     for (const Camera& camera : part.cameras) {
-      if (rig.find_camera(camera.name) != nullptr)
+      if (rig.find_camera(camera.name) != nullptr) {
         found.error("stated-twice", "a camera " + camera.name + " stands here and in the file before",
                     document.source().range({0, 1}));
+      }
     }
     for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
     if (found.has_errors()) return std::nullopt;

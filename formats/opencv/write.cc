@@ -164,9 +164,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
     written.headline = headline(*layout, rig);
     add_not_carried(rig.as_read, "a new file has no place for it", written.losses);
-    if (base != nullptr && holds_comments(*base))
+    if (base != nullptr && holds_comments(*base)) {
       written.losses.push_back({"comments-dropped", "comments of " + base->source().name,
                                 "the file is composed anew" + (why.empty() ? "" : ": " + why), ""});
+    }
   }
   list_losses(rig, written.losses);
   return written;
