@@ -180,6 +180,22 @@ void take_pose(const Node& root, Layout& layout) {
   }
 }
 
+/// fx s cx, 0 fy cy, 0 0 1
+bool looks_like_a_camera(const Node& matrix) {
+  const Node* data = text::find(matrix, "data", kDialect);
+  if (data == nullptr || data->items.size() != 9) return false;
+  const auto at = [data](std::size_t i) { return text::parse_real(data->items[i].value).value_or(1.0); };
+  return at(3) == 0.0 && at(6) == 0.0 && at(7) == 0.0 && at(0) > 0.0 && at(4) > 0.0 && at(8) == 1.0;
+}
+
+/// A lone "M" or "K" can be any matrix: a homography, a covariance.
+bool is_some_matrix(const Node& root, const Layout& layout) {
+  constexpr std::size_t kLongestLetters = 3;
+  const CameraKeys& keys = layout.cameras.front();
+  return keys.map.empty() && keys.distortion.empty() && keys.radial.empty() && keys.xi.empty() &&
+         keys.matrix.size() <= kLongestLetters && !looks_like_a_camera(*text::find(root, keys.matrix, kDialect));
+}
+
 std::string said_by(const CameraKeys& keys) {
   std::string why = (keys.map.empty() ? "" : keys.map + " with ") + keys.matrix;
   for (const std::string& key : {keys.distortion, keys.radial, keys.xi}) {
@@ -207,6 +223,7 @@ std::optional<Layout> find_layout(const text::Document& document) {
   if (!root.is_mapping()) return std::nullopt;
   Layout layout;
   take_top_level(root, layout);
+  if (!layout.cameras.empty() && is_some_matrix(root, layout)) return std::nullopt;
   if (layout.cameras.empty()) take_maps(root, layout);
   if (layout.cameras.empty()) {
     // stereo_calib's extrinsics.yml

@@ -203,6 +203,38 @@ TEST(OpenCvEdit, FilesSayWhatTheyWereAskedToSay) {
   }
 }
 
+// Every model over every other, in every syntax: also where what goes stands last.
+TEST(OpenCvEdit, EveryModelOverEveryOther) {
+  constexpr const char* kModels[] = {"pinhole", "radtan", "kb4", "mei"};
+  for (const char* extension : {".yml", ".xml", ".json"}) {
+    for (const char* from : kModels) {
+      for (const char* to : kModels) {
+        for (const bool two : {false, true}) {
+          SCOPED_TRACE(std::string(from) + " to " + to + extension + (two ? " two" : ""));
+          WriteOptions options;
+          options.extension = extension;
+          Rig first = sample_rig(from, {two, false});
+          Rig second = sample_rig(to, {two, false});
+          for (Rig* rig : {&first, &second}) {
+            for (Camera& camera : rig->cameras) camera.topic.clear();
+          }
+          Diagnostics diagnostics;
+          const std::optional<Written> fresh = find_format("opencv")->write(nullptr, first, options, diagnostics);
+          ASSERT_TRUE(fresh);
+          const std::string name = std::string("x") + extension;
+          const Base base = base_of(bytes_of(*fresh), name);
+          const Written written = write(base, second);
+          const Base back = base_of(bytes_of(written), name);
+          EXPECT_TRUE(back.rig().cameras == second.cameras) << bytes_of(written);
+          EXPECT_TRUE(back.rig().poses == second.poses) << bytes_of(written);
+          const ProofResult proof = prove(*consumers::find_consumer("opencv"), bytes_of(written), {}, second);
+          EXPECT_TRUE(proof.agrees()) << bytes_of(written);
+        }
+      }
+    }
+  }
+}
+
 // Another model in the same keys: the block changes, its surroundings do not.
 TEST(OpenCvEdit, AnotherModelKeepsTheRestOfTheFile) {
   const Base base = good("calibration.yml");

@@ -289,6 +289,14 @@ TEST(OpenCvDetect, RosCameraInfoIsSomethingElse) {
   EXPECT_EQ(find_format("opencv")->probe(document_of(ros)).score, 0);
 }
 
+TEST(OpenCvDetect, ALoneMatrixMustLookLikeACamera) {
+  const auto score = [](const std::string& bytes) { return find_format("opencv")->probe(document_of(kHead + bytes)).score; };
+  EXPECT_EQ(score(matrix("M", 3, 3, "1.1, 0.2, 30., 0.1, 0.9, -20., 0.0001, 0.0002, 1.")), 0) << "a homography";
+  EXPECT_EQ(score(matrix("K", 6, 3, "1., 0., 0., 0., 1., 0., 0., 0., 1., 1., 0., 0., 0., 1., 0., 0., 0., 1.")), 0);
+  EXPECT_GT(score(K("K")), 0);
+  EXPECT_GT(score(matrix("camera_matrix", 3, 3, "1.1, 0.2, 30., 0.1, 0.9, -20., 0.0001, 0.0002, 1.")), 0);
+}
+
 class OpenCvGoodFiles : public testing::TestWithParam<fs::path> {};
 
 TEST_P(OpenCvGoodFiles, AreReadWithoutAWordAndWrittenBackByteForByte) {
