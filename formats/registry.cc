@@ -2,6 +2,7 @@
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
 #include "kalibr/kalibr.h"
 #include "ocamcalib/ocamcalib.h"
+#include "opencv/opencv.h"
 #include "orbslam3/orbslam3.h"
 #include "tumvi/tumvi.h"
 #include "woodscape/woodscape.h"
@@ -16,7 +17,8 @@ namespace fca {
 namespace {
 
 const auto& table() {
-  static const std::array kTable = {kalibr::kFormat, ocamcalib::kFormat, tumvi::kFormat, orbslam3::kFormat, woodscape::kFormat};
+  static const std::array kTable = {kalibr::kFormat, opencv::kFormat,   ocamcalib::kFormat,
+                                    tumvi::kFormat,  orbslam3::kFormat, woodscape::kFormat};
   return kTable;
 }
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compose.h"
+
+#include "blocks.h"
+
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+
+namespace fca::opencv {
+
+namespace {
+
+using text::Syntax;
+
+bool all_of_kind(const Rig& rig, Kind kind) {
+  return std::ranges::all_of(rig.cameras, [kind](const Camera& camera) { return kind_of(camera.model) == kind; });
+}
+
+bool any_omnidir(const Rig& rig) {
+  return std::ranges::any_of(rig.cameras, [](const Camera& camera) { return kind_of(camera.model) == Kind::kOmnidir; });
+}
+
+bool one_size(const Rig& rig) {
+  return std::ranges::all_of(rig.cameras,
+                             [&rig](const Camera& camera) { return camera.image_size == rig.cameras.front().image_size; });
+}
+
+bool one_camera_per_file(std::string_view layout, const Rig& rig) {
+  if (layout == "cameras") return false;
+  return rig.cameras.size() == 1 || layout == "calibration" || (layout == "omnidir" && rig.cameras.size() != 2);
+}
+
+/// The text of a document with these fields, mappings in the order given.
+class Text {
+ public:
+  explicit Text(Syntax syntax) : syntax_(syntax) {}
+
+  void add(const fields::Field& field) { lines_.push_back(fields::spell(field, indentation_, syntax_)); }
+  void add_map(const std::string& key, const std::vector<fields::Field>& fields) {
+    constexpr std::size_t kDeeper = 4;
+    const std::string blanks(indentation_, ' ');
+    std::string lines;
+    for (const fields::Field& field : fields) {
+      if (!lines.empty()) lines += syntax_ == Syntax::kJson ? ",\n" : "\n";
+      lines += fields::spell(field, indentation_ + kDeeper, syntax_);
+    }
+    if (syntax_ == Syntax::kXml) {
+      lines_.push_back(blanks + "<" + key + ">\n" + lines + "\n" + blanks + "</" + key + ">");
+    } else if (syntax_ == Syntax::kJson) {
+      lines_.push_back(blanks + "\"" + key + "\": {\n" + lines + "\n" + blanks + "}");
+    } else {
+      lines_.push_back(blanks + key + ":\n" + lines);
+    }
+  }
+
+  [[nodiscard]] std::string whole() const {
+    const std::string separator = syntax_ == Syntax::kJson ? ",\n" : "\n";
+    std::string body;
+    for (const std::string& line : lines_) body += (body.empty() ? "" : separator) + line;
+    if (syntax_ == Syntax::kXml) return "<?xml version=\"1.0\"?>\n<opencv_storage>\n" + body + "\n</opencv_storage>\n";
+    if (syntax_ == Syntax::kJson) return "{\n" + body + "\n}\n";
+    return "%YAML:1.0\n---\n" + body + "\n";
+  }
+
+ private:
+  Syntax syntax_;
+  std::size_t indentation_ = syntax_ == Syntax::kJson ? 4 : 0;
+  std::vector<std::string> lines_;
+};
+
+std::optional<Written::File> compose_file(const Rig& rig, const std::string& name, Syntax syntax, const std::string& file_name,
+                                          Diagnostics& diagnostics) {
+  Layout layout = new_layout(name, rig.cameras.size(), all_of_kind(rig, Kind::kOmnidir));
+  const FieldMaker maker(rig, layout, nullptr);
+  Text text(syntax);
+  for (const fields::Field& field : maker.root(std::vector<bool>(rig.cameras.size(), false))) text.add(field);
+  if (layout.in_maps()) {
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i)
+      text.add_map(layout.cameras[i].map, maker.map(i, layout.cameras[i], false));
+  }
+  std::optional<text::Document> document = text::parse_document({file_name, text.whole()}, diagnostics);
+  if (!document) return std::nullopt;
+  Written::File file{*std::move(document), {}, {"opencv"}};
+  for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
+  return file;
+}
+
+/// Poses between cameras of different files.
+void list_dropped_poses(const Rig& rig, std::vector<Loss>& losses) {
+  for (std::size_t i = 1; i < rig.cameras.size(); ++i) {
+    if (!rig.resolve(rig.cameras[i].name, rig.cameras[0].name)) continue;
+    losses.push_back({"pose-dropped", "pose of " + rig.cameras[i].name + " to " + rig.cameras[0].name,
+                      "a file of one camera holds none", any_omnidir(rig) ? "" : "--opencv-layout cameras keeps it"});
+  }
+}
+
+}  // namespace
+
+Syntax syntax_for(std::string_view extension) {
+  if (extension == ".xml") return Syntax::kXml;
+  return extension == ".json" ? Syntax::kJson : Syntax::kOpenCvYaml;
+}
+
+bool same_syntax(Syntax a, Syntax b) {
+  const auto plain = [](Syntax syntax) { return syntax == Syntax::kYaml ? Syntax::kOpenCvYaml : syntax; };
+  return plain(a) == plain(b);
+}
+
+std::string problem_with_layout(std::string_view layout, const Rig& rig) {
+  const bool omnidir = any_omnidir(rig);
+  if (layout == "omnidir") return all_of_kind(rig, Kind::kOmnidir) ? "" : "it is for the model mei alone";
+  if (layout == "calibration") return "";
+  if (layout == "cameras") return omnidir ? "it has no key for the xi of mei" : "";
+  if (rig.cameras.size() != 2) return "it holds two cameras, not " + std::to_string(rig.cameras.size());
+  if (!one_size(rig)) return "it has one image size for both cameras, and theirs differ";
+  if (layout == "left-right" && omnidir) return "it has no key for the xi of mei";
+  const Kind kind = kind_of(rig.cameras.front().model);
+  return all_of_kind(rig, kind) ? "" : "its cameras must be of one kind, and theirs differ";
+}
+
+std::string default_layout(const Rig& rig) {
+  const bool all_omnidir = all_of_kind(rig, Kind::kOmnidir);
+  if (rig.cameras.size() == 1) return all_omnidir ? "omnidir" : "calibration";
+  const bool posed = rig.cameras.size() == 2 && rig.resolve(rig.cameras[1].name, rig.cameras[0].name).has_value();
+  if (posed && problem_with_layout("stereo", rig).empty()) return all_omnidir ? "omnidir" : "stereo";
+  if (any_omnidir(rig)) return "calibration";
+  return "cameras";
+}
+
+bool compose(const Rig& rig, const std::string& layout, Syntax syntax, std::string extension, Written& written,
+             Diagnostics& diagnostics) {
+  if (syntax == Syntax::kYaml) syntax = Syntax::kOpenCvYaml;
+  if (extension.empty()) extension = syntax == Syntax::kXml ? ".xml" : syntax == Syntax::kJson ? ".json" : ".yml";
+  if (!one_camera_per_file(layout, rig)) {
+    const std::string name = layout == "cameras" ? "cameras" : "stereo";
+    std::optional<Written::File> file = compose_file(rig, layout, syntax, name + extension, diagnostics);
+    if (!file) return false;
+    written.files.push_back(*std::move(file));
+    return true;
+  }
+  for (const Camera& camera : rig.cameras) {
+    Rig one;
+    one.cameras = {camera};
+    std::optional<Written::File> file = compose_file(one, "calibration", syntax, camera.name + extension, diagnostics);
+    if (!file) return false;
+    written.files.push_back(*std::move(file));
+  }
+  list_dropped_poses(rig, written.losses);
+  return true;
+}
+
+}  // namespace fca::opencv

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edit.h"
+
+#include "blocks.h"
+#include "names.h"
+#include "opencv.h"
+
+#include <algorithm>
+#include <array>
+
+namespace fca::opencv {
+
+namespace {
+
+using text::Entry;
+using text::Node;
+
+constexpr std::size_t kNew = static_cast<std::size_t>(-1);
+
+/// Where each of the rig's cameras was in the base. Nothing if they stand in another order.
+std::optional<std::vector<std::size_t>> places_in(const Rig& old, const Rig& rig) {
+  if (old.cameras.size() == 1 && rig.cameras.size() == 1) return std::vector<std::size_t>{0};
+  std::vector<std::size_t> places;
+  std::size_t next = 0;
+  bool any = false;
+  for (const Camera& camera : rig.cameras) {
+    const auto found = std::ranges::find(old.cameras, camera.name, &Camera::name);
+    if (found == old.cameras.end()) {
+      places.push_back(kNew);
+      continue;
+    }
+    // New cameras stand behind the old ones.
+    const auto place = static_cast<std::size_t>(found - old.cameras.begin());
+    if (place < next || (!places.empty() && places.back() == kNew)) return std::nullopt;
+    places.push_back(place);
+    next = place + 1;
+    any = true;
+  }
+  if (!any) return std::nullopt;
+  return places;
+}
+
+/// The keys a camera is to have; nothing if its mapping and the base's way of saying the model cannot hold it.
+bool adapt_keys(const Base& base, const Camera& before, const Camera& after, CameraKeys& keys) {
+  const Kind was = kind_of(before.model);
+  const Kind is = kind_of(after.model);
+  const std::string_view id = model_info(after.model).id;
+  if (!keys.radial.empty()) {
+    if (id != "radtan" && id != "pinhole") return false;
+    const bool tangential =
+        parameter(after.model, "p1").value_or(0.0) != 0.0 || parameter(after.model, "p2").value_or(0.0) != 0.0;
+    return !tangential || !keys.tangential.empty();
+  }
+  if (keys.distortion.empty() && id != "pinhole")
+    keys.distortion = keys.map.empty() ? distortion_key_for(keys.matrix) : "distortion_vector";
+  if (keys.distortion.empty() && id != "pinhole") return false;
+  if (was == is) return true;
+  const ModelKey& model = keys.model.key.empty() ? base.layout.model : keys.model;
+  if (keys.fisheye || (!model.key.empty() && !model.numeric)) return false;  // the file says so in other words
+  if (is == Kind::kOmnidir && keys.xi.empty()) {
+    if (keys.matrix != "camera_matrix" || !keys.map.empty()) return false;
+    keys.xi = "xi";
+  }
+  return true;
+}
+
+class Editor {
+ public:
+  Editor(const Base& base, const Rig& rig, std::vector<std::size_t> places)
+      : base_(base), rig_(rig), places_(std::move(places)), after_(base.layout), document_(base.document) {}
+
+  /// Chooses the keys of the result; false, with a reason, if there are none.
+  bool plan(std::string& why) {
+    const bool same_cameras = places_.size() == base_.rig.cameras.size() && std::ranges::find(places_, kNew) == places_.end();
+    if (!same_cameras && !can_change_cameras()) {
+      why = "its cameras are other ones";
+      return false;
+    }
+    after_.cameras.clear();
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      CameraKeys keys = base_.layout.cameras[places_[i] == kNew ? 0 : places_[i]];
+      const Camera& before = base_.rig.cameras[places_[i] == kNew ? 0 : places_[i]];
+      if (places_[i] == kNew && keys.model.key.empty()) keys.model.key = "distortion_type";
+      if (!adapt_keys(base_, before, rig_.cameras[i], keys)) {
+        why = "its keys cannot hold the model " + std::string(model_info(rig_.cameras[i].model).id);
+        return false;
+      }
+      if (needs_model_key(before, rig_.cameras[i], keys)) {
+        if (keys.map.empty()) {
+          after_.model = {"fisheye_model", true, std::nullopt};
+        } else {
+          keys.model = {"distortion_type", true, std::nullopt};
+        }
+      }
+      after_.cameras.push_back(std::move(keys));
+    }
+    if (!base_.layout.in_maps() && !one_kind()) {
+      why = "its cameras must be of one kind";
+      return false;
+    }
+    if (!base_.layout.in_maps() && !one_size()) {
+      why = "it has one image size for both cameras";
+      return false;
+    }
+    if (base_.layout.rotation_vector && pose_changes()) {
+      why = "it states the rotation as a vector";
+      return false;
+    }
+    // A pair whose file holds no pose can begin to.
+    if (after_.cameras.size() == 2 && after_.cameras.front().pose.empty() && after_.rotation.empty() &&
+        after_.translation.empty()) {
+      after_.rotation = "R";
+      after_.translation = "T";
+    }
+    return true;
+  }
+
+  text::Document edited() {
+    const Node& root = document_.root();
+    const FieldMaker before(base_.rig, base_.layout, &base_.document);
+    const FieldMaker after(rig_, after_, &base_.document);
+    fields::apply(document_, root, kDialect, before.root(std::vector<bool>(base_.rig.cameras.size(), true)),
+                  after.root(kept_lengths()));
+    if (base_.layout.in_maps()) edit_maps(before, after);
+    return std::move(document_);
+  }
+
+  [[nodiscard]] const Layout& layout() const { return after_; }
+
+ private:
+  /// Whole cameras come and go where each has a mapping that nothing else speaks of.
+  [[nodiscard]] bool can_change_cameras() const {
+    if (!base_.layout.in_maps()) return false;
+    for (std::size_t i = 0; i < base_.layout.cameras.size(); ++i) {
+      if (base_.layout.cameras[i].map != "camera_" + std::to_string(i)) return false;
+    }
+    const bool renamed = std::ranges::any_of(places_, [this](const std::size_t& place) {
+      return place != kNew && place != static_cast<std::size_t>(&place - places_.data());
+    });
+    // An XML element has its name twice, and another one a style of its own: only removal from the end is done there.
+    const bool added = std::ranges::find(places_, kNew) != places_.end();
+    return base_.document.syntax() != text::Syntax::kXml || (!renamed && !added);
+  }
+
+  [[nodiscard]] bool one_kind() const {
+    const Kind kind = kind_of(rig_.cameras.front().model);
+    return std::ranges::all_of(rig_.cameras, [kind](const Camera& camera) { return kind_of(camera.model) == kind; });
+  }
+
+  [[nodiscard]] bool one_size() const {
+    return !base_.layout.size.stated() || std::ranges::all_of(rig_.cameras, [this](const Camera& camera) {
+      return camera.image_size == rig_.cameras.front().image_size;
+    });
+  }
+
+  [[nodiscard]] bool pose_changes() const {
+    const Transform* was = base_.rig.stated("cam1", "cam0");
+    const std::optional<Transform> is = rig_.resolve(rig_.cameras[1].name, rig_.cameras[0].name);
+    return was == nullptr || !is || *was != *is;
+  }
+
+  /// Must the result say what its four numbers are, and does the base not say it?
+  [[nodiscard]] bool needs_model_key(const Camera& before, const Camera& after, const CameraKeys& keys) const {
+    const ModelKey& model = keys.model.key.empty() ? base_.layout.model : keys.model;
+    if (!model.key.empty() || keys.fisheye) return false;
+    if (kind_of(after.model) == Kind::kFisheye && kind_of(before.model) != Kind::kFisheye) return true;
+    if (!base_.ambiguous || kind_of(after.model) == Kind::kOmnidir) return false;
+    // Its coefficients are new: then it is known what they are.
+    const auto coefficients = [](const CameraModel& m) { return parameter_values(m).subspan(4); };
+    return before.model.index() != after.model.index() ||
+           !std::ranges::equal(coefficients(before.model), coefficients(after.model));
+  }
+
+  [[nodiscard]] bool keeps_length(std::size_t i) const {
+    return places_[i] != kNew && kind_of(base_.rig.cameras[places_[i]].model) == kind_of(rig_.cameras[i].model);
+  }
+
+  [[nodiscard]] std::vector<bool> kept_lengths() const {
+    std::vector<bool> kept;
+    for (std::size_t i = 0; i < places_.size(); ++i) kept.push_back(keeps_length(i));
+    return kept;
+  }
+
+  void edit_maps(const FieldMaker& before, const FieldMaker& after) {
+    const Node& root = document_.root();
+    const Entry* last = nullptr;
+    for (std::size_t old = 0; old < base_.rig.cameras.size(); ++old) {
+      const Entry* entry = text::find_entry(root, base_.layout.cameras[old].map, kDialect);
+      const auto now = std::ranges::find(places_, old);
+      last = entry;
+      if (now == places_.end()) {
+        document_.remove_entry(root, *entry);
+        continue;
+      }
+      const auto index = static_cast<std::size_t>(now - places_.begin());
+      if (index != old) rename(*entry, index);
+      fields::apply(document_, entry->value, kDialect, before.map(old, base_.layout.cameras[old], true),
+                    after.map(index, after_.cameras[index], keeps_length(index)));
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i] == kNew) document_.insert_after(root, *last, block(i));
+    }
+  }
+
+  void rename(const Entry& entry, std::size_t index) {
+    std::string name = "camera_" + std::to_string(index);
+    if (entry.key.quoted) name = '"' + name + '"';
+    document_.replace(entry.key.span, name);
+  }
+
+  /// A new camera's mapping, indented as its siblings'.
+  [[nodiscard]] std::string block(std::size_t index) const {
+    const Entry& sibling = *text::find_entry(base_.document.root(), base_.layout.cameras.front().map, kDialect);
+    const auto column = [this](const Entry& entry) {
+      return static_cast<std::ptrdiff_t>(base_.document.indentation_at(entry.key.span.offset).size());
+    };
+    const auto deeper =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, column(sibling.value.entries.front()) - column(sibling)));
+    const bool json = base_.document.syntax() == text::Syntax::kJson;
+    CameraKeys keys = after_.cameras[index];
+    keys.map = "camera_" + std::to_string(index);
+    const FieldMaker maker(rig_, after_, nullptr);
+    std::string lines = (json ? "\"" : "") + keys.map + (json ? "\": {" : ":");
+    const char* separator = "\n";
+    for (const fields::Field& field : maker.map(index, keys, false)) {
+      lines += separator + fields::spell(field, deeper, base_.document.syntax());
+      if (json) separator = ",\n";
+    }
+    return lines + (json ? "\n}" : "");
+  }
+
+  const Base& base_;
+  const Rig& rig_;
+  std::vector<std::size_t> places_;
+  Layout after_;
+  text::Document document_;
+};
+
+}  // namespace
+
+std::optional<Base> read_base(const text::Document& document, const Rig& rig) {
+  const std::optional<Layout> layout = find_layout(document);
+  if (!layout || layout->cameras.empty()) return std::nullopt;
+  Diagnostics ignored;
+  std::optional<Rig> old = read(std::span(&document, 1), {}, ignored);
+  const bool ambiguous =
+      std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
+  if (!old && ambiguous) {
+    const bool fisheye =
+        std::ranges::any_of(rig.cameras, [](const Camera& camera) { return kind_of(camera.model) == Kind::kFisheye; });
+    ReadOptions options;
+    options.opencv_model = fisheye ? "fisheye" : "pinhole";
+    old = read(std::span(&document, 1), options, ignored);
+  }
+  if (!old) return std::nullopt;
+  return Base{document, *layout, *std::move(old), ambiguous};
+}
+
+std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {
+  std::optional<std::vector<std::size_t>> places = places_in(base.rig, rig);
+  if (!places) {
+    why = "its cameras are other ones";
+    return std::nullopt;
+  }
+  Editor editor(base, rig, *std::move(places));
+  if (!editor.plan(why)) return std::nullopt;
+  text::Document document = editor.edited();
+  return Edited{std::move(document), base.rig, editor.layout()};
+}
+
+std::string name_of_layout(const Layout& layout) {
+  if (layout.in_maps()) return "cameras";
+  const bool omnidir = !layout.cameras.empty() && !layout.cameras.front().xi.empty();
+  if (omnidir) return "omnidir";
+  if (layout.cameras.size() < 2) return "calibration";
+  return name_of(layout.cameras.front().matrix).side.starts_with("l") ? "left-right" : "stereo";
+}
+
+bool samples_read(const Layout& layout, const Rig& rig) {
+  struct Known {
+    std::string_view matrix;
+    std::string_view distortion;
+  };
+  // formats/consumers/opencv.cc is written from the samples, independently of this.
+  constexpr std::array<Known, 17> kKnown = {{{"camera_matrix", "distortion_coefficients"},
+                                             {"camera_matrix", "dist_coeffs"},
+                                             {"camera_matrix", "distortion_coeffs"},
+                                             {"Camera_Matrix", "Distortion_Coefficients"},
+                                             {"M1", "D1"},
+                                             {"M2", "D2"},
+                                             {"K1", "D1"},
+                                             {"K2", "D2"},
+                                             {"camera_matrix_1", "distortion_coefficients_1"},
+                                             {"camera_matrix_2", "distortion_coefficients_2"},
+                                             {"camera_matrix_left", "dist_coeffs_left"},
+                                             {"camera_matrix_left", "distortion_coeffs_left"},
+                                             {"camera_matrix_left", "distortion_coefficients_left"},
+                                             {"camera_matrix_right", "dist_coeffs_right"},
+                                             {"camera_matrix_right", "distortion_coeffs_right"},
+                                             {"camera_matrix_right", "distortion_coefficients_right"},
+                                             {"camera_matrix", "distortion_vector"}}};
+  for (std::size_t i = 0; i < layout.cameras.size(); ++i) {
+    const CameraKeys& keys = layout.cameras[i];
+    const bool in_map = !keys.map.empty();
+    if (in_map && (keys.map != "camera_" + std::to_string(i) || keys.distortion != "distortion_vector")) return false;
+    const bool known = std::ranges::any_of(kKnown, [&keys](const Known& row) {
+      return row.matrix == keys.matrix && (keys.distortion.empty() || row.distortion == keys.distortion);
+    });
+    if (!known || (!in_map && keys.distortion == "distortion_vector")) return false;
+    const bool says_fisheye = in_map ? keys.model.key == "distortion_type" : layout.model.key == "fisheye_model";
+    if (kind_of(rig.cameras[i].model) == Kind::kFisheye && !says_fisheye) return false;
+  }
+  return !layout.cameras.empty();
+}
+
+}  // namespace fca::opencv

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layout.h"
+#include "opencv.h"
+
+#include <array>
+
+namespace fca::opencv {
+
+namespace {
+
+constexpr std::array kModels = {
+    StoredModel{"radtan", "5 coefficients", true, "cv::projectPoints", {}},
+    StoredModel{"rational", "8 coefficients", true, "cv::projectPoints", {}},
+    StoredModel{"pinhole", "5 zeros", true, "cv::projectPoints", {}},
+    StoredModel{"kb4", "fisheye", true, "cv::fisheye (rays inside 90 deg)", {}},
+    StoredModel{"mei", "omnidir", true, "cv::omnidir", {}},
+};
+
+ProbeResult probe(const text::Document& document) {
+  const std::optional<Layout> layout = find_layout(document);
+  if (!layout) return {};
+  // As sure as a camchain's keys; less where only a pose says so.
+  return {layout->cameras.empty() ? 60 : 85, "opencv-matrix under " + layout->why};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "opencv",
+    .title = "OpenCV calibration (cv::FileStorage)",
+    .syntaxes = "YAML, XML, JSON",
+    .extension = ".yml",
+    .program = "OpenCV",
+    .many_cameras = true,
+    .extrinsics = true,
+    .imu = false,
+    .image_size = true,
+    .layouts = kLayoutNames,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::opencv

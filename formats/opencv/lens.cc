@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lens.h"
+
+#include "numbers.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+
+namespace fca::opencv {
+
+using text::Node;
+
+namespace {
+
+class LensReader {
+ public:
+  LensReader(const Layout& layout, const ReadOptions& options, fields::Reader& reader)
+      : layout_(layout), options_(options), reader_(reader) {}
+
+  /// The model with its distortion, the matrix still to be read.
+  std::optional<CameraModel> read(const CameraKeys& keys, const Node& map) {
+    if (!keys.radial.empty()) return read_matlab_lens(keys, map);
+    Numbers D;
+    if (!keys.distortion.empty()) {
+      const std::string what = label(keys, keys.distortion);
+      const Node& node = *reader_.find(map, keys.distortion);
+      std::optional<Numbers> read = read_numbers(node, what, reader_);
+      if (!read) return std::nullopt;
+      if (!read->is_vector()) {
+        reader_.error(node, "wrong-length", what + " is " + size_of(*read) + "; a vector is wanted");
+        return std::nullopt;
+      }
+      D = *std::move(read);
+      if (!keys.xi.empty()) return read_omnidir(keys, map, node, D);
+      return lens_of(keys, node, D);
+    }
+    if (!keys.xi.empty()) return read_omnidir(keys, map, *reader_.find(map, keys.xi), D);
+    reader_.warning(*reader_.find(map, keys.matrix), "distortion-missing",
+                    label(keys, keys.matrix) + " has no distortion coefficients beside it: read as a lens without distortion");
+    return make_model("pinhole");
+  }
+
+ private:
+  std::optional<CameraModel> with(std::string_view id, std::initializer_list<std::string_view> names, const Numbers& D,
+                                  const std::string& what) {
+    std::optional<CameraModel> model = make_model(id);
+    std::size_t place = 0;
+    for (const std::string_view name : names) {
+      if (place < D.values.size() && !set(D, place++, what, name, *model, reader_)) return std::nullopt;
+    }
+    return model;
+  }
+
+  std::optional<CameraModel> lens_of(const CameraKeys& keys, const Node& node, const Numbers& D) {
+    const std::string what = label(keys, keys.distortion);
+    const std::size_t count = D.values.size();
+    const std::optional<bool> said = fisheye_said(keys);
+    if (count == 0) return make_model("pinhole");
+    if (count == 4) {
+      const std::optional<bool> fisheye = decide(said, node, what, D);
+      if (!fisheye) return std::nullopt;
+      if (*fisheye) return with("kb4", {"k1", "k2", "k3", "k4"}, D, what);
+      return with("radtan", {"k1", "k2", "p1", "p2"}, D, what);
+    }
+    if (said.value_or(false) && count != 4) {
+      reader_.error(node, "wrong-length",
+                    what + " has " + std::to_string(count) + " numbers and the file says fisheye; cv::fisheye wants 4");
+      return std::nullopt;
+    }
+    if (count != 5 && count != 8 && count != 12 && count != 14) {
+      reader_.error(node, "wrong-length",
+                    what + " has " + std::to_string(count) + " numbers; OpenCV knows vectors of 0, 4, 5, 8, 12 and 14");
+      return std::nullopt;
+    }
+    if (!check_no_prism(what, D)) return std::nullopt;
+    const auto all_zero = [&D](std::size_t from, std::size_t to) {
+      return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from),
+                         D.values.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0.0; });
+    };
+    if (all_zero(0, std::min<std::size_t>(count, 8))) return make_model("pinhole");
+    if (count == 5 || (count > 8 && all_zero(5, 8))) return with("radtan", {"k1", "k2", "p1", "p2", "k3"}, D, what);
+    return with("rational", {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}, D, what);
+  }
+
+  /// s1..s4 and tau_x, tau_y: no model of ours has them.
+  bool check_no_prism(const std::string& what, const Numbers& D) {
+    constexpr std::array<std::string_view, 6> kTerms = {"s1", "s2", "s3", "s4", "tau_x", "tau_y"};
+    std::string found;
+    const Node* first = nullptr;
+    for (std::size_t i = 8; i < D.values.size(); ++i) {
+      if (D.values[i] == 0.0) continue;
+      if (first == nullptr) first = D.nodes[i];
+      found += (found.empty() ? "" : ", ") + std::string(kTerms.at(i - 8)) + " = " + text::format_short(D.values[i]);
+    }
+    if (found.empty()) return true;
+    const bool tilt = D.values.size() > 12 && (D.values[12] != 0.0 || D.values[13] != 0.0);
+    reader_.error(*first, tilt ? "tilted-sensor" : "thin-prism",
+                  what + " has " + found + ": " + (tilt ? "a tilted sensor" : "thin-prism distortion") +
+                      ", which none of our models can hold",
+                  tilt ? "calibrate without CALIB_TILTED_MODEL" : "calibrate without CALIB_THIN_PRISM_MODEL");
+    return false;
+  }
+
+  /// What the file says of a camera's four numbers.
+  [[nodiscard]] std::optional<bool> fisheye_said(const CameraKeys& keys) const {
+    if (keys.fisheye) return true;
+    return keys.model.fisheye ? keys.model.fisheye : layout_.model.fisheye;
+  }
+
+  /// Are four numbers cv::fisheye's? Nothing, with an error, where nobody says.
+  std::optional<bool> decide(std::optional<bool> said, const Node& node, const std::string& what, const Numbers& D) {
+    if (!options_.opencv_model.empty()) {
+      const bool fisheye = options_.opencv_model == "fisheye";
+      if (said && *said != fisheye) {
+        reader_.warning(node, "model-contradicts",
+                        what + " is " + (*said ? "fisheye" : "pinhole") + " by the file and read as " + options_.opencv_model +
+                            ", as told");
+      }
+      return fisheye;
+    }
+    if (said) return said;
+    const auto spelled = [&D](std::initializer_list<const char*> names) {
+      std::string text;
+      std::size_t place = 0;
+      for (const char* name : names) {
+        if (place > 0) text += " ";
+        text += std::string(name) + "=" + text::format_short(D.values[place]);
+        ++place;
+      }
+      return text;
+    };
+    reader_.error(node, "ambiguous-model",
+                  what + " has four numbers and nothing in the file says of what: pinhole " +
+                      spelled({"k1", "k2", "p1", "p2"}) + " (cv::projectPoints), or fisheye " +
+                      spelled({"k1", "k2", "k3", "k4"}) + " (cv::fisheye)",
+                  "say which: --opencv-model pinhole or --opencv-model fisheye");
+    return std::nullopt;
+  }
+
+  std::optional<CameraModel> read_omnidir(const CameraKeys& keys, const Node& map, const Node& place, const Numbers& D) {
+    if (D.values.size() != 4) {
+      reader_.error(place, "wrong-length",
+                    label(keys, keys.xi) + " says cv::omnidir, which wants 4 distortion coefficients, not " +
+                        std::to_string(D.values.size()));
+      return std::nullopt;
+    }
+    const std::string what = label(keys, keys.xi);
+    std::optional<CameraModel> model = with("mei", {"k1", "k2", "p1", "p2"}, D, label(keys, keys.distortion));
+    const Node& node = *reader_.find(map, keys.xi);
+    if (node.is_scalar()) {
+      if (!model || !reader_.parameter(node, what, "xi", *model)) return std::nullopt;
+      return model;
+    }
+    // The 1 x 1 matrix that cv::omnidir::calibrate returns.
+    const std::optional<Numbers> xi = read_numbers(node, what, reader_);
+    if (!xi || !model) return std::nullopt;
+    if (xi->values.size() != 1) {
+      reader_.error(node, "wrong-length", what + " has " + std::to_string(xi->values.size()) + " numbers; one is wanted");
+      return std::nullopt;
+    }
+    if (!set(*xi, 0, what, "xi", *model, reader_)) return std::nullopt;
+    return model;
+  }
+
+  std::optional<CameraModel> read_matlab_lens(const CameraKeys& keys, const Node& map) {
+    const Node& node = *reader_.find(map, keys.radial);
+    const std::optional<Numbers> radial = read_numbers(node, keys.radial, reader_);
+    if (!radial) return std::nullopt;
+    if (radial->values.size() != 2 && radial->values.size() != 3) {
+      reader_.error(node, "wrong-length",
+                    keys.radial + " has " + std::to_string(radial->values.size()) + " numbers; 2 or 3 are wanted");
+      return std::nullopt;
+    }
+    std::optional<CameraModel> model = with("radtan", {"k1", "k2", "k3"}, *radial, keys.radial);
+    if (!model || keys.tangential.empty()) return model;
+    const Node& second = *reader_.find(map, keys.tangential);
+    const std::optional<Numbers> tangential = read_numbers(second, keys.tangential, reader_);
+    if (!tangential) return std::nullopt;
+    if (tangential->values.size() != 2) {
+      reader_.error(second, "wrong-length",
+                    keys.tangential + " has " + std::to_string(tangential->values.size()) + " numbers; 2 are wanted");
+      return std::nullopt;
+    }
+    if (!set(*tangential, 0, keys.tangential, "p1", *model, reader_) ||
+        !set(*tangential, 1, keys.tangential, "p2", *model, reader_))
+      return std::nullopt;
+    return model;
+  }
+
+  const Layout& layout_;
+  const ReadOptions& options_;
+  fields::Reader& reader_;
+};
+
+}  // namespace
+
+std::optional<CameraModel> read_lens(const Layout& layout, const CameraKeys& keys, const Node& map, const ReadOptions& options,
+                                     fields::Reader& reader) {
+  return LensReader(layout, options, reader).read(keys, map);
+}
+
+std::string label(const CameraKeys& keys, std::string_view key) {
+  return (keys.map.empty() ? "" : keys.map + " ") + std::string(key);
+}
+
+}  // namespace fca::opencv

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layout.h"
+#include "lens.h"
+#include "numbers.h"
+#include "opencv.h"
+
+#include "../fields.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::opencv {
+
+using text::Node;
+
+namespace {
+
+class CalibrationReader {
+ public:
+  CalibrationReader(const text::Document& document, const Layout& layout, const ReadOptions& options, Diagnostics& diagnostics)
+      : document_(document), reader_(document, kDialect, diagnostics), layout_(layout), options_(options) {}
+
+  void read_into(Rig& rig) {
+    if (document_.syntax() == text::Syntax::kYaml) {
+      reader_.warning(document_.root().entries.front().key, "program-refuses",
+                      "the first line is not %YAML:1.0; cv::FileStorage does not open the file", "add that line");
+    }
+    warn_of_duplicates();
+    for (std::size_t i = 0; i < layout_.cameras.size(); ++i) read_camera(layout_.cameras[i], "cam" + std::to_string(i), rig);
+    read_count();
+    read_stereo_pose(rig);
+    keep_unread(rig);
+  }
+
+ private:
+  void warn_of_duplicates() {
+    for (const text::Entry& entry : document_.root().entries) {
+      if (text::find_entry(document_.root(), entry.key.value, kDialect) != &entry)
+        reader_.warning(entry.key, "duplicate-key", "the key " + entry.key.value + " stands twice; this one is not read");
+    }
+  }
+
+  void read_camera(const CameraKeys& keys, const std::string& name, Rig& rig) {
+    const Node& map = mapping_of(document_, keys);
+    const Node& K_node = *reader_.find(map, keys.matrix);
+    const std::string K_label = label(keys, keys.matrix);
+    std::optional<Numbers> K = read_numbers(K_node, K_label, reader_);
+    if (K && !check_matrix(*K, K_node, K_label, keys.transposed)) K.reset();
+    const std::optional<CameraModel> lens = read_lens(layout_, keys, map, options_, reader_);
+    if (!K || !lens) return;
+    Camera camera;
+    camera.name = name;
+    camera.model = *lens;
+    // Row-major, transposed in MATLAB.
+    const std::size_t cx = keys.transposed ? 6 : 2;
+    const std::size_t cy = keys.transposed ? 7 : 5;
+    bool good = set(*K, 0, K_label, "fx", camera.model, reader_);
+    good = set(*K, 4, K_label, "fy", camera.model, reader_) && good;
+    good = set(*K, cx, K_label, "cx", camera.model, reader_) && good;
+    good = set(*K, cy, K_label, "cy", camera.model, reader_) && good;
+    good = check_skew(*K, keys, K_label, camera.model) && good;
+    if (!good) return;
+    camera.image_size = read_size(keys, map);
+    read_map_pose(keys, map, name, rig);
+    rig.cameras.push_back(std::move(camera));
+  }
+
+  bool check_matrix(const Numbers& K, const Node& node, const std::string& what, bool transposed) {
+    if (K.rows != 3 || K.cols != 3) {
+      reader_.error(node, "wrong-length", what + " is " + size_of(K) + "; a camera matrix is 3 x 3");
+      return false;
+    }
+    const auto& k = K.values;
+    const bool upper = k[2] != 0.0 || k[5] != 0.0;
+    const bool lower = k[6] != 0.0 || k[7] != 0.0;
+    if (!transposed && lower && !upper) {
+      reader_.error(node, "matrix-transposed",
+                    what + " is transposed: its principal point stands in the last row, as MATLAB writes it",
+                    "OpenCV wants fx 0 cx, 0 fy cy, 0 0 1 row by row");
+      return false;
+    }
+    if (transposed && upper && !lower) {
+      reader_.error(node, "matrix-transposed", what + " stands beside MATLAB's keys and is not transposed as MATLAB's is",
+                    "MATLAB writes fx 0 0, s fy 0, cx cy 1 row by row");
+      return false;
+    }
+    const std::vector<std::size_t> zeros = transposed ? std::vector<std::size_t>{1, 2, 5} : std::vector<std::size_t>{3, 6, 7};
+    for (const std::size_t place : zeros) {
+      if (k[place] == 0.0) continue;
+      reader_.error(*K.nodes[place], "not-a-camera-matrix",
+                    what + " has " + text::format_short(k[place]) + " where a camera matrix has 0");
+      return false;
+    }
+    if (k[8] != 1.0) {
+      reader_.warning(*K.nodes[8], "matrix-corner",
+                      what + "(2, 2) is " + text::format_short(k[8]) +
+                          ", not 1; OpenCV's projections do not read it, but K * p and inv(K) come out wrong",
+                      "write 1.0");
+    }
+    if (transposed) {
+      reader_.warning(node, "matlab-origin",
+                      what + " is MATLAB's, which counts pixels from 1; its principal point is read as it stands",
+                      "if nothing has subtracted 1 from it yet (stereoParametersToOpenCV does), subtract 1 from both numbers");
+    }
+    return true;
+  }
+
+  /// None of our models has a skew: it must not vanish unsaid.
+  bool check_skew(const Numbers& K, const CameraKeys& keys, const std::string& what, const CameraModel& model) {
+    const std::size_t place = keys.transposed ? 3 : 1;
+    const double skew = K.values[place];
+    if (skew == 0.0) return true;
+    const bool omnidir = kind_of(model) == Kind::kOmnidir;
+    reader_.error(*K.nodes[place], "skew",
+                  what + " has a skew of " + text::format_short(skew) + " px at (0, 1), which the model " +
+                      std::string(model_info(model).id) + " cannot hold" +
+                      (omnidir ? "; cv::omnidir uses it" : "; cv::projectPoints and cv::fisheye ignore it, others do not"),
+                  omnidir ? "calibrate with cv::omnidir::CALIB_FIX_SKEW"
+                          : "calibrate without skew, or write 0 there if the program that uses the file ignores it");
+    return false;
+  }
+
+  std::optional<ImageSize> read_size(const CameraKeys& keys, const Node& map) {
+    const bool own = keys.size.stated();
+    const SizeKeys& size = own ? keys.size : layout_.size;
+    const Node& mapping = own ? map : document_.root();
+    if (!size.width.empty()) {
+      return reader_.image_size(*reader_.find(mapping, size.width), *reader_.find(mapping, size.height),
+                                keys.map.empty() ? "image " : keys.map + " ");
+    }
+    if (size.pair.empty()) return options_.image_size;
+    const Node& node = *reader_.find(mapping, size.pair);
+    const Node* data = node.is_mapping() ? reader_.find(node, "data") : &node;
+    if (data == nullptr || !data->is_sequence() || data->items.size() != 2) {
+      reader_.error(node, "wrong-length", size.pair + " must be two numbers");
+      return std::nullopt;
+    }
+    const std::size_t width = size.rows_first ? 1 : 0;
+    return reader_.image_size(data->items[width], data->items[1 - width], size.pair + " ");
+  }
+
+  /// MC-Calib: camera -> reference of its group.
+  void read_map_pose(const CameraKeys& keys, const Node& map, const std::string& name, Rig& rig) {
+    if (keys.pose.empty()) return;
+    const Node& node = *reader_.find(map, keys.pose);
+    const std::string what = label(keys, keys.pose);
+    const std::optional<Numbers> values = read_numbers(node, what, reader_);
+    if (!values) return;
+    if (values->values.size() != 16 || values->rows != 4) {
+      reader_.error(node, "wrong-length", what + " is " + size_of(*values) + "; 4 x 4 is wanted");
+      return;
+    }
+    Transform T;
+    std::ranges::copy(values->values, T.values.begin());
+    if (!reader_.checked(T, node, what)) return;
+    warn_of_units(T, node, what);
+    const Node* group = keys.group.empty() ? nullptr : reader_.find(map, keys.group);
+    const bool first_group = group == nullptr || group->value == "0";
+    rig.poses.push_back({first_group ? "reference" : "reference" + group->value, name, T});
+  }
+
+  void warn_of_units(const Transform& T, const Node& node, const std::string& what) {
+    const double length = std::hypot(T(0, 3), T(1, 3), T(2, 3));
+    constexpr double kLongerThanARig = 10.0;
+    if (length <= kLongerThanARig) return;
+    reader_.warning(
+        node, "units-not-stated",
+        what + " is " + text::format_short(length, 4) +
+            " long, in the units of the calibration board, which no file states; read as metres, probably millimetres",
+        "divide it by 1000 if they are millimetres");
+  }
+
+  void read_stereo_pose(Rig& rig) {
+    const bool has_rotation = !layout_.rotation.empty();
+    const bool has_translation = !layout_.translation.empty();
+    if (has_rotation != has_translation) {
+      reader_.warning(
+          *reader_.find(document_.root(), has_rotation ? layout_.rotation : layout_.translation), "pose-missing",
+          "the pose of the second camera needs R and T, and " + std::string(has_rotation ? "T" : "R") + " is missing");
+    }
+    if (!has_rotation || !has_translation) return;
+    const Node& R_node = *reader_.find(document_.root(), layout_.rotation);
+    const Node& T_node = *reader_.find(document_.root(), layout_.translation);
+    const std::optional<Numbers> R = read_numbers(R_node, layout_.rotation, reader_);
+    const std::optional<Numbers> T = read_numbers(T_node, layout_.translation, reader_);
+    if (!R || !T) return;
+    const std::size_t wanted = layout_.rotation_vector ? 3 : 9;
+    if (R->values.size() != wanted || (R_node.is_mapping() && !layout_.rotation_vector && R->rows != 3)) {
+      reader_.error(R_node, "wrong-length",
+                    layout_.rotation + " is " + size_of(*R) + "; " +
+                        (layout_.rotation_vector ? "a rotation vector of 3 numbers" : "a 3 x 3 rotation") + " is wanted");
+      return;
+    }
+    if (T->values.size() != 3) {
+      reader_.error(T_node, "wrong-length",
+                    layout_.translation + " has " + std::to_string(T->values.size()) + " numbers; 3 are wanted");
+      return;
+    }
+    Transform T_c1_c0;
+    if (layout_.rotation_vector) {
+      set_rotation(R->values, T_c1_c0);
+    } else {
+      for (int i = 0; i < 9; ++i) {
+        const int row = layout_.rotation_transposed ? i % 3 : i / 3;
+        const int column = layout_.rotation_transposed ? i / 3 : i % 3;
+        T_c1_c0(row, column) = R->values[static_cast<std::size_t>(i)];
+      }
+    }
+    for (int row = 0; row < 3; ++row) T_c1_c0(row, 3) = T->values[static_cast<std::size_t>(row)];
+    if (!reader_.checked(T_c1_c0, R_node, layout_.rotation)) return;
+    warn_of_units(T_c1_c0, T_node, layout_.translation);
+    rig.poses.push_back({"cam1", "cam0", T_c1_c0});
+  }
+
+  /// Rodrigues' formula.
+  static void set_rotation(const std::vector<double>& om, Transform& T) {
+    const double angle = std::hypot(om[0], om[1], om[2]);
+    if (angle == 0.0) return;
+    const double axis[3] = {om[0] / angle, om[1] / angle, om[2] / angle};
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      T(i, i) = c + (1.0 - c) * axis[i] * axis[i];
+      T(i, j) = (1.0 - c) * axis[i] * axis[j] - s * axis[k];
+      T(i, k) = (1.0 - c) * axis[i] * axis[k] + s * axis[j];
+    }
+  }
+
+  void read_count() {
+    if (layout_.count.empty()) return;
+    const Node& node = *reader_.find(document_.root(), layout_.count);
+    if (node.value == std::to_string(layout_.cameras.size())) return;
+    reader_.warning(node, "program-refuses",
+                    layout_.count + " is " + node.value + ", but there are " + std::to_string(layout_.cameras.size()) +
+                        " cameras; MC-Calib's reader stops");
+  }
+
+  /// What the file says and a Rig has no place for.
+  void keep_unread(Rig& rig) const {
+    const auto keep = [&rig](const Node& mapping, const std::vector<std::string>& known, const std::string& owner) {
+      for (const text::Entry& entry : mapping.entries) {
+        if (std::ranges::find(known, entry.key.value) == known.end())
+          rig.as_read.push_back({owner + entry.key.value, entry.value.value});
+      }
+    };
+    keep(document_.root(), keys_of(layout_, ""), "");
+    for (const CameraKeys& keys : layout_.cameras) {
+      if (!keys.map.empty()) keep(mapping_of(document_, keys), keys_of(layout_, keys.map), keys.map + " ");
+    }
+  }
+
+  const text::Document& document_;
+  fields::Reader reader_;
+  const Layout& layout_;
+  const ReadOptions& options_;
+};
+
+}  // namespace
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  Rig rig;
+  for (const text::Document& document : documents) {
+    const std::optional<Layout> layout = find_layout(document);
+    if (!layout) {
+      diagnostics.error(
+          "no-calibration", "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) stands here",
+          document.source().range({0, 1}), "OpenCV's calibration samples write camera_matrix and distortion_coefficients");
+      return std::nullopt;
+    }
+    Rig part;
+    Diagnostics found;
+    CalibrationReader(document, *layout, options, found).read_into(part);
+    for (const Camera& camera : part.cameras) {
+      if (rig.find_camera(camera.name) != nullptr) {
+        found.error("stated-twice", "a camera " + camera.name + " stands here and in the file before",
+                    document.source().range({0, 1}));
+      }
+    }
+    for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
+    if (found.has_errors()) return std::nullopt;
+    rig.cameras.insert(rig.cameras.end(), part.cameras.begin(), part.cameras.end());
+    rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
+    rig.as_read.insert(rig.as_read.end(), part.as_read.begin(), part.as_read.end());
+  }
+  return rig;
+}
+
+}  // namespace fca::opencv

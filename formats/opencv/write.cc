@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "blocks.h"
+#include "compose.h"
+#include "edit.h"
+#include "layout.h"
+#include "opencv.h"
+
+#include "../losses.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace fca::opencv {
+
+namespace {
+
+/// Can these cameras be stored at all? One that is already there (in `old`) is not asked again.
+bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
+  bool good = true;
+  for (const Camera& camera : rig.cameras) {
+    const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
+    if (before != nullptr && before->model == camera.model) continue;
+    const std::string id(model_info(camera.model).id);
+    if (find_stored_model(kFormat, id, false) != nullptr) {
+      good = stored_within(kFormat, camera, diagnostics) && good;
+      continue;
+    }
+    diagnostics.error("model-not-storable", camera.name + ": OpenCV has no " + id + " model");
+    good = false;
+  }
+  return good;
+}
+
+/// What none of OpenCV's samples has a key for. Poses among the cameras are the layout's affair.
+void list_losses(const Rig& rig, std::vector<Loss>& losses) {
+  for (const Camera& camera : rig.cameras) {
+    if (camera.time_offset_s) {
+      losses.push_back({"time-offset-dropped", camera.name + " time offset " + text::format_short(*camera.time_offset_s) + " s",
+                        "OpenCV's files have no key for it",
+                        "add " + text::format_short(*camera.time_offset_s) + " s to every image time stamp"});
+    }
+    if (!camera.topic.empty())
+      losses.push_back({"topic-dropped", camera.name + " " + camera.topic, "OpenCV's files have no key for it", ""});
+    if (camera.frame_rate_hz) {
+      losses.push_back({"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz",
+                        "OpenCV's files have no key for it", ""});
+    }
+  }
+  for (const Imu& imu : rig.imus) {
+    losses.push_back({"imu-dropped", imu.name + " noise and rate", "OpenCV's files have no key for them", ""});
+  }
+  const auto is_imu = [](const std::string& name) { return name.starts_with("imu"); };
+  for (const Camera& camera : rig.cameras) {
+    const bool posed = std::ranges::any_of(rig.poses, [&](const PoseEdge& edge) {
+      return (edge.a == camera.name && is_imu(edge.b)) || (edge.b == camera.name && is_imu(edge.a));
+    });
+    if (posed) losses.push_back({"imu-pose-dropped", "pose of " + camera.name + " to the IMU", "OpenCV's files hold none", ""});
+  }
+  if (rig.baseline_m) {
+    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",
+                      "OpenCV's files state poses of cameras, and the second camera is not in the input", ""});
+  }
+}
+
+bool holds_comments(const text::Document& document) {
+  const std::string& bytes = document.source().bytes;
+  if (document.syntax() == text::Syntax::kXml) return bytes.find("<!--") != std::string::npos;
+  return document.syntax() != text::Syntax::kJson && bytes.find('#') != std::string::npos;
+}
+
+/// The base's edit, if there is a base that can be edited; else `why` says what stands against it.
+std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const WriteOptions& options, std::string& why) {
+  if (base == nullptr || options.anew) return std::nullopt;
+  const std::optional<Base> read = read_base(*base, rig);
+  if (!read) return std::nullopt;
+  if (!options.layout.empty() && options.layout != name_of_layout(read->layout)) {
+    why = "another layout was asked for";
+    return std::nullopt;
+  }
+  if (!options.extension.empty() && !same_syntax(base->syntax(), syntax_for(options.extension))) {
+    why = "another syntax was asked for";
+    return std::nullopt;
+  }
+  return edit(*read, rig, why);
+}
+
+/// The layout asked for, the base's if that can hold the rig, else the samples'.
+std::optional<std::string> choose_layout(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                                         Diagnostics& diagnostics) {
+  if (!options.layout.empty()) {
+    const std::string problem = problem_with_layout(options.layout, rig);
+    if (problem.empty()) return options.layout;
+    diagnostics.error("layout-not-served", "the layout " + options.layout + " cannot hold this rig: " + problem, {},
+                      "leave out --opencv-layout, or choose " + default_layout(rig));
+    return std::nullopt;
+  }
+  if (base != nullptr) {
+    const std::optional<Layout> layout = find_layout(*base);
+    if (layout && !layout->cameras.empty()) {
+      std::string name = name_of_layout(*layout);
+      // A second camera wants another file, or another layout.
+      const bool fits = layout->cameras.size() == rig.cameras.size() || layout->in_maps();
+      if (fits && problem_with_layout(name, rig).empty()) return name;
+    }
+  }
+  return default_layout(rig);
+}
+
+std::string headline(const std::string& layout, const Rig& rig) {
+  if (layout == "calibration" && kind_of(rig.cameras.front().model) != Kind::kOmnidir)
+    return "the keys of OpenCV's camera_calibration sample";
+  if (layout == "stereo" && kind_of(rig.cameras.front().model) != Kind::kOmnidir)
+    return "the keys of OpenCV's stereo_calib sample, intrinsics and extrinsics in one file";
+  if (layout == "cameras") return "MC-Calib's keys, one camera_<i> per camera";
+  if (layout == "left-right") return "camera_matrix_left and camera_matrix_right";
+  return "the keys of ccalib's omnidir samples";
+}
+
+}  // namespace
+
+std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
+  Written written;
+  const bool base_is_pose = [&] {
+    const std::optional<Layout> layout = base != nullptr ? find_layout(*base) : std::nullopt;
+    return layout && layout->cameras.empty();
+  }();
+  if (rig.cameras.empty()) {
+    if (!base_is_pose) {
+      diagnostics.error("no-camera", "an OpenCV calibration needs a camera and the input has none");
+      return std::nullopt;
+    }
+    // R and T alone: there is nothing in it that a conversion changes.
+    written.files.push_back({*base, {}, {}});
+    written.headline = "the pose of a stereo pair";
+    return written;
+  }
+  if (!options.layout.empty() && std::ranges::find(kLayoutNames, options.layout) == kLayoutNames.end()) {
+    diagnostics.error("unknown-layout", "OpenCV files have no layout '" + options.layout + "'");
+    return std::nullopt;
+  }
+  std::string why;
+  std::optional<Edited> edited = try_edit(base, rig, options, why);
+  if (!check_models(rig, edited ? &edited->old : nullptr, diagnostics)) return std::nullopt;
+  if (edited) {
+    Written::File file{std::move(edited->document), {}, {}};
+    for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
+    if (samples_read(edited->layout, rig)) file.programs = {"opencv"};
+    written.files.push_back(std::move(file));
+    written.headline = headline(name_of_layout(edited->layout), rig);
+    // What the file itself says beside its cameras is still there.
+    std::vector<AsRead> elsewhere;
+    std::ranges::copy_if(rig.as_read, std::back_inserter(elsewhere), [&edited](const AsRead& extra) {
+      return std::ranges::find(edited->old.as_read, extra) == edited->old.as_read.end();
+    });
+    add_not_carried(elsewhere, "OpenCV's files have no key for it", written.losses);
+  } else {
+    const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
+    if (!layout) return std::nullopt;
+    const text::Syntax syntax = options.extension.empty() && base != nullptr ? base->syntax() : syntax_for(options.extension);
+    if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
+    written.headline = headline(*layout, rig);
+    add_not_carried(rig.as_read, "a new file has no place for it", written.losses);
+    if (base != nullptr && holds_comments(*base)) {
+      written.losses.push_back({"comments-dropped", "comments of " + base->source().name,
+                                "the file is composed anew" + (why.empty() ? "" : ": " + why), ""});
+    }
+  }
+  list_losses(rig, written.losses);
+  return written;
+}
+
+}  // namespace fca::opencv
