@@ -1,30 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversion.h"
 
+#include "into.h"
 #include "output_name.h"
 #include "words.h"
 
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace fca::cli {
 
 namespace {
 
-/// Only a folder has room for a second file; elsewhere it is a loss, and said.
+/// Files with cameras all have a place (needs_folder() was asked); another one beside them only in a folder: elsewhere it is a
+/// loss, and said.
 void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
   const bool folder = names_folder(arguments.output);
+  const std::string& output = arguments.in_place ? arguments.into : arguments.output;
   for (std::size_t i = 0; i < outcome.written.files.size(); ++i) {
     const Written::File& file = outcome.written.files[i];
-    if (i > 0 && !folder) {
+    if (i > 0 && file.cameras.empty() && !folder) {
       outcome.written.losses.push_back({"second-file-dropped", file.document.source().name + " (the IMU's noise and rate)",
                                         "a camchain has no place for it and there is one output",
                                         "-o FOLDER/ writes it beside the camchain"});
       continue;
     }
-    outcome.outputs.push_back({output_path(arguments.output, outcome.input, *outcome.to, outcome.written, i),
-                               file.document.bytes(), file.cameras, file.programs});
+    outcome.outputs.push_back({output_path(output, outcome.input, *outcome.to, outcome.written, i), file.document.bytes(),
+                               file.cameras, file.programs});
   }
   // Cameras that no file holds are listed as lost; their fits are nobody's business.
   std::erase_if(outcome.cameras, [&outcome](const CameraOutcome& camera) {
@@ -60,18 +64,20 @@ std::string disagreement(const ProofResult& proof) {
   return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
 }
 
-consumers::LoadOptions load_options(const Written& written) {
+consumers::LoadOptions load_options(const Written& written, const ConvertArguments& arguments) {
   consumers::LoadOptions options;
   if (!written.sensor.empty()) options.sensor = written.sensor;
+  options.opencv_model = arguments.reading.opencv_model;
   return options;
 }
 
 /// `unchanged`: the output is the input's bytes. Then a program's refusal is the input's own defect: told, not held against us.
-void verify(const Rig& rig, const ConvertOutcome::Output& output, bool unchanged, ConvertOutcome& outcome) {
+void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, bool unchanged,
+            ConvertOutcome& outcome) {
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
-    ProofResult proof = prove(*consumer, output.bytes, load_options(outcome.written), rig, output.cameras);
+    ProofResult proof = prove(*consumer, output.bytes, load_options(outcome.written, arguments), rig, output.cameras);
     const std::string program(consumer->program);
     if (!proof.agrees() && unchanged) {
       outcome.diagnostics.warning(
@@ -104,12 +110,12 @@ void warn_of_poor_fits(ConvertOutcome& outcome) {
 }
 
 /// Why a program would not load what is written for it; nothing if all load it.
-std::optional<std::string> refused(const Written& written) {
+std::optional<std::string> refused(const Written& written, const ConvertArguments& arguments) {
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
       const consumers::Consumer* consumer = consumers::find_consumer(id);
       if (consumer == nullptr) continue;
-      const consumers::ConsumerView view = consumer->load(file.document.bytes(), load_options(written));
+      const consumers::ConsumerView view = consumer->load(file.document.bytes(), load_options(written, arguments));
       if (!view.loads()) return view.refusals.front();
     }
   }
@@ -133,65 +139,139 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
   }
 }
 
-}  // namespace
+/// One file per camera, and only one place to put them?
+bool needs_folder(const ConvertArguments& arguments, const Written& written) {
+  if (camera_files(written) < 2 || names_folder(arguments.output)) return false;
+  if (arguments.output.empty() && arguments.json) return false;
+  return arguments.output.find("{camera}") == std::string::npos;
+}
 
-ConvertOutcome convert_input(const std::string& input, const ConvertArguments& arguments, Console& console) {
-  ConvertOutcome outcome;
-  outcome.input = input;
-  outcome.to = find_format(arguments.to);
-  const std::optional<Calibration> calibration = read_input(input, arguments.reading, console, outcome.diagnostics);
-  const auto failed = [&outcome]() -> ConvertOutcome {
-    const ExitCode code = code_of(outcome.diagnostics);
-    outcome.code = worse(outcome.code, code == ExitCode::kGood ? ExitCode::kBadInput : code);
-    return std::move(outcome);
-  };
-  if (!calibration) return failed();
-  outcome.from = calibration->format;
-  if (calibration->rig.cameras.empty()) {
-    explain_no_camera(arguments, input, *calibration, outcome.diagnostics);
-    return failed();
-  }
-  std::optional<std::vector<CameraOutcome>> cameras = convert_cameras(
-      calibration->rig.cameras, *outcome.to, {arguments.model, max_angle_rad(arguments.reading)}, outcome.diagnostics);
-  if (!cameras) return failed();
-  outcome.cameras = *std::move(cameras);
+/// What is written into: the file of --into, or the input itself where the format stays.
+struct Base {
+  const text::Document* document = nullptr;
+  const Calibration* into = nullptr;
+};
 
-  if (arguments.baseline_m && calibration->rig.cameras.size() > 1) {
-    outcome.diagnostics.error("baseline-contradicts",
-                              "--baseline is for one camera of a rectified pair or depth sensor; here are " +
-                                  std::to_string(calibration->rig.cameras.size()) + " cameras with poses of their own",
-                              {input, 0, 0}, "choose one with --camera");
-    outcome.code = ExitCode::kUsage;
-    return failed();
-  }
+/// The model to write where none is asked for: into a fork's file the fork's own.
+std::string model_for(const ConvertArguments& arguments, const Base& base, const Format& to) {
+  if (!arguments.model.empty() || base.into == nullptr || base.into->rig.cameras.empty()) return arguments.model;
+  const std::string_view model = model_info(base.into->rig.cameras.front().model).id;
+  return find_stored_model(to, model, true) == nullptr ? std::string(model) : "";
+}
 
-  const Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
-  // Same format in and out: the input document is edited, nothing is composed anew.
-  const text::Document* base = calibration->format == outcome.to ? &calibration->documents.front() : nullptr;
+WriteOptions write_options(const ConvertArguments& arguments) {
   WriteOptions options;
   options.sensor = arguments.sensor;
-  options.layout = arguments.orbslam3_layout;
+  options.layout = arguments.orbslam3_layout.empty() ? arguments.opencv_layout : arguments.orbslam3_layout;
   options.frame_rate_hz = arguments.fps;
-  std::optional<Written> written = outcome.to->write(base, rig, options, outcome.diagnostics);
-  if (!written) return failed();
-  const bool unchanged = base != nullptr && written->files.front().document.bytes() == base->source().bytes;
-  if (base != nullptr && !unchanged && !arguments.no_verify) {
-    if (const std::optional<std::string> refusal = refused(*written)) {
-      // The input's own layout (OpenVINS' first line in a camchain) is no base for a file that its program is to read.
-      options.anew = true;
-      written = outcome.to->write(base, rig, options, outcome.diagnostics);
-      if (!written) return failed();
-      outcome.diagnostics.note("layout-not-kept",
-                               "written anew, without the input's comments, because its layout cannot be kept: " + *refusal);
-    }
+  const std::string extension = std::filesystem::path(arguments.output).extension().string();
+  options.extension = extension;
+  return options;
+}
+
+/// Writes the rig in memory: into the base, or anew where its program would refuse what the base's own layout makes of it.
+std::optional<Written> write_rig(const Rig& rig, const Base& base, const ConvertArguments& arguments, ConvertOutcome& outcome) {
+  WriteOptions options = write_options(arguments);
+  std::optional<Written> written = outcome.to->write(base.document, rig, options, outcome.diagnostics);
+  if (!written || base.document == nullptr || arguments.no_verify || !written->files.front().document.edited()) return written;
+  const std::optional<std::string> refusal = refused(*written, arguments);
+  if (!refusal) return written;
+  // OpenVINS' first line in a camchain is no base for a file that Kalibr is to read.
+  options.anew = true;
+  outcome.diagnostics.note("layout-not-kept",
+                           "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
+  return outcome.to->write(base.document, rig, options, outcome.diagnostics);
+}
+
+bool contradicts(const ConvertArguments& arguments, const Calibration& calibration, ConvertOutcome& outcome) {
+  if (!arguments.baseline_m || calibration.rig.cameras.size() < 2) return false;
+  outcome.diagnostics.error("baseline-contradicts",
+                            "--baseline is for one camera of a rectified pair or depth sensor; here are " +
+                                std::to_string(calibration.rig.cameras.size()) + " cameras with poses of their own",
+                            {outcome.input, 0, 0}, "choose one with --camera");
+  outcome.code = ExitCode::kUsage;
+  return true;
+}
+
+/// --into's file. Under --to, that must be its format.
+std::optional<Calibration> read_into(const ConvertArguments& arguments, Console& console, ConvertOutcome& outcome) {
+  ReadingOptions reading;
+  reading.opencv_model = arguments.reading.opencv_model;
+  reading.size = arguments.reading.size;
+  std::optional<Calibration> into = read_input(arguments.into, reading, console, outcome.diagnostics);
+  if (!into || arguments.to.empty() || find_format(arguments.to) == into->format) return into;
+  outcome.diagnostics.error("into-another-format",
+                            "the file is " + std::string(into->format->title) + ", and --to says " + arguments.to,
+                            {arguments.into, 0, 0}, "leave out --to");
+  outcome.code = ExitCode::kUsage;
+  return std::nullopt;
+}
+
+/// The steps of one conversion; false with errors.
+bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
+                  ConvertOutcome& outcome) {
+  std::optional<Calibration> into;
+  if (!arguments.into.empty()) {
+    into = read_into(arguments, console, outcome);
+    if (!into) return false;
+  }
+  outcome.to = into ? into->format : find_format(arguments.to);
+  const std::optional<Calibration> calibration = read_input(inputs, arguments.reading, console, outcome.diagnostics);
+  if (!calibration) return false;
+  outcome.from = calibration->format;
+  if (calibration->rig.cameras.empty()) {
+    explain_no_camera(arguments, outcome.input, *calibration, outcome.diagnostics);
+    return false;
+  }
+  if (contradicts(arguments, *calibration, outcome)) return false;
+
+  Base base;
+  if (into) {
+    base = {&into->documents.front(), &*into};
+  } else if (calibration->format == outcome.to && inputs.size() == 1) {
+    base.document = &calibration->documents.front();
+  }
+  const ModelChoice choice = {model_for(arguments, base, *outcome.to), max_angle_rad(arguments.reading)};
+  std::optional<std::vector<CameraOutcome>> cameras =
+      convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
+  if (!cameras) return false;
+  outcome.cameras = *std::move(cameras);
+  Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
+  if (into) {
+    rig = put_into(into->rig, std::move(rig), outcome.diagnostics);
+    for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
+  }
+
+  std::optional<Written> written = write_rig(rig, base, arguments, outcome);
+  if (!written) return false;
+  if (needs_folder(arguments, *written)) {
+    outcome.diagnostics.error(
+        "one-camera-per-file",
+        std::string(outcome.to->title) + " holds one camera per file, and here are " + std::to_string(camera_files(*written)),
+        {}, "-o FOLDER/, a pattern such as -o '{stem}.{camera}.txt', or --camera to choose one");
+    outcome.code = ExitCode::kUsage;
+    return false;
   }
   outcome.written = *std::move(written);
   place_outputs(arguments, outcome);
+  const bool unchanged = base.document != nullptr && outcome.outputs.front().bytes == base.document->source().bytes;
   if (!arguments.no_verify) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, unchanged, outcome);
+    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, arguments, unchanged, outcome);
   }
   warn_of_poor_fits(outcome);
   judge_limits(arguments, outcome);
+  return true;
+}
+
+}  // namespace
+
+ConvertOutcome convert_inputs(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console) {
+  ConvertOutcome outcome;
+  outcome.input = inputs.front();
+  outcome.to = find_format(arguments.to);
+  if (convert_into(inputs, arguments, console, outcome)) return outcome;
+  const ExitCode code = code_of(outcome.diagnostics);
+  outcome.code = worse(outcome.code, code == ExitCode::kGood ? ExitCode::kBadInput : code);
   return outcome;
 }
 

@@ -23,6 +23,9 @@ struct ConvertArguments {
   std::string output;
   std::string sensor;
   std::string orbslam3_layout;
+  std::string opencv_layout;
+  std::string into;
+  bool in_place = false;
   std::optional<double> fps;
   std::optional<double> max_error_px;
   std::optional<double> baseline_m;
@@ -53,6 +56,8 @@ struct ConvertOutcome {
   ExitCode code = ExitCode::kGood;
 };
 
-[[nodiscard]] ConvertOutcome convert_input(const std::string& input, const ConvertArguments& arguments, Console& console);
+/// `inputs`: one, or several that are one rig (--join).
+[[nodiscard]] ConvertOutcome convert_inputs(const std::vector<std::string>& inputs, const ConvertArguments& arguments,
+                                            Console& console);
 
 }  // namespace fca::cli

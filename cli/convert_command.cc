@@ -20,11 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A value that an option of some formats takes, as an error if this format has none such.
-std::optional<std::string> not_among(const std::string& value, std::string_view option, std::string_view kind,
-                                     std::span<const std::string_view> known) {
-  if (value.empty() || std::ranges::find(known, value) != known.end()) return std::nullopt;
-  if (known.empty()) return std::string(option) + " is for orbslam3";
+/// An option that is one format's own, as an error if another is written or that one does not know the value. `to`: null under
+/// --into.
+std::optional<std::string> not_among(const std::string& value, std::string_view option, std::string_view kind, const Format* to,
+                                     std::string_view owner, std::span<const std::string_view> Format::*values) {
+  if (value.empty()) return std::nullopt;
+  if (to != nullptr && to->id != owner) return std::string(option) + " is for --to " + std::string(owner);
+  const Format* format = find_format(owner);
+  const std::span<const std::string_view> known = format != nullptr ? format->*values : std::span<const std::string_view>();
+  if (std::ranges::find(known, value) != known.end()) return std::nullopt;
   const std::vector<std::string> names(known.begin(), known.end());
   const std::vector<std::string> near = nearest(value, names);
   return "unknown " + std::string(kind) + " '" + value + "'" +
@@ -33,18 +37,25 @@ std::optional<std::string> not_among(const std::string& value, std::string_view 
 
 std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
-  if (find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
+  if (arguments.into.empty() && arguments.to.empty()) return "--to FORMAT is missing: " + format_names();
+  if (!arguments.to.empty() && find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
+  if (arguments.in_place && arguments.into.empty()) return "--in-place is for --into BASE";
+  if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
   if (!arguments.model.empty() && find_model(arguments.model) == nullptr) return unknown_model(arguments.model);
   if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6)) return "--fps wants a positive number";
   if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6))
     return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
-  const Format& to = *find_format(arguments.to);
-  if (const auto error = not_among(arguments.sensor, "--sensor", "sensor mode", to.modes)) return error;
-  if (const auto error = not_among(arguments.orbslam3_layout, "--orbslam3-layout", "layout", to.layouts)) return error;
-  const bool many = arguments.inputs.size() > 1;
-  const bool one_path = !arguments.output.empty() && arguments.output.find('{') == std::string::npos &&
-                        !fs::is_directory(arguments.output) && !arguments.output.ends_with('/');
+  const Format* to = find_format(arguments.to);
+  if (const auto error = not_among(arguments.sensor, "--sensor", "sensor mode", to, "orbslam3", &Format::modes)) return error;
+  if (const auto error = not_among(arguments.orbslam3_layout, "--orbslam3-layout", "layout", to, "orbslam3", &Format::layouts))
+    return error;
+  if (const auto error = not_among(arguments.opencv_layout, "--opencv-layout", "layout", to, "opencv", &Format::layouts))
+    return error;
+  const bool many = grouped(arguments.inputs, arguments.reading).size() > 1;
+  if (many && !arguments.into.empty()) return "--into wants one input, or several that are one rig (--join)";
+  const bool one_path =
+      !arguments.output.empty() && arguments.output.find('{') == std::string::npos && !names_folder(arguments.output);
   if (many && one_path) return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'";
   if (many && arguments.output.empty() && !arguments.json) return "several inputs need -o FOLDER/ (or --json)";
   if (const std::optional<std::string> unknown = unknown_placeholder(arguments.output))
@@ -70,7 +81,7 @@ void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, c
   if (outcome.code != ExitCode::kGood || arguments.dry_run) return;
   // All or nothing: what would be refused is refused before the first file is written.
   for (const ConvertOutcome::Output& output : outcome.outputs) {
-    if (output.path.empty() || arguments.force || !fs::is_regular_file(output.path)) continue;
+    if (output.path.empty() || arguments.force || arguments.in_place || !fs::is_regular_file(output.path)) continue;
     outcome.diagnostics.error("cannot-write", output.path + " exists; --force overwrites it");
     outcome.code = ExitCode::kIo;
     return;
@@ -84,7 +95,8 @@ void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, c
       std::error_code error;
       fs::create_directories(arguments.output, error);
     }
-    if (const std::optional<std::string> failure = write_file(output.path, output.bytes, arguments.force, arguments.fsync)) {
+    if (const std::optional<std::string> failure =
+            write_file(output.path, output.bytes, arguments.force || arguments.in_place, arguments.fsync)) {
       outcome.diagnostics.error("cannot-write", *failure);
       outcome.code = ExitCode::kIo;
       return;
@@ -95,12 +107,13 @@ void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, c
 ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   std::vector<ConvertOutcome> outcomes;
-  for (const std::string& input : arguments.inputs) outcomes.push_back(convert_input(input, arguments, console));
+  for (const std::vector<std::string>& group : grouped(arguments.inputs, arguments.reading))
+    outcomes.push_back(convert_inputs(group, arguments, console));
   if (collide(outcomes, console)) return ExitCode::kUsage;
 
   ExitCode code = ExitCode::kGood;
   // Several inputs: every diagnostic names its file itself.
-  const bool file_on_stdout = arguments.output.empty() || arguments.output == "-";
+  const bool file_on_stdout = (arguments.output.empty() && !arguments.in_place) || arguments.output == "-";
   for (ConvertOutcome& outcome : outcomes) {
     write_outputs(arguments, outcome, console);
     if (!arguments.json) {
@@ -122,7 +135,7 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
   CLI::App& command =
       *app.add_subcommand("convert", "Convert a calibration to another format, and to another camera model if need be");
   command.add_option("INPUT", arguments.inputs, "Calibration file(s); '-' is standard input")->required();
-  command.add_option("--to", arguments.to, "The format to write")->required()->type_name("FORMAT");
+  command.add_option("--to", arguments.to, "The format to write")->type_name("FORMAT");
   command
       .add_option("--model", arguments.model,
                   "The camera model to write (default: kept, else the best that the stock program reads)")
@@ -140,6 +153,13 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       .add_option("--orbslam3-layout", arguments.orbslam3_layout,
                   "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else v1)")
       ->type_name("LAYOUT");
+  command
+      .add_option("--opencv-layout", arguments.opencv_layout,
+                  "calibration, stereo, omnidir, cameras or left-right (default: what the cameras need)")
+      ->type_name("LAYOUT");
+  command.add_option("--into", arguments.into, "Write what the input says into this file's text; its format is --to")
+      ->type_name("BASE");
+  command.add_flag("--in-place", arguments.in_place, "With --into: change BASE itself");
   command.add_option("--fps", arguments.fps, "Frame rate, for formats that state it")->type_name("HZ")->check(decimal_number());
   command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")
       ->type_name("METRES")

@@ -49,7 +49,7 @@ void put_report(Json& json, const ConversionReport& report) {
 void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
   json.put("input", outcome.input);
   if (outcome.from != nullptr) json.put("from", outcome.from->id);
-  json.put("to", outcome.to->id);
+  if (outcome.to != nullptr) json.put("to", outcome.to->id);
   if (!outcome.written.headline.empty()) json.put("headline", outcome.written.headline);
   const std::vector<ConvertOutcome::Output> none;
   json.array("outputs", outcome.code == ExitCode::kGood ? outcome.outputs : none, [&](const ConvertOutcome::Output& output) {

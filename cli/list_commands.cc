@@ -3,6 +3,7 @@
 
 #include "choose_model.h"
 #include "json.h"
+#include "ledger.h"
 #include "show_command.h"
 #include "words.h"
 
@@ -22,7 +23,38 @@ std::vector<std::string> model_names(const Format& format, bool stock) {
   return names;
 }
 
+ExitCode list_ledger(const ListArguments& arguments, Console& console) {
+  if (arguments.json) {
+    Json json;
+    json.object([&] {
+      json.put("fca_io", FCA_VERSION);
+      json.array("ledger", ledger(), [&](const LedgerRow& row) {
+        json.object([&] {
+          json.put("from", row.from->id);
+          json.put("to", row.to->id);
+          json.put("exact", std::span<const std::string>(row.exact));
+          json.put("fitted", std::span<const std::string>(row.fitted));
+          json.put("dropped", std::span<const std::string>(row.dropped));
+          json.put("defaulted", std::span<const std::string>(row.defaulted));
+        });
+      });
+    });
+    console.out(json.document());
+    return ExitCode::kGood;
+  }
+  const auto cell = [](const std::vector<std::string>& words) {
+    return words.empty() ? std::string("-") : enumerated(words, "and");
+  };
+  console.out("| from | to | exact | fitted | dropped, and said | defaulted, and said |\n|---|---|---|---|---|---|\n");
+  for (const LedgerRow& row : ledger()) {
+    console.out("| `" + std::string(row.from->id) + "` | `" + std::string(row.to->id) + "` | " + cell(row.exact) + " | " +
+                cell(row.fitted) + " | " + cell(row.dropped) + " | " + cell(row.defaulted) + " |\n");
+  }
+  return ExitCode::kGood;
+}
+
 ExitCode list_formats(const ListArguments& arguments, Console& console) {
+  if (arguments.ledger) return list_ledger(arguments, console);
   if (arguments.json) {
     Json json;
     json.object([&] {
@@ -245,7 +277,8 @@ void add_list_commands(CLI::App& app, ListArguments& arguments, std::function<Ex
   CLI::App& formats = *app.add_subcommand("formats", "The formats, and which camera models each can hold");
   formats.add_flag("--json", arguments.json, "One JSON document on standard output");
   formats.add_flag("--markdown", arguments.markdown, "The table of the README");
-  formats.footer("Example:\n  fca-io formats\n");
+  formats.add_flag("--ledger", arguments.ledger, "For every pair of formats: what is exact, fitted, dropped and defaulted");
+  formats.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");
   formats.callback([&] { run = [&arguments](Console& console) { return list_formats(arguments, console); }; });
 
   CLI::App& models = *app.add_subcommand("models", "The camera models; with a FILE, how well each would describe its cameras");

@@ -18,6 +18,7 @@ struct ListArguments {
   ReadingOptions reading;
   bool json = false;
   bool markdown = false;
+  bool ledger = false;
 };
 
 /// `formats`, `models` and `programs`: what is supported, from the registries.

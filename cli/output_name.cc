@@ -18,6 +18,20 @@ std::string replaced(std::string text, std::string_view placeholder, std::string
   return text;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : "-") + name;
+  return text;
+}
+
+/// A camera's name comes from a file: it must not lead elsewhere.
+std::string as_file_name(std::string name) {
+  for (char& c : name) {
+    if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' ') c = '_';
+  }
+  return name.empty() || name.starts_with('.') ? "_" + name : name;
+}
+
 }  // namespace
 
 std::optional<std::string> unknown_placeholder(std::string_view pattern) {
@@ -37,15 +51,21 @@ std::string output_path(const std::string& output, const std::string& input, con
                         std::size_t index) {
   if (output.empty() || output == "-") return "";
   const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
+  const Written::File& file = written.files[index];
   if (output.find('{') != std::string::npos) {
-    std::string camera;
-    for (const std::string& name : written.files[index].cameras) camera += (camera.empty() ? "" : "-") + name;
-    return replaced(replaced(replaced(output, "{stem}", stem), "{format}", format.id), "{camera}", camera);
+    const std::string cameras = as_file_name(joined(file.cameras));
+    return replaced(replaced(replaced(output, "{stem}", stem), "{format}", format.id), "{camera}", cameras);
   }
   if (!names_folder(output)) return output;
-  const std::string name =
-      index == 0 ? stem + "." + std::string(format.id) + ".yaml" : written.files[index].document.source().name;
-  return (fs::path(output) / name).string();
+  const fs::path proposal = file.document.source().name;
+  if (file.cameras.empty()) return (fs::path(output) / as_file_name(proposal.filename().string())).string();
+  const std::string camera = camera_files(written) > 1 ? "." + as_file_name(joined(file.cameras)) : "";
+  const std::string extension = proposal.has_extension() ? proposal.extension().string() : std::string(format.extension);
+  return (fs::path(output) / (stem + camera + "." + std::string(format.id) + extension)).string();
+}
+
+std::ptrdiff_t camera_files(const Written& written) {
+  return std::ranges::count_if(written.files, [](const Written::File& file) { return !file.cameras.empty(); });
 }
 
 }  // namespace fca::cli

@@ -16,6 +16,9 @@ namespace fca::cli {
 /// Is `output` (-o) a folder, which has room for several files?
 [[nodiscard]] bool names_folder(const std::string& output);
 
+/// How many of the files hold cameras.
+[[nodiscard]] std::ptrdiff_t camera_files(const Written& written);
+
 /// The path of file number `index` of a conversion of `input`, from -o: a path, a folder or a pattern; empty: standard output.
 [[nodiscard]] std::string output_path(const std::string& output, const std::string& input, const Format& format,
                                       const Written& written, std::size_t index);

@@ -19,8 +19,13 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
+  command.add_flag("--join", options.join, "All inputs are the cameras of one rig, in the order given");
   command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");
   command.add_option("--size", options.size, "Image size for files that do not state one: 640x480")->type_name("WxH");
+  command
+      .add_option("--opencv-model", options.opencv_model,
+                  "pinhole or fisheye, for OpenCV files whose four coefficients could be either")
+      ->type_name("MODEL");
   command
       .add_option("--max-angle", options.max_angle_deg,
                   "What counts as lens, in degrees from the axis (default: the whole image)")
@@ -70,11 +75,19 @@ std::optional<std::vector<std::size_t>> chosen_cameras(const Rig& rig, const std
 
 }  // namespace
 
-std::string unknown_format(std::string_view typed) {
+namespace {
+
+std::vector<std::string> format_ids() {
   std::vector<std::string> names;
   for (const Format& format : all_formats()) names.emplace_back(format.id);
-  return unknown("format", typed, names);
+  return names;
 }
+
+}  // namespace
+
+std::string format_names() { return enumerated(format_ids()); }
+
+std::string unknown_format(std::string_view typed) { return unknown("format", typed, format_ids()); }
 
 std::string unknown_model(std::string_view typed) {
   std::vector<std::string> names;
@@ -86,6 +99,8 @@ std::optional<std::string> check(const ReadingOptions& options) {
   if (!options.from.empty() && find_format(options.from) == nullptr) return unknown_format(options.from);
   if (!options.size.empty() && !parse_size(options.size))
     return "--size wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.size + "'";
+  if (!options.opencv_model.empty() && options.opencv_model != "pinhole" && options.opencv_model != "fisheye")
+    return "--opencv-model is pinhole or fisheye, not '" + options.opencv_model + "'";
   if (options.max_angle_deg && !(*options.max_angle_deg > 0.0 && *options.max_angle_deg <= 180.0)) {
     return "--max-angle wants degrees from the axis in (0, 180]";
   }
@@ -97,9 +112,21 @@ std::optional<double> max_angle_rad(const ReadingOptions& options) {
   return *options.max_angle_deg / kDegreesPerRadian;
 }
 
+std::vector<std::vector<std::string>> grouped(const std::vector<std::string>& inputs, const ReadingOptions& options) {
+  if (options.join) return {inputs};
+  std::vector<std::vector<std::string>> groups;
+  for (const std::string& input : inputs) groups.push_back({input});
+  return groups;
+}
+
 std::optional<Calibration> read_input(const std::string& path, const ReadingOptions& options, Console& console,
                                       Diagnostics& diagnostics) {
-  std::vector<std::string> paths = {path};
+  return read_input(std::span(&path, 1), options, console, diagnostics);
+}
+
+std::optional<Calibration> read_input(std::span<const std::string> inputs, const ReadingOptions& options, Console& console,
+                                      Diagnostics& diagnostics) {
+  std::vector<std::string> paths(inputs.begin(), inputs.end());
   paths.insert(paths.end(), options.with.begin(), options.with.end());
   std::vector<text::Document> documents;
   for (const std::string& each : paths) {
@@ -111,8 +138,8 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
     documents.push_back(*std::move(document));
   }
   const Format* format = options.from.empty() ? nullptr : find_format(options.from);
-  std::optional<Calibration> calibration =
-      read_calibration(std::move(documents), format, {parse_size(options.size), {}}, diagnostics);
+  std::optional<Calibration> calibration = read_calibration(
+      std::move(documents), format, {parse_size(options.size), options.opencv_model, options.join}, diagnostics);
   if (!calibration) return std::nullopt;
   if (const std::optional<ImageSize> size = parse_size(options.size)) {
     for (const Camera& camera : calibration->rig.cameras) {
@@ -120,7 +147,7 @@ std::optional<Calibration> read_input(const std::string& path, const ReadingOpti
       diagnostics.error("size-contradicts",
                         camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " +
                             size_in_words(*size),
-                        {path, 0, 0}, "--size is for files that state no size");
+                        {inputs.front(), 0, 0}, "--size is for files that state no size");
       return std::nullopt;
     }
   }

@@ -7,6 +7,7 @@
 #include <fca/formats/calibration.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,15 +21,24 @@ namespace fca::cli {
 struct ReadingOptions {
   std::string from;
   std::vector<std::string> with;
+  bool join = false;
   std::optional<std::string> cameras;  ///< "1,0" or "cam1"
   std::string size;                    ///< "640x480"
+  std::string opencv_model;            ///< "pinhole" or "fisheye"
   std::optional<double> max_angle_deg;
 };
 
-/// --from, --with, --camera, --size, --max-angle
+/// --from, --with, --join, --camera, --size, --opencv-model, --max-angle
 void add_reading_options(CLI::App& command, ReadingOptions& options);
 
-/// The calibration of one input with its further parts, reduced to the chosen cameras. Diagnostics are added, not shown.
+/// The inputs as calibrations are read from them: each by itself, or all together under --join.
+[[nodiscard]] std::vector<std::vector<std::string>> grouped(const std::vector<std::string>& inputs,
+                                                            const ReadingOptions& options);
+
+/// The calibration of one group of inputs with its further parts, reduced to the chosen cameras. Diagnostics are added, not
+/// shown.
+[[nodiscard]] std::optional<Calibration> read_input(std::span<const std::string> paths, const ReadingOptions& options,
+                                                    Console& console, Diagnostics& diagnostics);
 [[nodiscard]] std::optional<Calibration> read_input(const std::string& path, const ReadingOptions& options, Console& console,
                                                     Diagnostics& diagnostics);
 
@@ -40,6 +50,8 @@ void add_reading_options(CLI::App& command, ReadingOptions& options);
 
 [[nodiscard]] std::optional<double> max_angle_rad(const ReadingOptions& options);
 
+/// "kalibr, opencv and ..."
+[[nodiscard]] std::string format_names();
 /// "unknown format 'orb'; did you mean orbslam3?" with the list when nothing is near.
 [[nodiscard]] std::string unknown_format(std::string_view typed);
 [[nodiscard]] std::string unknown_model(std::string_view typed);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "show_command.h"
+#include "words.h"
 
 #include <CLI/CLI.hpp>
 
@@ -7,13 +8,13 @@ namespace fca::cli {
 
 namespace {
 
-ShownFile read_file(const std::string& file, const ShowArguments& arguments, Console& console) {
+ShownFile read_files(const std::vector<std::string>& files, const ShowArguments& arguments, Console& console) {
   ShownFile shown;
-  shown.file = file;
-  shown.calibration = read_input(file, arguments.reading, console, shown.diagnostics);
+  shown.file = enumerated(files, "and");
+  shown.calibration = read_input(files, arguments.reading, console, shown.diagnostics);
   if (shown.calibration) {
     shown.readers = ask_readers(shown.calibration->format->id, shown.calibration->documents.front().source().bytes,
-                                !shown.calibration->rig.cameras.empty());
+                                !shown.calibration->rig.cameras.empty(), {{}, arguments.reading.opencv_model});
   }
   return shown;
 }
@@ -22,8 +23,8 @@ ExitCode run_show(const ShowArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
   ExitCode code = ExitCode::kGood;
   std::vector<ShownFile> files;
-  for (const std::string& file : arguments.files) {
-    files.push_back(read_file(file, arguments, console));
+  for (const std::vector<std::string>& group : grouped(arguments.files, arguments.reading)) {
+    files.push_back(read_files(group, arguments, console));
     code = worse(code, code_of(files.back().diagnostics));
     if (!arguments.json) {
       if (files.back().calibration) console.say((files.size() > 1 ? "\n" : "") + show_text(files.back()));

@@ -44,6 +44,27 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
 
 namespace {
 
+/// Gives the cameras of `part` whose names `rig` has the next free "camN", in its poses, too.
+void rename_apart(const Rig& rig, Rig& part) {
+  std::size_t next = rig.cameras.size();
+  for (Camera& camera : part.cameras) {
+    if (rig.find_camera(camera.name) == nullptr) continue;
+    const std::string old = camera.name;
+    std::string name;
+    do {
+      name = "cam" + std::to_string(next++);
+    } while (rig.find_camera(name) != nullptr || part.find_camera(name) != nullptr);
+    for (PoseEdge& edge : part.poses) {
+      if (edge.a == old) edge.a = name;
+      if (edge.b == old) edge.b = name;
+    }
+    for (AsRead& extra : part.as_read) {
+      if (extra.key.starts_with(old + " ")) extra.key.replace(0, old.size(), name);
+    }
+    camera.name = name;
+  }
+}
+
 /// Adds what `part` holds to `rig`: its IMUs, poses and cameras. Facts stated twice must agree.
 bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics& diagnostics) {
   bool good = true;
@@ -108,7 +129,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
   for (const text::Document& document : documents) {
     const bool main_file = result.format == nullptr;
     DetectedFormat detected{format, "--from"};
-    if (format == nullptr || !main_file) {
+    if (format == nullptr || (!main_file && !options.join)) {
       const std::optional<DetectedFormat> found = detect_format(document, diagnostics);
       if (!found) return std::nullopt;
       detected = *found;
@@ -119,8 +140,9 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       result.format = detected.format;
       result.why = detected.why;
       result.rig = *std::move(rig);
-    } else if (!join(*rig, document, result.rig, diagnostics)) {
-      return std::nullopt;
+    } else {
+      if (options.join) rename_apart(result.rig, *rig);
+      if (!join(*rig, document, result.rig, diagnostics)) return std::nullopt;
     }
   }
   warn_of_contradictions(result.rig, documents.front(), diagnostics);

@@ -121,7 +121,8 @@ bool misreads_all(const consumers::ConsumerView& view) {
 
 }  // namespace
 
-Readers ask_readers(std::string_view format_id, std::string_view bytes, std::optional<bool> with_cameras) {
+Readers ask_readers(std::string_view format_id, std::string_view bytes, std::optional<bool> with_cameras,
+                    const consumers::LoadOptions& options) {
   Readers readers;
   const Format* format = find_format(format_id);
   constexpr std::array<std::string_view, 1> kNoModes = {""};
@@ -133,7 +134,9 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
     program.program = consumer.program;
     std::size_t fewest = SIZE_MAX;
     for (const std::string_view mode : modes) {
-      const consumers::ConsumerView view = consumer.load(bytes, {std::string(mode)});
+      consumers::LoadOptions asked = options;
+      asked.sensor = mode;
+      const consumers::ConsumerView view = consumer.load(bytes, asked);
       if (view.loads() && misreads_all(view)) {
         program.refusals = {"it would load the file and misread it: " +
                             (view.warnings.empty() ? std::string("another model") : view.warnings.front())};

@@ -102,5 +102,14 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
   }
 }
 
+// The tables of formats are printed from the registry.
+TEST(Readme, HasTheTablesOfTheRegistry) {
+  const std::string readme = read_file(fs::path(FCA_EXAMPLES_DIR).parent_path() / "README.md");
+  for (const char* table : {"--markdown", "--ledger"}) {
+    const RunResult run = run_program({"formats", table});
+    EXPECT_TRUE(contains(readme, run.out)) << "fca-io formats " << table << " prints\n" << run.out;
+  }
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -20,6 +20,7 @@ namespace fca {
 struct ReadOptions {
   std::optional<ImageSize> image_size;  ///< For files that do not state one.
   std::string opencv_model;             ///< "pinhole" or "fisheye", for OpenCV files whose four numbers could be either.
+  bool join = false;  ///< Further documents are further cameras of one rig: a name that is taken becomes the next "camN".
 };
 
 /// A way in which a format stores a camera model, and who reads it.

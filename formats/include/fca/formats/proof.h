@@ -50,7 +50,9 @@ struct Readers {
   std::vector<Program> programs;
 };
 
-/// Asks every consumer of the format; only those that read files with (or without) cameras, if that is said.
-[[nodiscard]] Readers ask_readers(std::string_view format, std::string_view bytes, std::optional<bool> with_cameras = {});
+/// Asks every consumer of the format, in each of its modes; only those that read files with (or without) cameras, if that is
+/// said.
+[[nodiscard]] Readers ask_readers(std::string_view format, std::string_view bytes, std::optional<bool> with_cameras = {},
+                                  const consumers::LoadOptions& options = {});
 
 }  // namespace fca

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "into.h"
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+/// Names the rig's cameras as the base's of the same place; a name that is then taken twice becomes "NAME of the input".
+void take_names(const Rig& base, Rig& rig) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (std::size_t i = 0; i < std::min(base.cameras.size(), rig.cameras.size()); ++i)
+    names.emplace_back(rig.cameras[i].name, base.cameras[i].name);
+  const auto renamed = [&](const std::string& name) -> std::string {
+    const auto row = std::ranges::find(names, name, &std::pair<std::string, std::string>::first);
+    if (row != names.end()) return row->second;
+    const bool taken = std::ranges::find(names, name, &std::pair<std::string, std::string>::second) != names.end();
+    return taken ? name + " of the input" : name;
+  };
+  for (Camera& camera : rig.cameras) camera.name = renamed(camera.name);
+  for (PoseEdge& edge : rig.poses) {
+    edge.a = renamed(edge.a);
+    edge.b = renamed(edge.b);
+  }
+}
+
+template <class T>
+void keep(std::optional<T>& value, const std::optional<T>& otherwise) {
+  if (!value) value = otherwise;
+}
+
+}  // namespace
+
+Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics) {
+  take_names(base, rig);
+  for (Camera& camera : rig.cameras) {
+    const Camera* before = base.find_camera(camera.name);
+    if (before == nullptr) continue;
+    keep(camera.image_size, before->image_size);
+    keep(camera.time_offset_s, before->time_offset_s);
+    keep(camera.frame_rate_hz, before->frame_rate_hz);
+    if (camera.topic.empty()) camera.topic = before->topic;
+  }
+  for (std::size_t i = rig.cameras.size(); i < base.cameras.size(); ++i) {
+    diagnostics.note("camera-kept", base.cameras[i].name + " of the base is not in the input and stays as it is");
+    rig.cameras.push_back(base.cameras[i]);
+  }
+  if (rig.imus.empty()) rig.imus = base.imus;
+  keep(rig.baseline_m, base.baseline_m);
+  for (const PoseEdge& edge : base.poses) {
+    if (!rig.resolve(edge.a, edge.b)) rig.poses.push_back(edge);
+  }
+  return rig;
+}
+
+}  // namespace fca::cli

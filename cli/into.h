@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --into BASE: an existing file with what the input says in the place of what it said.
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/rig/rig.h>
+
+namespace fca::cli {
+
+/// What `base` is to say: the rig's cameras in the place of the base's, one after the other, under the base's names; of IMUs,
+/// poses, times, rates and topics what the rig states, else what the base states. Cameras that only the base has stay, with a
+/// note.
+[[nodiscard]] Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics);
+
+}  // namespace fca::cli
