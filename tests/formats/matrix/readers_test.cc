@@ -233,6 +233,85 @@ std::string read_bytes(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+/// One table that a real program printed: its rays, its pixels.
+struct OracleTable {
+  std::string corpus_file;
+  std::size_t index = 0;
+  std::vector<std::pair<Ray, Pixel>> rows;
+};
+
+OracleTable read_table(const fs::path& path) {
+  OracleTable table;
+  std::ifstream stream(path);
+  std::string line;
+  std::getline(stream, line);
+  const std::string file = "# corpus file: ";
+  const std::string index = "camera index: ";
+  table.corpus_file = line.substr(file.size(), line.find('\t') - file.size());
+  table.index = static_cast<std::size_t>(std::stoi(line.substr(line.find(index) + index.size())));
+  while (std::getline(stream, line)) {
+    std::istringstream words(line);
+    std::string kind;
+    Ray ray{};
+    Pixel pixel{};
+    // A row with nan ends the stream and is left out.
+    if (words >> kind >> ray[0] >> ray[1] >> ray[2] >> pixel[0] >> pixel[1] && kind == "project")
+      table.rows.emplace_back(ray, pixel);
+  }
+  return table;
+}
+
+/// The programs that compute with floats: 24 bits of some hundred pixels.
+double tolerance(const fs::path& table) {
+  const std::string program = table.stem().extension().string();
+  return program == ".orbslam3" || program == ".openvins" || program == ".dso" ? 2e-4 : 1e-9;
+}
+
+/// What the program prints of a ray that its own formula does not mean (FORMATS.md 4 and shared/oracles/README.md).
+bool beside_the_formula(const std::string& format, const Ray& ray) {
+  const bool mirrors = format == "kalibr" || format == "opencv" || format == "tumvi";
+  return mirrors && ray[2] <= 0.01;
+}
+
+/// ORB-SLAM3 prints pixels of the rescaled image, and its second camera has the first one's lens.
+bool another_camera(const std::string& format, const std::string& bytes, std::size_t index) {
+  return format == "orbslam3" && (index > 0 || bytes.find("newWidth") != std::string::npos);
+}
+
+TEST(MatrixReaders, AgreeWithWhatTheRealProgramsPrinted) {
+  const fs::path shared = FCA_SHARED_DIR;
+  if (!fs::exists(shared / "oracles")) GTEST_SKIP() << "no tables beside the repository: " << shared / "oracles";
+  for (const std::string format : {"kalibr", "opencv", "ocamcalib", "tumvi", "orbslam3", "woodscape"}) {
+    int tables = 0;
+    double worst = 0.0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(shared / "oracles" / format)) {
+      const OracleTable table = read_table(entry.path());
+      if (entry.path().string().find(".basalt.") != std::string::npos) continue;  // another format
+      const std::string bytes = read_bytes(shared / "corpus" / table.corpus_file);
+      if (another_camera(format, bytes, table.index)) continue;
+      const std::optional<PixelFormula> formula = find_reader(format)->camera(bytes, table.index);
+      EXPECT_TRUE(formula) << table.corpus_file;
+      if (!formula) continue;
+      const RayToPixel& pixel_of = formula->stored_approximation ? formula->stored_approximation : formula->pixel;
+      int compared = 0;
+      for (const auto& [ray, wanted] : table.rows) {
+        if (beside_the_formula(format, ray)) continue;
+        const std::optional<Pixel> pixel = pixel_of(ray);
+        if (!pixel) continue;
+        ++compared;
+        const double scale = std::max({1.0, std::abs(wanted[0]) / 1000.0, std::abs(wanted[1]) / 1000.0});
+        const double off = std::hypot((*pixel)[0] - wanted[0], (*pixel)[1] - wanted[1]) / scale;
+        EXPECT_LE(off, tolerance(entry.path())) << table.corpus_file << ": " << ray[0] << " " << ray[1] << " " << ray[2];
+        worst = std::max(worst, off);
+      }
+      EXPECT_GT(compared, 10) << table.corpus_file;
+      ++tables;
+    }
+    EXPECT_GT(tables, 0) << format;
+    std::cout << format << ": " << tables << " tables, worst " << worst << " px\n";
+  }
+}
+
 }  // namespace
 
 }  // namespace fca::matrix
