@@ -82,7 +82,7 @@ inline std::optional<Ray> search_ray(const RayToPixel& formula, const Pixel& pix
 
 /// Whether the formula runs from the axis to the ray without a fold and without an end.
 inline bool reaches(const RayToPixel& formula, const Ray& ray) {
-  constexpr int kSteps = 200;
+  constexpr int kSteps = 64;
   const double angle = angle_of(ray);
   const double r = std::hypot(ray[0], ray[1]);
   if (r == 0.0) return true;
