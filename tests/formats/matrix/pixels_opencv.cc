@@ -123,14 +123,25 @@ bool says_fisheye(const cv::FileNode& owner) {
   return false;
 }
 
+/// A key that speaks of distortion under none of the usual names: "fisheye_dist_coeffs".
+std::optional<std::string> other_distortion(const cv::FileNode& owner) {
+  for (const cv::FileNode& node : owner) {
+    if (node.name().find("dist") != std::string::npos && (node.isMap() || node.isSeq())) return node.name();
+  }
+  return std::nullopt;
+}
+
 std::optional<Found> with_suffix(const cv::FileNode& root, const std::vector<std::string>& matrices,
                                  const std::vector<std::string>& distortions, const std::vector<std::string>& xis) {
   Found found;
   found.K = first_matrix(root, matrices);
   if (found.K.size() != 9) return std::nullopt;
   found.D = first_matrix(root, distortions);
+  const std::optional<std::string> other = found.D.empty() ? other_distortion(root) : std::nullopt;
+  if (other) found.D = numbers(root[*other]);
+  if (other && other->find("fisheye") == std::string::npos) return std::nullopt;  // a name whose meaning is not known
   found.xi = first_number(root, xis);
-  found.fisheye = says_fisheye(root);
+  found.fisheye = says_fisheye(root) || other;
   found.size = size_of(root);
   return found;
 }

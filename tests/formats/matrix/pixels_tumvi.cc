@@ -2,7 +2,7 @@
 // TUM-VI's files: its camchains are Kalibr's (FORMATS.md section 2: "there is no separate schema"), its camera.txt is DSO's.
 // Source for the latter: FORMATS.md section 2 and JakobEngel/dso, src/util/Undistort.cpp (readFromFile: relative values are
 // scaled by the size and the centre shifted by half a pixel; distortCoordinates of UndistortFOV, UndistortRadTan,
-// UndistortEquidistant).
+// UndistortEquidistant, UndistortKB).
 #include "pixels_tumvi.h"
 
 #include "pixels_kalibr.h"
@@ -17,7 +17,7 @@ namespace {
 using Lens = std::function<std::optional<Pixel>(const Ray&)>;
 
 std::optional<Lens> lens_of(const std::string& kind, const std::vector<double>& d) {
-  if (kind == "EquiDistant") {
+  if (kind == "EquiDistant" || kind == "KannalaBrandt") {
     return [d](const Ray& p) -> std::optional<Pixel> {
       const double r = std::hypot(p[0], p[1]);
       if (r == 0.0) return p[2] > 0.0 ? std::optional(Pixel{0.0, 0.0}) : std::nullopt;
@@ -63,7 +63,8 @@ std::optional<PixelFormula> camera_txt(const std::string& bytes) {
   for (double value = 0.0; words >> value;) values.push_back(value);
   if (kind.empty()) kind = values.size() == 8 ? "RadTan" : "FOV";
   if (kind == "ATAN") kind = "FOV";
-  const std::map<std::string, std::size_t> lengths = {{"EquiDistant", 8}, {"RadTan", 8}, {"FOV", 5}, {"Pinhole", 4}};
+  const std::map<std::string, std::size_t> lengths = {
+      {"EquiDistant", 8}, {"KannalaBrandt", 8}, {"RadTan", 8}, {"FOV", 5}, {"Pinhole", 4}};
   const auto length = lengths.find(kind);
   if (length == lengths.end() || values.size() < length->second) return std::nullopt;
   Size size;

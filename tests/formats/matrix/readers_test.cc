@@ -66,6 +66,8 @@ TEST(MatrixReaders, TumViCameraTxt) {
   const std::string relative = "EquiDistant 0.4 0.5 0.49 0.51 0.01 -0.02 0.003 -0.0004\n512 512\nfull\n512 512\n";
   expect_pixel("tumvi", relative, 0, kAhead, {309.40174700981684, 211.43521082515264});
   expect_pixel("tumvi", relative, 0, kBehind, {528.73144010581647, 434.58965006613529});
+  const std::string kannala = "KannalaBrandt 200 210 320.5 239.25 0.01 -0.02 0.003 -0.0004\n640 480\n";
+  expect_pixel("tumvi", kannala, 0, kAhead, {378.13842481427425, 198.90310263000802});
   expect_pixel("tumvi", "RadTan 200 210 320.5 239.25 -0.28 0.07 0.0002 -0.0001\n640 480\n", 0, kAhead, {378.37598, 198.740454});
   expect_pixel("tumvi", "FOV 200 210 320.5 239.25 0.9\n640 480\n", 0, kAhead, {382.47695086161522, 195.86613439686935});
   expect_pixel("tumvi", "Pinhole 200 210 320.5 239.25 0\n640 480\n", 0, kAhead, {380.5, 197.25});
@@ -121,6 +123,9 @@ TEST(MatrixReaders, OpenCv) {
   const std::string fisheye = head + "fisheye_model: 1\n" + matrix + D(4, "0.01, -0.02, 0.003, -0.0004");
   expect_pixel("opencv", fisheye, 0, kAhead, {378.13842481427425, 198.90310263000802});
   expect_pixel("opencv", fisheye, 0, kBehind, {592.32757822833639, 381.95947856987661});
+  expect_pixel("opencv", head + matrix + matrix_node("fisheye_dist_coeffs", 4, 1, "0.01, -0.02, 0.003, -0.0004"), 0, kAhead,
+               {378.13842481427425, 198.90310263000802});
+  EXPECT_FALSE(find_reader("opencv")->camera(head + matrix + matrix_node("my_distortion", 4, 1, "1., 1., 1., 1."), 0));
   const std::string omnidir = "%YAML:1.0\n---\n" +
                               matrix_node("camera_matrix", 3, 3, "200., 2.5, 320.5, 0., 210., 239.25, 0., 0., 1.") +
                               D(4, "-0.1, 0.05, 0.0005, -0.0003") + "xi: 0.9\n";
