@@ -22,17 +22,10 @@ bool keeps(const Camera& camera, const StoredModel& stored) {
   return model_info(camera.model).id == stored.model && within(camera.model, stored.ranges);
 }
 
-/// Converts the first `most` cameras; a format that uses no more drops the others, and says so.
-std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>& cameras, std::size_t most,
-                                                      const StoredModel& stored, const ModelChoice& choice,
-                                                      Diagnostics& diagnostics) {
+std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>& cameras, const StoredModel& stored,
+                                                      const ModelChoice& choice, Diagnostics& diagnostics) {
   std::vector<CameraOutcome> outcomes;
-  for (std::size_t i = 0; i < cameras.size(); ++i) {
-    const Camera& camera = cameras[i];
-    if (i >= most) {
-      outcomes.push_back({camera, camera, std::nullopt});
-      continue;
-    }
+  for (const Camera& camera : cameras) {
     if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty()) {
       outcomes.push_back({camera, camera, std::nullopt});
       continue;
@@ -75,6 +68,45 @@ std::vector<std::string> storable(const Format& format) {
   return names;
 }
 
+/// The row under which a camera keeps its model: the stock program's; any, where the camera comes from a file of that very
+/// format.
+std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, const ModelChoice& choice) {
+  for (const StoredModel& stored : format.models) {
+    if ((stored.stock || choice.same_format) && keeps(camera, stored)) return stored;
+  }
+  const std::string_view model = model_info(camera.model).id;
+  if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
+  return StoredModel{.model = model};
+}
+
+/// All cameras in one model: theirs, if the stock program reads it and all have it, else the best that it reads.
+std::optional<std::vector<CameraOutcome>> common_model(const std::vector<Camera>& cameras, const Format& format,
+                                                       const ModelChoice& choice, Diagnostics& diagnostics) {
+  for (const StoredModel& stored : format.models) {
+    const bool all_keep =
+        stored.stock && std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
+    if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
+  }
+  std::optional<std::vector<CameraOutcome>> best;
+  Diagnostics best_diagnostics;
+  Diagnostics last_diagnostics;
+  for (const StoredModel& stored : format.models) {
+    if (!stored.stock) continue;
+    Diagnostics found;
+    std::optional<std::vector<CameraOutcome>> candidate = convert_all(cameras, stored, choice, found);
+    if (!candidate) {
+      last_diagnostics = found;
+      continue;
+    }
+    if (!best || better(merit_of(*candidate), merit_of(*best))) {
+      best = std::move(candidate);
+      best_diagnostics = std::move(found);
+    }
+  }
+  for (const Diagnostic& entry : (best ? best_diagnostics : last_diagnostics).entries()) diagnostics.add(entry);
+  return best;
+}
+
 }  // namespace
 
 std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Camera>& cameras, const Format& format,
@@ -87,33 +119,40 @@ std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Came
                                                   "; it holds " + enumerated(storable(format)));
       return std::nullopt;
     }
-    return convert_all(cameras, format.most_cameras, *stored, choice, diagnostics);
+    const std::size_t used = std::min(cameras.size(), format.most_cameras);
+    std::optional<std::vector<CameraOutcome>> outcomes =
+        convert_all({cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(used)}, *stored, choice, diagnostics);
+    // A format that uses no more drops the others, and says so.
+    for (std::size_t i = used; outcomes && i < cameras.size(); ++i) outcomes->push_back({cameras[i], cameras[i], std::nullopt});
+    return outcomes;
   }
 
+  // What a program holds in one type for all cameras is chosen for all; else each that can keeps its own, and the others take
+  // one.
+  std::vector<Camera> to_fit;
   const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), format.most_cameras));
-  for (const StoredModel& stored : format.models) {
-    const bool all_keep =
-        stored.stock && std::ranges::all_of(used, [&stored](const Camera& camera) { return keeps(camera, stored); });
-    if (all_keep) return convert_all(cameras, format.most_cameras, stored, choice, diagnostics);
+  for (const Camera& camera : used) {
+    if (format.one_model || !kept_row(camera, format, choice)) to_fit.push_back(camera);
   }
-  std::optional<std::vector<CameraOutcome>> best;
-  Diagnostics best_diagnostics;
-  Diagnostics last_diagnostics;
-  for (const StoredModel& stored : format.models) {
-    if (!stored.stock) continue;
-    Diagnostics found;
-    std::optional<std::vector<CameraOutcome>> candidate = convert_all(cameras, format.most_cameras, stored, choice, found);
-    if (!candidate) {
-      last_diagnostics = found;
-      continue;
-    }
-    if (!best || better(merit_of(*candidate), merit_of(*best))) {
-      best = std::move(candidate);
-      best_diagnostics = std::move(found);
+  std::optional<std::vector<CameraOutcome>> fitted = std::vector<CameraOutcome>();
+  if (!to_fit.empty()) fitted = common_model(to_fit, format, choice, diagnostics);
+  if (!fitted) return std::nullopt;
+  std::vector<CameraOutcome> outcomes;
+  auto next = fitted->begin();
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const Camera& camera = cameras[i];
+    if (i >= used.size()) {
+      outcomes.push_back({camera, camera, std::nullopt});
+    } else if (next != fitted->end() && next->source.name == camera.name) {
+      outcomes.push_back(*next++);
+    } else {
+      std::optional<std::vector<CameraOutcome>> kept =
+          convert_all({camera}, *kept_row(camera, format, choice), choice, diagnostics);
+      if (!kept) return std::nullopt;
+      outcomes.push_back(kept->front());
     }
   }
-  for (const Diagnostic& entry : (best ? best_diagnostics : last_diagnostics).entries()) diagnostics.add(entry);
-  return best;
+  return outcomes;
 }
 
 }  // namespace fca::cli

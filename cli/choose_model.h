@@ -20,6 +20,7 @@ struct CameraOutcome {
 struct ModelChoice {
   std::string model;  ///< As asked for; empty: chosen for the stock program.
   std::optional<double> max_angle_rad;
+  bool same_format = false;  ///< The cameras come from a file of the format they are written to.
 };
 
 /// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it

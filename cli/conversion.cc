@@ -244,7 +244,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   } else if (calibration->format == outcome.to && inputs.size() == 1) {
     base.document = &calibration->documents.front();
   }
-  const ModelChoice choice = {model_for(arguments, base, *outcome.to), max_angle_rad(arguments.reading)};
+  const ModelChoice choice = {model_for(arguments, base, *outcome.to), max_angle_rad(arguments.reading),
+                              calibration->format == outcome.to};
   std::optional<std::vector<CameraOutcome>> cameras =
       convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
   if (!cameras) return false;

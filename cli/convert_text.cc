@@ -114,6 +114,11 @@ std::string proofs_text(const std::vector<ProofResult>& proofs, const std::strin
     } else {
       text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
+    constexpr double kNoticeable = 1e-3;
+    if (proof.unanswered_share > kNoticeable) {
+      text += "  warning: it has no right pixel for " + percent(proof.unanswered_share) +
+              " of the image, whose rays lie beyond what it can project\n";
+    }
     for (const std::string& warning : proof.warnings) text += "  warning: " + warning + "\n";
     if (proof.misread_px > 0.0) {
       text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";

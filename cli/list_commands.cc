@@ -9,6 +9,8 @@
 
 #include <fca/convert/domain.h>
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 namespace fca::cli {
@@ -151,8 +153,9 @@ std::vector<std::string> stored_by(const CameraModel& model) {
   for (const Format& format : all_formats()) {
     const StoredModel* row = find_stored_model(format, model_info(model).id, false);
     if (row == nullptr) continue;
-    names.push_back(name_in(format, *row) +
-                    (within(model, row->ranges) ? "" : " (fitted anew: " + std::string(row->why) + ")"));
+    const std::string anew = within(model, row->ranges) ? "" : " (fitted anew: " + std::string(row->why) + ")";
+    const std::string name = name_in(format, *row) + anew;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }
   return names;
 }

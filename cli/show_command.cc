@@ -2,6 +2,8 @@
 #include "show_command.h"
 #include "words.h"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 namespace fca::cli {
@@ -46,7 +48,8 @@ std::vector<std::string> names_elsewhere(std::string_view model) {
   std::vector<std::string> names;
   for (const Format& format : all_formats()) {
     for (const StoredModel& row : format.models) {
-      if (row.model == model) names.push_back(name_in(format, row));
+      const std::string name = name_in(format, row);
+      if (row.model == model && std::ranges::find(names, name) == names.end()) names.push_back(name);
     }
   }
   return names;

@@ -24,8 +24,10 @@ void list_camera_losses(const Rig& rig, std::string_view program, std::string_vi
   }
   for (const Imu& imu : rig.imus) losses.push_back({"imu-dropped", imu.name + " noise and rate", no_place, ""});
   for (const PoseEdge& edge : rig.poses) {
-    const bool of_camera = rig.find_camera(edge.a) != nullptr || rig.find_camera(edge.b) != nullptr;
-    if (!kept_frame.empty() && of_camera && (edge.a == kept_frame || edge.b == kept_frame)) continue;
+    const auto is_camera = [&rig](const std::string& name) { return rig.find_camera(name) != nullptr; };
+    if (!is_camera(edge.a) && !is_camera(edge.b)) continue;  // of cameras that nobody asked for
+    const auto is_kept = [&](const std::string& name) { return name == kept_frame || is_camera(name); };
+    if (!kept_frame.empty() && is_kept(edge.a) && is_kept(edge.b)) continue;
     losses.push_back({"pose-dropped", "T_" + edge.a + "_" + edge.b,
                       kept_frame.empty() ? no_place
                                          : "files of " + std::string(program) + " hold the pose of a camera in the " +
@@ -35,13 +37,6 @@ void list_camera_losses(const Rig& rig, std::string_view program, std::string_vi
   if (rig.baseline_m) {
     losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
   }
-}
-
-std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there) {
-  std::vector<AsRead> result;
-  std::ranges::copy_if(extras, std::back_inserter(result),
-                       [there](const AsRead& extra) { return std::ranges::find(there, extra) == there.end(); });
-  return result;
 }
 
 }  // namespace fca

@@ -14,7 +14,4 @@ namespace fca {
 /// or, with a `kept_frame` ("vehicle"), all but those of cameras in that frame. `program`: who reads the file, for people.
 void list_camera_losses(const Rig& rig, std::string_view program, std::string_view kept_frame, std::vector<Loss>& losses);
 
-/// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
-[[nodiscard]] std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there);
-
 }  // namespace fca

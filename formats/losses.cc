@@ -34,12 +34,12 @@ void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::
   }
 }
 
-std::vector<AsRead> not_in_base(std::span<const AsRead> extras, std::span<const AsRead> base) {
-  std::set<std::pair<std::string_view, std::string_view>> there;
-  for (const AsRead& extra : base) there.emplace(extra.key, extra.value);
+std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there) {
+  std::set<std::pair<std::string_view, std::string_view>> stated;
+  for (const AsRead& extra : there) stated.emplace(extra.key, extra.value);
   std::vector<AsRead> result;
   for (const AsRead& extra : extras) {
-    if (!there.contains({extra.key, extra.value})) result.push_back(extra);
+    if (!stated.contains({extra.key, extra.value})) result.push_back(extra);
   }
   return result;
 }

@@ -13,7 +13,7 @@ namespace fca {
 /// What was read and has no place in the target, each as a loss; keys of one group ("Viewer.PointSize", ...) as one.
 void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses);
 
-/// Those of `extras` that the base they are written into does not itself state.
-[[nodiscard]] std::vector<AsRead> not_in_base(std::span<const AsRead> extras, std::span<const AsRead> base);
+/// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
+[[nodiscard]] std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there);
 
 }  // namespace fca

@@ -2,7 +2,6 @@
 #include <fca/formats/proof.h>
 
 #include <fca/formats/format.h>
-#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -106,11 +105,6 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.all_misread = comparison.misread_points > 0 && comparison.misread_points == comparison.compared;
   result.compared_share = comparison.asked > 0 ? static_cast<double>(comparison.compared) / comparison.asked : 0.0;
   result.unanswered_share = comparison.asked > 0 ? 1.0 - result.compared_share : 0.0;
-  constexpr double kNoticeable = 1e-3;
-  if (result.unanswered_share > kNoticeable) {
-    result.warnings.push_back("it has no right pixel for " + text::format_short(100.0 * result.unanswered_share, 2) +
-                              " % of the image, whose rays lie beyond what it can project");
-  }
   constexpr double kPosePrecision = 1e-6;  // float formats
   for (const consumers::ConsumerPose& pose : view.poses)
     result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));

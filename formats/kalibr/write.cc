@@ -223,7 +223,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     if (!there) add_imu_file(imu, written, diagnostics);
   }
   const std::vector<AsRead> kept = editor ? old->as_read : std::vector<AsRead>();
-  add_not_carried(not_in_base(rig.as_read, kept), "the camchain written has no place for it", written.losses);
+  add_not_carried(extras_beyond(rig.as_read, kept), "the camchain written has no place for it", written.losses);
   list_losses(rig_as_named, written.losses);
   written.headline = "a camchain for Kalibr";
   return written;

@@ -56,6 +56,7 @@ const Format kFormat = {
     .program = "ORB-SLAM3",
     .many_cameras = true,
     .most_cameras = 2,
+    .one_model = true,
     .extrinsics = true,
     .imu = true,
     .image_size = true,

@@ -324,7 +324,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(edited->rig, edited->target), fields);
     written.files.push_back({std::move(document), {}, {}});
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
-    add_not_carried(not_in_base(rig.as_read, edited->rig.as_read), "the settings have no place for it", written.losses);
+    add_not_carried(extras_beyond(rig.as_read, edited->rig.as_read), "the settings have no place for it", written.losses);
   } else {
     std::optional<text::Document> document =
         text::parse_document({"settings.yaml", compose(fields, *target, rig, audience.headline)}, diagnostics);

@@ -106,6 +106,14 @@ text::Document edited(const text::Document& base, const Rig& old, const Camera& 
   return document;
 }
 
+/// The frame that stands for the vehicle: its own, else the first camera's. Identities for all would state that they sit in one
+/// place.
+std::string reference_frame(const Rig& rig) {
+  const bool in_vehicle = std::ranges::any_of(
+      rig.cameras, [&rig](const Camera& camera) { return rig.resolve(kVehicle, camera.name).has_value(); });
+  return in_vehicle ? std::string(kVehicle) : rig.cameras.front().name;
+}
+
 bool storable(const Camera& camera, Diagnostics& diagnostics) {
   if (model_info(camera.model).id != "woodscape") {
     diagnostics.error("model-not-storable",
@@ -136,24 +144,27 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   Written written;
+  const std::string frame = reference_frame(rig);
   for (const Camera& camera : rig.cameras) {
-    const Transform* stated = rig.stated(kVehicle, camera.name);
-    const std::optional<Transform> pose = stated != nullptr ? *stated : rig.resolve(kVehicle, camera.name);
-    std::optional<text::Document> document;
     const bool of_base = old && (rig.cameras.size() == 1 || camera.name == old->cameras.front().name);
+    const std::string_view parent = of_base ? kVehicle : std::string_view(frame);
+    const Transform* stated = rig.stated(parent, camera.name);
+    const std::optional<Transform> pose = stated != nullptr ? *stated : rig.resolve(parent, camera.name);
+    std::optional<text::Document> document;
     if (of_base) {
       document = edited(*base, *old, camera, pose);
     } else {
       document = text::parse_document({camera.name + ".json", compose(camera, pose.value_or(Transform{}))}, diagnostics);
-      if (!pose) {
-        written.defaults.push_back(
-            {camera.name + " extrinsic", "identity: not in the input, and projection.py stops without it", true});
+      if (frame != kVehicle || !pose) {
+        const std::string value = pose && frame != camera.name ? "the pose in " + frame : "identity";
+        written.defaults.push_back({camera.name + " extrinsic",
+                                    value + ": the vehicle is not in the input, and projection.py stops without it", true});
       }
     }
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {camera.name}, {"woodscape"}});
   }
-  list_camera_losses(rig, "WoodScape", kVehicle, written.losses);
+  list_camera_losses(rig, "WoodScape", frame, written.losses);
   add_not_carried(extras_beyond(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>()),
                   "a WoodScape JSON has no place for it", written.losses);
   written.headline =

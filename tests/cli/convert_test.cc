@@ -332,13 +332,15 @@ TEST(Convert, JsonOfFailuresSaysSo) {
 }
 
 TEST(Convert, MaxErrorJudgesTheWorstPixel) {
-  const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--json"}));
+  const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--json"}));
   double worst = 0.0;
   for (const Value& camera : json["cameras"].GetArray()) worst = std::max(worst, camera["error_px"]["max"].GetDouble());
   ASSERT_GT(worst, 0.0);
-  const RunResult above = run_program({"convert", kDs, "--to", "orbslam3", "--max-error", std::to_string(worst * 1.01)});
+  const RunResult above =
+      run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--max-error", std::to_string(worst * 1.01)});
   EXPECT_EQ(above.code, 0) << above.err;
-  const RunResult below = run_program({"convert", kDs, "--to", "orbslam3", "--max-error", std::to_string(worst * 0.99)});
+  const RunResult below =
+      run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--max-error", std::to_string(worst * 0.99)});
   EXPECT_EQ(below.code, 1) << below.err;
   EXPECT_EQ(below.out, "");
 }

@@ -150,7 +150,8 @@ TEST(OutputFile, PathsThatLeadNowhereAreInputOutput) {
 TEST(OutputFile, SeveralFilesAreWrittenAllOrNone) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "imu.yaml");
-  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "kalibr", "--model", "ds", "-o", folder.path().string()});
+  const RunResult run =
+      run_program({"convert", kTumvi, "--with", kImu, "--to", "kalibr", "--model", "ds", "-o", folder.path().string()});
   EXPECT_EQ(run.code, 4) << run.err;
   EXPECT_EQ(folder.names(), std::set<std::string>{"imu.yaml"});
 }

@@ -219,6 +219,37 @@ TEST(Base, AChainGainsACameraBehindItsOwn) {
   EXPECT_TRUE(consumers::find_consumer("kalibr")->load(bytes, {}).loads()) << bytes;
 }
 
+// Kalibr counts cam0, cam1, ... and refuses both of these; read and written back unchanged they are what they were.
+TEST(Base, AChainThatCountsOtherwiseStaysAsItIs) {
+  const std::string kGap =
+      "# cam0 and cam2: cam1 was taken out by hand.\n"
+      "cam0:\n"
+      "  camera_model: pinhole\n"
+      "  intrinsics: [460.25, 459.5, 365.5, 249.0]\n"
+      "  distortion_model: radtan\n"
+      "  distortion_coeffs: [-0.28, 0.074, 0.0002, 1.76e-05]\n"
+      "  resolution: [752, 480]\n"
+      "cam2:\n"
+      "  camera_model: pinhole\n"
+      "  intrinsics: [457.5, 456.25, 379.75, 255.25]\n"
+      "  distortion_model: radtan\n"
+      "  distortion_coeffs: [-0.283, 0.0745, -0.0001, -3.5e-05]\n"
+      "  resolution: [752, 480]\n";
+  const std::string kOnlySecond =
+      "# The right camera of a pair, in a file of its own.\n"
+      "cam1:\n"
+      "  cam_overlaps: []\n"
+      "  camera_model: pinhole\n"
+      "  intrinsics: [457.5, 456.25, 379.75, 255.25]\n"
+      "  distortion_model: radtan\n"
+      "  distortion_coeffs: [-0.283, 0.0745, -0.0001, -3.5e-05]\n"
+      "  resolution: [752, 480]\n";
+  for (const std::string& bytes : {kGap, kOnlySecond}) {
+    const Calibration base = calibration_of(bytes);
+    EXPECT_EQ(bytes_of(written_into(base, base.rig)), bytes);
+  }
+}
+
 // A camera left out must not lend its name's poses to the one that takes the name.
 TEST(Base, ACameraLeftOutLeavesNoPoses) {
   Rig rig = sample_rig("kb4", {true, true});

@@ -88,6 +88,7 @@ struct Format {
   std::string_view program;             ///< The stock program that reads it: "Kalibr".
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
+  bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
   bool imu = true;
   bool image_size = true;
