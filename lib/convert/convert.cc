@@ -89,11 +89,12 @@ SampledFit fit_as_far_as_possible(const Job& job, int count) {
   return fitted;
 }
 
-Judgement judge_within_reach(const Job& job, const CameraModel& model, double reach_rad) {
-  const Projection target = [&model, reach_rad](const Ray& ray) {
-    return angle_from_axis(ray) <= reach_rad ? project(model, ray) : std::nullopt;
-  };
-  return judge(job.camera.model, target, job.domain);
+Judgement judge_within_reach(const Job& job, const CameraModel& model, double reach_rad, bool final) {
+  JudgeOptions options;
+  options.target_reach_rad = reach_rad;
+  options.bound = final;
+  options.every_pixel = final && job.options.every_pixel;
+  return judge(job.camera.model, model, job.domain, options);
 }
 
 /// Does nothing beyond double's rounding separate the two models? Then no fit is reported as one.
@@ -103,7 +104,7 @@ std::optional<Conversion> exact_conversion(const Job& job) {
   Conversion conversion{job.camera, {}};
   conversion.camera.model = *model;
   conversion.report.exact = true;
-  conversion.report.judgement = judge_within_reach(job, *model, std::numbers::pi);
+  conversion.report.judgement = judge_within_reach(job, *model, std::numbers::pi, true);
   return conversion;
 }
 
@@ -134,7 +135,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
       if (doubling == 0) fitted = std::move(finer);
       break;
     }
-    Judgement finer_judgement = judge_within_reach(job, finer.model->model, finer.reach_rad);
+    Judgement finer_judgement = judge_within_reach(job, finer.model->model, finer.reach_rad, false);
     const bool helps = doubling == 0 || finer_judgement.coverage.scored > judgement.coverage.scored + 1e-3 ||
                        finer_judgement.error.rms < kHelps * judgement.error.rms;
     const double worse = worse_between_samples(finer_judgement, *finer.model);
@@ -156,7 +157,8 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   if (fitted.reach_rad < std::numbers::pi) warn_of_cone(job, fitted.reach_rad, diagnostics);
   Conversion conversion{job.camera, {}};
   conversion.camera.model = fitted.model->model;
-  conversion.report.judgement = std::move(judgement);
+  (void)judgement;
+  conversion.report.judgement = judge_within_reach(job, fitted.model->model, fitted.reach_rad, true);
   conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations,
                            std::chrono::duration<double, std::micro>(time).count()};
   conversion.report.at_bound = fitted.model->at_bound;

@@ -297,13 +297,13 @@ class Judge {
 
 }  // namespace
 
-Judgement judge(const CameraModel& source, const Projection& target, const Domain& domain) {
+Judgement judge(const CameraModel& source, const Projection& target, const Domain& domain, const JudgeOptions& /*o*/) {
   return Judge(source, target, domain).judge();
 }
 
-Judgement judge(const CameraModel& source, const CameraModel& target, const Domain& domain) {
+Judgement judge(const CameraModel& source, const CameraModel& target, const Domain& domain, const JudgeOptions& o) {
   return judge(
-      source, [&target](const Ray& ray) { return project(target, ray); }, domain);
+      source, [&target, &o](const Ray& ray) { return angle_from_axis(ray) <= o.target_reach_rad ? project(target, ray) : std::nullopt; }, domain);
 }
 
 }  // namespace fca

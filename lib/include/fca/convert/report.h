@@ -5,6 +5,7 @@
 #include <fca/models/camera_model.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct ErrorSummary {
   double p99 = 0.0;
   double max = 0.0;  ///< Polished from the worst points of the lattice to the maximum between them.
   Pixel max_at{};    ///< The source's pixel where it is.
+  /// No error of the domain is larger, between the pixels, too: proven. Infinite where nothing is (a target that is a program,
+  /// or whose error has no limit).
+  double bound = std::numeric_limits<double>::infinity();
 };
 
 /// Errors between two angles from the axis.
@@ -37,6 +41,11 @@ struct Coverage {
   double scored = 0.0;
   double outside_lens = 0.0;     ///< No ray of the source, or beyond the domain's angle.
   double unrepresentable = 0.0;  ///< The target cannot reach this ray.
+
+  /// The same as counts of pixels, exact; 0 unless every pixel was scored.
+  long long scored_pixels = 0;
+  long long outside_lens_pixels = 0;
+  long long unrepresentable_pixels = 0;
 };
 
 /// What the judge says of a pair of models.
