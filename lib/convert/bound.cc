@@ -310,7 +310,9 @@ class Bounder {
         result_.seen_at = source.value;
       }
     }
-    if (cell.bound <= good_enough()) {
+    // Nor does it help to divide what is mostly the rounding of its strip.
+    constexpr double kMostlyRemainder = 1.5;
+    if (cell.bound <= std::max(good_enough(), kMostlyRemainder * strip.remainder()) && std::isfinite(cell.bound)) {
       done_ = std::max(done_, cell.bound);
       return;
     }
@@ -354,7 +356,12 @@ ErrorBound bound_error(const CameraModel& source, const CameraModel& target, con
       []<class S, class T>(const Intrinsics<S>&, const Intrinsics<T>&) { return HasPolarForm<S> && HasPolarForm<T>; }, source,
       target);
   if (!bounded) return {};
-  ErrorBound result = Bounder(source, target, domain, target_reach_rad, seen, budget).bound();
+  ErrorBound result;
+  if (source == target) {
+    result.bound = 0.0;
+  } else {
+    result = Bounder(source, target, domain, target_reach_rad, seen, budget).bound();
+  }
   result.bound += rounding_of(source, target, domain.size);
   return result;
 }

@@ -62,6 +62,15 @@ struct FitSummary {
   double time_us = 0.0;
 };
 
+/// What a conversion would reach if the lens ended at that angle from the axis.
+struct ReachRow {
+  double max_angle_deg = 0.0;
+  double scored = 0.0;           ///< Share of the image.
+  double unrepresentable = 0.0;  ///< Share of the image.
+  double rms_px = 0.0;
+  double max_px = 0.0;
+};
+
 /// The report of one camera's conversion.
 struct ConversionReport {
   std::string from_model;
@@ -70,6 +79,7 @@ struct ConversionReport {
   Judgement judgement;
   FitSummary fit;
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
+  std::vector<ReachRow> reach;        ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 };
 
 }  // namespace fca
