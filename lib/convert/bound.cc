@@ -167,8 +167,8 @@ class Bounder {
       : source_(source),
         target_(target),
         last_{domain.size.width - 1.0, domain.size.height - 1.0},
-        max_angle_(std::min(std::numbers::pi, std::min({domain.max_angle_rad, reach, max_angle(source), max_angle(target)}) +
-                                                  kAngleSlack)),
+        max_angle_(std::min(std::numbers::pi,
+                            std::min({domain.max_angle_rad, reach, max_angle(source), max_angle(target)}) + kAngleSlack)),
         budget_(budget) {
     result_.seen = seen;
   }
@@ -196,17 +196,15 @@ class Bounder {
   /// unproject() may give a ray for a pixel on the border whose pixel is, by rounding, outside.
   static constexpr double kBorderSlack = 1e-6;  // px
 
-  [[nodiscard]] double good_enough() const {
-    return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible);
-  }
+  [[nodiscard]] double good_enough() const { return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible); }
 
   /// Halves the strip until both models are polynomials to what is asked.
   void add_strip(double from, double to, int halvings) {
     Strip strip = make_strip(0.5 * (from + to), 0.5 * (to - from));
     result_.evaluations += kStripCost;
     const double middle = 0.5 * (from + to);
-    if (!(strip.error.truncation <= std::max(kNegligibleRemainder, kRemainderShare * result_.seen)) && halvings < kMaxHalvings &&
-        result_.evaluations < budget_) {
+    if (!(strip.error.truncation <= std::max(kNegligibleRemainder, kRemainderShare * result_.seen)) &&
+        halvings < kMaxHalvings && result_.evaluations < budget_) {
       add_strip(from, middle, halvings + 1);
       add_strip(middle, to, halvings + 1);
       return;
@@ -281,7 +279,8 @@ class Bounder {
     const Plane source = plane_of(strip.source, cell, harmonics);
     bool centre_inside = true;
     for (std::size_t i = 0; i < 2; ++i) {
-      const double spread = std::abs(source.by_angle[i]) * cell.dt + std::abs(source.by_azimuth[i]) * cell.dphi + source.rest[i];
+      const double spread =
+          std::abs(source.by_angle[i]) * cell.dt + std::abs(source.by_azimuth[i]) * cell.dphi + source.rest[i];
       if (source.value[i] + spread < -kBorderSlack || source.value[i] - spread > last_[i] + kBorderSlack) return;
       centre_inside = centre_inside && source.value[i] >= 0.0 && source.value[i] <= last_[i];
     }
@@ -316,8 +315,8 @@ class Bounder {
       done_ = std::max(done_, cell.bound);
       return;
     }
-    const double by_angle = std::hypot(error.by_angle[0], error.by_angle[1]) * cell.dt +
-                            2.0 * std::hypot(error.angle_rest[0], error.angle_rest[1]);
+    const double by_angle =
+        std::hypot(error.by_angle[0], error.by_angle[1]) * cell.dt + 2.0 * std::hypot(error.angle_rest[0], error.angle_rest[1]);
     const double by_azimuth = std::hypot(error.by_azimuth[0], error.by_azimuth[1]) * cell.dphi +
                               2.0 * std::hypot(error.rest[0] - error.angle_rest[0], error.rest[1] - error.angle_rest[1]);
     cell.split_angle = std::isfinite(by_angle) && std::isfinite(by_azimuth) ? by_angle > by_azimuth : cell.dt > cell.dphi;

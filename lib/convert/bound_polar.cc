@@ -124,16 +124,15 @@ void polar_form(const Intrinsics<Fov>& model, const AngleSeries& angle, PolarSer
 
 void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, PolarSeries& form) {
   const double* p = model.values.data();
-  set_radial(form, {p[5], p[6]}, {1.0, 0.0, 0.0, p[4]},
-             polynomial_of_angle(std::array{p[0], p[1], p[2], p[3]}, angle.at));
+  set_radial(form, {p[5], p[6]}, {1.0, 0.0, 0.0, p[4]}, polynomial_of_angle(std::array{p[0], p[1], p[2], p[3]}, angle.at));
 }
 
 namespace {
 
 /// F(rho, angle) = g(rho) sin - rho cos, whose root is ocamcalib's radius, and dF/drho.
 struct ImplicitRadius {
-  std::array<double, 9> g{};       ///< The height of the ray ahead of the camera, ascending.
-  std::array<double, 8> slope{};   ///< dg/drho
+  std::array<double, 9> g{};      ///< The height of the ray ahead of the camera, ascending.
+  std::array<double, 8> slope{};  ///< dg/drho
   std::size_t degree = 0;
 
   explicit ImplicitRadius(const double* a) {

@@ -119,8 +119,8 @@ inline AngleSeries angle_series(const Ball& at) {
   Ball inverse_factorial{1.0, 0.0};
   for (std::size_t k = 0; k <= kOrder; ++k) {
     if (k > 0) inverse_factorial = inverse_factorial / Ball{static_cast<double>(k), 0.0};
-    const Ball& s = k % 2 == 0 ? sine : cosine;    // sin, cos, -sin, -cos
-    const Ball& c = k % 2 == 0 ? cosine : sine;    // cos, -sin, -cos, sin
+    const Ball& s = k % 2 == 0 ? sine : cosine;  // sin, cos, -sin, -cos
+    const Ball& c = k % 2 == 0 ? cosine : sine;  // cos, -sin, -cos, sin
     const Ball s_sign{k % 4 < 2 ? 1.0 : -1.0, 0.0};
     const Ball c_sign{k % 4 == 0 || k % 4 == 3 ? 1.0 : -1.0, 0.0};
     angle.sine[k] = s_sign * s * inverse_factorial;

@@ -165,8 +165,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   if (fitted.reach_rad < std::numbers::pi) warn_of_cone(job, fitted.reach_rad, diagnostics);
   Conversion conversion{job.camera, {}};
   conversion.camera.model = fitted.model->model;
-  conversion.report.judgement =
-      final_judgement(job, scorer_of(job, fitted.model->model, fitted.reach_rad), std::move(score));
+  conversion.report.judgement = final_judgement(job, scorer_of(job, fitted.model->model, fitted.reach_rad), std::move(score));
   conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations,
                            std::chrono::duration<double, std::micro>(time).count()};
   conversion.report.at_bound = fitted.model->at_bound;

@@ -95,9 +95,8 @@ void climb_from(const Scorer& scorer, std::span<const Point> points, std::size_t
   std::vector<Pixel> climbed;
   for (const Point& point : points) {
     if (climbed.size() >= most) return;
-    const bool known = std::ranges::any_of(climbed, [&](const Pixel& other) {
-      return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < apart;
-    });
+    const bool known = std::ranges::any_of(
+        climbed, [&](const Pixel& other) { return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < apart; });
     if (known) continue;
     climbed.push_back(point.pixel);
     const Point top = climb(scorer, point.pixel);
@@ -117,12 +116,12 @@ void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove
   const bool provable = prove && scorer.target() != nullptr;
   climb_from(scorer, worst, provable ? kFew : kAll, result);
   if (!provable) {
-    if (const Point edge = worst_edge_point(scorer); edge.verdict == Verdict::kScored) keep_if_worse(climb(scorer, edge.pixel), result);
+    if (const Point edge = worst_edge_point(scorer); edge.verdict == Verdict::kScored)
+      keep_if_worse(climb(scorer, edge.pixel), result);
     return;
   }
   const double climbed = result.error.max;
-  const ErrorBound proof =
-      bound_error(scorer.source(), *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
+  const ErrorBound proof = bound_error(scorer.source(), *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
   if (proof.seen > climbed) {
     keep_if_worse(climb(scorer, proof.seen_at), result);
   }

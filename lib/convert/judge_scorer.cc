@@ -8,8 +8,18 @@
 
 namespace fca::internal {
 
-Scorer::Limit::Limit(double angle_rad)
-    : angle(angle_rad), cosine(angle_rad < std::numbers::pi ? std::cos(angle_rad) : -2.0) {}
+namespace {
+
+/// Past a model's last angle project() would say no, too, but only after looking for it: slow for polynomials. What is closer
+/// than this, rounding included, is left to project().
+double just_beyond(double angle) {
+  constexpr double kSlack = 1e-7;
+  return angle + kSlack;
+}
+
+}  // namespace
+
+Scorer::Limit::Limit(double angle_rad) : angle(angle_rad), cosine(angle_rad < std::numbers::pi ? std::cos(angle_rad) : -2.0) {}
 
 bool Scorer::Limit::admits(const Ray& unit_ray) const {
   constexpr double kClose = 1e-9;
@@ -19,7 +29,12 @@ bool Scorer::Limit::admits(const Ray& unit_ray) const {
 
 Scorer::Scorer(const CameraModel& source, const CameraModel* model, const Projection* program, const Domain& domain,
                double target_reach_rad)
-    : source_(source), model_(model), program_(program), domain_(domain), lens_(domain.max_angle_rad), reach_(target_reach_rad) {}
+    : source_(source),
+      model_(model),
+      program_(program),
+      domain_(domain),
+      lens_(domain.max_angle_rad),
+      reach_(model != nullptr ? std::min(target_reach_rad, just_beyond(max_angle(*model))) : target_reach_rad) {}
 
 void Scorer::score(std::span<Point> points) const {
   constexpr std::size_t kBatch = 256;

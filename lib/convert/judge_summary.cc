@@ -62,31 +62,43 @@ void Summary::add(std::span<const Point> points) {
   }
 }
 
-/// The bin first, then the points in it.
-double Summary::percentile(double fraction, std::span<const Point> points) const {
-  const double wanted = fraction * weight_[static_cast<std::size_t>(Verdict::kScored)];
-  double sum = 0.0;
-  std::size_t bin = 0;
-  for (; bin + 1 < bins_.size(); ++bin) {
-    if (sum + bins_[bin] >= wanted) break;
-    sum += bins_[bin];
+/// The bins first, then the points in them.
+std::array<double, 3> Summary::percentiles(const std::array<double, 3>& fractions, std::span<const Point> points) const {
+  struct Wanted {
+    double weight = 0.0;
+    double below = 0.0;  ///< weight of the bins before
+    std::size_t bin = 0;
+    std::vector<std::pair<double, double>> errors;
+  };
+  std::array<Wanted, 3> wanted;
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Wanted& w = wanted[i];
+    w.weight = fractions[i] * weight_[static_cast<std::size_t>(Verdict::kScored)];
+    while (w.bin + 1 < bins_.size() && w.below + bins_[w.bin] < w.weight) w.below += bins_[w.bin++];
+    // Without points: where the bin ends.
+    const double octaves = static_cast<double>(w.bin + 1) / bins_per_octave_;
+    const double edge =
+        std::ldexp(1.0 + octaves - std::floor(octaves), kSmallestOctave + static_cast<int>(std::floor(octaves)));
+    result[i] = std::min(edge, worst_.front().error);
   }
-  if (points.empty()) {
-    const double octave = std::floor(static_cast<double>(bin + 1) / bins_per_octave_);
-    const double mantissa = static_cast<double>(bin + 1) / bins_per_octave_ - octave;
-    const double edge = std::ldexp(1.0 + mantissa, kSmallestOctave + static_cast<int>(octave));
-    return std::min(edge, worst_.front().error);
-  }
-  std::vector<std::pair<double, double>> in_bin;
   for (const Point& p : points) {
-    if (p.verdict == Verdict::kScored && bin_of(p.error) == bin) in_bin.emplace_back(p.error, p.weight);
+    if (p.verdict != Verdict::kScored) continue;
+    const std::size_t bin = bin_of(p.error);
+    for (Wanted& w : wanted) {
+      if (bin == w.bin) w.errors.emplace_back(p.error, p.weight);
+    }
   }
-  std::ranges::sort(in_bin);
-  for (const auto& [error, weight] : in_bin) {
-    sum += weight;
-    if (sum >= wanted) return error;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Wanted& w = wanted[i];
+    std::ranges::sort(w.errors);
+    for (const auto& [error, weight] : w.errors) {
+      result[i] = error;
+      w.below += weight;
+      if (w.below >= w.weight) break;
+    }
   }
-  return in_bin.empty() ? 0.0 : in_bin.back().first;
+  return result;
 }
 
 Judgement Summary::judgement(const Domain& domain, std::span<const Point> points) const {
@@ -103,9 +115,10 @@ Judgement Summary::judgement(const Domain& domain, std::span<const Point> points
   ErrorSummary& error = result.error;
   error.rms = std::sqrt(square_sum_ / scored);
   error.mean = sum_ / scored;
-  error.p50 = percentile(0.50, points);
-  error.p95 = percentile(0.95, points);
-  error.p99 = percentile(0.99, points);
+  const auto [p50, p95, p99] = percentiles({0.50, 0.95, 0.99}, points);
+  error.p50 = p50;
+  error.p95 = p95;
+  error.p99 = p99;
   error.max = worst_.front().error;
   error.max_at = worst_.front().pixel;
   for (std::size_t i = 0; i < kBands; ++i) {

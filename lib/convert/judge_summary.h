@@ -26,7 +26,8 @@ class Summary {
   static constexpr std::size_t kBands = 18;  ///< of 10 degrees
   static constexpr std::size_t kWorst = 12;
   [[nodiscard]] std::size_t bin_of(double error) const;
-  [[nodiscard]] double percentile(double fraction, std::span<const Point> points) const;
+  /// The errors below which these shares of the scored weight lie.
+  [[nodiscard]] std::array<double, 3> percentiles(const std::array<double, 3>& fractions, std::span<const Point> points) const;
   void keep_if_bad(const Point& point);
 
   struct Band {

@@ -156,9 +156,7 @@ TEST(Bound, OfAProgramIsNotProven) {
 
 /// A model of the list with plausible parameters: a camera of the table's kinds, each lens parameter moved.
 CameraModel random_model(std::size_t kind) {
-  const auto uniform = [](double low, double high) {
-    return low + (high - low) * (*rc::gen::inRange(0, 1'000'001)) * 1e-6;
-  };
+  const auto uniform = [](double low, double high) { return low + (high - low) * (*rc::gen::inRange(0, 1'000'001)) * 1e-6; };
   const double f = uniform(150.0, 500.0);
   const double g = f * uniform(0.95, 1.05);
   const double cx = uniform(200.0, 440.0);

@@ -79,7 +79,7 @@ struct ConversionReport {
   Judgement judgement;
   FitSummary fit;
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
-  std::vector<ReachRow> reach;        ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
+  std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 };
 
 }  // namespace fca
