@@ -86,12 +86,19 @@ std::vector<TablePair> table() {
   using namespace test;
   const std::vector<const char*> wide = {"ucm", "eucm", "ds", "kb4", "ocamcalib", "mei"};
   const std::vector<const char*> all = {"ucm", "eucm", "ds", "kb4", "ocamcalib", "mei", "radtan", "rational"};
-  return {{kalibr_ds(), {}, all},          {kalibr_eucm(), {}, all},
-          {kalibr_kb4(), {}, all},         {euroc(), {}, all},
-          {tumvi(), 97.5, wide},           {tumvi(), 60.0, all},
-          {t265_like(), 83.0, wide},       {ocamcalib_sample(), 95.0, wide},
-          {woodscape_front(), 95.0, wide}, {woodscape_front(), 60.0, all},
-          {lens_220(), 110.0, wide},       {rational_lens(), {}, all}};
+  std::vector<TablePair> pairs = {{kalibr_ds(), {}, all},
+                                  {kalibr_eucm(), {}, all},
+                                  {kalibr_kb4(), {}, all},
+                                  {euroc(), {}, all},
+                                  {rational_lens(), {}, all}};
+  const std::vector<std::pair<Camera, double>> lenses = {
+      {tumvi(), 97.5}, {t265_like(), 83.0}, {ocamcalib_sample(), 95.0}, {woodscape_front(), 95.0}, {lens_220(), 110.0}};
+  for (const auto& [camera, degrees] : lenses) {
+    pairs.push_back({camera, degrees, wide});
+    pairs.push_back({camera, 60.0, {"radtan"}});
+    pairs.push_back({camera, 80.0, {"rational"}});
+  }
+  return pairs;
 }
 
 TEST(Judge, TheLatticeStandsForEveryPixel) {
