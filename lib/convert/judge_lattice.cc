@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <span>
 
 namespace fca::internal {
 
@@ -15,6 +17,10 @@ struct Lattice {
   std::vector<double> x;
   std::vector<double> y;
   [[nodiscard]] std::size_t at(std::size_t column, std::size_t row) const { return row * x.size() + column; }
+  /// The corners of a cell.
+  [[nodiscard]] std::array<std::size_t, 4> ends(std::size_t column, std::size_t row) const {
+    return {at(column, row), at(column + 1, row), at(column, row + 1), at(column + 1, row + 1)};
+  }
 };
 
 /// From 0 to pixels - 1, denser towards both ends: errors are steepest in the corners of an image.
@@ -34,7 +40,7 @@ Lattice make_lattice(const ImageSize& size) {
 
 /// Pixels on the border reach half a pixel beyond [0, w - 1] x [0, h - 1]: with these strips a sum over the lattice stands
 /// for the sum over all pixels.
-void add_border_weights(const Lattice& lattice, std::vector<Point>& corners) {
+void add_border_weights(const Lattice& lattice, std::span<Point> corners) {
   constexpr double kHalfStripPerEnd = 0.25;
   const std::size_t right = lattice.x.size() - 1;
   const std::size_t bottom = lattice.y.size() - 1;
@@ -55,9 +61,9 @@ void add_border_weights(const Lattice& lattice, std::vector<Point>& corners) {
   }
 }
 
-/// 6 x 6 parts of a cell, each to be judged at its centre.
+/// 8 x 8 parts of a cell, each to be judged at its centre.
 void add_parts(const Pixel& first, const Pixel& last, double area, std::vector<Point>& points) {
-  constexpr int kParts = 10;
+  constexpr int kParts = 8;
   for (int i = 0; i < kParts; ++i) {
     for (int j = 0; j < kParts; ++j) {
       Point part;
@@ -86,36 +92,31 @@ void add_gauss_points(const Pixel& first, const Pixel& last, double area, std::v
   }
 }
 
-/// The cells of a lattice that the domain's edge crosses: those whose corners and centre have not one verdict.
-class CrossedCells {
- public:
-  CrossedCells(const Lattice& lattice, const std::vector<Point>& corners, const std::vector<Point>& centres)
-      : columns_(lattice.x.size() - 1), rows_(lattice.y.size() - 1), crossed_(centres.size()) {
-    for (std::size_t j = 0; j < rows_; ++j) {
-      for (std::size_t i = 0; i < columns_; ++i) {
-        const std::size_t cell = j * columns_ + i;
-        const std::array ends = {lattice.at(i, j), lattice.at(i + 1, j), lattice.at(i, j + 1), lattice.at(i + 1, j + 1)};
-        crossed_[cell] = !std::ranges::all_of(ends, [&](std::size_t c) { return corners[c].verdict == centres[cell].verdict; });
+/// How a cell is scored: by its corners and centre, by Gauss-Legendre points, or in parts.
+enum class Rule : std::uint8_t { kCorners, kGauss, kParts };
+
+/// The rule of each cell, row by row: parts where the domain's edge crosses it, that is where its corners and centre have not
+/// one verdict, and Gauss-Legendre for the eight cells around those.
+std::vector<Rule> rules_of(const Lattice& lattice, std::span<const Point> corners, std::span<const Point> centres) {
+  const std::size_t columns = lattice.x.size() - 1;
+  const std::size_t rows = lattice.y.size() - 1;
+  std::vector<Rule> rules(columns * rows, Rule::kCorners);
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i) {
+      const Verdict verdict = centres[j * columns + i].verdict;
+      const auto ends = lattice.ends(i, j);
+      if (std::ranges::all_of(ends, [&](std::size_t c) { return corners[c].verdict == verdict; })) continue;
+      for (std::size_t y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows - 1); ++y) {
+        for (std::size_t x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns - 1); ++x) {
+          Rule& rule = rules[y * columns + x];
+          if (rule == Rule::kCorners && centres[y * columns + x].verdict == Verdict::kScored) rule = Rule::kGauss;
+        }
       }
+      rules[j * columns + i] = Rule::kParts;
     }
   }
-
-  [[nodiscard]] bool crossed(std::size_t i, std::size_t j) const { return crossed_[j * columns_ + i]; }
-  /// Is one of the eight cells around it crossed?
-  [[nodiscard]] bool next_to_crossed(std::size_t i, std::size_t j) const {
-    for (std::size_t y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows_ - 1); ++y) {
-      for (std::size_t x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns_ - 1); ++x) {
-        if (crossed(x, y)) return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  std::size_t columns_;
-  std::size_t rows_;
-  std::vector<bool> crossed_;
-};
+  return rules;
+}
 
 }  // namespace
 
@@ -124,44 +125,46 @@ class CrossedCells {
 /// Gauss-Legendre points (woodscape -> rational at 60 degrees: 2 % off without them).
 std::vector<Point> score_lattice(const Scorer& scorer) {
   const Lattice lattice = make_lattice(scorer.domain().size);
-  std::vector<Point> corners;
-  corners.reserve(2 * lattice.x.size() * lattice.y.size());
+  const std::size_t corner_count = lattice.x.size() * lattice.y.size();
+  const std::size_t cell_count = (lattice.x.size() - 1) * (lattice.y.size() - 1);
+  std::vector<Point> points;  // corners, then centres, then those of cells at the domain's edge
+  points.reserve(corner_count + cell_count);
   for (const double y : lattice.y) {
-    for (const double x : lattice.x) corners.emplace_back().pixel = {x, y};
+    for (const double x : lattice.x) points.emplace_back().pixel = {x, y};
   }
-  std::vector<Point> centres;
-  centres.reserve(corners.size());
   for (std::size_t j = 0; j + 1 < lattice.y.size(); ++j) {
     for (std::size_t i = 0; i + 1 < lattice.x.size(); ++i)
-      centres.emplace_back().pixel = {0.5 * (lattice.x[i] + lattice.x[i + 1]), 0.5 * (lattice.y[j] + lattice.y[j + 1])};
+      points.emplace_back().pixel = {0.5 * (lattice.x[i] + lattice.x[i + 1]), 0.5 * (lattice.y[j] + lattice.y[j + 1])};
   }
-  scorer.score(corners);
-  scorer.score(centres);
+  scorer.score(points);
+  const std::span<Point> corners = std::span(points).first(corner_count);
+  const std::span<Point> centres = std::span(points).subspan(corner_count);
   add_border_weights(lattice, corners);
-  const CrossedCells cells(lattice, corners, centres);
+  const std::vector<Rule> rules = rules_of(lattice, corners, centres);
   std::vector<Point> parts;
-  auto centre = centres.begin();
+  std::size_t cell = 0;
   for (std::size_t j = 0; j + 1 < lattice.y.size(); ++j) {
-    for (std::size_t i = 0; i + 1 < lattice.x.size(); ++i, ++centre) {
-      const std::array ends = {lattice.at(i, j), lattice.at(i + 1, j), lattice.at(i, j + 1), lattice.at(i + 1, j + 1)};
-      const Pixel& first = corners[ends.front()].pixel;
-      const Pixel& last = corners[ends.back()].pixel;
+    for (std::size_t i = 0; i + 1 < lattice.x.size(); ++i, ++cell) {
+      const Pixel first = {lattice.x[i], lattice.y[j]};
+      const Pixel last = {lattice.x[i + 1], lattice.y[j + 1]};
       const double area = (last[0] - first[0]) * (last[1] - first[1]);
-      if (cells.crossed(i, j)) {
-        add_parts(first, last, area, parts);
-      } else if (centre->verdict == Verdict::kScored && cells.next_to_crossed(i, j)) {
-        add_gauss_points(first, last, area, parts);
-      } else {
-        for (const std::size_t c : ends) corners[c].weight += area / 12.0;
-        centre->weight = area * (2.0 / 3.0);
+      switch (rules[cell]) {
+        case Rule::kParts:
+          add_parts(first, last, area, parts);
+          break;
+        case Rule::kGauss:
+          add_gauss_points(first, last, area, parts);
+          break;
+        case Rule::kCorners:
+          for (const std::size_t c : lattice.ends(i, j)) corners[c].weight += area / 12.0;
+          centres[cell].weight = area * (2.0 / 3.0);
       }
     }
   }
   scorer.score(parts);
   // Points without weight are points all the same, perhaps the worst of all.
-  corners.insert(corners.end(), centres.begin(), centres.end());
-  corners.insert(corners.end(), parts.begin(), parts.end());
-  return corners;
+  points.insert(points.end(), parts.begin(), parts.end());
+  return points;
 }
 
 }  // namespace fca::internal

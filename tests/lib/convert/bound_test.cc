@@ -104,7 +104,9 @@ TEST_P(BoundTest, IsNeverBelowTheMaximumAndCloseToIt) {
     EXPECT_GE(error.bound, error.max);
     // A perspective target of a lens that passes 90 degrees has errors without limit.
     constexpr double kUnlimited = 1e5;  // px
-    if (error.max < kUnlimited) EXPECT_LE(error.bound, 1.1 * error.max + 1e-9);
+    if (error.max < kUnlimited) {
+      EXPECT_LE(error.bound, 1.1 * error.max + 1e-9);
+    }
 
     // Without what convert() knows of the maximum: the bound proper.
     const CameraModel& model = conversion->camera.model;

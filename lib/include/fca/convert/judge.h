@@ -22,7 +22,7 @@ struct JudgeOptions {
 
 /// Compares `target` with `source` over the domain, on a lattice of about 5,000 points that includes
 /// the image's border and has nothing to do with the points of a fit. Points are weighted by area, the domain's edge followed
-/// to a sixth of a cell, so that rms is the image's. The maximum is polished between lattice points and along the edge of the
+/// to an eighth of a cell, so that rms is the image's. The maximum is polished between lattice points and along the edge of the
 /// lens to 1e-3 px in position. Its bound is proven by branch and bound on enclosures of both models, for all rays of the
 /// domain (lib/convert/bound.h says how): typically 1 % above the maximum.
 [[nodiscard]] Judgement judge(const CameraModel& source, const Projection& target, const Domain& domain,
