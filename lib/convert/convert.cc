@@ -3,9 +3,12 @@
 
 #include "exact.h"
 #include "fit_model.h"
+#include "judge_maximum.h"
+#include "judge_stages.h"
 
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
+#include <fca/convert/reach.h>
 #include <fca/convert/sample.h>
 
 #include <algorithm>
@@ -89,11 +92,15 @@ SampledFit fit_as_far_as_possible(const Job& job, int count) {
   return fitted;
 }
 
-Judgement judge_within_reach(const Job& job, const CameraModel& model, double reach_rad) {
-  const Projection target = [&model, reach_rad](const Ray& ray) {
-    return angle_from_axis(ray) <= reach_rad ? project(model, ray) : std::nullopt;
-  };
-  return judge(job.camera.model, target, job.domain);
+/// Everything the report says of a model that counts up to that angle, from what the lattice says of it.
+Judgement final_judgement(const Job& job, const internal::Scorer& scorer, internal::Score score) {
+  if (job.options.every_pixel) score = internal::score_every_pixel(scorer);
+  internal::find_maximum(scorer, score.worst, job.options.bound, score.judgement);
+  return std::move(score.judgement);
+}
+
+internal::Scorer scorer_of(const Job& job, const CameraModel& model, double reach_rad) {
+  return {job.camera.model, &model, nullptr, job.domain, reach_rad};
 }
 
 /// Does nothing beyond double's rounding separate the two models? Then no fit is reported as one.
@@ -103,7 +110,8 @@ std::optional<Conversion> exact_conversion(const Job& job) {
   Conversion conversion{job.camera, {}};
   conversion.camera.model = *model;
   conversion.report.exact = true;
-  conversion.report.judgement = judge_within_reach(job, *model, std::numbers::pi);
+  const internal::Scorer scorer = scorer_of(job, *model, std::numbers::pi);
+  conversion.report.judgement = final_judgement(job, scorer, internal::score_on_lattice(scorer));
   return conversion;
 }
 
@@ -125,7 +133,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   constexpr double kMuchWorse = 1.2;
   constexpr double kHelps = 0.99;
   SampledFit fitted;
-  Judgement judgement;
+  internal::Score score;
   for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
     const Clock::time_point start = Clock::now();
     SampledFit finer = fit_as_far_as_possible(job, job.options.samples << doubling);
@@ -134,13 +142,14 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
       if (doubling == 0) fitted = std::move(finer);
       break;
     }
-    Judgement finer_judgement = judge_within_reach(job, finer.model->model, finer.reach_rad);
-    const bool helps = doubling == 0 || finer_judgement.coverage.scored > judgement.coverage.scored + 1e-3 ||
-                       finer_judgement.error.rms < kHelps * judgement.error.rms;
-    const double worse = worse_between_samples(finer_judgement, *finer.model);
+    internal::Score finer_score = internal::score_on_lattice(scorer_of(job, finer.model->model, finer.reach_rad));
+    const Judgement& judgement = finer_score.judgement;
+    const bool helps = doubling == 0 || judgement.coverage.scored > score.judgement.coverage.scored + 1e-3 ||
+                       judgement.error.rms < kHelps * score.judgement.error.rms;
+    const double worse = worse_between_samples(judgement, *finer.model);
     if (helps) {
       fitted = std::move(finer);
-      judgement = std::move(finer_judgement);
+      score = std::move(finer_score);
     }
     if (worse <= (helps ? kBorder : kMuchWorse)) break;
   }
@@ -156,7 +165,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   if (fitted.reach_rad < std::numbers::pi) warn_of_cone(job, fitted.reach_rad, diagnostics);
   Conversion conversion{job.camera, {}};
   conversion.camera.model = fitted.model->model;
-  conversion.report.judgement = std::move(judgement);
+  conversion.report.judgement = final_judgement(job, scorer_of(job, fitted.model->model, fitted.reach_rad), std::move(score));
   conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations,
                            std::chrono::duration<double, std::micro>(time).count()};
   conversion.report.at_bound = fitted.model->at_bound;
@@ -188,6 +197,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   if (!conversion) return std::nullopt;
   conversion->report.from_model = model_info(camera.model).id;
   conversion->report.to_model = target->id;
+  if (options.reach) conversion->report.reach = reach_table(camera, options, diagnostics);
   if (!(conversion->report.judgement.coverage.scored > 0.0)) {
     diagnostics.error("nothing-to-compare",
                       camera.name + ": no part of the image could be compared with " + std::string(target->id));

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fca {
@@ -71,6 +72,124 @@ TEST(Judge, AgreesWithEveryPixel) {
     EXPECT_LE(j.error.p50, j.error.p95);
     EXPECT_LE(j.error.p95, j.error.p99);
     EXPECT_LE(j.error.p99, j.error.max);
+  }
+}
+
+/// The cameras of the table with the angles at which their lenses end, and targets that reach these.
+struct TablePair {
+  Camera camera;
+  std::optional<double> max_angle_deg;
+  std::vector<const char*> targets;
+};
+
+std::vector<TablePair> table() {
+  using namespace test;
+  const std::vector<const char*> wide = {"ucm", "eucm", "ds", "kb4", "ocamcalib", "mei"};
+  const std::vector<const char*> all = {"ucm", "eucm", "ds", "kb4", "ocamcalib", "mei", "radtan", "rational"};
+  std::vector<TablePair> pairs = {{kalibr_ds(), {}, all},
+                                  {kalibr_eucm(), {}, all},
+                                  {kalibr_kb4(), {}, all},
+                                  {euroc(), {}, all},
+                                  {rational_lens(), {}, all}};
+  const std::vector<std::pair<Camera, double>> lenses = {
+      {tumvi(), 97.5}, {t265_like(), 83.0}, {ocamcalib_sample(), 95.0}, {woodscape_front(), 95.0}, {lens_220(), 110.0}};
+  for (const auto& [camera, degrees] : lenses) {
+    pairs.push_back({camera, degrees, wide});
+    pairs.push_back({camera, 60.0, {"radtan"}});
+    pairs.push_back({camera, 80.0, {"rational"}});
+  }
+  return pairs;
+}
+
+TEST(Judge, TheLatticeStandsForEveryPixel) {
+  for (const TablePair& pair : table()) {
+    for (const char* target : pair.targets) {
+      SCOPED_TRACE(std::string(model_info(pair.camera.model).id) + " -> " + target);
+      ConvertOptions options;
+      options.model = target;
+      options.bound = false;
+      if (pair.max_angle_deg) options.max_angle_rad = *pair.max_angle_deg * test::kRadians;
+      Diagnostics diagnostics;
+      const std::optional<Conversion> conversion = convert(pair.camera, options, diagnostics);
+      const std::optional<Domain> domain = domain_of(pair.camera, options.max_angle_rad, diagnostics);
+      ASSERT_TRUE(conversion && domain);
+      const Judgement& lattice = conversion->report.judgement;
+      JudgeOptions every_pixel;
+      every_pixel.every_pixel = true;
+      every_pixel.bound = false;
+      const Judgement pixels = judge(pair.camera.model, conversion->camera.model, *domain, every_pixel);
+      constexpr double kRounding = 1e-9;  // px: radtan -> mei with xi = 0, and the exact pairs
+      if (lattice.error.max <= kRounding) {
+        EXPECT_LE(pixels.error.max, kRounding);
+        continue;
+      }
+      EXPECT_NEAR(lattice.error.rms, pixels.error.rms, 0.005 * pixels.error.rms);
+      EXPECT_NEAR(lattice.error.mean, pixels.error.mean, 0.01 * pixels.error.mean);
+      EXPECT_NEAR(lattice.error.p95, pixels.error.p95, 0.05 * pixels.error.p95);
+      EXPECT_NEAR(lattice.error.max, pixels.error.max, 1e-3 * pixels.error.max);
+    }
+  }
+}
+
+TEST(Judge, CountsEveryPixel) {
+  const Camera camera = test::tumvi();
+  ConvertOptions options;
+  options.model = "radtan";  // reaches only a part of the lens
+  options.max_angle_rad = 97.5 * test::kRadians;
+  options.every_pixel = true;
+  Diagnostics diagnostics;
+  const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+  const std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
+  ASSERT_TRUE(conversion && domain);
+  const Coverage& coverage = conversion->report.judgement.coverage;
+  long long outside = 0;
+  for (int y = 0; y < domain->size.height; ++y) {
+    for (int x = 0; x < domain->size.width; ++x)
+      outside += !domain->ray(camera.model, {static_cast<double>(x), static_cast<double>(y)});
+  }
+  const long long pixels = 1LL * domain->size.width * domain->size.height;
+  EXPECT_EQ(coverage.outside_lens_pixels, outside);
+  EXPECT_GT(coverage.scored_pixels, 0);
+  EXPECT_GT(coverage.unrepresentable_pixels, 0);
+  EXPECT_EQ(coverage.scored_pixels + coverage.outside_lens_pixels + coverage.unrepresentable_pixels, pixels);
+  EXPECT_NEAR(coverage.scored, static_cast<double>(coverage.scored_pixels) / static_cast<double>(pixels), 1e-12);
+
+  // The percentile of all pixels' errors, to the width of a bin.
+  std::vector<double> errors;
+  for (int y = 0; y < domain->size.height; ++y) {
+    for (int x = 0; x < domain->size.width; ++x) {
+      const Pixel pixel = {static_cast<double>(x), static_cast<double>(y)};
+      const std::optional<Ray> ray = domain->ray(camera.model, pixel);
+      const std::optional<Pixel> image = ray ? project(conversion->camera.model, *ray) : std::nullopt;
+      if (image) errors.push_back(std::hypot((*image)[0] - pixel[0], (*image)[1] - pixel[1]));
+    }
+  }
+  std::ranges::sort(errors);
+  // The report counts no pixel beyond the cone of the fit; this model goes on a little further.
+  if (static_cast<long long>(errors.size()) == coverage.scored_pixels) {
+    const double p95 = errors[static_cast<std::size_t>(0.95 * static_cast<double>(errors.size()))];
+    EXPECT_NEAR(conversion->report.judgement.error.p95, p95, 2e-3 * p95);
+  }
+}
+
+TEST(Judge, SharesAddUpToOne) {
+  for (const TablePair& pair : table()) {
+    for (const char* target : {"pinhole", "radtan", "rational", "ucm", "kb4", "ocamcalib", "fov", "woodscape"}) {
+      for (const bool every_pixel : {false, true}) {
+        ConvertOptions options;
+        options.model = target;
+        options.bound = false;
+        options.every_pixel = every_pixel;
+        if (pair.max_angle_deg) options.max_angle_rad = *pair.max_angle_deg * test::kRadians;
+        Camera camera = pair.camera;
+        if (every_pixel) camera.image_size = ImageSize{301, 203};
+        Diagnostics diagnostics;
+        const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+        if (!conversion) continue;
+        const Coverage& c = conversion->report.judgement.coverage;
+        EXPECT_NEAR(c.scored + c.outside_lens + c.unrepresentable, 1.0, 1e-12) << target;
+      }
+    }
   }
 }
 

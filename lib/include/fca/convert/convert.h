@@ -26,6 +26,9 @@ struct ConvertOptions {
   std::string model;                    ///< Id or alias of the target model.
   std::optional<double> max_angle_rad;  ///< What counts as lens, from the axis; default: the whole image.
   std::vector<ParameterRange> ranges;   ///< Of the target's parameters.
+  bool every_pixel = false;             ///< The report counts each pixel instead of a lattice.
+  bool bound = true;                    ///< The report proves ErrorSummary::bound.
+  bool reach = false;                   ///< The report holds the table of reach.h, at the price of one more fit per row.
   int samples = 200;                    ///< To begin with; more where the target turns out to be worse between them.
 };
 

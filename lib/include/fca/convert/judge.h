@@ -5,6 +5,7 @@
 #include <fca/convert/report.h>
 
 #include <functional>
+#include <numbers>
 #include <optional>
 
 namespace fca {
@@ -12,11 +13,21 @@ namespace fca {
 /// Any function ray -> pixel: a model, or what a program does.
 using Projection = std::function<std::optional<Pixel>(const Ray&)>;
 
+struct JudgeOptions {
+  bool every_pixel = false;  ///< Score each pixel of the image instead of a lattice, and count them.
+  bool bound = true;         ///< Prove ErrorSummary::bound (both must be models).
+  /// The target counts as unable to represent what lies further from the axis: the cone to which a conversion was restricted.
+  double target_reach_rad = std::numbers::pi;
+};
+
 /// Compares `target` with `source` over the domain, on a lattice of about 5,000 points that includes
 /// the image's border and has nothing to do with the points of a fit. Points are weighted by area, the domain's edge followed
-/// to a sixth of a cell, so that rms is the image's. The maximum is polished between lattice points and along the edge of the
-/// lens to 1e-3 px in position.
-[[nodiscard]] Judgement judge(const CameraModel& source, const Projection& target, const Domain& domain);
-[[nodiscard]] Judgement judge(const CameraModel& source, const CameraModel& target, const Domain& domain);
+/// to an eighth of a cell, so that rms is the image's. The maximum is polished between lattice points and along the edge of the
+/// lens to 1e-3 px in position. Its bound is proven by branch and bound on enclosures of both models, for all rays of the
+/// domain (lib/convert/bound.h says how): typically 1 % above the maximum.
+[[nodiscard]] Judgement judge(const CameraModel& source, const Projection& target, const Domain& domain,
+                              const JudgeOptions& options = {});
+[[nodiscard]] Judgement judge(const CameraModel& source, const CameraModel& target, const Domain& domain,
+                              const JudgeOptions& options = {});
 
 }  // namespace fca

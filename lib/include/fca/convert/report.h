@@ -5,6 +5,7 @@
 #include <fca/models/camera_model.h>
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct ErrorSummary {
   double p99 = 0.0;
   double max = 0.0;  ///< Polished from the worst points of the lattice to the maximum between them.
   Pixel max_at{};    ///< The source's pixel where it is.
+  /// No error of the domain is larger, between the pixels, too: proven. Infinite where nothing is (a target that is a program,
+  /// or whose error has no limit).
+  double bound = std::numeric_limits<double>::infinity();
 };
 
 /// Errors between two angles from the axis.
@@ -37,6 +41,11 @@ struct Coverage {
   double scored = 0.0;
   double outside_lens = 0.0;     ///< No ray of the source, or beyond the domain's angle.
   double unrepresentable = 0.0;  ///< The target cannot reach this ray.
+
+  /// The same as counts of pixels, exact; 0 unless every pixel was scored.
+  long long scored_pixels = 0;
+  long long outside_lens_pixels = 0;
+  long long unrepresentable_pixels = 0;
 };
 
 /// What the judge says of a pair of models.
@@ -53,6 +62,15 @@ struct FitSummary {
   double time_us = 0.0;
 };
 
+/// What a conversion would reach if the lens ended at that angle from the axis.
+struct ReachRow {
+  double max_angle_deg = 0.0;
+  double scored = 0.0;           ///< Share of the image.
+  double unrepresentable = 0.0;  ///< Share of the image.
+  double rms_px = 0.0;
+  double max_px = 0.0;
+};
+
 /// The report of one camera's conversion.
 struct ConversionReport {
   std::string from_model;
@@ -61,6 +79,7 @@ struct ConversionReport {
   Judgement judgement;
   FitSummary fit;
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
+  std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 };
 
 }  // namespace fca

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bound.h"
+
+#include "bound_polar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace fca::internal {
+
+namespace {
+
+/// A bound is good enough at this multiple of an error that was seen, or this many px above it.
+constexpr double kGoodEnough = 1.01;
+constexpr double kNegligible = 2e-10;
+/// What a strip's remainder may be of the seen error, and in px.
+constexpr double kRemainderShare = 0.005;
+constexpr double kNegligibleRemainder = 5e-11;
+
+using Vector = std::array<double, 2>;
+
+/// A pixel as a function of the angle, t from the centre of a strip, and the azimuth: polynomials in t, exact as they stand
+/// here, and how far each component can be from them anywhere in the strip.
+struct Field {
+  using Polynomial = std::array<double, kOrder>;
+  std::array<std::array<Polynomial, kHarmonics>, 2> of{};
+  /// Of each polynomial, a bound of its third derivative in the strip.
+  std::array<std::array<double, kHarmonics>, 2> third{};
+  std::array<std::array<bool, kHarmonics>, 2> used{};
+  Vector remainder{};
+  double truncation = 0.0;  ///< The part of the remainder that a narrower strip makes smaller; the rest is rounding.
+};
+
+/// Taylor polynomials from the series at the centre, their remainders from the series over the whole strip (of which the
+/// lowest coefficient is a plain enclosure: all there is where the remainder is infinite).
+Field field_of(const PolarSeries& centre, const PolarSeries& strip, double half) {
+  Field field;
+  field.used = centre.used;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < kHarmonics; ++j) {
+      if (!centre.used[i][j]) continue;
+      const Series& point = centre.of[i][j];
+      Field::Polynomial& polynomial = field.of[i][j];
+      double power = 1.0;
+      double remainder = 0.0;
+      double size = 0.0;
+      for (std::size_t k = 0; k < kOrder; ++k, power *= half) {
+        polynomial[k] = point[k].mid;
+        remainder += point[k].rad * power;
+        size += std::abs(point[k].mid) * power;
+      }
+      double truncation = strip.of[i][j][kOrder].magnitude() * power;
+      remainder += truncation;
+      // Later sums in plain doubles: fewer than 64 roundings of numbers not larger than `size`.
+      constexpr double kRoundings = 64.0;
+      remainder = remainder * (1.0 + 1e-12) + kRoundings * kRoundOff * size;
+      const Ball& plain = strip.of[i][j][0];
+      if (!(remainder <= plain.rad)) {
+        polynomial = {plain.mid};
+        truncation = plain.rad;
+        remainder = plain.rad + kRoundings * kRoundOff * std::abs(plain.mid);
+      }
+      field.remainder[i] += remainder;
+      field.truncation += truncation;
+      double third = 0.0;
+      for (std::size_t k = kOrder - 1; k >= 3; --k) {
+        third = third * half + static_cast<double>(k * (k - 1) * (k - 2)) * std::abs(polynomial[k]);
+      }
+      field.third[i][j] = third;
+    }
+  }
+  return field;
+}
+
+/// Angles around a centre on which both models are polynomials.
+struct Strip {
+  double centre = 0.0;
+  double half = 0.0;
+  Field source;
+  Field error;  ///< target - source
+  [[nodiscard]] double remainder() const { return std::hypot(error.remainder[0], error.remainder[1]); }
+};
+
+/// A rectangle of angles, t +- dt from the strip's centre, and azimuths.
+struct Cell {
+  std::size_t strip = 0;
+  double t = 0.0;
+  double dt = 0.0;
+  double phi = 0.0;
+  double dphi = 0.0;
+  double bound = 0.0;
+  bool split_angle = false;
+};
+
+/// The harmonics and their first two derivatives at a cell's centre, and how large they become in the cell.
+struct Harmonics {
+  std::array<double, kHarmonics> value;
+  std::array<double, kHarmonics> first;
+  std::array<double, kHarmonics> value_max;
+  std::array<double, kHarmonics> first_max;
+
+  static constexpr std::array<double, kHarmonics> kFrequency = {0.0, 1.0, 1.0, 2.0, 2.0};
+
+  Harmonics(double phi, double dphi) {
+    const double c = std::cos(phi);
+    const double s = std::sin(phi);
+    value = {1.0, c, s, c * c - s * s, 2.0 * s * c};
+    first = {0.0, -s, c, -4.0 * s * c, 2.0 * (c * c - s * s)};
+    for (std::size_t j = 0; j < kHarmonics; ++j) {
+      const double n = kFrequency[j];
+      value_max[j] = std::min(1.0, std::abs(value[j]) + n * dphi);
+      first_max[j] = std::min(n, std::abs(first[j]) + n * n * dphi);
+    }
+  }
+};
+
+/// A field around a cell's centre: value + slopes, and how far the field can be from that plane in the cell.
+struct Plane {
+  Vector value{};
+  Vector by_angle{};
+  Vector by_azimuth{};
+  Vector rest{};
+  Vector angle_rest{};  ///< The part of the rest that halving dt shrinks.
+};
+
+Plane plane_of(const Field& field, const Cell& cell, const Harmonics& harmonics) {
+  Plane plane;
+  const double dt = cell.dt;
+  const double dphi = cell.dphi;
+  for (std::size_t i = 0; i < 2; ++i) {
+    double angle_rest = 0.0;
+    double azimuth_rest = 0.0;
+    double mixed_rest = 0.0;
+    for (std::size_t j = 0; j < kHarmonics; ++j) {
+      if (!field.used[i][j]) continue;
+      const Field::Polynomial& c = field.of[i][j];
+      double value = 0.0;
+      double first = 0.0;
+      double half_second = 0.0;
+      for (std::size_t k = kOrder; k-- > 0;) {
+        half_second = half_second * cell.t + first;
+        first = first * cell.t + value;
+        value = value * cell.t + c[k];
+      }
+      const double n = Harmonics::kFrequency[j];
+      const double second_max = 2.0 * std::abs(half_second) + field.third[i][j] * dt;
+      const double first_max = std::abs(first) + second_max * dt;
+      const double value_max = std::abs(value) + first_max * dt;
+      plane.value[i] += value * harmonics.value[j];
+      plane.by_angle[i] += first * harmonics.value[j];
+      plane.by_azimuth[i] += value * harmonics.first[j];
+      angle_rest += second_max * harmonics.value_max[j];
+      mixed_rest += first_max * harmonics.first_max[j];
+      azimuth_rest += n * n * value_max * harmonics.value_max[j];
+    }
+    plane.angle_rest[i] = 0.5 * angle_rest * dt * dt;
+    plane.rest[i] = plane.angle_rest[i] + mixed_rest * dt * dphi + 0.5 * azimuth_rest * dphi * dphi + field.remainder[i];
+  }
+  return plane;
+}
+
+class Bounder {
+ public:
+  Bounder(const CameraModel& source, const CameraModel& target, const Domain& domain, double reach, double seen, int budget)
+      : source_(source),
+        target_(target),
+        last_{domain.size.width - 1.0, domain.size.height - 1.0},
+        max_angle_(std::min(std::numbers::pi,
+                            std::min({domain.max_angle_rad, reach, max_angle(source), max_angle(target)}) + kAngleSlack)),
+        budget_(budget) {
+    result_.seen = seen;
+  }
+
+  ErrorBound bound() {
+    const int strips = std::max(1, static_cast<int>(std::ceil(max_angle_ / kWidestStrip)));
+    for (int i = 0; i < strips; ++i) add_strip(max_angle_ * i / strips, max_angle_ * (i + 1) / strips, 0);
+    while (!hopeless_ && !cells_.empty() && !(cells_.front().bound <= good_enough()) && result_.evaluations < budget_) {
+      std::ranges::pop_heap(cells_, {}, &Cell::bound);
+      const Cell cell = cells_.back();
+      cells_.pop_back();
+      split(cell);
+    }
+    result_.bound = cells_.empty() ? done_ : std::max(done_, cells_.front().bound);
+    if (hopeless_) result_.bound = std::numeric_limits<double>::infinity();
+    return result_;
+  }
+
+ private:
+  /// max_angle() is an arc cosine for some models: its rounding near 180 degrees.
+  static constexpr double kAngleSlack = 4e-8;
+  static constexpr double kWidestStrip = 0.12;  // rad
+  static constexpr int kMaxHalvings = 12;
+  static constexpr int kAzimuths = 16;
+  /// unproject() may give a ray for a pixel on the border whose pixel is, by rounding, outside.
+  static constexpr double kBorderSlack = 1e-6;  // px
+
+  [[nodiscard]] double good_enough() const { return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible); }
+
+  /// Halves the strip until both models are polynomials to what is asked.
+  void add_strip(double from, double to, int halvings) {
+    Strip strip = make_strip(0.5 * (from + to), 0.5 * (to - from));
+    result_.evaluations += kStripCost;
+    const double middle = 0.5 * (from + to);
+    if (!(strip.error.truncation <= std::max(kNegligibleRemainder, kRemainderShare * result_.seen)) &&
+        halvings < kMaxHalvings && result_.evaluations < budget_) {
+      add_strip(from, middle, halvings + 1);
+      add_strip(middle, to, halvings + 1);
+      return;
+    }
+    strips_.push_back(strip);
+    Cell cell;
+    cell.strip = strips_.size() - 1;
+    cell.dt = strip.half;
+    cell.dphi = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
+    for (int i = 0; i < kAzimuths; ++i) {
+      cell.phi = std::numbers::pi * (2 * i + 1) / kAzimuths;
+      add(cell);
+    }
+  }
+  /// An evaluation of a strip takes as long as that many of cells.
+  static constexpr int kStripCost = 50;
+
+  [[nodiscard]] Strip make_strip(double centre, double half) const {
+    const AngleSeries at_centre = angle_series({centre, 0.0});
+    const AngleSeries over_strip = angle_series({centre, half * (1.0 + 4.0 * kRoundOff) + kUnderflow});
+    Strip strip;
+    strip.centre = centre;
+    strip.half = half;
+    const PolarSeries source_centre = form_of(source_, at_centre);
+    const PolarSeries source_strip = form_of(source_, over_strip);
+    strip.source = field_of(source_centre, source_strip, half);
+    strip.error = field_of(difference(form_of(target_, at_centre), source_centre),
+                           difference(form_of(target_, over_strip), source_strip), half);
+    return strip;
+  }
+
+  [[nodiscard]] static PolarSeries form_of(const CameraModel& model, const AngleSeries& angle) {
+    PolarSeries form;
+    std::visit([&](const auto& m) { polar_form(m, angle, form); }, model);
+    return form;
+  }
+
+  [[nodiscard]] static PolarSeries difference(const PolarSeries& a, const PolarSeries& b) {
+    PolarSeries result = a;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < kHarmonics; ++j) {
+        if (b.used[i][j]) result.set(i, j, result.of[i][j] - b.of[i][j]);
+      }
+    }
+    return result;
+  }
+
+  void split(const Cell& cell) {
+    Cell half = cell;
+    (cell.split_angle ? half.dt : half.dphi) *= 0.5;
+    // A cell that cannot become smaller stays as it is.
+    if (!(half.dt > 1e-14) || !(half.dphi > 1e-14)) {
+      done_ = std::max(done_, cell.bound);
+      return;
+    }
+    for (const double side : {-1.0, 1.0}) {
+      Cell part = half;
+      if (cell.split_angle) {
+        part.t = cell.t + side * half.dt;
+      } else {
+        part.phi = cell.phi + side * half.dphi;
+      }
+      add(part);
+    }
+  }
+
+  /// Bounds a cell and keeps it, unless it lies outside the image or is good enough already.
+  void add(Cell cell) {
+    ++result_.evaluations;
+    const Strip& strip = strips_[cell.strip];
+    const Harmonics harmonics(cell.phi, cell.dphi);
+    const Plane source = plane_of(strip.source, cell, harmonics);
+    bool centre_inside = true;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double spread =
+          std::abs(source.by_angle[i]) * cell.dt + std::abs(source.by_azimuth[i]) * cell.dphi + source.rest[i];
+      if (source.value[i] + spread < -kBorderSlack || source.value[i] - spread > last_[i] + kBorderSlack) return;
+      centre_inside = centre_inside && source.value[i] >= 0.0 && source.value[i] <= last_[i];
+    }
+    const Plane error = plane_of(strip.error, cell, harmonics);
+    double corner = 0.0;
+    for (const double side : {-1.0, 1.0}) {
+      double square = 0.0;
+      double other = 0.0;
+      for (std::size_t i = 0; i < 2; ++i) {
+        const double a = error.by_angle[i] * cell.dt;
+        const double b = side * error.by_azimuth[i] * cell.dphi;
+        square += (error.value[i] + a + b) * (error.value[i] + a + b);
+        other += (error.value[i] - a - b) * (error.value[i] - a - b);
+      }
+      corner = std::max({corner, square, other});
+    }
+    cell.bound = (std::sqrt(corner) + std::hypot(error.rest[0], error.rest[1])) * (1.0 + 1e-12);
+    // An infinite plane is no plane.
+    if (!std::isfinite(cell.bound)) cell.bound = std::numeric_limits<double>::infinity();
+    if (centre_inside) {
+      // Some part of every division of this cell lies in the image, and none is better known than its strip.
+      hopeless_ = hopeless_ || !std::isfinite(strip.remainder());
+      const double surely = std::hypot(error.value[0], error.value[1]) - strip.remainder();
+      if (surely > result_.seen) {
+        result_.seen = surely;
+        result_.seen_at = source.value;
+      }
+    }
+    // Nor does it help to divide what is mostly the rounding of its strip.
+    constexpr double kMostlyRemainder = 1.5;
+    if (cell.bound <= std::max(good_enough(), kMostlyRemainder * strip.remainder()) && std::isfinite(cell.bound)) {
+      done_ = std::max(done_, cell.bound);
+      return;
+    }
+    const double by_angle =
+        std::hypot(error.by_angle[0], error.by_angle[1]) * cell.dt + 2.0 * std::hypot(error.angle_rest[0], error.angle_rest[1]);
+    const double by_azimuth = std::hypot(error.by_azimuth[0], error.by_azimuth[1]) * cell.dphi +
+                              2.0 * std::hypot(error.rest[0] - error.angle_rest[0], error.rest[1] - error.angle_rest[1]);
+    cell.split_angle = std::isfinite(by_angle) && std::isfinite(by_azimuth) ? by_angle > by_azimuth : cell.dt > cell.dphi;
+    cells_.push_back(cell);
+    std::ranges::push_heap(cells_, {}, &Cell::bound);
+  }
+
+  const CameraModel& source_;
+  const CameraModel& target_;
+  Vector last_;
+  double max_angle_;
+  int budget_;
+  std::vector<Strip> strips_;
+  std::vector<Cell> cells_;  ///< A heap, the worst in front.
+  double done_ = 0.0;        ///< The largest bound of the cells that were good enough.
+  bool hopeless_ = false;    ///< A part of the image for which the target has no bound.
+  ErrorBound result_;
+};
+
+/// What doubles add: the error of unproject() and project() themselves, which is in every error that can be measured.
+double rounding_of(const CameraModel& source, const CameraModel& target, const ImageSize& size) {
+  constexpr double kRelative = 1e-13;  // radtan's inverse ends there
+  double pixels = static_cast<double>(size.width) + size.height;
+  for (const CameraModel* model : {&source, &target}) {
+    for (const double value : central_focal_lengths(*model)) pixels += std::abs(value);
+    for (const double value : principal_point(*model)) pixels += 0.5 * std::abs(value);
+  }
+  return kRelative * pixels;
+}
+
+}  // namespace
+
+ErrorBound bound_error(const CameraModel& source, const CameraModel& target, const Domain& domain, double target_reach_rad,
+                       double seen, int budget) {
+  const bool bounded = std::visit(
+      []<class S, class T>(const Intrinsics<S>&, const Intrinsics<T>&) { return HasPolarForm<S> && HasPolarForm<T>; }, source,
+      target);
+  if (!bounded) return {};
+  ErrorBound result;
+  if (source == target) {
+    result.bound = 0.0;
+  } else {
+    result = Bounder(source, target, domain, target_reach_rad, seen, budget).bound();
+  }
+  result.bound += rounding_of(source, target, domain.size);
+  return result;
+}
+
+}  // namespace fca::internal

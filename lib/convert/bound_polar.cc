@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bound_polar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::internal {
+
+namespace {
+
+Ball exactly(double value) { return {value, 0.0}; }
+
+/// fx fy cx cy, and an image radius.
+void set_focal(PolarSeries& form, const double* p, const Series& radius) {
+  set_radial(form, {p[2], p[3]}, {p[0], 0.0, 0.0, p[1]}, radius);
+}
+
+/// Adds the tangential distortion p1, p2 of a point at distance r from the centre of the plane; r2 is its square.
+void add_tangential(PolarSeries& form, const double* p, double p1, double p2, const Series& r2) {
+  if (p1 == 0.0 && p2 == 0.0) return;
+  const Ball fx = exactly(p[0]);
+  const Ball fy = exactly(p[1]);
+  const Ball two{2.0, 0.0};
+  // m_x = ... + r^2 (2 p2 + p2 cos 2phi + p1 sin 2phi),  m_y = ... + r^2 (2 p1 - p1 cos 2phi + p2 sin 2phi)
+  form.set(0, 0, form.of[0][0] + two * fx * exactly(p2) * r2);
+  form.set(0, 3, fx * exactly(p2) * r2);
+  form.set(0, 4, fx * exactly(p1) * r2);
+  form.set(1, 0, form.of[1][0] + two * fy * exactly(p1) * r2);
+  form.set(1, 3, fy * exactly(-p1) * r2);
+  form.set(1, 4, fy * exactly(p2) * r2);
+}
+
+/// The unified models on the unit sphere: sin / (a d + (1 - a) z).
+Series unified_radius(const Ball& a, const Series& d, const Series& z, const Series& sine) {
+  return sine / (a * d + (exactly(1.0) - a) * z);
+}
+
+/// theta (a_0 + a_1 theta + ...), by multiplications with the variable.
+template <std::size_t N>
+Series polynomial_of_angle(const std::array<double, N>& coefficients, const Ball& angle) {
+  Series result = constant(exactly(coefficients[N - 1]));
+  for (std::size_t k = N - 1; k-- > 0;) result = exactly(coefficients[k]) + times_variable(result, angle);
+  return times_variable(result, angle);
+}
+
+}  // namespace
+
+void set_radial(PolarSeries& form, const std::array<double, 2>& centre, const std::array<double, 4>& a, const Series& radius) {
+  for (std::size_t row = 0; row < 2; ++row) {
+    form.set(row, 0, constant(exactly(centre[row])));
+    for (std::size_t column = 0; column < 2; ++column) {
+      const double factor = a[2 * row + column];
+      if (factor != 0.0) form.set(row, 1 + column, exactly(factor) * radius);
+    }
+  }
+}
+
+void polar_form(const Intrinsics<Pinhole>& model, const AngleSeries& angle, PolarSeries& form) {
+  set_focal(form, model.values.data(), angle.sine / angle.cosine);
+}
+
+void polar_form(const Intrinsics<Radtan>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  const Series r = angle.sine / angle.cosine;
+  const Series r2 = r * r;
+  set_focal(form, p, r * polynomial(std::array{1.0, p[4], p[5], p[8]}, r2));
+  add_tangential(form, p, p[6], p[7], r2);
+}
+
+void polar_form(const Intrinsics<Rational>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  const Series r = angle.sine / angle.cosine;
+  const Series r2 = r * r;
+  set_focal(form, p,
+            r * polynomial(std::array{1.0, p[4], p[5], p[8]}, r2) / polynomial(std::array{1.0, p[9], p[10], p[11]}, r2));
+  add_tangential(form, p, p[6], p[7], r2);
+}
+
+void polar_form(const Intrinsics<Kb4>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  set_focal(form, p, polynomial_of_angle(std::array{1.0, 0.0, p[4], 0.0, p[5], 0.0, p[6], 0.0, p[7]}, angle.at));
+}
+
+void polar_form(const Intrinsics<Ucm>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  set_focal(form, p, unified_radius(exactly(p[4]), constant(exactly(1.0)), angle.cosine, angle.sine));
+}
+
+void polar_form(const Intrinsics<Eucm>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  // d^2 = beta sin^2 + cos^2 = beta + (1 - beta) cos^2
+  const Series d = sqrt(exactly(p[5]) + (exactly(1.0) - exactly(p[5])) * (angle.cosine * angle.cosine));
+  set_focal(form, p, unified_radius(exactly(p[4]), d, angle.cosine, angle.sine));
+}
+
+void polar_form(const Intrinsics<Ds>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  const Ball xi = exactly(p[5]);
+  // d2^2 = sin^2 + (xi + cos)^2 = 1 + xi^2 + 2 xi cos
+  const Series d2 = sqrt((exactly(1.0) + xi * xi) + (exactly(2.0) * xi) * angle.cosine);
+  set_focal(form, p, unified_radius(exactly(p[4]), d2, xi + angle.cosine, angle.sine));
+}
+
+void polar_form(const Intrinsics<Mei>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  const Series r = angle.sine / (exactly(p[4]) + angle.cosine);
+  const Series r2 = r * r;
+  set_focal(form, p, r * polynomial(std::array{1.0, p[5], p[6]}, r2));
+  add_tangential(form, p, p[7], p[8], r2);
+}
+
+void polar_form(const Intrinsics<Fov>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  const Ball slope = exactly(2.0) * from_library(std::tan(0.5 * p[4]));
+  // d/dangle atan2(k sin, cos) = k / (k^2 sin^2 + cos^2)
+  const Series denominator = (slope * slope) + (exactly(1.0) - slope * slope) * (angle.cosine * angle.cosine);
+  const Series derivative = constant(slope) / denominator;
+  const double value = std::atan2(slope.mid * std::sin(angle.at.mid), std::cos(angle.at.mid));
+  // At the centre, and by the largest derivative around it; rounding inside atan2 counts at most like a rotation of the ray.
+  constexpr double kRotation = 8.0 * kRoundOff;
+  const Ball start = from_library(value, derivative[0].magnitude() * angle.at.rad + kRotation);
+  set_focal(form, p, inverse(exactly(p[4])) * integral(derivative, start));
+}
+
+void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  set_radial(form, {p[5], p[6]}, {1.0, 0.0, 0.0, p[4]}, polynomial_of_angle(std::array{p[0], p[1], p[2], p[3]}, angle.at));
+}
+
+namespace {
+
+/// F(rho, angle) = g(rho) sin - rho cos, whose root is ocamcalib's radius, and dF/drho.
+struct ImplicitRadius {
+  std::array<double, 9> g{};      ///< The height of the ray ahead of the camera, ascending.
+  std::array<double, 8> slope{};  ///< dg/drho
+  std::size_t degree = 0;
+
+  explicit ImplicitRadius(const double* a) {
+    for (std::size_t k = 0; k < g.size(); ++k) {
+      g[k] = -a[k];
+      if (k > 0) slope[k - 1] = static_cast<double>(k) * g[k];
+      if (a[k] != 0.0) degree = k;
+    }
+  }
+
+  /// Horner up to the last coefficient that is not 0.
+  template <std::size_t N, class X>
+  static X at(const std::array<double, N>& coefficients, std::size_t last, const X& x, X result) {
+    for (std::size_t k = std::min(last, N - 1) + 1; k-- > 0;) result = exactly(coefficients[k]) + result * x;
+    return result;
+  }
+  template <class X>
+  [[nodiscard]] X value(const X& rho, const X& sine, const X& cosine) const {
+    return at(g, degree, rho, X{}) * sine - rho * cosine;
+  }
+  template <class X>
+  [[nodiscard]] X derivative(const X& rho, const X& sine, const X& cosine) const {
+    return at(slope, degree > 0 ? degree - 1 : 0, rho, X{}) * sine - cosine;
+  }
+};
+
+/// The only rho near `guess` with F(rho, x) = 0, for every angle x of the ball: interval Newton (Moore 1966). If
+/// guess - F(guess) / F'(X) lies inside X, X holds exactly one root for each x, and that is where it lies.
+Ball enclose_root(const ImplicitRadius& f, double guess, const Ball& sine, const Ball& cosine) {
+  const Ball centre = exactly(guess);
+  const Ball residual = f.value(centre, sine, cosine);
+  double rad = 2.0 * (residual / f.derivative(centre, sine, cosine)).magnitude();
+  constexpr int kTries = 4;
+  for (int i = 0; i < kTries; ++i, rad *= 2.0) {
+    const Ball step = residual / f.derivative(Ball{guess, rad}, sine, cosine);
+    const Ball next = centre - step;
+    if (std::abs(next.mid - guess) + next.rad < rad) return next;
+  }
+  return unknown();
+}
+
+}  // namespace
+
+void polar_form(const Intrinsics<Ocamcalib>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  constexpr std::size_t kA = 5;
+  const ImplicitRadius f(p + kA);
+  // The model's own root of the domain at the centre, in the image of a ray along x.
+  const Ray ray = {std::sin(angle.at.mid), 0.0, std::cos(angle.at.mid)};
+  double pixel[2];
+  Series rho;
+  if (angle.at.mid == 0.0 || Ocamcalib::project(p, ray.data(), pixel)) {
+    const double guess = angle.at.mid == 0.0 ? 0.0 : pixel[0] - p[0];
+    rho[0] = enclose_root(f, guess, angle.sine[0], angle.cosine[0]);
+  } else {
+    rho[0] = unknown();
+  }
+  // Newton's method on series: each step doubles the number of right coefficients. What is right is not touched again: F's
+  // coefficients below are 0 exactly.
+  for (std::size_t known = 1; known <= kOrder; known *= 2) {
+    Series value = f.value(rho, angle.sine, angle.cosine);
+    for (std::size_t k = 0; k < known; ++k) value[k] = {};
+    const Series step = value / f.derivative(rho, angle.sine, angle.cosine);
+    for (std::size_t k = known; k < std::min(2 * known, kOrder + 1); ++k) rho[k] = rho[k] - step[k];
+  }
+  // u = cx + Y + e X, v = cy + c X + d Y with (X, Y) = rho (sin phi, cos phi)
+  set_radial(form, {p[0], p[1]}, {1.0, p[4], p[3], p[2]}, rho);
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The camera models in polar coordinates of the ray, angle from the axis and azimuth phi (from x towards y). Seen so, each one
+// is a trigonometric polynomial of degree 2 in phi whose coefficients are functions of the angle alone:
+//
+//   pixel = centre + A (cos phi, sin phi) R(angle)  +  r(angle)^2 (b + B (cos 2phi, sin 2phi))
+//
+// with A the focal lengths (and ocamcalib's shear), R the image radius; the last term is the tangential distortion of radtan,
+// rational and mei, with 2xy = r^2 sin 2phi and r^2 + 2x^2 = r^2 (2 + cos 2phi). So is the difference of any two models, and
+// that is why a bound needs enclosures of functions of one variable only.
+//
+// A model of the list without polar_form() is one whose conversions have no bound.
+#pragma once
+
+#include "bound_series.h"
+
+#include <fca/models/camera_model.h>
+
+#include <array>
+
+namespace fca::internal {
+
+/// The harmonics, in this order: 1, cos phi, sin phi, cos 2phi, sin 2phi.
+inline constexpr std::size_t kHarmonics = 5;
+
+/// Both components of a pixel, one series per harmonic; those that are not `used` are 0.
+struct PolarSeries {
+  std::array<std::array<Series, kHarmonics>, 2> of{};
+  std::array<std::array<bool, kHarmonics>, 2> used{};
+
+  void set(std::size_t component, std::size_t harmonic, const Series& series) {
+    of[component][harmonic] = series;
+    used[component][harmonic] = true;
+  }
+};
+
+/// centre + A (cos phi, sin phi) R, A row by row.
+void set_radial(PolarSeries& form, const std::array<double, 2>& centre, const std::array<double, 4>& a, const Series& radius);
+
+/// One overload per model: its formula with the angle as the variable.
+void polar_form(const Intrinsics<Pinhole>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Radtan>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Rational>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Kb4>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Ucm>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Eucm>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Ds>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Mei>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Fov>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Ocamcalib>& model, const AngleSeries& angle, PolarSeries& form);
+void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, PolarSeries& form);
+
+template <class M>
+concept HasPolarForm = requires(const Intrinsics<M>& model, const AngleSeries& angle, PolarSeries& form) {
+  polar_form(model, angle, form);
+};
+
+}  // namespace fca::internal

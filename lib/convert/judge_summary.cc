@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "judge_summary.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace fca::internal {
+
+namespace {
+
+constexpr double kBandDegrees = 10.0;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+// Errors outside 2^-60 .. 2^20 px count as these.
+constexpr int kSmallestOctave = -60;
+constexpr int kOctaves = 80;
+constexpr int kMantissaBits = 52;
+constexpr int kExponentBias = 1023;
+
+}  // namespace
+
+Summary::Summary(int bins_per_octave)
+    : bins_per_octave_(bins_per_octave), bins_(static_cast<std::size_t>(kOctaves * bins_per_octave), 0.0) {
+  for (std::size_t i = 0; i < kBands; ++i)
+    band_cosine_[i] = std::cos(kBandDegrees * kRadiansPerDegree * static_cast<double>(i + 1));
+  band_cosine_.back() = -2.0;
+}
+
+/// The leading bits of a double, exponent and first bits of the mantissa, count bins of equal ratio (nearly), without a
+/// logarithm.
+std::size_t Summary::bin_of(double error) const {
+  const int bits = std::bit_width(static_cast<unsigned>(bins_per_octave_)) - 1;
+  const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bits));
+  const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bits;
+  return static_cast<std::size_t>(std::clamp(leading - first, 0LL, static_cast<long long>(bins_.size()) - 1));
+}
+
+void Summary::keep_if_bad(const Point& point) {
+  if (worst_.size() == kWorst && !(point.error > worst_.back().error)) return;
+  worst_.insert(std::ranges::upper_bound(worst_, point.error, std::ranges::greater{}, &Point::error), point);
+  if (worst_.size() > kWorst) worst_.pop_back();
+}
+
+void Summary::add(std::span<const Point> points) {
+  for (const Point& p : points) {
+    const auto verdict = static_cast<std::size_t>(p.verdict);
+    weight_[verdict] += p.weight;
+    ++count_[verdict];
+    if (p.verdict != Verdict::kScored) continue;
+    keep_if_bad(p);
+    const double weighted = p.weight * p.error;
+    sum_ += weighted;
+    square_sum_ += weighted * p.error;
+    bins_[bin_of(p.error)] += p.weight;
+    std::size_t i = 0;
+    while (p.cosine <= band_cosine_[i]) ++i;
+    Band& band = bands_[i];
+    band.weight += p.weight;
+    band.square += weighted * p.error;
+    band.max = std::max(band.max, p.error);
+  }
+}
+
+/// The bins first, then the points in them.
+std::array<double, 3> Summary::percentiles(const std::array<double, 3>& fractions, std::span<const Point> points) const {
+  struct Wanted {
+    double weight = 0.0;
+    double below = 0.0;  ///< weight of the bins before
+    std::size_t bin = 0;
+    std::vector<std::pair<double, double>> errors;
+  };
+  std::array<Wanted, 3> wanted;
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Wanted& w = wanted[i];
+    w.weight = fractions[i] * weight_[static_cast<std::size_t>(Verdict::kScored)];
+    while (w.bin + 1 < bins_.size() && w.below + bins_[w.bin] < w.weight) w.below += bins_[w.bin++];
+    // Without points: where the bin ends.
+    const double octaves = static_cast<double>(w.bin + 1) / bins_per_octave_;
+    const double edge =
+        std::ldexp(1.0 + octaves - std::floor(octaves), kSmallestOctave + static_cast<int>(std::floor(octaves)));
+    result[i] = std::min(edge, worst_.front().error);
+  }
+  for (const Point& p : points) {
+    if (p.verdict != Verdict::kScored) continue;
+    const std::size_t bin = bin_of(p.error);
+    for (Wanted& w : wanted) {
+      if (bin == w.bin) w.errors.emplace_back(p.error, p.weight);
+    }
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    Wanted& w = wanted[i];
+    std::ranges::sort(w.errors);
+    for (const auto& [error, weight] : w.errors) {
+      result[i] = error;
+      w.below += weight;
+      if (w.below >= w.weight) break;
+    }
+  }
+  return result;
+}
+
+Judgement Summary::judgement(const Domain& domain, std::span<const Point> points) const {
+  Judgement result;
+  result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
+  result.coverage.why = domain.why;
+  // From pixels to shares of the image, which sum to 1.
+  const double total = weight_[0] + weight_[1] + weight_[2];
+  const double scored = weight_[static_cast<std::size_t>(Verdict::kScored)];
+  result.coverage.scored = scored / total;
+  result.coverage.outside_lens = weight_[static_cast<std::size_t>(Verdict::kOutsideLens)] / total;
+  result.coverage.unrepresentable = weight_[static_cast<std::size_t>(Verdict::kUnrepresentable)] / total;
+  if (!(scored > 0.0)) return result;
+  ErrorSummary& error = result.error;
+  error.rms = std::sqrt(square_sum_ / scored);
+  error.mean = sum_ / scored;
+  const auto [p50, p95, p99] = percentiles({0.50, 0.95, 0.99}, points);
+  error.p50 = p50;
+  error.p95 = p95;
+  error.p99 = p99;
+  error.max = worst_.front().error;
+  error.max_at = worst_.front().pixel;
+  for (std::size_t i = 0; i < kBands; ++i) {
+    const Band& band = bands_[i];
+    const double from = kBandDegrees * static_cast<double>(i);
+    result.bands.push_back({from, from + kBandDegrees, band.weight / total,
+                            band.weight > 0.0 ? std::sqrt(band.square / band.weight) : 0.0, band.max});
+  }
+  while (!result.bands.empty() && result.bands.back().share == 0.0) result.bands.pop_back();
+  return result;
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "known_cameras.h"
+
+#include <fca/convert/domain.h>
+#include <fca/convert/reach.h>
+
+#include <gtest/gtest.h>
+
+namespace fca {
+namespace {
+
+TEST(ReachTable, ShowsWhatBlackCornersCost) {
+  const Camera camera = test::tumvi();
+  ConvertOptions options;
+  options.model = "eucm";
+  Diagnostics diagnostics;
+  const std::vector<ReachRow> table = reach_table(camera, options, diagnostics);
+  EXPECT_TRUE(diagnostics.entries().empty());
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  ASSERT_TRUE(domain);
+  ASSERT_GE(table.size(), 4u);
+  EXPECT_DOUBLE_EQ(table[0].max_angle_deg, 90.0);
+  EXPECT_DOUBLE_EQ(table[1].max_angle_deg, 95.0);
+  EXPECT_DOUBLE_EQ(table.back().max_angle_deg, domain->max_angle_rad / test::kRadians);
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    EXPECT_GT(table[i].max_angle_deg, table[i - 1].max_angle_deg);
+    EXPECT_GT(table[i].scored, table[i - 1].scored);
+    EXPECT_GE(table[i].rms_px, table[i - 1].rms_px);
+  }
+  // LIMITS: 0.0226 px inside 97.5 degrees, 0.113 over the whole image.
+  EXPECT_LT(table[1].rms_px, 0.0226);
+  EXPECT_NEAR(table.back().rms_px, 0.113, 0.01);
+  EXPECT_NEAR(table.back().scored, 1.0, 1e-12);
+
+  // The report holds the same, if asked to.
+  options.reach = true;
+  const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+  ASSERT_TRUE(conversion);
+  ASSERT_EQ(conversion->report.reach.size(), table.size());
+  EXPECT_EQ(conversion->report.reach.back().rms_px, table.back().rms_px);
+  EXPECT_DOUBLE_EQ(conversion->report.judgement.error.rms, table.back().rms_px);
+}
+
+TEST(ReachTable, IsEmptyWithoutAChoice) {
+  ConvertOptions options;
+  options.model = "eucm";
+  Diagnostics diagnostics;
+  EXPECT_TRUE(reach_table(test::kalibr_ds(), options, diagnostics).empty());  // 57 degrees
+  options.max_angle_rad = 97.5 * test::kRadians;
+  EXPECT_TRUE(reach_table(test::tumvi(), options, diagnostics).empty());
+  options.max_angle_rad.reset();
+  options.model = "no such model";
+  EXPECT_TRUE(reach_table(test::tumvi(), options, diagnostics).empty());
+}
+
+}  // namespace
+}  // namespace fca
