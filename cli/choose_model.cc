@@ -8,15 +8,16 @@
 
 namespace fca::cli {
 
-namespace {
-
 ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice) {
   ConvertOptions options;
   options.model = stored.model;
   options.max_angle_rad = choice.max_angle_rad;
+  options.every_pixel = choice.every_pixel;
   options.ranges.assign(stored.ranges.begin(), stored.ranges.end());
   return options;
 }
+
+namespace {
 
 bool keeps(const Camera& camera, const StoredModel& stored) {
   return model_info(camera.model).id == stored.model && within(camera.model, stored.ranges);

@@ -20,8 +20,12 @@ struct CameraOutcome {
 struct ModelChoice {
   std::string model;  ///< As asked for; empty: chosen for the stock program.
   std::optional<double> max_angle_rad;
+  bool every_pixel = false;  ///< Judge by every pixel instead of the lattice.
   bool same_format = false;  ///< The cameras come from a file of the format they are written to.
 };
+
+/// What lib/convert is to be asked for, to fit a camera to what `stored` can hold.
+[[nodiscard]] ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice);
 
 /// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it
 /// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best.

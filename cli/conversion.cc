@@ -5,6 +5,7 @@
 #include "output_name.h"
 #include "words.h"
 
+#include <fca/convert/reach.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -220,6 +221,16 @@ std::optional<Calibration> read_into(const ConvertArguments& arguments, Console&
   return std::nullopt;
 }
 
+/// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
+void add_reach(const Format& to, const ModelChoice& choice, std::vector<CameraOutcome>& cameras) {
+  for (CameraOutcome& camera : cameras) {
+    const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
+    if (!camera.report || camera.report->exact || stored == nullptr) continue;
+    Diagnostics told_already;
+    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), told_already);
+  }
+}
+
 /// The steps of one conversion; false with errors.
 bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
                   ConvertOutcome& outcome) {
@@ -244,12 +255,13 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   } else if (calibration->format == outcome.to && inputs.size() == 1) {
     base.document = &calibration->documents.front();
   }
-  const ModelChoice choice = {model_for(arguments, base, *outcome.to), max_angle_rad(arguments.reading),
+  const ModelChoice choice = {model_for(arguments, base, *outcome.to), max_angle_rad(arguments.reading), arguments.every_pixel,
                               calibration->format == outcome.to};
   std::optional<std::vector<CameraOutcome>> cameras =
       convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
   if (!cameras) return false;
   outcome.cameras = *std::move(cameras);
+  add_reach(*outcome.to, choice, outcome.cameras);
   Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
   if (into) {
     rig = put_into(into->rig, std::move(rig), outcome.diagnostics);

@@ -27,6 +27,7 @@ struct ConvertArguments {
   std::string into;
   bool in_place = false;
   bool anew = false;
+  bool every_pixel = false;
   std::optional<double> fps;
   std::optional<double> max_error_px;
   std::optional<double> baseline_m;

@@ -154,6 +154,7 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       ->type_name("LAYOUT");
   command.add_option("--into", arguments.into, "Write what the input says into this file's text; its format is --to")
       ->type_name("BASE");
+  command.add_flag("--every-pixel", arguments.every_pixel, "Judge by every pixel, not by a lattice of about 5,000 points");
   command.add_flag("--anew", arguments.anew, "Write a fresh file even where the input's own text could be edited; comments go");
   command.add_flag("--in-place", arguments.in_place, "With --into: change BASE itself");
   command.add_option("--fps", arguments.fps, "Frame rate, for formats that state it")->type_name("HZ")->check(decimal_number());

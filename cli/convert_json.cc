@@ -20,6 +20,11 @@ void put_report(Json& json, const ConversionReport& report) {
     json.put("scored_share", coverage.scored);
     json.put("outside_lens_share", coverage.outside_lens);
     json.put("unrepresentable_share", coverage.unrepresentable);
+    if (coverage.scored_pixels > 0) {
+      json.put("scored_pixels", static_cast<double>(coverage.scored_pixels));
+      json.put("outside_lens_pixels", static_cast<double>(coverage.outside_lens_pixels));
+      json.put("unrepresentable_pixels", static_cast<double>(coverage.unrepresentable_pixels));
+    }
   });
   json.object("error_px", [&] {
     json.put("rms", error.rms);
@@ -29,6 +34,7 @@ void put_report(Json& json, const ConversionReport& report) {
     json.put("p99", error.p99);
     json.put("max", error.max);
     json.put("max_at", std::span<const double>(error.max_at));
+    json.put("bound", error.bound);  // null where nothing is proven
   });
   json.array("bands", report.judgement.bands, [&](const ErrorBand& band) {
     json.object([&] {
@@ -37,6 +43,15 @@ void put_report(Json& json, const ConversionReport& report) {
       json.put("share", band.share);
       json.put("rms_px", band.rms_px);
       json.put("max_px", band.max_px);
+    });
+  });
+  json.array("reach", report.reach, [&](const ReachRow& row) {
+    json.object([&] {
+      json.put("max_angle_deg", row.max_angle_deg);
+      json.put("scored_share", row.scored);
+      json.put("unrepresentable_share", row.unrepresentable);
+      json.put("rms_px", row.rms_px);
+      json.put("max_px", row.max_px);
     });
   });
   json.object("fit", [&] {

@@ -37,6 +37,19 @@ std::string band_table(const std::vector<ErrorBand>& bands) {
   return text;
 }
 
+/// A file cannot tell black corners from glass, and the choice changes the error tenfold.
+std::string reach_text(const std::vector<ReachRow>& rows) {
+  if (rows.empty()) return "";
+  constexpr std::size_t kWidth = 12;
+  std::string text = "  if the lens ends earlier and the corners are black, --max-angle DEG fits only the lens:\n    " +
+                     padded("DEG", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
+  for (const ReachRow& row : rows) {
+    text += "    " + padded(text::format_short(row.max_angle_deg, 4), kWidth) + padded(percent(row.scored), kWidth) +
+            padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) + "\n";
+  }
+  return text;
+}
+
 std::string domain_text(const Judgement& j) {
   return "  domain: " + angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + "\n";
 }
@@ -61,17 +74,13 @@ std::string report_text(const ConversionReport& report, const Format& to, const 
   std::string text = domain_text(j);
   text += "          " + coverage_text(j.coverage) + "\n";
   text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" +
-          fixed(j.error.max_at[0], 1) + ", " + fixed(j.error.max_at[1], 1) + ")\n";
+          fixed(j.error.max_at[0], 1) + ", " + fixed(j.error.max_at[1], 1) + ")" +
+          (std::isfinite(j.error.bound) ? ", proven below " + pixels(j.error.bound) + " everywhere" : "") + "\n";
   if (!report.exact) {
-    // A file cannot tell black corners from glass, and the choice changes the error tenfold.
-    constexpr double kSideways = 90.0;
-    if (j.coverage.max_angle_deg > kSideways && j.coverage.why.starts_with("the whole image")) {
-      text += "          (if the lens ends earlier and the corners are black, say so: --max-angle DEG fits only the lens)\n";
-    }
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
   }
-  text += band_table(j.bands);
+  text += band_table(j.bands) + reach_text(report.reach);
   if (!report.at_bound.empty())
     text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
   return text;
