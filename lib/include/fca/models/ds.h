@@ -44,6 +44,18 @@ struct Ds : internal::FocalLengthsFirst {
     return map<false>(p, ray, pixel);
   }
 
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    const double alpha = p[4];
+    const double xi = p[5];
+    const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const double k = xi + ray[2];
+    const double d2 = std::sqrt(r2 + k * k);
+    const double denominator = internal::unified_sum(alpha, d2, 1.0 - alpha, k, r2);
+    if (!(denominator > 0.0)) return false;
+    internal::radial_slopes<2>(p, ray, denominator, {d2 - k, alpha * k / d2 + (1.0 - alpha)}, pixel, du, dv);
+    return true;
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     const double alpha = p[4];
     const double xi = p[5];
