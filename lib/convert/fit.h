@@ -6,6 +6,7 @@
 
 #include "aspect_fit.h"
 #include "minimise.h"
+#include "orthonormal.h"
 #include "products.h"
 
 #include <fca/convert/convert.h>
@@ -115,21 +116,9 @@ class Fitter {
     if constexpr (HasTerms<M>) {
       if (const std::optional<Candidate> candidate = fit_terms(centre)) return finish(*candidate);
     }
-    std::optional<Candidate> best;
-    const std::span<const Correspondence> all = samples_;
-    const std::vector<Correspondence> few = spread(all, kCoarseSamples);
-    for (int start = 0; start < M::kStarts; ++start) {
-      Candidate candidate;
-      M::initialise(all, centre, start, candidate.values.data());
-      hold_fixed(candidate);
-      samples_ = few;
-      const bool usable = M::kStarts == 1 || polish(candidate, kCoarse);
-      samples_ = all;
-      if (usable && (!best || candidate.cost < best->cost)) best = candidate;
-    }
-    if (!best || !polish(*best, kFull)) return std::nullopt;
-    respect_bounds(*best);
-    return finish(*best);
+    std::optional<Fit<M>> best;
+    polish_all(coarse_fits(centre), best);
+    return best;
   }
 
  private:
@@ -140,17 +129,139 @@ class Fitter {
     int iterations = 0;
     bool on_all = true;  ///< The cost is that of all samples.
   };
-  static constexpr Effort kFull{};
+  /// Whoever looks at a thousandth of the error looks at a millionth of its square.
+  static constexpr Effort kFull{200, 1e-9};
   /// Which basin is deeper shows late, and only on many points, where parameters are as many as rational's.
   static constexpr bool kManyParameters = kCount > 10;
-  static constexpr Effort kCoarse{kManyParameters ? 60 : 20, 1e-6};
-  static constexpr std::size_t kCoarseSamples = kManyParameters ? 200 : 48;
+  static constexpr Effort kCoarse = kManyParameters ? Effort{60, 1e-6} : Effort{30, 1e-4};
+  static constexpr std::size_t kCoarseSamples = kManyParameters ? 100 : 32;
+
+  /// Below this, in px^2, what is left is worth a second look; below that, there is nothing.
+  static constexpr double kSmallCost = 1e-6;
+  static constexpr double kExactCost = 1e-22;
+  static constexpr double kKnown = 1e-8;  ///< Of another bottom's cost: this one is the lens.
+  static constexpr double kWorthwhile = 0.9;
 
   void hold_fixed(Candidate& candidate) const {
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
       candidate.fixed[i] = held_[i] || lower_[i] == upper_[i];
       candidate.values[i] = std::clamp(candidate.values[i], lower_[i], upper_[i]);
     }
+  }
+
+  /// Fits from the candidates until no other can be better.
+  void polish_all(std::vector<Candidate> candidates, std::optional<Fit<M>>& best) {
+    for (Candidate& candidate : candidates) {
+      if (!polish(candidate, kFull)) continue;
+      respect_bounds(candidate);
+      keep_better(finish(candidate), best);
+      if (move_inside(candidate) && polish(candidate, kFull)) {
+        respect_bounds(candidate);
+        keep_better(finish(candidate), best);
+      }
+      if (settled(*best)) return;
+    }
+  }
+
+  static void keep_better(Fit<M> fit, std::optional<Fit<M>>& best) {
+    const bool better = !best || (fit.reaches_all != best->reaches_all ? fit.reaches_all : fit.rms_px < best->rms_px);
+    if (better) best = std::move(fit);
+  }
+
+  /// Would no other start be better? One may be where a parameter ends at a bound, as the basin's bottom lies beyond it; and
+  /// where next to nothing is left, but not nothing: then another basin holds the very lens, and looked as good on few samples.
+  static bool settled(const Fit<M>& fit) {
+    const double cost = fit.rms_px * fit.rms_px;
+    return fit.at_bound.empty() && fit.reaches_all && !(cost > kExactCost && cost < kSmallCost);
+  }
+
+  /// From a bound that holds parameters a little way back inside, where they may find a bottom of their own. False if none is
+  /// held.
+  bool move_inside(Candidate& candidate) const {
+    constexpr double kALittle = 0.05;
+    bool moved = false;
+    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
+      if (!candidate.fixed[i] || held_[i] || lower_[i] == upper_[i]) continue;
+      double& value = candidate.values[i];
+      const double inside = value + (value == lower_[i] ? kALittle : -kALittle);
+      value = std::clamp(inside, lower_[i], upper_[i]);
+      candidate.fixed[i] = false;
+      moved = true;
+    }
+    return moved;
+  }
+
+  /// The model's starts, polished on a few of the samples, best first.
+  std::vector<Candidate> coarse_fits(const LensCentre& centre) {
+    const std::span<const Correspondence> all = samples_;
+    const std::vector<Correspondence> few = spread(all, kCoarseSamples);
+    samples_ = few;
+    std::vector<Candidate> starts;
+    for (int i = 0; i < M::kStarts; ++i) {
+      Candidate& start = starts.emplace_back();
+      M::initialise(few, centre, i, start.values.data());
+      hold_fixed(start);
+      start.cost = cost_of_start(start.values);
+    }
+    std::ranges::sort(starts, {}, &Candidate::cost);
+    std::vector<Candidate> polished;
+    const double first_cost = starts.front().cost;
+    for (Candidate& start : starts) {
+      // Far worse than the best start: not even the right basin's edge.
+      constexpr double kHopeless = 400.0;
+      if (!polished.empty() && start.cost > kHopeless * first_cost) break;
+      if (!polish(start, kCoarse)) continue;
+      polished.push_back(start);
+      if (start.on_all && start.cost < kExactCost) break;
+    }
+    std::ranges::sort(polished, {}, &Candidate::cost);
+    if constexpr (requires { M::kFolded; }) {
+      if (!polished.empty()) {
+        look_beyond_fold(polished);
+        std::ranges::sort(polished, {}, &Candidate::cost);
+      }
+    }
+    samples_ = all;
+    return polished;
+  }
+
+  /// A model with a fold has two bottoms that differ by little, one on each side of it. Along the valley, where the folded
+  /// parameter is set and the others follow, the way leads across.
+  void look_beyond_fold(std::vector<Candidate>& polished) {
+    constexpr double kNearlyExact = 1e-3;  // px^2: worse, and no lens of this model is behind the samples
+    // The most likely ones first; the others where a lens of this model seems to be.
+    constexpr std::array kSteps = {0.15, -0.15, 0.4, -0.4, 0.06, -0.06, 0.02, -0.02, 0.1, -0.1, 0.03, -0.03, 0.7, -0.7};
+    constexpr std::size_t kLikely = 2;
+    const Candidate from = polished.front();
+    if (!from.on_all || from.cost > kNearlyExact) return;
+    const double exact = std::max(kExactCost, kKnown * from.cost);
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+      if (polished.back().cost <= exact || from.cost <= kExactCost) return;
+      if (i >= kLikely && from.cost > kSmallCost) return;
+      Candidate candidate = from;
+      double& folded = candidate.values[M::kFolded];
+      if (candidate.fixed[M::kFolded] || !(folded + kSteps[i] > lower_[M::kFolded])) continue;
+      folded += kSteps[i];
+      candidate.fixed[M::kFolded] = true;
+      const bool followed = polish(candidate, kCoarse);
+      candidate.fixed[M::kFolded] = false;
+      if (followed && polish(candidate, kCoarse)) polished.push_back(candidate);
+    }
+  }
+
+  /// Mean squared distance, one that is missed counting as much as a wide image.
+  double cost_of_start(const Values& values) const {
+    constexpr double kMissed = 1e6;  // px^2
+    double cost = 0.0;
+    for (const Correspondence& s : samples_) {
+      double pixel[2];
+      const bool seen = M::formula(values.data(), s.ray.data(), pixel);
+      const double du = pixel[0] - s.pixel[0];
+      const double dv = pixel[1] - s.pixel[1];
+      const double squared = seen ? du * du + dv * dv : kMissed;
+      cost += s.weight * (squared < kMissed ? squared : kMissed);
+    }
+    return cost;
   }
 
   /// Without a start, where no range of a parameter gets in the way.
@@ -217,8 +328,53 @@ class Fitter {
     candidate.cost = minimum.cost;
     candidate.iterations += minimum.iterations;
     candidate.on_all = active_.size() == samples_.size();
+    if (minimum.cost < kSmallCost) refine(candidate, effort, std::span(free).first(count));
     candidate.values = merged(candidate, free.data());
     return true;
+  }
+
+  /// The same in coordinates in which the Jacobian's columns are orthonormal at the start: J'J squares the condition of J, and
+  /// where next to nothing is left to gain, in a valley, the way is lost in its rounding. Again while that helps, because the
+  /// coordinates are those of one point.
+  void refine(Candidate& candidate, const Effort& effort, std::span<double> free) {
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds && candidate.cost > kExactCost; ++round) {
+      if (!linearise(merged(candidate, free.data()))) return;
+      linearised_at_.reset();
+      const std::size_t rows = 2 * active_.size();
+      orthonormal_.reset(rows, free_columns_.size());
+      for (const Column& column : free_columns_) orthonormal_.add(column.data);
+      const Values centre = [&] {
+        Values values{};
+        std::ranges::copy(free, values.begin());
+        return values;
+      }();
+      const auto free_at = [&](const double* y) {
+        Values values = centre;
+        orthonormal_.step(y, values.data());
+        return values;
+      };
+      const Evaluate evaluate_at = [&](const double* y, NormalEquations& sums) {
+        if (sums.gradient.empty()) return this->evaluate(candidate, free_at(y).data(), sums);
+        const Values values = merged(candidate, free_at(y).data());
+        if (linearised_at_ != values && !linearise(values)) return false;
+        linearised_at_ = values;
+        orthonormal_.transform(free_columns_, moved_);
+        const Column r{residuals(), 0, rows};
+        products(std::span(&r, 1), r, &sums.cost);
+        products(orthonormal_.columns(moved_), r, sums.gradient.data());
+        products(orthonormal_.columns(moved_), sums.hessian.data());
+        return true;
+      };
+      Values y{};
+      const Minimum minimum = minimise(evaluate_at, effort, std::span(y).first(free.size()));
+      if (!minimum.usable || !(minimum.cost < candidate.cost)) return;
+      std::copy_n(free_at(y.data()).begin(), free.size(), free.begin());
+      const bool helps = minimum.cost < kWorthwhile * candidate.cost;
+      candidate.cost = minimum.cost;
+      candidate.iterations += minimum.iterations;
+      if (!helps) return;
+    }
   }
 
   static Values merged(const Candidate& candidate, const double* free) {
@@ -384,6 +540,8 @@ class Fitter {
   std::vector<Correspondence> active_;
   std::vector<double> roots_;    ///< Of the active samples' weights.
   std::vector<double> numbers_;  ///< See prepare().
+  std::vector<double> moved_;    ///< The Jacobian in other coordinates.
+  Orthonormal orthonormal_;
   std::vector<Column> free_columns_;
   std::optional<Values> linearised_at_;
   Values lower_{};

@@ -91,8 +91,7 @@ Minimum minimise_padded(const Evaluate& evaluate, const Effort& effort, double s
   // TinySolver's tolerance is absolute, in the cost's unit: first one for costs that nobody sees, then, where the cost turns
   // out to be small or began high, one that fits it.
   constexpr double kNobodySees = 1e-13;  // px^2
-  constexpr double kRounding = 1e-15;
-  double tolerance = std::max(kNobodySees, kRounding * start_cost);
+  double tolerance = std::max(kNobodySees, effort.relative_gain * start_cost);
   Minimum minimum{true, start_cost, 0};
   for (;;) {
     solver.options.function_tolerance = tolerance;

@@ -76,7 +76,9 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              (optional) for a model that is linear in all else once fy / fx is given:
 ///                              u = cx + c . along_u,  v = cy + aspect c . along_v; false where a ray has no pixel. Such a
 ///                              model is fitted without a start.
-///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them a
+///   kFolded                    (optional) the index of a parameter along which a fit has two bottoms with nearly the same
+///   pixels. kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller
+///   gives them a
 ///                              range.
 ///
 /// Nothing is assumed of the order or the names of the parameters.
