@@ -117,7 +117,21 @@ class Fitter {
       if (const std::optional<Candidate> candidate = fit_terms(centre)) return finish(*candidate);
     }
     std::optional<Fit<M>> best;
-    polish_all(coarse_fits(centre), best);
+    std::vector<Candidate> candidates = coarse_fits(centre);
+    if (candidates.empty()) return std::nullopt;
+    polish_all(candidates, best);
+    if constexpr (requires { M::kFolded; }) {
+      // Close to the fold a few samples do not tell its sides apart.
+      if (best && !settled(*best) && best->at_bound.empty()) {
+        Candidate found = candidates.front();
+        found.values = best->parameters;
+        found.cost = best->rms_px * best->rms_px;
+        std::vector<Candidate> beyond = {found};
+        look_beyond_fold(beyond, kFull);
+        std::ranges::sort(beyond, {}, &Candidate::cost);
+        polish_all(beyond, best);
+      }
+    }
     return best;
   }
 
@@ -150,7 +164,7 @@ class Fitter {
   }
 
   /// Fits from the candidates until no other can be better.
-  void polish_all(std::vector<Candidate> candidates, std::optional<Fit<M>>& best) {
+  void polish_all(std::vector<Candidate>& candidates, std::optional<Fit<M>>& best) {
     for (Candidate& candidate : candidates) {
       if (!polish(candidate, kFull)) continue;
       respect_bounds(candidate);
@@ -217,7 +231,7 @@ class Fitter {
     std::ranges::sort(polished, {}, &Candidate::cost);
     if constexpr (requires { M::kFolded; }) {
       if (!polished.empty()) {
-        look_beyond_fold(polished);
+        look_beyond_fold(polished, kCoarse);
         std::ranges::sort(polished, {}, &Candidate::cost);
       }
     }
@@ -227,7 +241,7 @@ class Fitter {
 
   /// A model with a fold has two bottoms that differ by little, one on each side of it. Along the valley, where the folded
   /// parameter is set and the others follow, the way leads across.
-  void look_beyond_fold(std::vector<Candidate>& polished) {
+  void look_beyond_fold(std::vector<Candidate>& polished, const Effort& effort) {
     constexpr double kNearlyExact = 1e-3;  // px^2: worse, and no lens of this model is behind the samples
     // The most likely ones first; the others where a lens of this model seems to be.
     constexpr std::array kSteps = {0.15, -0.15, 0.4, -0.4, 0.06, -0.06, 0.02, -0.02, 0.1, -0.1, 0.03, -0.03, 0.7, -0.7};
@@ -243,9 +257,9 @@ class Fitter {
       if (candidate.fixed[M::kFolded] || !(folded + kSteps[i] > lower_[M::kFolded])) continue;
       folded += kSteps[i];
       candidate.fixed[M::kFolded] = true;
-      const bool followed = polish(candidate, kCoarse);
+      const bool followed = polish(candidate, effort);
       candidate.fixed[M::kFolded] = false;
-      if (followed && polish(candidate, kCoarse)) polished.push_back(candidate);
+      if (followed && polish(candidate, effort)) polished.push_back(candidate);
     }
   }
 
