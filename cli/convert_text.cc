@@ -22,7 +22,7 @@ std::string camera_line(const CameraOutcome& camera) {
 std::string coverage_text(const Coverage& coverage) {
   std::string text = percent(coverage.scored) + " of the image scored";
   if (coverage.outside_lens > 0.0005) text += ", " + percent(coverage.outside_lens) + " outside the lens";
-  if (coverage.unrepresentable > 0.0005) text += ", " + percent(coverage.unrepresentable) + " beyond the target's reach";
+  if (coverage.unrepresentable > 0.0005) text += ", " + percent(coverage.unrepresentable) + " beyond what was scored";
   return text;
 }
 

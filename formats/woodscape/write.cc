@@ -109,8 +109,8 @@ text::Document edited(const text::Document& base, const Rig& old, const Camera& 
 /// The frame that stands for the vehicle: its own, else the first camera's. Identities for all would state that they sit in one
 /// place.
 std::string reference_frame(const Rig& rig) {
-  const bool in_vehicle = std::ranges::any_of(
-      rig.cameras, [&rig](const Camera& camera) { return rig.resolve(kVehicle, camera.name).has_value(); });
+  const bool in_vehicle =
+      std::ranges::any_of(rig.cameras, [&rig](const Camera& camera) { return rig.resolve(kVehicle, camera.name).has_value(); });
   return in_vehicle ? std::string(kVehicle) : rig.cameras.front().name;
 }
 

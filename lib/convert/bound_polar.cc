@@ -87,6 +87,8 @@ void polar_form(const Intrinsics<Ucm>& model, const AngleSeries& angle, PolarSer
 }
 
 void polar_form(const Intrinsics<Eucm>& model, const AngleSeries& angle, PolarSeries& form) {
+  // Without alpha beta counts for nothing, and a fit may leave any number there.
+  if (model.values[4] == 0.0) return set_focal(form, model.values.data(), angle.sine / angle.cosine);
   const double* p = model.values.data();
   // d^2 = beta sin^2 + cos^2 = beta + (1 - beta) cos^2
   const Series d = sqrt(exactly(p[5]) + (exactly(1.0) - exactly(p[5])) * (angle.cosine * angle.cosine));

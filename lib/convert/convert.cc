@@ -78,9 +78,11 @@ void warn_of_cone(const Job& job, double cone_rad, Diagnostics& diagnostics) {
   const auto degrees = std::to_string(std::lround(cone_rad / kRadiansPerDegree));
   diagnostics.warning("target-cannot-reach",
                       job.camera.name + ": " + std::string(job.target.id) +
-                          " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
-                          " deg from the axis and gives wrong pixels or none beyond",
-                      {}, "kb4, eucm and ds reach further");
+                          " cannot describe this lens as far as the domain goes; it was fitted and is scored inside " +
+                          degrees + " deg from the axis, and gives wrong pixels or none beyond",
+                      {},
+                      "models that reach further: " + std::string(job.target.id == "kb4" ? "" : "kb4, ") +
+                          "ocamcalib, woodscape; fca-io models FILE compares all");
 }
 
 /// The fit to the whole domain or, if the target cannot describe that, to the largest cone.
@@ -172,6 +174,27 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   return conversion;
 }
 
+/// Are ranges and samples what a fit can work with?
+bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics& diagnostics) {
+  constexpr int kMostSamples = 100'000;
+  if (options.samples < 1 || options.samples > kMostSamples) {
+    diagnostics.error("samples-invalid", "a fit wants between 1 and " + std::to_string(kMostSamples) + " samples");
+    return false;
+  }
+  for (const ParameterRange& range : options.ranges) {
+    if (std::ranges::find(target.parameters, range.parameter, &Parameter::name) == target.parameters.end()) {
+      diagnostics.error("unknown-parameter",
+                        std::string(target.id) + " has no parameter '" + std::string(range.parameter) + "'");
+      return false;
+    }
+    if (!(range.lower <= range.upper)) {
+      diagnostics.error("range-empty", "the range of " + std::string(range.parameter) + " holds no number");
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 bool within(const CameraModel& model, std::span<const ParameterRange> ranges) {
@@ -187,6 +210,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
     diagnostics.error("unknown-model", "there is no camera model '" + options.model + "'");
     return std::nullopt;
   }
+  if (!usable(options, *target, diagnostics)) return std::nullopt;
   std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
   if (!domain) return std::nullopt;
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};

@@ -78,6 +78,11 @@ std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limi
 
   const double limit = limit_rad.value_or(std::numbers::pi);
   const double largest = largest_angle(camera.model, size, limit);
+  if (largest < 0.0 && limit_rad && largest_angle(camera.model, size, std::numbers::pi) >= 0.0) {
+    diagnostics.error("no-pixel-in-the-lens", camera.name + ": no pixel of the image lies within that angle of the axis", {},
+                      "a larger --max-angle");
+    return std::nullopt;
+  }
   if (largest < 0.0) {
     diagnostics.error("no-pixel-has-a-ray", camera.name + ": the model gives no ray for any pixel of the " +
                                                 std::to_string(size.width) + " x " + std::to_string(size.height) +

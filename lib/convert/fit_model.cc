@@ -80,6 +80,15 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
                                      std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
+  if (!best || !best->reaches_all) {
+    // A highest coefficient bends the radius back before the edge of a wide lens; without it the same model may reach.
+    std::vector<ParameterRange> shorter(ranges.begin(), ranges.end());
+    if (id == Radtan::kId) shorter.push_back({"k3", 0.0, 0.0});
+    if (shorter.size() > ranges.size()) {
+      std::optional<FittedModel> without = fit_from_own_starts(id, samples, centre, shorter);
+      if (without && better(*without, best)) best = std::move(without);
+    }
+  }
   const std::string_view inner = contained_model(id);
   if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
   if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges)) {

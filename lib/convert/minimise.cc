@@ -2,69 +2,126 @@
 #include "minimise.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
-#include <ceres/cost_function.h>
-#include <ceres/problem.h>
-#include <ceres/solver.h>
+#include <ceres/tiny_solver.h>
+#include <Eigen/Core>
 
 namespace fca::internal {
 
 namespace {
 
-/// All points as one residual block: per-point blocks cost twice the time (LIMITS.md, speed of the core).
-class BatchedCost : public ceres::CostFunction {
+/// The cost as Ceres' TinySolver wants it, compressed: with J'J = L L', the P + 1 residuals [w; sqrt(r'r - w'w)], L w = J'r,
+/// and their Jacobian [L'; 0] have the same cost, gradient and normal equations as the hundreds of rows they stand for.
+/// (LIMITS.md: a fifth of the time of a Ceres problem with a block per point.) Parameters beyond those asked for are there to
+/// round the size up; nothing depends on them.
+template <int kSize>
+class CompressedCost {
  public:
-  BatchedCost(const Residuals& evaluate, int residuals, int parameters) : evaluate_(evaluate) {
-    set_num_residuals(residuals);
-    mutable_parameter_block_sizes()->push_back(parameters);
-  }
+  using Scalar = double;
+  enum { NUM_RESIDUALS = kSize + 1, NUM_PARAMETERS = kSize };
 
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    double* const jacobian = jacobians != nullptr ? jacobians[0] : nullptr;
-    if (!evaluate_(parameters[0], residuals, jacobian)) return false;
-    // A derivative that is no number (at an edge of the domain) would be reported on Ceres' log, whatever the logging type is.
-    if (jacobian != nullptr) {
-      std::replace_if(
-          jacobian, jacobian + num_residuals() * parameter_block_sizes()[0], [](double d) { return !std::isfinite(d); }, 0.0);
+  CompressedCost(const Evaluate& evaluate, std::size_t count) : evaluate_(evaluate), count_(count) {}
+
+  /// TinySolver does not look at the result of a trial step: one that cannot be evaluated must cost more than any other.
+  bool operator()(const double* parameters, double* residuals, double* jacobian) const {
+    std::fill_n(residuals, kSize + 1, 0.0);
+    NormalEquations sums;
+    if (jacobian == nullptr) {
+      constexpr double kWorst = 1e100;
+      const bool valid = evaluate_(parameters, sums) && std::isfinite(sums.cost);
+      residuals[kSize] = valid ? std::sqrt(sums.cost) : kWorst;
+      return valid;
     }
+    std::array<double, kSize * kSize> hessian{};
+    std::array<double, kSize> gradient{};
+    sums.gradient = std::span(gradient).first(count_);
+    sums.hessian = std::span(hessian).first(count_ * count_);
+    std::fill_n(jacobian, (kSize + 1) * kSize, 0.0);
+    if (!evaluate_(parameters, sums) || !std::isfinite(sums.cost)) return false;
+    compress(sums, residuals, jacobian);
     return true;
   }
 
  private:
-  const Residuals& evaluate_;
+  void compress(const NormalEquations& sums, double* residuals, double* jacobian) const {
+    // Column-major: element (row i of L', column j) = L_ji is jacobian[j * (kSize + 1) + i].
+    const auto lower = [jacobian](std::size_t j, std::size_t i) -> double& { return jacobian[j * (kSize + 1) + i]; };
+    double rest = sums.cost;
+    for (std::size_t i = 0; i < count_; ++i) {
+      double pivot = sums.hessian[i * count_ + i];
+      const double smallest = std::numeric_limits<double>::epsilon() * pivot;
+      for (std::size_t k = 0; k < i; ++k) pivot -= lower(i, k) * lower(i, k);
+      // A direction that the others already span, to rounding: no derivative of its own.
+      if (!(pivot > smallest)) continue;
+      const double root = std::sqrt(pivot);
+      lower(i, i) = root;
+      double w = sums.gradient[i];
+      for (std::size_t k = 0; k < i; ++k) w -= lower(i, k) * residuals[k];
+      residuals[i] = w / root;
+      rest -= residuals[i] * residuals[i];
+      for (std::size_t j = i + 1; j < count_; ++j) {
+        double sum = sums.hessian[i * count_ + j];
+        for (std::size_t k = 0; k < i; ++k) sum -= lower(i, k) * lower(j, k);
+        lower(j, i) = sum / root;
+      }
+    }
+    residuals[kSize] = std::sqrt(std::max(0.0, rest));
+  }
+
+  const Evaluate& evaluate_;
+  std::size_t count_;
 };
+
+template <int kSize>
+Minimum minimise_padded(const Evaluate& evaluate, const Effort& effort, double start_cost, std::span<double> parameters) {
+  const CompressedCost<kSize> cost(evaluate, parameters.size());
+  ceres::TinySolver<CompressedCost<kSize>> solver;
+  typename ceres::TinySolver<CompressedCost<kSize>>::Parameters x;
+  x.setZero();
+  std::ranges::copy(parameters, x.data());
+
+  solver.options.initial_trust_region_radius = 1e6;  // starts are good: begin close to Gauss-Newton
+  solver.options.gradient_tolerance = 0.0;
+  solver.options.cost_threshold = 0.0;
+  solver.options.parameter_tolerance = 1e-15;
+  // TinySolver's tolerance is absolute, in the cost's unit: first one for costs that nobody sees, then, where the cost turns
+  // out to be small or began high, one that fits it.
+  constexpr double kNobodySees = 1e-13;  // px^2
+  double tolerance = std::max(kNobodySees, effort.relative_gain * start_cost);
+  Minimum minimum{true, start_cost, 0};
+  for (;;) {
+    solver.options.function_tolerance = tolerance;
+    solver.options.max_num_iterations = effort.max_iterations - minimum.iterations;
+    const auto& summary = solver.Solve(cost, &x);
+    minimum.iterations += std::max(1, summary.iterations);
+    minimum.cost = 2.0 * summary.final_cost;
+    constexpr double kExact = 1e-24;  // px^2
+    constexpr double kMuchSmaller = 100.0;
+    const double fitting = std::max(kExact, effort.relative_gain * minimum.cost);
+    if (tolerance < kMuchSmaller * fitting || minimum.iterations >= effort.max_iterations) break;
+    tolerance = fitting;
+  }
+  std::copy_n(x.data(), parameters.size(), parameters.begin());
+  return minimum;
+}
 
 }  // namespace
 
-Minimum minimise(const Residuals& evaluate, int residuals, int max_iterations, std::vector<double>& parameters) {
-  // Asked here, because Ceres would report a start it cannot evaluate on its log.
-  std::vector<double> start(static_cast<std::size_t>(residuals));
-  if (!evaluate(parameters.data(), start.data(), nullptr)) return {};
-  if (!std::isfinite(std::inner_product(start.begin(), start.end(), start.begin(), 0.0))) return {};
-
-  ceres::Problem::Options ownership;
-  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  BatchedCost cost(evaluate, residuals, static_cast<int>(parameters.size()));
-  ceres::Problem problem(ownership);
-  problem.AddResidualBlock(&cost, nullptr, parameters.data());
-
-  ceres::Solver::Options options;
-  // QR, not the normal equations: the models' valleys are so flat that squaring their condition number loses the way.
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  options.max_num_consecutive_invalid_steps = max_iterations + 1;  // running into this limit would be logged
-  options.max_num_iterations = max_iterations;
-  options.initial_trust_region_radius = 1e6;  // starts are good: begin close to Gauss-Newton
-  options.max_trust_region_radius = 1e32;
-  options.function_tolerance = 1e-14;
-  options.parameter_tolerance = 1e-14;
-  options.gradient_tolerance = 1e-18;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  return {summary.IsSolutionUsable(), 2.0 * summary.final_cost, summary.num_successful_steps + summary.num_unsuccessful_steps};
+Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<double> parameters) {
+  NormalEquations sums;
+  if (!evaluate(parameters.data(), sums) || !std::isfinite(sums.cost)) return {};
+  // One instance per size would take long to compile.
+  constexpr int kSmall = 6;
+  constexpr int kMiddle = 9;
+  constexpr int kLarge = 14;
+  assert(parameters.size() <= kLarge);
+  if (parameters.size() <= kSmall) return minimise_padded<kSmall>(evaluate, effort, sums.cost, parameters);
+  if (parameters.size() <= kMiddle) return minimise_padded<kMiddle>(evaluate, effort, sums.cost, parameters);
+  return minimise_padded<kLarge>(evaluate, effort, sums.cost, parameters);
 }
 
 }  // namespace fca::internal

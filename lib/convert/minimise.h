@@ -4,13 +4,20 @@
 #pragma once
 
 #include <functional>
-#include <vector>
+#include <span>
 
 namespace fca::internal {
 
-/// Fills `residuals` and, unless it is null, `jacobian` (row-major, one row per residual, one column per parameter). False
-/// where a point cannot be projected: the solver then rejects the step.
-using Residuals = std::function<bool(const double* parameters, double* residuals, double* jacobian)>;
+/// Sums over all residuals r and their derivatives J (one column per parameter): what a step of the solver needs of them.
+struct NormalEquations {
+  double cost = 0.0;             ///< r'r
+  std::span<double> gradient{};  ///< J'r
+  std::span<double> hessian{};   ///< J'J, row-major; the upper triangle is enough
+};
+
+/// Evaluates at `parameters`; the sums of derivatives only where their spans are not empty. False where a point cannot be
+/// projected: the solver then rejects the step.
+using Evaluate = std::function<bool(const double* parameters, NormalEquations& sums)>;
 
 struct Minimum {
   bool usable = false;  ///< false: not even the start could be evaluated
@@ -18,7 +25,14 @@ struct Minimum {
   int iterations = 0;
 };
 
-/// Minimises the sum of squared residuals from `parameters`, in place.
-Minimum minimise(const Residuals& evaluate, int residuals, int max_iterations, std::vector<double>& parameters);
+/// Where a minimisation may end.
+struct Effort {
+  int max_iterations = 200;
+  /// No further if a step gained less than this share of the cost.
+  double relative_gain = 1e-12;
+};
+
+/// Minimises the sum of squared residuals from `parameters` (at most 14), in place.
+Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<double> parameters);
 
 }  // namespace fca::internal

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 namespace fca {
@@ -16,13 +17,15 @@ struct Node {
   double weight;    ///< the weights sum to 1
 };
 
-/// Gauss-Legendre nodes on (0, 1): roots of the Legendre polynomial P_n by Newton's method from the classic starting values.
-std::vector<Node> gauss_legendre(int n) {
-  std::vector<Node> nodes;
-  for (int i = 0; i < n; ++i) {
-    double x = std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
+/// Gauss-Legendre nodes on (0, 1): roots of the Legendre polynomial P_n by Newton's method from Tricomi's starting values. The
+/// other half mirrors them.
+std::vector<Node> compute_gauss_legendre(int n) {
+  std::vector<Node> nodes(static_cast<std::size_t>(n));
+  for (int i = 0; i < (n + 1) / 2; ++i) {
+    double x = (1.0 - (n - 1.0) / (8.0 * n * n * n)) * std::cos(std::numbers::pi * (4.0 * i + 3.0) / (4.0 * n + 2.0));
     double slope = 1.0;
-    for (int iteration = 0; iteration < 8; ++iteration) {
+    constexpr int kMostSteps = 8;
+    for (int iteration = 0; iteration < kMostSteps; ++iteration) {
       double p = 1.0;
       double previous = 0.0;
       for (int k = 0; k < n; ++k) {
@@ -32,67 +35,134 @@ std::vector<Node> gauss_legendre(int n) {
       }
       slope = n * (x * p - previous) / (x * x - 1.0);
       x -= p / slope;
+      if (std::abs(p / slope) < 1e-15) break;
     }
-    nodes.push_back({0.5 * (1.0 - x), 1.0 / ((1.0 - x * x) * slope * slope)});
+    const double weight = 1.0 / ((1.0 - x * x) * slope * slope);
+    nodes[static_cast<std::size_t>(i)] = {0.5 * (1.0 - x), weight};
+    nodes[static_cast<std::size_t>(n - 1 - i)] = {0.5 * (1.0 + x), weight};
   }
   return nodes;
 }
 
-void add_if_seen(const CameraModel& source, const Domain& domain, const Pixel& pixel, double weight,
-                 std::vector<Correspondence>& samples) {
-  if (const std::optional<Ray> ray = domain.ray(source, pixel)) samples.push_back({*ray, pixel, weight});
+/// The same, remembered: every conversion asks for the same few, and they take as long as the pixels.
+const std::vector<Node>& gauss_legendre(int n) {
+  thread_local std::map<int, std::vector<Node>> known;
+  std::vector<Node>& nodes = known[n];
+  if (nodes.empty()) nodes = compute_gauss_legendre(n);
+  return nodes;
+}
+
+/// The domain's rays. Domain::ray asks for an angle, which takes longer than most models' rays; nearly always their height
+/// decides.
+class Rays {
+ public:
+  Rays(const CameraModel& source, const Domain& domain)
+      : source_(source), domain_(domain), lowest_(std::cos(domain.max_angle_rad)) {}
+
+  [[nodiscard]] std::optional<Ray> operator()(const Pixel& pixel) const {
+    std::optional<Ray> ray = unproject(source_, pixel);
+    constexpr double kUnclear = 1e-9;
+    if (!ray || (*ray)[2] > lowest_ + kUnclear) return ray;
+    if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > domain_.max_angle_rad) return std::nullopt;
+    return ray;
+  }
+  [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
+  /// Beyond the domain's limit, in radians; nothing where the source has no ray.
+  [[nodiscard]] std::optional<double> beyond(const Pixel& pixel) const {
+    const std::optional<Ray> ray = unproject(source_, pixel);
+    if (!ray) return std::nullopt;
+    return angle_from_axis(*ray) - domain_.max_angle_rad;
+  }
+  [[nodiscard]] const ImageSize& size() const { return domain_.size; }
+
+ private:
+  const CameraModel& source_;
+  const Domain& domain_;
+  double lowest_;  ///< Cosine of the limit.
+};
+
+void add_if_seen(const Rays& rays, const Pixel& pixel, double weight, std::vector<Correspondence>& samples) {
+  if (const std::optional<Ray> ray = rays(pixel)) samples.push_back({*ray, pixel, weight});
 }
 
 /// Tensor of Gauss-Legendre nodes over the whole image; points outside the lens fall away.
-std::vector<Correspondence> sample_rectangle(const CameraModel& source, const Domain& domain, int count) {
-  const double width = domain.size.width - 1.0;
-  const double height = domain.size.height - 1.0;
+std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
+  const double width = rays.size().width - 1.0;
+  const double height = rays.size().height - 1.0;
   const double aspect = std::clamp((width + 1.0) / (height + 1.0), 0.1, 10.0);
   const int columns = std::max(2, static_cast<int>(std::lround(std::sqrt(count * aspect))));
   const int rows = std::max(2, static_cast<int>(std::lround(static_cast<double>(count) / columns)));
   std::vector<Correspondence> samples;
-  const std::vector<Node> vertical = gauss_legendre(rows);
+  samples.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  const std::vector<Node>& vertical = gauss_legendre(rows);
   for (const Node& u : gauss_legendre(columns)) {
     for (const Node& v : vertical) {
-      add_if_seen(source, domain, {u.position * width, v.position * height}, u.weight * v.weight, samples);
+      add_if_seen(rays, {u.position * width, v.position * height}, u.weight * v.weight, samples);
     }
   }
   return samples;
 }
 
-/// How far the domain reaches from a centre on one azimuth, and what ends it there.
-struct Reach {
-  double distance = 0.0;
-  bool at_border = true;  ///< else the lens ends first
-};
-
-/// Angles grow along the way, so bisection finds the lens's edge.
-Reach reach(const CameraModel& source, const Domain& domain, const Pixel& centre, double azimuth) {
-  const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
-  const Pixel last = {domain.size.width - 1.0, domain.size.height - 1.0};
+/// How far the image reaches from a centre in a direction.
+double distance_to_border(const ImageSize& size, const Pixel& centre, const Pixel& direction) {
+  const Pixel last = {size.width - 1.0, size.height - 1.0};
   double far = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < direction.size(); ++k) {
     if (direction[k] > 0.0) far = std::min(far, (last[k] - centre[k]) / direction[k]);
     if (direction[k] < 0.0) far = std::min(far, -centre[k] / direction[k]);
   }
-  const auto inside = [&](double distance) {
-    return domain.ray(source, {centre[0] + distance * direction[0], centre[1] + distance * direction[1]}).has_value();
-  };
   constexpr double kJustInside = 1.0 - 1e-12;  // rounding must not put the border outside the image
-  if (inside(far * kJustInside)) return {far * kJustInside, true};
+  return far * kJustInside;
+}
+
+Pixel along(const Pixel& centre, const Pixel& direction, double distance) {
+  return {centre[0] + distance * direction[0], centre[1] + distance * direction[1]};
+}
+
+/// Does the lens fill the image on that azimuth?
+bool reaches_border(const Rays& rays, const Pixel& centre, double azimuth) {
+  const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
+  return rays.has(along(centre, direction, distance_to_border(rays.size(), centre, direction)));
+}
+
+/// How far the domain reaches on that azimuth: to the border, or to the lens's edge. Angles grow along the way, so a bracket
+/// finds the edge: by regula falsi (Illinois) where the source's rays go on beyond it, by halving where they end.
+double reach(const Rays& rays, const Pixel& centre, double azimuth) {
+  const Pixel direction = {std::cos(azimuth), std::sin(azimuth)};
+  double far = distance_to_border(rays.size(), centre, direction);
+  std::optional<double> beyond_far = rays.beyond(along(centre, direction, far));
+  if (beyond_far && *beyond_far <= 0.0) return far;
   double near = 0.0;
-  constexpr int kHalvings = 40;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (near + far);
-    (inside(middle) ? near : far) = middle;
+  double beyond_near = rays.beyond(centre).value_or(-1.0);
+  bool near_moved = false;
+  constexpr int kMostSteps = 60;
+  constexpr double kCloseEnough = 1e-9;  // px
+  for (int i = 0; i < kMostSteps && far - near > kCloseEnough; ++i) {
+    const bool interpolate = beyond_far && beyond_near < 0.0;
+    const double share = interpolate ? beyond_near / (beyond_near - *beyond_far) : 0.5;
+    const double middle = near + share * (far - near);
+    const std::optional<double> beyond = rays.beyond(along(centre, direction, middle));
+    constexpr double kOnTheEdge = 1e-13;  // rad
+    if (beyond && std::abs(*beyond) < kOnTheEdge) return middle;
+    if (beyond && *beyond <= 0.0) {
+      if (near_moved && beyond_far) *beyond_far *= 0.5;
+      near = middle;
+      beyond_near = *beyond;
+      near_moved = true;
+    } else {
+      if (!near_moved && i > 0) beyond_near *= 0.5;
+      far = middle;
+      beyond_far = beyond;
+      near_moved = false;
+    }
   }
-  return {near, false};
+  return near;
 }
 
 /// Azimuths between which the domain's edge is smooth: the image's corners, and where the edge changes between border and lens.
-std::vector<double> smooth_pieces(const CameraModel& source, const Domain& domain, const Pixel& centre) {
-  const double width = domain.size.width - 1.0;
-  const double height = domain.size.height - 1.0;
+std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
+  const double width = rays.size().width - 1.0;
+  const double height = rays.size().height - 1.0;
   std::vector<double> corners;
   for (const Pixel& corner : {Pixel{width, height}, Pixel{0.0, height}, Pixel{0.0, 0.0}, Pixel{width, 0.0}}) {
     double azimuth = std::atan2(corner[1] - centre[1], corner[0] - centre[0]);
@@ -101,7 +171,7 @@ std::vector<double> smooth_pieces(const CameraModel& source, const Domain& domai
   }
   corners.push_back(corners.front() + 2.0 * std::numbers::pi);
 
-  const auto at_border = [&](double azimuth) { return reach(source, domain, centre, azimuth).at_border; };
+  const auto at_border = [&](double azimuth) { return reaches_border(rays, centre, azimuth); };
   constexpr int kStepsPerSide = 12;
   std::vector<double> pieces = {corners.front()};
   for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
@@ -110,11 +180,13 @@ std::vector<double> smooth_pieces(const CameraModel& source, const Domain& domai
     const auto azimuth_of = [&](int step) {
       return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, 1e-9, 1.0 - 1e-9);
     };
+    bool kind_after = false;
     for (int step = 0; step < kStepsPerSide; ++step) {
       double before = azimuth_of(step);
       double after = azimuth_of(step + 1);
-      const bool kind = at_border(before);
-      if (at_border(after) == kind) continue;
+      const bool kind = step == 0 ? at_border(before) : kind_after;
+      kind_after = at_border(after);
+      if (kind_after == kind) continue;
       constexpr int kHalvings = 30;
       for (int i = 0; i < kHalvings; ++i) {
         const double middle = 0.5 * (before + after);
@@ -128,15 +200,15 @@ std::vector<double> smooth_pieces(const CameraModel& source, const Domain& domai
 }
 
 /// Polar around the principal point.
-std::vector<Correspondence> sample_polar(const CameraModel& source, const Domain& domain, const Pixel& centre, int count) {
-  const std::vector<double> pieces = smooth_pieces(source, domain, centre);
+std::vector<Correspondence> sample_polar(const Rays& rays, const Pixel& centre, int count) {
+  const std::vector<double> pieces = smooth_pieces(rays, centre);
   // Errors change fast along the radius (tan^7 for radtan) and slowly around it: three azimuths a piece, and radii as many as
   // are left.
   constexpr int kAzimuthsPerPiece = 3;
   constexpr int kFewestRadii = 10;
   constexpr int kMostRadii = 40;
   const int radial = std::clamp(count / (kAzimuthsPerPiece * static_cast<int>(pieces.size() - 1)), kFewestRadii, kMostRadii);
-  const std::vector<Node> radii = gauss_legendre(radial);
+  const std::vector<Node>& radii = gauss_legendre(radial);
   const double azimuths_per_radian = count / (radial * 2.0 * std::numbers::pi);
   std::vector<Correspondence> samples;
   for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
@@ -144,22 +216,22 @@ std::vector<Correspondence> sample_polar(const CameraModel& source, const Domain
     for (const Node& azimuth :
          gauss_legendre(std::max(kAzimuthsPerPiece, static_cast<int>(std::lround(azimuths_per_radian * span))))) {
       const double phi = pieces[piece] + azimuth.position * span;
-      const double edge = reach(source, domain, centre, phi).distance;
+      const Pixel direction = {std::cos(phi), std::sin(phi)};
+      const double edge = reach(rays, centre, phi);
       for (const Node& radius : radii) {
         const double distance = radius.position * edge;
-        add_if_seen(source, domain, {centre[0] + distance * std::cos(phi), centre[1] + distance * std::sin(phi)},
-                    azimuth.weight * span * radius.weight * edge * distance, samples);
+        add_if_seen(rays, along(centre, direction, distance), azimuth.weight * span * radius.weight * edge * distance, samples);
       }
     }
   }
   return samples;
 }
 
-bool whole_image(const CameraModel& source, const Domain& domain) {
-  const double width = domain.size.width - 1.0;
-  const double height = domain.size.height - 1.0;
+bool whole_image(const Rays& rays) {
+  const double width = rays.size().width - 1.0;
+  const double height = rays.size().height - 1.0;
   return std::ranges::all_of(std::array<Pixel, 4>{{{0.0, 0.0}, {width, 0.0}, {0.0, height}, {width, height}}},
-                             [&](const Pixel& corner) { return domain.ray(source, corner).has_value(); });
+                             [&](const Pixel& corner) { return rays.has(corner); });
 }
 
 }  // namespace
@@ -168,12 +240,13 @@ std::vector<Correspondence> sample(const CameraModel& source, const Domain& doma
   const std::optional<Pixel> centre = project(source, {0.0, 0.0, 1.0});
   const bool centred = centre && (*centre)[0] > 0.0 && (*centre)[1] > 0.0 && (*centre)[0] < domain.size.width - 1.0 &&
                        (*centre)[1] < domain.size.height - 1.0;
+  const Rays rays(source, domain);
   std::vector<Correspondence> samples;
-  if (centred && !whole_image(source, domain)) {
-    samples = sample_polar(source, domain, *centre, count);
+  if (centred && !whole_image(rays)) {
+    samples = sample_polar(rays, *centre, count);
   } else {
     // An image whose centre lies outside it is rare; a finer tensor grid makes up for the points that fall away.
-    samples = sample_rectangle(source, domain, centred ? count : 4 * count);
+    samples = sample_rectangle(rays, centred ? count : 4 * count);
   }
   double total = 0.0;
   for (const Correspondence& s : samples) total += s.weight;

@@ -40,6 +40,13 @@ inline Camera kalibr_kb4() {
                                       -0.012523386218579752, 0.057836801948828065, -0.08495347810986263, 0.04362766880887814}},
                      {752, 480});
 }
+/// The same with radtan.
+inline Camera kalibr_radtan() {
+  return make_camera(
+      Intrinsics<Radtan>{{459.2595646276051, 457.7579979599497, 366.021259576013, 248.29906707021513, -0.2895683327836746,
+                          0.07964702146041833, 0.00033877669379945766, -2.1638533618181003e-05, 0.0}},
+      {752, 480});
+}
 /// EuRoC MAV data set, cam0 (Burri et al. 2016).
 inline Camera euroc() {
   return make_camera(

@@ -44,6 +44,18 @@ struct Ds : internal::FocalLengthsFirst {
     return map<false>(p, ray, pixel);
   }
 
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    const double alpha = p[4];
+    const double xi = p[5];
+    const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const double k = xi + ray[2];
+    const double d2 = std::sqrt(r2 + k * k);
+    const double denominator = internal::unified_sum(alpha, d2, 1.0 - alpha, k, r2);
+    if (!(denominator > 0.0)) return false;
+    internal::radial_slopes<2>(p, ray, denominator, {d2 - k, alpha * k / d2 + (1.0 - alpha)}, pixel, du, dv);
+    return true;
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     const double alpha = p[4];
     const double xi = p[5];
@@ -78,10 +90,12 @@ struct Ds : internal::FocalLengthsFirst {
     return std::acos(std::clamp(c, -1.0, 1.0));
   }
 
-  /// Several basins on both sides of a singular ridge at xi = 0: two starts on each. Given xi, alpha is linear:
+  /// Several basins on both sides of a singular ridge at xi = 0: several starts on each. Given xi, alpha is linear:
   /// (u - c)(alpha d2 + (1 - alpha) k) = f (x, y).
-  static constexpr std::array kStartXi = {-0.6, -0.2, 0.3, 0.7};
+  static constexpr std::array kStartXi = {-0.8, -0.6, -0.2, 0.3, 0.7};
   static constexpr int kStarts = static_cast<int>(kStartXi.size());
+  /// xi: the pixels are nearly those of another alpha and xi.
+  static constexpr std::size_t kFolded = 5;
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {
     const double xi = kStartXi[static_cast<std::size_t>(start)];
     begin(centre, p, 1.0 + xi);

@@ -97,6 +97,16 @@ struct Eucm : internal::FocalLengthsFirst {
     return map<false>(p, ray, pixel);
   }
 
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    const double alpha = p[4];
+    const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const double d = std::sqrt(p[5] * r2 + ray[2] * ray[2]);
+    const double denominator = internal::unified_sum(alpha, d, 1.0 - alpha, ray[2], p[5] * r2);
+    if (!(denominator > 0.0)) return false;
+    internal::radial_slopes<2>(p, ray, denominator, {d - ray[2], 0.5 * alpha * r2 / d}, pixel, du, dv);
+    return true;
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     if (!internal::to_plane(p, pixel, ray[0], ray[1])) return false;
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];

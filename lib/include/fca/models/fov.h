@@ -49,6 +49,23 @@ struct Fov : internal::FocalLengthsFirst {
     return project(p, ray, pixel);
   }
 
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    const double w = p[4];
+    const double r = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
+    if (!valid(w) || !(r > 0.0 || ray[2] > 0.0)) return false;
+    const double half = std::tan(0.5 * w);
+    const double slope = 2.0 * half;
+    // With a = atan2(slope r, z): (x, y) / D for D = w r / a, and dD/dw = D (1 / w - da/dw / a). On the axis a / r is slope /
+    // z.
+    const double slope_by_w = 1.0 + half * half;
+    const double length2 = slope * r * slope * r + ray[2] * ray[2];
+    const double bent_per_r = r > 0.0 ? std::atan2(slope * r, ray[2]) / r : slope / ray[2];
+    const double denominator = w / bent_per_r;
+    const double by_w = denominator * (1.0 / w - slope_by_w * ray[2] / (length2 * bent_per_r));
+    internal::radial_slopes<1>(p, ray, denominator, {by_w}, pixel, du, dv);
+    return true;
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     double mx = 0.0;
     double my = 0.0;
@@ -62,14 +79,16 @@ struct Fov : internal::FocalLengthsFirst {
 
   static double max_angle(const double* /*p*/) { return std::numbers::pi; }
 
-  /// w by a scan: the residual over w has one minimum, and one parameter costs little.
-  static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
+  /// w by a scan, for one parameter costs little. Far from any fov lens the residual has several minima: a scan for each third.
+  static constexpr int kStarts = 3;
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {
     double best = std::numeric_limits<double>::infinity();
     std::array<double, kParameters.size()> candidate{};
-    begin(centre, p, 1.0 / central_factor(1.0));
-    p[4] = 1.0;
-    for (double w = 0.1; w < 3.0; w += 0.1) {
+    const double middle = 0.5 + start;
+    begin(centre, p, 1.0 / central_factor(middle));
+    p[4] = middle;
+    constexpr double kStep = 0.125;
+    for (double w = start + kStep; w <= start + 1.0; w += kStep) {
       begin(centre, candidate.data(), 1.0 / central_factor(w));
       candidate.back() = w;
       double cost = 0.0;

@@ -59,6 +59,24 @@ struct Kb4 : internal::FocalLengthsFirst {
     return std::sqrt(positive_until(slope(p + 4), std::numbers::pi * std::numbers::pi));
   }
 
+  /// theta, theta^3, ... theta^9 in the direction of (x, y), with f, f k1, ... f k4.
+  static constexpr std::size_t kTerms = 5;
+  static bool terms(const double* ray, double* along_u, double* along_v) {
+    const double r = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
+    if (!(r > 0.0) && !(ray[2] > 0.0)) return false;
+    const double theta = std::atan2(r, ray[2]);
+    double power = r > 0.0 ? theta / r : 1.0 / ray[2];
+    for (std::size_t i = 0; i < kTerms; ++i, power *= theta * theta) {
+      along_u[i] = ray[0] * power;
+      along_v[i] = ray[1] * power;
+    }
+    return true;
+  }
+  static void from_terms(const double* c, double aspect, const std::array<double, 2>& point, double* p) {
+    begin({{c[0], aspect * c[0]}, point}, p);
+    for (std::size_t i = 1; i < kTerms; ++i) p[3 + i] = c[i] / c[0];
+  }
+
   /// k1..k4 are linear in the radius: one radial row per point (ERRATA 8), d - theta = k1 theta^3 + ...
   static constexpr int kStarts = 1;
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {

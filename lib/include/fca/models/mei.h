@@ -41,6 +41,47 @@ struct Mei : internal::FocalLengthsFirst {
     return map<false>(p, ray, pixel);
   }
 
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
+    const double denominator = internal::unified_sum(p[4], 1.0, 1.0, ray[2], r2);
+    if (!(denominator > 0.0)) return false;
+    const double x = ray[0] / denominator;
+    const double y = ray[1] / denominator;
+    const double t = x * x + y * y;
+    const double xy2 = 2.0 * x * y;
+    const double radial = 1.0 + t * (p[5] + t * p[6]);
+    const double radial_slope = 2.0 * (p[5] + t * 2.0 * p[6]);  // dL/dx = x * this
+    const double mx = x * radial + p[7] * xy2 + p[8] * (t + 2.0 * x * x);
+    const double my = y * radial + p[7] * (t + 2.0 * y * y) + p[8] * xy2;
+    pixel[0] = p[0] * mx + p[2];
+    pixel[1] = p[1] * my + p[3];
+    // By xi, (x, y) moves along itself.
+    const double across = x * y * radial_slope + 2.0 * (p[7] * x + p[8] * y);
+    const double mx_x = radial + x * x * radial_slope + 2.0 * p[7] * y + 6.0 * p[8] * x;
+    const double my_y = radial + y * y * radial_slope + 6.0 * p[7] * y + 2.0 * p[8] * x;
+    const std::array<double, 9> u = {mx,
+                                     0.0,
+                                     1.0,
+                                     0.0,
+                                     -p[0] * (mx_x * x + across * y) / denominator,
+                                     p[0] * x * t,
+                                     p[0] * x * t * t,
+                                     p[0] * xy2,
+                                     p[0] * (t + 2.0 * x * x)};
+    const std::array<double, 9> v = {0.0,
+                                     my,
+                                     0.0,
+                                     1.0,
+                                     -p[1] * (across * x + my_y * y) / denominator,
+                                     p[1] * y * t,
+                                     p[1] * y * t * t,
+                                     p[1] * (t + 2.0 * y * y),
+                                     p[1] * xy2};
+    std::ranges::copy(u, du);
+    std::ranges::copy(v, dv);
+    return true;
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     const double xi = p[4];
     const double q[5] = {p[5], p[6], p[7], p[8], 0.0};
@@ -69,10 +110,11 @@ struct Mei : internal::FocalLengthsFirst {
     return std::min(sphere, std::atan2(factor * r, factor - xi));
   }
 
-  /// Given xi = 1 the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi.
-  static constexpr int kStarts = 1;
-  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
-    p[4] = 1.0;
+  /// Given xi the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi. xi has several basins.
+  static constexpr std::array kStartXi = {1.0, 0.3, 2.0, 4.0};
+  static constexpr int kStarts = static_cast<int>(kStartXi.size());
+  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {
+    p[4] = kStartXi[static_cast<std::size_t>(start)];
     begin(centre, p, 1.0 + p[4]);
     internal::LinearFit<4> fit;
     for (const Correspondence& s : samples) {

@@ -69,7 +69,16 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///   kStarts, initialise(samples, centre, start, p)
 ///                              linear start for a fit, start = 0 .. kStarts - 1 (models with several basins have several): all
 ///                              of p, a camera with that centre.
-///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them a
+///   formula_and_slopes(p, ray, pixel, du, dv)
+///                              (optional) formula for double and a unit ray, and the derivatives of u and v by each parameter,
+///                              where that is much faster than automatic differentiation.
+///   kTerms, terms(ray, along_u, along_v), from_terms(coefficients, aspect, point, p)
+///                              (optional) for a model that is linear in all else once fy / fx is given:
+///                              u = cx + c . along_u,  v = cy + aspect c . along_v; false where a ray has no pixel. Such a
+///                              model is fitted without a start.
+///   kFolded                    (optional) the index of a parameter along which a fit has two bottoms with nearly the same
+///   pixels. kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller
+///   gives them a
 ///                              range.
 ///
 /// Nothing is assumed of the order or the names of the parameters.
@@ -145,6 +154,31 @@ template <class T>
 T unified_sum(const T& a, const T& d, const T& b, const T& z, const T& r2) {
   if (value_of(z) >= 0.0) return a * d + b * z;
   return (a * a * r2 + (a - b) * (a + b) * z * z) / (a * d - b * z);
+}
+
+/// What formula_and_slopes returns for pixel = (fx x, fy y) / denominator + (cx, cy), given the derivatives of the denominator
+/// by the parameters after the first four.
+template <std::size_t N>
+void radial_slopes(const double* p, const double* ray, double denominator, const std::array<double, N>& slopes, double* pixel,
+                   double* du, double* dv) {
+  const double inverse = 1.0 / denominator;
+  const double mx = ray[0] * inverse;
+  const double my = ray[1] * inverse;
+  pixel[0] = p[0] * mx + p[2];
+  pixel[1] = p[1] * my + p[3];
+  du[0] = mx;
+  dv[0] = 0.0;
+  du[1] = 0.0;
+  dv[1] = my;
+  du[2] = 1.0;
+  dv[2] = 0.0;
+  du[3] = 0.0;
+  dv[3] = 1.0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const double change = -slopes[i] * inverse;
+    du[4 + i] = p[0] * mx * change;
+    dv[4 + i] = p[1] * my * change;
+  }
 }
 
 /// The inverse of to_pixel; false if the focal lengths or the pixel cannot be used.

@@ -68,6 +68,40 @@ struct Ocamcalib {
     return map<false>(p, ray, pixel);
   }
 
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    if (!(p[kC] > p[kD] * p[kE]) || !(p[kA] < 0.0)) return false;
+    const double r = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
+    if (!(r > 0.0) && !(ray[2] > 0.0)) return false;
+    // rho (down, right) / r; by a_k, rho moves by rho^k r over the residual's slope.
+    double rho = 0.0;
+    double down = 0.0;
+    double right = 0.0;
+    double rho_by_a0 = 0.0;
+    if (r > 0.0) {
+      const Polynomial g = ahead(p + kA);
+      if (!radius_of_ray<false>(g, growth(p + kA), r, ray[2], rho)) return false;
+      down = ray[1] / r;
+      right = ray[0] / r;
+      rho_by_a0 = r / residual_slope(g, r, ray[2], rho);
+    }
+    pixel[0] = (p[kE] * down + right) * rho + p[kCx];
+    pixel[1] = (p[kC] * down + p[kD] * right) * rho + p[kCy];
+    std::fill_n(du, kA, 0.0);
+    std::fill_n(dv, kA, 0.0);
+    du[kCx] = 1.0;
+    dv[kCy] = 1.0;
+    du[kE] = rho * down;
+    dv[kC] = rho * down;
+    dv[kD] = rho * right;
+    const double u_by_rho = p[kE] * down + right;
+    const double v_by_rho = p[kC] * down + p[kD] * right;
+    for (std::size_t k = 0; k < kTerms; ++k, rho_by_a0 *= rho) {
+      du[kA + k] = u_by_rho * rho_by_a0;
+      dv[kA + k] = v_by_rho * rho_by_a0;
+    }
+    return true;
+  }
+
   static bool unproject(const double* p, const double* pixel, double* ray) {
     const double determinant = p[kC] - p[kD] * p[kE];
     if (!(determinant > 0.0)) return false;

@@ -40,6 +40,17 @@ struct Pinhole : internal::FocalLengthsFirst {
   }
 
   static double max_angle(const double* /*p*/) { return 0.5 * std::numbers::pi; }
+  static constexpr std::size_t kTerms = 1;
+  static bool terms(const double* ray, double* along_u, double* along_v) {
+    if (!(ray[2] > 0.0)) return false;
+    along_u[0] = ray[0] / ray[2];
+    along_v[0] = ray[1] / ray[2];
+    return true;
+  }
+  static void from_terms(const double* c, double aspect, const std::array<double, 2>& point, double* p) {
+    begin({{c[0], aspect * c[0]}, point}, p);
+  }
+
   static constexpr int kStarts = 1;
   static void initialise(std::span<const Correspondence> /*samples*/, const LensCentre& centre, int /*start*/, double* p) {
     begin(centre, p);

@@ -53,6 +53,26 @@ struct Radtan : internal::FocalLengthsFirst {
 
   static double max_angle(const double* p) { return std::atan(internal::RadialTangential::max_radius(p + 4)); }
 
+  /// With f, f k1, f k2, f p1, f p2, f k3.
+  static constexpr std::size_t kTerms = 6;
+  static bool terms(const double* ray, double* along_u, double* along_v) {
+    if (!(ray[2] > 0.0)) return false;
+    const double x = ray[0] / ray[2];
+    const double y = ray[1] / ray[2];
+    const double r2 = x * x + y * y;
+    const std::array<double, kTerms> u = {x, x * r2, x * r2 * r2, 2.0 * x * y, r2 + 2.0 * x * x, x * r2 * r2 * r2};
+    const std::array<double, kTerms> v = {y, y * r2, y * r2 * r2, r2 + 2.0 * y * y, 2.0 * x * y, y * r2 * r2 * r2};
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      along_u[i] = u[i];
+      along_v[i] = v[i];
+    }
+    return true;
+  }
+  static void from_terms(const double* c, double aspect, const std::array<double, 2>& point, double* p) {
+    begin({{c[0], aspect * c[0]}, point}, p);
+    for (std::size_t i = 1; i < kTerms; ++i) p[3 + i] = c[i] / c[0];
+  }
+
   /// All coefficients are linear: m - (x, y) = k1 r^2 (x, y) + ...
   static constexpr int kStarts = 1;
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {

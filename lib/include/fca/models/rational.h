@@ -24,6 +24,8 @@
 #include <fca/models/model_traits.h>
 #include <fca/models/radial_tangential.h>
 
+#include <algorithm>
+
 namespace fca {
 
 namespace internal {
@@ -123,6 +125,53 @@ struct Rational : internal::FocalLengthsFirst {
   template <class T>
   static bool formula(const T* p, const T* ray, T* pixel) {
     return map<false>(p, ray, pixel);
+  }
+
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    if (!(ray[2] > 0.0)) return false;
+    const double x = ray[0] / ray[2];
+    const double y = ray[1] / ray[2];
+    const double t = x * x + y * y;
+    const double denominator = 1.0 + t * (p[9] + t * (p[10] + t * p[11]));
+    if (!(denominator > 0.0)) return false;
+    const double inverse = 1.0 / denominator;
+    const double radial = (1.0 + t * (p[4] + t * (p[5] + t * p[8]))) * inverse;
+    const double xy2 = 2.0 * x * y;
+    const double x_term = t + 2.0 * x * x;
+    const double y_term = t + 2.0 * y * y;
+    const double mx = x * radial + p[6] * xy2 + p[7] * x_term;
+    const double my = y * radial + p[6] * y_term + p[7] * xy2;
+    pixel[0] = p[0] * mx + p[2];
+    pixel[1] = p[1] * my + p[3];
+    const double along_u = p[0] * x * inverse;
+    const double along_v = p[1] * y * inverse;
+    const std::array<double, 12> u = {mx,
+                                      0.0,
+                                      1.0,
+                                      0.0,
+                                      along_u * t,
+                                      along_u * t * t,
+                                      p[0] * xy2,
+                                      p[0] * x_term,
+                                      along_u * t * t * t,
+                                      -along_u * radial * t,
+                                      -along_u * radial * t * t,
+                                      -along_u * radial * t * t * t};
+    const std::array<double, 12> v = {0.0,
+                                      my,
+                                      0.0,
+                                      1.0,
+                                      along_v * t,
+                                      along_v * t * t,
+                                      p[1] * y_term,
+                                      p[1] * xy2,
+                                      along_v * t * t * t,
+                                      -along_v * radial * t,
+                                      -along_v * radial * t * t,
+                                      -along_v * radial * t * t * t};
+    std::copy(u.begin(), u.end(), du);
+    std::copy(v.begin(), v.end(), dv);
+    return true;
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {

@@ -63,6 +63,26 @@ struct Woodscape {
   static std::array<double, 2> principal_point(const double* p) { return {p[5], p[6]}; }
   static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0], p[4] * p[0]}; }
 
+  /// theta, theta^2, ... theta^4 in the direction of (x, y), with k1 ... k4.
+  static constexpr std::size_t kTerms = 4;
+  static bool terms(const double* ray, double* along_u, double* along_v) {
+    const double chi = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
+    if (!(chi > 0.0) && !(ray[2] > 0.0)) return false;
+    const double theta = std::atan2(chi, ray[2]);
+    double power = chi > 0.0 ? theta / chi : 1.0 / ray[2];
+    for (std::size_t i = 0; i < kTerms; ++i, power *= theta) {
+      along_u[i] = ray[0] * power;
+      along_v[i] = ray[1] * power;
+    }
+    return true;
+  }
+  static void from_terms(const double* c, double aspect, const std::array<double, 2>& point, double* p) {
+    for (std::size_t i = 0; i < kTerms; ++i) p[i] = c[i];
+    p[4] = aspect;
+    p[5] = point[0];
+    p[6] = point[1];
+  }
+
   /// Given k1 and the aspect ratio by the centre, k2..k4 are linear in the radius.
   static constexpr int kStarts = 1;
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {

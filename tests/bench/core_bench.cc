@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The core of a conversion, sampling and fit together at N = 200: the paper's 12 pairs, and a selection of others. Not in it:
+// the domain, which a conversion asks for once, and the judge.
+#include "lib/convert/known_cameras.h"
+
+#include <convert/fit_model.h>
+#include <fca/convert/domain.h>
+#include <fca/convert/sample.h>
+
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+namespace fca {
+namespace {
+
+constexpr int kSamples = 200;
+
+struct Source {
+  const char* name;
+  Camera camera;
+  double max_angle_deg;
+};
+
+void convert_core(benchmark::State& state, const Source& source, const std::string& target) {
+  Diagnostics diagnostics;
+  const std::optional<Domain> domain = domain_of(source.camera, source.max_angle_deg * test::kRadians, diagnostics);
+  const LensCentre centre{central_focal_lengths(source.camera.model), principal_point(source.camera.model)};
+  std::optional<internal::FittedModel> fitted;
+  for (auto _ : state) {
+    const std::vector<Correspondence> samples = sample(source.camera.model, *domain, kSamples);
+    fitted = internal::fit_model(target, samples, centre, {});
+    benchmark::DoNotOptimize(fitted);
+  }
+  if (!fitted) {
+    state.SkipWithError("no fit");
+    return;
+  }
+  state.counters["rms_px"] = fitted->rms_px;
+  state.counters["iterations"] = fitted->iterations;
+}
+
+void sampling(benchmark::State& state, const Source& source) {
+  Diagnostics diagnostics;
+  const std::optional<Domain> domain = domain_of(source.camera, source.max_angle_deg * test::kRadians, diagnostics);
+  for (auto _ : state) benchmark::DoNotOptimize(sample(source.camera.model, *domain, kSamples));
+}
+
+void add(const std::string& group, const Source& source, const std::vector<std::string>& targets) {
+  for (const std::string& target : targets) {
+    const std::string name = group + "/" + source.name + "/" + target;
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { convert_core(state, source, target); });
+  }
+}
+
+const bool kRegistered = [] {
+  constexpr double kWholeImage = 180.0;
+  const Source kb4{"kalibr-kb4", test::kalibr_kb4(), kWholeImage};
+  const Source eucm{"kalibr-eucm", test::kalibr_eucm(), kWholeImage};
+  const Source ds{"kalibr-ds", test::kalibr_ds(), kWholeImage};
+  const Source radtan{"kalibr-radtan", test::kalibr_radtan(), kWholeImage};
+  const Source tumvi{"tumvi", test::tumvi(), 97.5};
+  const Source lens_220{"220-degree", test::lens_220(), 110.0};
+  const Source woodscape{"woodscape", test::woodscape_front(), 95.0};
+  for (const Source& source : {kb4, eucm, ds, radtan, tumvi, woodscape}) {
+    const std::string name = std::string("sample/") + source.name;
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { sampling(state, source); });
+  }
+  add("paper", kb4, {"eucm", "ds", "radtan"});
+  add("paper", eucm, {"kb4", "ds", "radtan"});
+  add("paper", ds, {"kb4", "eucm", "radtan"});
+  add("paper", radtan, {"kb4", "eucm", "ds"});
+  const std::vector<std::string> others = {"ucm", "rational", "ocamcalib", "woodscape", "mei", "fov"};
+  for (const Source& source : {kb4, ds, radtan}) add("other", source, others);
+  add("other", tumvi, {"ucm", "eucm", "ds", "ocamcalib", "woodscape", "mei"});
+  add("other", lens_220, {"eucm", "ds", "ocamcalib"});
+  add("other", woodscape, {"kb4", "eucm", "ds", "ocamcalib", "mei"});
+  return true;
+}();
+
+}  // namespace
+}  // namespace fca

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Does a fit find the deepest basin, whatever the lens? Seeded random cameras: a few in every run, 1,000 where
+// FCA_ALL_RANDOM_CAMERAS is set (tests/bench/run).
+#include "known_cameras.h"
+
+#include <convert/fit.h>
+#include <convert/fit_model.h>
+#include <fca/convert/domain.h>
+#include <fca/convert/sample.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <random>
+
+namespace fca {
+namespace {
+
+int how_many(int usually) { return std::getenv("FCA_ALL_RANDOM_CAMERAS") != nullptr ? 1000 : usually; }
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : generator_(seed) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
+  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(generator_); }
+
+ private:
+  std::mt19937 generator_;
+};
+
+struct Sampled {
+  std::vector<Correspondence> samples;
+  LensCentre centre;
+};
+
+/// The samples that a conversion would begin with; none where the camera sees too little of its image.
+Sampled samples_of(const Camera& camera) {
+  Diagnostics diagnostics;
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  if (!domain) return {};
+  return {sample(camera.model, *domain), {central_focal_lengths(camera.model), principal_point(camera.model)}};
+}
+
+double largest_distance(const CameraModel& model, const std::vector<Correspondence>& samples) {
+  double largest = 0.0;
+  for (const Correspondence& s : samples) {
+    const std::optional<Pixel> pixel = project(model, s.ray);
+    if (!pixel) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, std::hypot((*pixel)[0] - s.pixel[0], (*pixel)[1] - s.pixel[1]));
+  }
+  return largest;
+}
+
+// The model's own pixels: what is left is the fit's fault. (A conversion from ds to ds is a copy and proves nothing.)
+TEST(RandomCameras, DsIsFoundFromItsOwnPixels) {
+  Random random(20);
+  const int count = how_many(1000);
+  int tried = 0;
+  double largest = 0.0;
+  while (tried < count) {
+    const double xi = random.between(-0.9, 0.9);
+    const double focal = random.between(150.0, 600.0) * (1.0 + xi);
+    const Intrinsics<Ds> ds{{focal, focal * random.between(0.98, 1.02), random.between(300.0, 340.0),
+                             random.between(220.0, 260.0), random.between(0.0, 1.0), xi}};
+    const Sampled sampled = samples_of(test::make_camera(ds, {640, 480}));
+    if (sampled.samples.size() < 100) continue;
+    ++tried;
+    const auto fitted = internal::fit_model("ds", sampled.samples, sampled.centre, {});
+    ASSERT_TRUE(fitted);
+    const double distance = largest_distance(fitted->model, sampled.samples);
+    EXPECT_LE(distance, 1e-6) << fitted->rms_px << " px rms " << ::testing::PrintToString(ds.values) << " -> "
+                              << ::testing::PrintToString(std::get<Intrinsics<Ds>>(fitted->model).values);
+    largest = std::max(largest, distance);
+  }
+  std::printf("  %d cameras, largest distance %.1e px\n", tried, largest);
+}
+
+/// Lenses that somebody may have: pincushions to fisheyes, of every model that has a size of its own.
+Camera plausible_camera(Random& random) {
+  const double fx = random.between(180.0, 700.0);
+  const double fy = fx * random.between(0.97, 1.03);
+  const double cx = random.between(290.0, 350.0);
+  const double cy = random.between(210.0, 270.0);
+  const auto model = [&]() -> CameraModel {
+    switch (random.below(9)) {
+      case 0:
+        return Intrinsics<Kb4>{{fx, fy, cx, cy, random.between(-0.1, 0.1), random.between(-0.03, 0.03),
+                                random.between(-0.01, 0.01), random.between(-0.002, 0.002)}};
+      case 1:
+        return Intrinsics<Radtan>{{fx, fy, cx, cy, random.between(-0.35, 0.2), random.between(-0.05, 0.15),
+                                   random.between(-1e-3, 1e-3), random.between(-1e-3, 1e-3), random.between(-0.02, 0.02)}};
+      case 2:
+        return Intrinsics<Eucm>{{fx, fy, cx, cy, random.between(0.05, 0.8), random.between(0.5, 2.0)}};
+      case 3: {
+        const double xi = random.between(-0.4, 0.6);
+        return Intrinsics<Ds>{{fx * (1.0 + xi), fy * (1.0 + xi), cx, cy, random.between(0.3, 0.8), xi}};
+      }
+      case 4:
+        return Intrinsics<Woodscape>{
+            {fx, random.between(-0.1, 0.1) * fx, random.between(-0.05, 0.1) * fx, 0.0, fy / fx, cx, cy}};
+      case 5:
+        return Intrinsics<Fov>{{fx, fy, cx, cy, random.between(0.3, 1.5)}};
+      case 6: {
+        const double xi = random.between(0.2, 2.0);
+        return Intrinsics<Mei>{{fx * (1.0 + xi), fy * (1.0 + xi), cx, cy, xi, random.between(-0.2, 0.2),
+                                random.between(-0.1, 0.1), random.between(-1e-3, 1e-3), random.between(-1e-3, 1e-3)}};
+      }
+      case 7: {
+        const double a0 = -fx;
+        return Intrinsics<Ocamcalib>{{cx, cy, fy / fx, random.between(-1e-3, 1e-3), random.between(-1e-3, 1e-3), a0, 0.0,
+                                      random.between(0.2, 0.6) / fx, random.between(-0.1, 0.1) / (fx * fx), 0.0, 0.0, 0.0, 0.0,
+                                      0.0}};
+      }
+      default:
+        return Intrinsics<Rational>{{fx, fy, cx, cy, random.between(-0.2, 0.6), random.between(-0.1, 0.1),
+                                     random.between(-1e-3, 1e-3), random.between(-1e-3, 1e-3), random.between(0.0, 0.02),
+                                     random.between(0.0, 0.6), random.between(0.0, 0.1), random.between(0.0, 0.02)}};
+    }
+  };
+  return test::make_camera(model(), {640, 480});
+}
+
+/// A start of the model anywhere among its plausible parameters.
+template <CameraModelType M>
+std::array<double, kParameterCount<M>> random_start(const Sampled& sampled, Random& random) {
+  LensCentre centre = sampled.centre;
+  const double scale = random.between(0.8, 1.25);
+  for (double& focal : centre.focal) focal *= scale;
+  std::array<double, kParameterCount<M>> p{};
+  M::initialise(sampled.samples, centre, random.below(M::kStarts), p.data());
+  if constexpr (std::is_same_v<M, Ucm> || std::is_same_v<M, Eucm> || std::is_same_v<M, Ds>) p[4] = random.between(0.05, 0.95);
+  if constexpr (std::is_same_v<M, Eucm>) p[5] = std::exp(random.between(-1.5, 1.5));
+  const auto set_xi = [&](double& xi, double value) {
+    for (const std::size_t i : {0U, 1U}) p[i] *= (1.0 + value) / (1.0 + xi);
+    xi = value;
+  };
+  if constexpr (std::is_same_v<M, Ds>) set_xi(p[5], random.between(-0.8, 0.9));
+  if constexpr (std::is_same_v<M, Mei>) set_xi(p[4], random.between(0.05, 4.0));
+  return p;
+}
+
+/// The best that 20 starts lead to, if it projects all samples; infinite if none does.
+template <CameraModelType M>
+double reference_rms(const Sampled& sampled, Random& random) {
+  constexpr int kStarts = 20;
+  double best = std::numeric_limits<double>::infinity();
+  internal::Fitter<M> fitter(sampled.samples, {});
+  for (int i = 0; i < kStarts; ++i) {
+    const std::optional<internal::Fit<M>> fit = fitter.fit_from(random_start<M>(sampled, random));
+    if (fit && fit->reaches_all && validate(Intrinsics<M>{fit->parameters}).empty()) best = std::min(best, fit->rms_px);
+  }
+  return best;
+}
+
+TEST(RandomCameras, NoFitIsWorseThanTwentyStarts) {
+  Random random(21);
+  const int count = how_many(25);
+  std::map<std::string, int> worse;
+  int compared = 0;
+  for (int i = 0; i < count;) {
+    const Camera camera = plausible_camera(random);
+    const Sampled sampled = samples_of(camera);
+    if (sampled.samples.size() < 100) continue;
+    ++i;
+    ModelList::for_each([&]<CameraModelType M>() {
+      const std::optional<internal::FittedModel> fitted = internal::fit_model(M::kId, sampled.samples, sampled.centre, {});
+      if (fitted) {
+        EXPECT_TRUE(std::isfinite(fitted->rms_px));
+        EXPECT_TRUE(validate(fitted->model).empty());
+      }
+      const double reference = reference_rms<M>(sampled, random);
+      if (!std::isfinite(reference)) return;
+      ++compared;
+      constexpr double kNobodySees = 1e-4;  // px
+      const bool good = fitted && fitted->reaches_all && fitted->rms_px <= 1.02 * reference + kNobodySees;
+      if (good) return;
+      ++worse[std::string(M::kId)];
+      ADD_FAILURE() << i << ": " << model_info(camera.model).id << " "
+                    << ::testing::PrintToString(
+                           std::vector<double>(parameter_values(camera.model).begin(), parameter_values(camera.model).end()))
+                    << " -> " << M::kId << ": " << (fitted ? fitted->rms_px : NAN) << " px, "
+                    << (fitted && fitted->reaches_all ? "all" : "not all") << ", reference " << reference;
+    });
+  }
+  std::printf("  %d cameras, %d fits compared\n", count, compared);
+  for (const auto& [model, times] : worse) std::printf("  worse: %s %d times\n", model.c_str(), times);
+}
+
+}  // namespace
+}  // namespace fca
