@@ -77,7 +77,9 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
   }
   const std::string_view model = model_info(camera.model).id;
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
-  return StoredModel{.model = model};
+  StoredModel as_read;
+  as_read.model = model;
+  return as_read;
 }
 
 /// All cameras in one model: theirs, if the stock program reads it and all have it, else the best that it reads.

@@ -19,7 +19,7 @@ namespace {
 /// loss, and said.
 void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
   const bool folder = names_folder(arguments.output);
-  const std::string& output = arguments.in_place ? arguments.into : arguments.output;
+  const std::string& place = arguments.in_place ? arguments.into : arguments.output;
   for (std::size_t i = 0; i < outcome.written.files.size(); ++i) {
     const Written::File& file = outcome.written.files[i];
     if (i > 0 && file.cameras.empty() && !folder) {
@@ -31,7 +31,7 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
                                         "-o FOLDER/ writes it beside the camchain"});
       continue;
     }
-    outcome.outputs.push_back({output_path(output, outcome.input, *outcome.to, outcome.written, i), file.document.bytes(),
+    outcome.outputs.push_back({output_path(place, outcome.input, *outcome.to, outcome.written, i), file.document.bytes(),
                                file.cameras, file.programs});
   }
   // Cameras that no file holds are listed as lost; their fits are nobody's business.

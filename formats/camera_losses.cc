@@ -30,8 +30,8 @@ void list_camera_losses(const Rig& rig, std::string_view program, std::string_vi
     if (!kept_frame.empty() && is_kept(edge.a) && is_kept(edge.b)) continue;
     losses.push_back({"pose-dropped", "T_" + edge.a + "_" + edge.b,
                       kept_frame.empty() ? no_place
-                                         : "files of " + std::string(program) + " hold the pose of a camera in the " +
-                                               std::string(kept_frame) + " and no other",
+                                         : "files of " + std::string(program) + " hold poses in the frame of " +
+                                               std::string(kept_frame) + " alone",
                       ""});
   }
   if (rig.baseline_m) {

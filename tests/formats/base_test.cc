@@ -21,6 +21,12 @@ Written written_into(const Calibration& base, const Rig& rig, const WriteOptions
   return written ? *std::move(written) : Written();
 }
 
+WriteOptions in_layout(const std::string& layout) {
+  WriteOptions options;
+  options.layout = layout;
+  return options;
+}
+
 std::string bytes_of(const Written& written) { return written.files.empty() ? "" : written.files.front().document.bytes(); }
 
 std::string value_of(const std::string& bytes, const std::string& key) {
@@ -96,7 +102,7 @@ TEST(Base, AnotherStyleCarriesWhatTheInputTunes) {
                                           "ORBextractor.nFeatures: 1250\nViewer.PointSize: 3\nViewer.ViewpointF: 1800\n");
   Rig rig = base.rig;
   for (Camera& camera : rig.cameras) camera.model = sample_model("kb4");
-  const Written written = written_into(base, rig, {"", "v1", std::nullopt});
+  const Written written = written_into(base, rig, in_layout("v1"));
   const std::string bytes = bytes_of(written);
   EXPECT_EQ(value_of(bytes, "File.version"), "1.0");
   EXPECT_EQ(value_of(bytes, "Viewer.PointSize"), "3.0") << "V1.0 demands a real";
@@ -111,7 +117,7 @@ TEST(Base, AnotherStyleCarriesWhatTheInputTunes) {
 
 TEST(Base, ALayoutCanBeAskedFor) {
   const Calibration base = calibration_of(good("orbslam3/good/orbslam2-tight.yaml"));
-  const Written written = written_into(base, base.rig, {"", "v1", std::nullopt});
+  const Written written = written_into(base, base.rig, in_layout("v1"));
   EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"orbslam3"});
   EXPECT_EQ(calibration_of(bytes_of(written)).rig.cameras.at(0).model, base.rig.cameras.at(0).model);
   EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes_of(written), {written.sensor}).loads());

@@ -17,9 +17,15 @@ namespace {
 
 const Format& orbslam3() { return *find_format("orbslam3"); }
 
+WriteOptions as(const std::string& sensor) {
+  WriteOptions options;
+  options.sensor = sensor;
+  return options;
+}
+
 Written write(const Rig& rig, const std::string& sensor = "") {
   Diagnostics diagnostics;
-  std::optional<Written> written = orbslam3().write(nullptr, rig, {sensor, {}, std::nullopt}, diagnostics);
+  std::optional<Written> written = orbslam3().write(nullptr, rig, as(sensor), diagnostics);
   EXPECT_TRUE(written) << sensor << ": " << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
   return written ? *std::move(written) : Written();
 }
@@ -243,7 +249,7 @@ TEST(OrbSlam3Write, WithoutASensorTheRichestServedModeIsWritten) {
 TEST(OrbSlam3Write, FactsAreNeverDefaulted) {
   const auto refused = [](Rig rig, const std::string& sensor) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(orbslam3().write(nullptr, rig, {sensor, {}, std::nullopt}, diagnostics)) << sensor;
+    EXPECT_FALSE(orbslam3().write(nullptr, rig, as(sensor), diagnostics)) << sensor;
     EXPECT_TRUE(diagnostics.has_errors()) << sensor;
   };
   const Rig mono = sample_rig("kb4", {false, false});
@@ -355,7 +361,7 @@ TEST(OrbSlam3Write, EucmAtOrBelowOneHalfIsRefused) {
   Rig rig = sample_rig("eucm", {false, false});
   set_parameter(rig.cameras[0].model, "alpha", 0.45);
   Diagnostics diagnostics;
-  EXPECT_FALSE(orbslam3().write(nullptr, rig, {"mono", {}, std::nullopt}, diagnostics));
+  EXPECT_FALSE(orbslam3().write(nullptr, rig, as("mono"), diagnostics));
   EXPECT_TRUE(diagnostics.has_errors());
 }
 
@@ -392,7 +398,7 @@ TEST(OrbSlam3Write, LossesAreListed) {
 TEST(OrbSlam3Write, WhatOneFileCannotHoldIsRefused) {
   const auto code_of = [](const Rig& rig) {
     Diagnostics diagnostics;
-    EXPECT_FALSE(orbslam3().write(nullptr, rig, {"stereo", {}, std::nullopt}, diagnostics));
+    EXPECT_FALSE(orbslam3().write(nullptr, rig, as("stereo"), diagnostics));
     return diagnostics.entries().empty() ? std::string("nothing said") : diagnostics.entries().front().code;
   };
   Rig sizes = sample_rig("kb4", {true, false});
