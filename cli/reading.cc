@@ -34,11 +34,10 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
 }
 
 CLI::Validator decimal_number() {
-  return CLI::Validator(
-      [](const std::string& value) {
-        return value.empty() || text::parse_real(value) ? "" : "'" + value + "' is no decimal number";
-      },
-      "");
+  const auto problem = [](const std::string& value) {
+    return value.empty() || text::parse_real(value) ? std::string() : "'" + value + "' is no decimal number";
+  };
+  return {problem, ""};
 }
 
 namespace {
@@ -116,6 +115,7 @@ std::optional<double> max_angle_rad(const ReadingOptions& options) {
 std::vector<std::vector<std::string>> grouped(const std::vector<std::string>& inputs, const ReadingOptions& options) {
   if (options.join) return {inputs};
   std::vector<std::vector<std::string>> groups;
+  groups.reserve(inputs.size());
   for (const std::string& input : inputs) groups.push_back({input});
   return groups;
 }

@@ -52,8 +52,7 @@ Rig renamed(const Rig& rig) {
 /// Can a camchain hold the models? One that is already there (in `old`) is not asked again.
 bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
   bool good = true;
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    const Camera& camera = rig.cameras[i];
+  for (const Camera& camera : rig.cameras) {
     const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
     if (before != nullptr && before->model == camera.model) continue;
     if (layout_for(camera.model) != nullptr) {

@@ -78,8 +78,8 @@ void warn_of_cone(const Job& job, double cone_rad, Diagnostics& diagnostics) {
   const auto degrees = std::to_string(std::lround(cone_rad / kRadiansPerDegree));
   diagnostics.warning("target-cannot-reach",
                       job.camera.name + ": " + std::string(job.target.id) +
-                          " cannot describe this lens as far as the domain goes; it was fitted and is scored inside " +
-                          degrees + " deg from the axis, and gives wrong pixels or none beyond",
+                          " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
+                          " deg from the axis, is scored there, and gives wrong pixels or none beyond",
                       {},
                       "models that reach further: " + std::string(job.target.id == "kb4" ? "" : "kb4, ") +
                           "ocamcalib, woodscape; fca-io models FILE compares all");

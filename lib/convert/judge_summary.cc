@@ -30,7 +30,7 @@ Summary::Summary(int bins_per_octave)
 /// The leading bits of a double, exponent and first bits of the mantissa, count bins of equal ratio (nearly), without a
 /// logarithm.
 std::size_t Summary::bin_of(double error) const {
-  const int bits = std::bit_width(static_cast<unsigned>(bins_per_octave_)) - 1;
+  const int bits = static_cast<int>(std::bit_width(static_cast<unsigned>(bins_per_octave_))) - 1;
   const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bits));
   const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bits;
   return static_cast<std::size_t>(std::clamp(leading - first, 0LL, static_cast<long long>(bins_.size()) - 1));

@@ -22,7 +22,8 @@ template <int kSize>
 class CompressedCost {
  public:
   using Scalar = double;
-  enum { NUM_RESIDUALS = kSize + 1, NUM_PARAMETERS = kSize };
+  // The names that ceres::TinySolver asks for.
+  enum { NUM_RESIDUALS = kSize + 1, NUM_PARAMETERS = kSize };  // NOLINT(readability-identifier-naming)
 
   CompressedCost(const Evaluate& evaluate, std::size_t count) : evaluate_(evaluate), count_(count) {}
 
