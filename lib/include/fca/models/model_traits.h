@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every camera model is: a struct of statics over a plain array of parameters, so that values copy and compare, fits are
-// templates, and a model of one's own works without being registered anywhere.
+// templates over the concept below.
 //
 // Conventions of all models. Rays are 3-vectors of any positive length, x right, y down, z forward (never z = 1: 90 degrees
 // from the axis and beyond must work). Pixels are (u, v) with the centre of the top-left pixel at (0, 0). "Angle" is the angle
