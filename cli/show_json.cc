@@ -59,6 +59,12 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
       });
     });
     json.put("baseline_m", calibration.rig.baseline_m);
+    json.array("also_in_file", calibration.rig.as_read, [&](const AsRead& extra) {
+      json.object([&] {
+        json.put("key", extra.key);
+        json.put("value", extra.value);
+      });
+    });
     json.array("read_by", shown.readers.programs, [&](const Readers::Program& program) {
       json.object([&] {
         json.put("program", program.program);

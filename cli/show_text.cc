@@ -15,7 +15,10 @@ std::string degrees_or(const std::optional<double>& value) {
   return value ? fixed(*value, 1) + " deg" : std::string("not covered");
 }
 
-std::string camera_text(const Camera& camera, double limit_deg) {
+/// Does what was read beside the representation speak of that camera?
+bool is_of(const AsRead& extra, const Camera& camera) { return extra.key.starts_with(camera.name + " "); }
+
+std::string camera_text(const Camera& camera, std::span<const AsRead> extras, double limit_deg) {
   const ModelInfo& model = model_info(camera.model);
   std::string text = "\n" + camera.name + ": " + std::string(model.title) + " (" + std::string(model.id) + ")\n";
   const std::vector<std::string> elsewhere = names_elsewhere(model.id);
@@ -38,6 +41,9 @@ std::string camera_text(const Camera& camera, double limit_deg) {
   if (camera.time_offset_s) text += "  time     t_imu = t_cam + (" + text::format_short(*camera.time_offset_s, 9) + ") s\n";
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
   if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";
+  for (const AsRead& extra : extras) {
+    if (is_of(extra, camera)) text += "  " + extra.key.substr(camera.name.size() + 1) + ": " + extra.value + "\n";
+  }
   return text;
 }
 
@@ -71,6 +77,16 @@ std::string pose_text(const PoseEdge& edge) {
   return text + "\n";
 }
 
+/// What the file says and the representation has no place for, by name.
+std::string others_text(const Rig& rig) {
+  std::vector<std::string> keys;
+  for (const AsRead& extra : rig.as_read) {
+    if (std::ranges::none_of(rig.cameras, [&extra](const Camera& camera) { return is_of(extra, camera); }))
+      keys.push_back(extra.key);
+  }
+  return keys.empty() ? "" : "\nalso in the file\n" + wrapped(keys, "  ");
+}
+
 std::string readers_text(const Readers& readers) {
   std::string text = "\nread by\n";
   for (const Readers::Program& program : readers.programs) {
@@ -97,12 +113,13 @@ std::string show_text(const ShownFile& shown) {
   const Calibration& calibration = *shown.calibration;
   std::string text = shown.file + ": " + std::string(calibration.format->title) +
                      (calibration.rig.cameras.empty() ? ", an IMU without cameras" : "") + " (" + calibration.why + ")\n";
-  for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera, shown.limit_deg);
+  for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera, calibration.rig.as_read, shown.limit_deg);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
   for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge);
+  text += others_text(calibration.rig);
   return text + readers_text(shown.readers);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "losses.h"
 
+#include <fca/formats/text/numbers.h>
+
 #include <map>
 #include <set>
 #include <string>
@@ -31,6 +33,22 @@ void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::
     } else if (told.insert(group).second) {
       losses.push_back({"not-carried", std::string(group) + "* (" + std::to_string(members) + " keys)", std::string(why), ""});
     }
+  }
+}
+
+void add_time_offset(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {
+  if (camera.time_offset_s.value_or(0.0) == 0.0) return;
+  const std::string shift = text::format_short(*camera.time_offset_s, 12);
+  losses.push_back({"time-offset-dropped", camera.name + " time offset " + shift + " s", std::string(why),
+                    "add " + shift + " s to every image time stamp of " + camera.name});
+}
+
+void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {
+  add_time_offset(camera, why, losses);
+  if (!camera.topic.empty()) losses.push_back({"topic-dropped", camera.name + " " + camera.topic, std::string(why), ""});
+  if (camera.frame_rate_hz) {
+    losses.push_back(
+        {"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz", std::string(why), ""});
   }
 }
 

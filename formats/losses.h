@@ -13,6 +13,12 @@ namespace fca {
 /// What was read and has no place in the target, each as a loss; keys of one group ("Viewer.PointSize", ...) as one.
 void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses);
 
+/// A camera's time offset, with what to do about it; nothing where there is none, or 0.
+void add_time_offset(const Camera& camera, std::string_view why, std::vector<Loss>& losses);
+
+/// What is known of a camera's image stream: time offset, topic, frame rate.
+void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& losses);
+
 /// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
 [[nodiscard]] std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there);
 

@@ -7,6 +7,7 @@
 #include "tumvi/tumvi.h"
 #include "woodscape/woodscape.h"
 
+#include <fca/folded_name.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -20,16 +21,6 @@ const auto& table() {
   static const std::array kTable = {kalibr::kFormat, opencv::kFormat,   ocamcalib::kFormat,
                                     tumvi::kFormat,  orbslam3::kFormat, woodscape::kFormat};
   return kTable;
-}
-
-/// Lower case without '-' and '_': "ORB_SLAM3", "orb-slam3" and "orbslam3" are one name.
-std::string folded(std::string_view name) {
-  std::string result;
-  for (const char c : name) {
-    if (c == '-' || c == '_') continue;
-    result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return result;
 }
 
 }  // namespace
@@ -48,9 +39,15 @@ const StoredModel* find_stored_model(const Format& format, std::string_view mode
   return found == format.models.end() ? nullptr : &*found;
 }
 
-bool stored_within(const Format& format, const Camera& camera, Diagnostics& diagnostics) {
-  const StoredModel* stored = find_stored_model(format, model_info(camera.model).id, false);
-  if (stored == nullptr || within(camera.model, stored->ranges)) return true;
+bool can_store(const Format& format, const Camera& camera, Diagnostics& diagnostics) {
+  const std::string model(model_info(camera.model).id);
+  const StoredModel* stored = find_stored_model(format, model, false);
+  if (stored == nullptr) {
+    diagnostics.error("model-not-storable", camera.name + ": " + std::string(format.title) + " has no " + model + " model", {},
+                      "convert the camera to a model of this format first");
+    return false;
+  }
+  if (within(camera.model, stored->ranges)) return true;
   for (const ParameterRange& range : stored->ranges) {
     const double value = parameter(camera.model, range.parameter).value_or(range.lower);
     if (value >= range.lower && value <= range.upper) continue;
@@ -62,6 +59,15 @@ bool stored_within(const Format& format, const Camera& camera, Diagnostics& diag
                       {}, "convert the camera to this format's ranges first");
   }
   return false;
+}
+
+bool can_store(const Format& format, const Rig& rig, const Rig* there, Diagnostics& diagnostics) {
+  bool good = true;
+  for (const Camera& camera : rig.cameras) {
+    const Camera* before = there != nullptr ? there->find_camera(camera.name) : nullptr;
+    if (before == nullptr || before->model != camera.model) good = can_store(format, camera, diagnostics) && good;
+  }
+  return good;
 }
 
 }  // namespace fca

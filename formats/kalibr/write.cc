@@ -49,23 +49,6 @@ Rig renamed(const Rig& rig) {
   return result;
 }
 
-/// Can a camchain hold the models? One that is already there (in `old`) is not asked again.
-bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
-  bool good = true;
-  for (const Camera& camera : rig.cameras) {
-    const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
-    if (before != nullptr && before->model == camera.model) continue;
-    if (layout_for(camera.model) != nullptr) {
-      good = stored_within(kFormat, camera, diagnostics) && good;
-      continue;
-    }
-    diagnostics.error("model-not-storable",
-                      camera.name + ": Kalibr has no " + std::string(model_info(camera.model).id) + " model");
-    good = false;
-  }
-  return good;
-}
-
 /// A base that never stated a size need not begin to.
 bool check_sizes(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
   bool good = true;
@@ -211,7 +194,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   if (old) editor.emplace(*base, *old, rig_as_named, rig);
   if (editor && (options.anew || !editor->possible())) editor.reset();
   const Rig* edited = editor ? &*old : nullptr;
-  if (!check_models(rig_as_named, edited, diagnostics) || !check_sizes(rig_as_named, edited, diagnostics)) return std::nullopt;
+  if (!can_store(kFormat, rig_as_named, edited, diagnostics) || !check_sizes(rig_as_named, edited, diagnostics))
+    return std::nullopt;
 
   std::optional<text::Document> document = editor ? editor->edited(written.losses) : compose(rig, diagnostics);
   if (!document) return std::nullopt;

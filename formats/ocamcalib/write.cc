@@ -3,9 +3,9 @@
 #include "inverse.h"
 #include "ocamcalib.h"
 
-#include "../camera_losses.h"
 #include "../fields.h"
 #include "../losses.h"
+#include "../one_camera_files.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
@@ -136,41 +136,18 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
   return document;
 }
 
-bool storable(const Camera& camera, Diagnostics& diagnostics) {
-  if (model_info(camera.model).id != "ocamcalib") {
-    diagnostics.error("model-not-storable",
-                      camera.name + ": OCamCalib has no " + std::string(model_info(camera.model).id) + " model");
-    return false;
-  }
-  if (!camera.image_size) {
-    diagnostics.error("image-size-missing",
-                      camera.name + ": a calib_results.txt ends with the image size and the input has none", {},
-                      "give it: --size WIDTHxHEIGHT");
-    return false;
-  }
-  const std::vector<std::string> problems = validate(camera.model);
-  for (const std::string& problem : problems) diagnostics.error("not-a-camera", camera.name + ": " + problem);
-  return problems.empty();
-}
-
 }  // namespace
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  if (rig.cameras.empty()) {
-    diagnostics.error("no-camera", "a calib_results.txt needs a camera and the input has none");
-    return std::nullopt;
-  }
-  bool good = true;
-  for (const Camera& camera : rig.cameras) good = storable(camera, diagnostics) && good;
-  if (!good) return std::nullopt;
+  if (!writable_alone(kFormat, rig, "a calib_results.txt ends with the image size", diagnostics)) return std::nullopt;
 
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   Written written;
   for (const Camera& camera : rig.cameras) {
     std::optional<text::Document> document;
-    const bool of_base = old && (rig.cameras.size() == 1 || camera.name == old->cameras.front().name);
+    const bool of_base = is_camera_of(old, rig, camera);
     if (of_base) {
       document = edited(*base, old->cameras.front(), camera, written, diagnostics);
     } else {

@@ -3,6 +3,7 @@
 
 #include "names.h"
 
+#include <fca/folded_name.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "names.h"
 
+#include <fca/folded_name.h>
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -67,14 +69,6 @@ std::optional<std::string> without(const std::string& word, std::string_view par
 }
 
 }  // namespace
-
-std::string folded(std::string_view key) {
-  std::string result;
-  for (const char c : key) {
-    if (c != '_' && c != '-') result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return result;
-}
 
 Name name_of(std::string_view key) {
   std::string word = folded(key);

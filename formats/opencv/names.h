@@ -19,9 +19,6 @@ struct Name {
 /// Role::kNone for any other key.
 [[nodiscard]] Name name_of(std::string_view key);
 
-/// Lower case without '_' and '-': "Camera_Matrix" and "cameraMatrix" are one name.
-[[nodiscard]] std::string folded(std::string_view key);
-
 /// The distortion's key that goes with a matrix's key where the file has none: "M1" -> "D1"; "" where no program would look.
 [[nodiscard]] std::string distortion_key_for(std::string_view matrix_key);
 

@@ -17,38 +17,9 @@ namespace fca::opencv {
 
 namespace {
 
-/// Can these cameras be stored at all? One that is already there (in `old`) is not asked again.
-bool check_models(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
-  bool good = true;
-  for (const Camera& camera : rig.cameras) {
-    const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
-    if (before != nullptr && before->model == camera.model) continue;
-    const std::string id(model_info(camera.model).id);
-    if (find_stored_model(kFormat, id, false) != nullptr) {
-      good = stored_within(kFormat, camera, diagnostics) && good;
-      continue;
-    }
-    diagnostics.error("model-not-storable", camera.name + ": OpenCV has no " + id + " model");
-    good = false;
-  }
-  return good;
-}
-
 /// What none of OpenCV's samples has a key for. Poses among the cameras are the layout's affair.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
-  for (const Camera& camera : rig.cameras) {
-    if (camera.time_offset_s) {
-      losses.push_back({"time-offset-dropped", camera.name + " time offset " + text::format_short(*camera.time_offset_s) + " s",
-                        "OpenCV's files have no key for it",
-                        "add " + text::format_short(*camera.time_offset_s) + " s to every image time stamp"});
-    }
-    if (!camera.topic.empty())
-      losses.push_back({"topic-dropped", camera.name + " " + camera.topic, "OpenCV's files have no key for it", ""});
-    if (camera.frame_rate_hz) {
-      losses.push_back({"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz",
-                        "OpenCV's files have no key for it", ""});
-    }
-  }
+  for (const Camera& camera : rig.cameras) add_stream(camera, "OpenCV's files have no key for it", losses);
   for (const Imu& imu : rig.imus) {
     losses.push_back({"imu-dropped", imu.name + " noise and rate", "OpenCV's files have no key for them", ""});
   }
@@ -144,7 +115,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   std::string why;
   std::optional<Edited> edited = try_edit(base, rig, options, why);
-  if (!check_models(rig, edited ? &edited->old : nullptr, diagnostics)) return std::nullopt;
+  if (!can_store(kFormat, rig, edited ? &edited->old : nullptr, diagnostics)) return std::nullopt;
   if (edited) {
     Written::File file{std::move(edited->document), {}, {}};
     for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);

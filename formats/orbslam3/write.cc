@@ -100,11 +100,7 @@ void list_camera_losses(const Rig& rig, const Target& target, const std::string&
                         "write it to a file of its own with --camera " + camera.name});
       continue;
     }
-    if (camera.time_offset_s && *camera.time_offset_s != 0.0) {
-      const std::string shift = text::format_short(*camera.time_offset_s, 12);
-      losses.push_back({"time-offset-dropped", camera.name + " timeshift_cam_imu " + shift + " s",
-                        program + " has no key for it", "add " + shift + " s to every image time stamp of " + camera.name});
-    }
+    add_time_offset(camera, program + " has no key for it", losses);
     if (!camera.topic.empty()) {
       losses.push_back({"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
     }
@@ -163,7 +159,7 @@ bool check_cameras(const Rig& rig, const Target& target, const Base* edited, Dia
       return false;
     }
     const Camera* before = edited != nullptr ? edited->rig.find_camera(camera.name) : nullptr;
-    if ((before == nullptr || before->model != camera.model) && !stored_within(kFormat, camera, diagnostics)) return false;
+    if ((before == nullptr || before->model != camera.model) && !can_store(kFormat, camera, diagnostics)) return false;
     // A base that never stated a size need not begin to.
     if (!camera.image_size && before == nullptr) {
       diagnostics.error("image-size-missing",

@@ -2,9 +2,9 @@
 #include "camera_txt.h"
 #include "tumvi.h"
 
-#include "../camera_losses.h"
 #include "../kalibr/kalibr.h"
 #include "../losses.h"
+#include "../one_camera_files.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -61,12 +61,7 @@ void remove_time_offsets(Rig& rig, const Rig* old, std::vector<Loss>& losses) {
   for (Camera& camera : rig.cameras) {
     const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
     if (before != nullptr && before->time_offset_s == camera.time_offset_s) continue;
-    if (camera.time_offset_s.value_or(0.0) != 0.0) {
-      const std::string shift = text::format_short(*camera.time_offset_s);
-      losses.push_back({"time-offset-dropped", camera.name + " timeshift_cam_imu " + shift + " s",
-                        "TUM-VI's chains have none: the dataset's offsets are removed from its time stamps",
-                        "add " + shift + " s to every image time stamp of " + camera.name});
-    }
+    add_time_offset(camera, "TUM-VI's chains have none: the dataset's offsets are removed from its time stamps", losses);
     camera.time_offset_s.reset();
   }
 }

@@ -2,9 +2,9 @@
 #include "layout.h"
 #include "woodscape.h"
 
-#include "../camera_losses.h"
 #include "../fields.h"
 #include "../losses.h"
+#include "../one_camera_files.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
@@ -114,39 +114,19 @@ std::string reference_frame(const Rig& rig) {
   return in_vehicle ? std::string(kVehicle) : rig.cameras.front().name;
 }
 
-bool storable(const Camera& camera, Diagnostics& diagnostics) {
-  if (model_info(camera.model).id != "woodscape") {
-    diagnostics.error("model-not-storable",
-                      camera.name + ": WoodScape has no " + std::string(model_info(camera.model).id) + " model");
-    return false;
-  }
-  if (!camera.image_size) {
-    diagnostics.error("image-size-missing",
-                      camera.name + ": WoodScape counts the centre from the middle of the image and the input has no size", {},
-                      "give it: --size WIDTHxHEIGHT");
-    return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  if (rig.cameras.empty()) {
-    diagnostics.error("no-camera", "a WoodScape calibration needs a camera and the input has none");
+  if (!writable_alone(kFormat, rig, "WoodScape counts the centre from the middle of the image", diagnostics))
     return std::nullopt;
-  }
-  bool good = true;
-  for (const Camera& camera : rig.cameras) good = storable(camera, diagnostics) && good;
-  if (!good) return std::nullopt;
 
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   Written written;
   const std::string frame = reference_frame(rig);
   for (const Camera& camera : rig.cameras) {
-    const bool of_base = old && (rig.cameras.size() == 1 || camera.name == old->cameras.front().name);
+    const bool of_base = is_camera_of(old, rig, camera);
     const std::string_view parent = of_base ? kVehicle : std::string_view(frame);
     const Transform* stated = rig.stated(parent, camera.name);
     const std::optional<Transform> pose = stated != nullptr ? *stated : rig.resolve(parent, camera.name);

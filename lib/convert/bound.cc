@@ -81,6 +81,9 @@ struct Strip {
   Field source;
   Field error;  ///< target - source
   [[nodiscard]] double remainder() const { return std::hypot(error.remainder[0], error.remainder[1]); }
+  [[nodiscard]] bool finite() const {
+    return std::isfinite(remainder()) && std::isfinite(source.remainder[0]) && std::isfinite(source.remainder[1]);
+  }
 };
 
 /// A rectangle of angles, t +- dt from the strip's centre, and azimuths.
@@ -123,6 +126,11 @@ struct Plane {
   Vector by_azimuth{};
   Vector rest{};
   Vector angle_rest{};  ///< The part of the rest that halving dt shrinks.
+
+  /// How fast the pixel moves with the angle, at most, in the cell.
+  [[nodiscard]] double steepest(double dt) const {
+    return std::hypot(std::abs(by_angle[0]) + 2.0 * angle_rest[0] / dt, std::abs(by_angle[1]) + 2.0 * angle_rest[1] / dt);
+  }
 };
 
 Plane plane_of(const Field& field, const Cell& cell, const Harmonics& harmonics) {
@@ -195,6 +203,9 @@ class Bounder {
   static constexpr int kAzimuths = 16;
   /// unproject() may give a ray for a pixel on the border whose pixel is, by rounding, outside.
   static constexpr double kBorderSlack = 1e-6;  // px
+  /// A ray in doubles is a little beside the one that is meant. Near a fold of ocamcalib's, where the angle hardly grows with
+  /// the radius, the same camera's pixel of it is then far from the pixel it came from: 1e-7 px.
+  static constexpr double kRayRounding = 32.0 * kRoundOff;  // rad
 
   [[nodiscard]] double good_enough() const { return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible); }
 
@@ -203,8 +214,7 @@ class Bounder {
     Strip strip = make_strip(0.5 * (from + to), 0.5 * (to - from));
     result_.evaluations += kStripCost;
     const double middle = 0.5 * (from + to);
-    if (!(strip.error.truncation <= std::max(kNegligibleRemainder, kRemainderShare * result_.seen)) &&
-        halvings < kMaxHalvings && result_.evaluations < budget_) {
+    if (!is_narrow(strip) && halvings < kMaxHalvings && result_.evaluations < budget_) {
       add_strip(from, middle, halvings + 1);
       add_strip(middle, to, halvings + 1);
       return;
@@ -222,6 +232,13 @@ class Bounder {
   /// An evaluation of a strip takes as long as that many of cells.
   static constexpr int kStripCost = 50;
 
+  [[nodiscard]] bool is_narrow(const Strip& strip) const {
+    // Of the same camera all that counts is how steep it is.
+    constexpr double kRough = 1e-3;  // px
+    if (source_ == target_) return strip.source.truncation <= kRough;
+    return strip.error.truncation <= std::max(kNegligibleRemainder, kRemainderShare * result_.seen);
+  }
+
   [[nodiscard]] Strip make_strip(double centre, double half) const {
     const AngleSeries at_centre = angle_series({centre, 0.0});
     const AngleSeries over_strip = angle_series({centre, half * (1.0 + 4.0 * kRoundOff) + kUnderflow});
@@ -231,6 +248,7 @@ class Bounder {
     const PolarSeries source_centre = form_of(source_, at_centre);
     const PolarSeries source_strip = form_of(source_, over_strip);
     strip.source = field_of(source_centre, source_strip, half);
+    if (source_ == target_) return strip;  // the error is 0, but for the rays' rounding
     strip.error = field_of(difference(form_of(target_, at_centre), source_centre),
                            difference(form_of(target_, over_strip), source_strip), half);
     return strip;
@@ -297,12 +315,13 @@ class Bounder {
       }
       corner = std::max({corner, square, other});
     }
-    cell.bound = (std::sqrt(corner) + std::hypot(error.rest[0], error.rest[1])) * (1.0 + 1e-12);
+    const double rounding = kRayRounding * (source.steepest(cell.dt) + error.steepest(cell.dt));
+    cell.bound = (std::sqrt(corner) + std::hypot(error.rest[0], error.rest[1]) + rounding) * (1.0 + 1e-12);
     // An infinite plane is no plane.
     if (!std::isfinite(cell.bound)) cell.bound = std::numeric_limits<double>::infinity();
     if (centre_inside) {
       // Some part of every division of this cell lies in the image, and none is better known than its strip.
-      hopeless_ = hopeless_ || !std::isfinite(strip.remainder());
+      hopeless_ = hopeless_ || !strip.finite();
       const double surely = std::hypot(error.value[0], error.value[1]) - strip.remainder();
       if (surely > result_.seen) {
         result_.seen = surely;
@@ -355,12 +374,7 @@ ErrorBound bound_error(const CameraModel& source, const CameraModel& target, con
       []<class S, class T>(const Intrinsics<S>&, const Intrinsics<T>&) { return HasPolarForm<S> && HasPolarForm<T>; }, source,
       target);
   if (!bounded) return {};
-  ErrorBound result;
-  if (source == target) {
-    result.bound = 0.0;
-  } else {
-    result = Bounder(source, target, domain, target_reach_rad, seen, budget).bound();
-  }
+  ErrorBound result = Bounder(source, target, domain, target_reach_rad, seen, budget).bound();
   result.bound += rounding_of(source, target, domain.size);
   return result;
 }

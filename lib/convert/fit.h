@@ -5,9 +5,9 @@
 #pragma once
 
 #include "aspect_fit.h"
+#include "linearised.h"
 #include "minimise.h"
 #include "orthonormal.h"
-#include "products.h"
 
 #include <fca/convert/convert.h>
 #include <fca/models/model_traits.h>
@@ -19,10 +19,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <vector>
-
-#include <ceres/jet.h>
 
 namespace fca::internal {
 
@@ -38,12 +35,6 @@ inline std::vector<Correspondence> spread(std::span<const Correspondence> sample
   }
   return chosen;
 }
-
-/// A model with derivatives of its own (model_traits.h).
-template <class M>
-concept HasSlopes = requires(const double* in, double* out) {
-  { M::formula_and_slopes(in, in, out, out, out) } -> std::same_as<bool>;
-};
 
 /// A model that is linear once fy / fx is given (model_traits.h).
 template <class M>
@@ -67,10 +58,7 @@ struct Fit {
 template <CameraModelType M>
 class Fitter {
   static constexpr int kCount = static_cast<int>(kParameterCount<M>);
-  /// u depends on fx and cx, v on fy and cy: half of their columns is 0.
-  static constexpr bool kFocalLengthsFirst = std::is_base_of_v<FocalLengthsFirst, M>;
   using Values = std::array<double, kParameterCount<M>>;
-  using Jet = ceres::Jet<double, kCount>;
 
  public:
   Fitter(std::span<const Correspondence> samples, std::span<const ParameterRange> ranges) : samples_(samples) {
@@ -311,20 +299,20 @@ class Fitter {
   bool polish(Candidate& candidate, const Effort& effort) {
     std::size_t before = 0;
     for (int round = 0; round < 4; ++round) {
-      active_.clear();
+      std::vector<Correspondence> active;
       for (const Correspondence& s : samples_) {
-        if (evaluates(candidate.values, s)) active_.push_back(s);
+        if (evaluates(candidate.values, s)) active.push_back(s);
       }
-      if (active_.size() * 2 < static_cast<std::size_t>(kCount) || (round > 0 && active_.size() <= before)) break;
-      before = active_.size();
+      if (active.size() * 2 < static_cast<std::size_t>(kCount) || (round > 0 && active.size() <= before)) break;
+      before = active.size();
+      linearised_.reset(std::move(active), candidate.fixed);
       if (!minimise_active(candidate, effort)) return false;
-      if (active_.size() == samples_.size()) break;
+      if (before == samples_.size()) break;
     }
     return before > 0;
   }
 
   bool minimise_active(Candidate& candidate, const Effort& effort) {
-    prepare(candidate);
     std::array<double, kParameterCount<M>> free{};
     std::size_t count = 0;
     for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
@@ -335,13 +323,13 @@ class Fitter {
       return true;
     }
     const Evaluate evaluate_at = [this, &candidate](const double* p, NormalEquations& sums) {
-      return this->evaluate(candidate, p, sums);
+      return linearised_.evaluate(merged(candidate, p), sums);
     };
     const Minimum minimum = minimise(evaluate_at, effort, std::span(free).first(count));
     if (!minimum.usable) return false;
     candidate.cost = minimum.cost;
     candidate.iterations += minimum.iterations;
-    candidate.on_all = active_.size() == samples_.size();
+    candidate.on_all = linearised_.rows() == 2 * samples_.size();
     if (minimum.cost < kSmallCost) refine(candidate, effort, std::span(free).first(count));
     candidate.values = merged(candidate, free.data());
     return true;
@@ -353,11 +341,9 @@ class Fitter {
   void refine(Candidate& candidate, const Effort& effort, std::span<double> free) {
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds && candidate.cost > kExactCost; ++round) {
-      if (!linearise(merged(candidate, free.data()))) return;
-      linearised_at_.reset();
-      const std::size_t rows = 2 * active_.size();
-      orthonormal_.reset(rows, free_columns_.size());
-      for (const Column& column : free_columns_) orthonormal_.add(column.data);
+      if (!linearised_.linearise(merged(candidate, free.data()))) return;
+      orthonormal_.reset(linearised_.rows(), linearised_.columns().size());
+      for (const Column& column : linearised_.columns()) orthonormal_.add(column.data);
       const Values centre = [&] {
         Values values{};
         std::ranges::copy(free, values.begin());
@@ -369,12 +355,11 @@ class Fitter {
         return values;
       };
       const Evaluate evaluate_at = [&](const double* y, NormalEquations& sums) {
-        if (sums.gradient.empty()) return this->evaluate(candidate, free_at(y).data(), sums);
         const Values values = merged(candidate, free_at(y).data());
-        if (linearised_at_ != values && !linearise(values)) return false;
-        linearised_at_ = values;
-        orthonormal_.transform(free_columns_, moved_);
-        const Column r{residuals(), 0, rows};
+        if (sums.gradient.empty()) return linearised_.evaluate(values, sums);
+        if (!linearised_.linearise(values)) return false;
+        orthonormal_.transform(linearised_.columns(), moved_);
+        const Column r = linearised_.residuals();
         products(std::span(&r, 1), r, &sums.cost);
         products(orthonormal_.columns(moved_), r, sums.gradient.data());
         products(orthonormal_.columns(moved_), sums.hessian.data());
@@ -397,98 +382,6 @@ class Fitter {
       if (!candidate.fixed[i]) values[i] = free[k++];
     }
     return values;
-  }
-
-  /// Space for the Jacobian's columns, in the order of the parameters, and for the residuals: first all of u, then all of v.
-  void prepare(const Candidate& candidate) {
-    const std::size_t points = active_.size();
-    roots_.resize(points);
-    std::ranges::transform(active_, roots_.begin(), [](const Correspondence& s) { return std::sqrt(s.weight); });
-    numbers_.resize((kParameterCount<M> + 1) * 2 * points);
-    free_columns_.clear();
-    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
-      if (candidate.fixed[i]) continue;
-      Column column{column_of(i), 0, 2 * points};
-      if (kFocalLengthsFirst && i < 4) (i % 2 == 0 ? column.end : column.begin) = points;
-      free_columns_.push_back(column);
-    }
-    linearised_at_.reset();
-  }
-
-  double* column_of(std::size_t parameter) { return numbers_.data() + parameter * 2 * active_.size(); }
-  double* residuals() { return column_of(kParameterCount<M>); }
-
-  bool evaluate(const Candidate& candidate, const double* free, NormalEquations& sums) {
-    const Values values = merged(candidate, free);
-    const bool with_slopes = !sums.gradient.empty();
-    if constexpr (HasSlopes<M>) {
-      // The solver asks for the slopes where it has just asked for the cost.
-      if (linearised_at_ != values) {
-        linearised_at_.reset();
-        if (!linearise(values)) return false;
-        linearised_at_ = values;
-      }
-    } else if (!(with_slopes ? linearise(values) : compute_residuals(values))) {
-      return false;
-    }
-    const Column r{residuals(), 0, 2 * active_.size()};
-    products(std::span(&r, 1), r, &sums.cost);
-    if (with_slopes) {
-      products(free_columns_, r, sums.gradient.data());
-      products(free_columns_, sums.hessian.data());
-    }
-    return true;
-  }
-
-  /// Residuals in pixels, times the root of the sample's weight.
-  bool compute_residuals(const Values& values) {
-    const std::size_t points = active_.size();
-    double* const r = residuals();
-    for (std::size_t k = 0; k < points; ++k) {
-      const Correspondence& s = active_[k];
-      double pixel[2];
-      if (!M::formula(values.data(), s.ray.data(), pixel)) return false;
-      r[k] = roots_[k] * (pixel[0] - s.pixel[0]);
-      r[points + k] = roots_[k] * (pixel[1] - s.pixel[1]);
-    }
-    return true;
-  }
-
-  /// The residuals and their derivatives by all parameters.
-  bool linearise(const Values& values) {
-    const std::size_t points = active_.size();
-    double* const r = residuals();
-    double* const jacobian = column_of(0);
-    std::array<Jet, kParameterCount<M>> parameters;
-    if constexpr (!HasSlopes<M>) {
-      for (std::size_t i = 0; i < kParameterCount<M>; ++i) parameters[i] = Jet(values[i], static_cast<int>(i));
-    }
-    for (std::size_t k = 0; k < points; ++k) {
-      const Correspondence& s = active_[k];
-      double pixel[2];
-      double du[kParameterCount<M>];
-      double dv[kParameterCount<M>];
-      if constexpr (HasSlopes<M>) {
-        if (!M::formula_and_slopes(values.data(), s.ray.data(), pixel, du, dv)) return false;
-      } else {
-        const Jet ray[3] = {Jet(s.ray[0]), Jet(s.ray[1]), Jet(s.ray[2])};
-        Jet jets[2];
-        if (!M::formula(parameters.data(), ray, jets)) return false;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-          pixel[axis] = jets[axis].a;
-          // At an edge of the formula's domain a derivative may be no number.
-          for (int i = 0; i < kCount; ++i) (axis == 0 ? du : dv)[i] = std::isfinite(jets[axis].v[i]) ? jets[axis].v[i] : 0.0;
-        }
-      }
-      const double root = roots_[k];
-      r[k] = root * (pixel[0] - s.pixel[0]);
-      r[points + k] = root * (pixel[1] - s.pixel[1]);
-      for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
-        jacobian[2 * points * i + k] = root * du[i];
-        jacobian[2 * points * i + points + k] = root * dv[i];
-      }
-    }
-    return true;
   }
 
   /// While a parameter lies outside its range: put the one furthest outside on its bound, hold it there, fit the others again.
@@ -551,13 +444,9 @@ class Fitter {
   }
 
   std::span<const Correspondence> samples_;
-  std::vector<Correspondence> active_;
-  std::vector<double> roots_;    ///< Of the active samples' weights.
-  std::vector<double> numbers_;  ///< See prepare().
-  std::vector<double> moved_;    ///< The Jacobian in other coordinates.
+  Linearised<M> linearised_;
+  std::vector<double> moved_;  ///< The Jacobian in other coordinates.
   Orthonormal orthonormal_;
-  std::vector<Column> free_columns_;
-  std::optional<Values> linearised_at_;
   Values lower_{};
   Values upper_{};
   std::array<bool, kParameterCount<M>> held_{};

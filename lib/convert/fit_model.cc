@@ -29,6 +29,17 @@ std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<co
   return result;
 }
 
+/// The coefficient of a model that a wide lens may be better off without (model_traits.h); "" if it has none.
+std::string_view bends_back(std::string_view id) {
+  std::string_view result;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if constexpr (requires { M::kBendsBack; }) {
+      if (M::kId == id) result = M::kBendsBack;
+    }
+  });
+  return result;
+}
+
 /// Does a conversion prefer a to b? More of the lens first, then fewer pixels.
 bool better(const FittedModel& a, const std::optional<FittedModel>& b) {
   if (!b) return true;
@@ -81,9 +92,8 @@ std::optional<FittedModel> fit_model(std::string_view id, std::span<const Corres
                                      std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
   if (!best || !best->reaches_all) {
-    // A highest coefficient bends the radius back before the edge of a wide lens; without it the same model may reach.
     std::vector<ParameterRange> shorter(ranges.begin(), ranges.end());
-    if (id == Radtan::kId) shorter.push_back({"k3", 0.0, 0.0});
+    if (const std::string_view bends = bends_back(id); !bends.empty()) shorter.push_back({bends, 0.0, 0.0});
     if (shorter.size() > ranges.size()) {
       std::optional<FittedModel> without = fit_from_own_starts(id, samples, centre, shorter);
       if (without && better(*without, best)) best = std::move(without);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/models/camera_model.h>
 
+#include <fca/folded_name.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -48,23 +50,15 @@ Ray of_usable_length(const Ray& ray) {
   return {std::scalbn(ray[0], -exponent), std::scalbn(ray[1], -exponent), std::scalbn(ray[2], -exponent)};
 }
 
-/// Same letters, in any case, '-' or '_'.
-bool same_name(std::string_view a, std::string_view b) {
-  const auto fold = [](char c) {
-    if (c == '_') return '-';
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  };
-  return std::ranges::equal(a, b, {}, fold, fold);
-}
-
 }  // namespace
 
 std::span<const ModelInfo> all_models() { return kModels; }
 
 const ModelInfo* find_model(std::string_view name) {
-  const auto matches = [name](const ModelInfo& info) {
-    return same_name(info.id, name) ||
-           std::ranges::any_of(info.aliases, [name](std::string_view alias) { return same_name(alias, name); });
+  const std::string word = folded(name);
+  const auto matches = [&word](const ModelInfo& info) {
+    return folded(info.id) == word ||
+           std::ranges::any_of(info.aliases, [&word](std::string_view alias) { return folded(alias) == word; });
   };
   const auto* const found = std::ranges::find_if(kModels, matches);
   return found == kModels.end() ? nullptr : found;

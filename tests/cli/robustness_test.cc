@@ -3,8 +3,11 @@
 // in time.
 #include "cli/run_program.h"
 
+#include <fca/formats/format.h>
+
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <map>
 #include <random>
 
@@ -17,6 +20,10 @@ const std::vector<std::vector<std::string>> kCommands = {{"show"},
                                                          {"show", "--json"},
                                                          {"convert", "--to", "orbslam3"},
                                                          {"convert", "--to", "kalibr"},
+                                                         {"convert", "--to", "opencv"},
+                                                         {"convert", "--to", "ocamcalib"},
+                                                         {"convert", "--to", "woodscape"},
+                                                         {"convert", "--to", "tumvi"},
                                                          {"convert", "--to", "orbslam3", "--model", "eucm", "--json"},
                                                          {"project", "--camera", "0"},
                                                          {"unproject", "--camera", "0"}};
@@ -72,8 +79,8 @@ TEST(Robustness, EverySubcommandOverTheCorpus) {
   const fs::path corpus = fs::path(FCA_SHARED_DIR) / "corpus";
   if (!fs::exists(corpus)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
   Watch watch;
-  for (const char* format : {"kalibr", "orbslam3"}) {
-    for (const fs::path& path : files_in(corpus / format)) {
+  for (const Format& format : all_formats()) {
+    for (const fs::path& path : files_in(corpus / format.id)) {
       for (const std::vector<std::string>& command : kCommands) watch.run(command, path.string(), path.filename().string());
     }
   }
@@ -142,10 +149,9 @@ std::string ruined(std::string bytes, std::mt19937& random) {
 }
 
 TEST(Robustness, SeededRuins) {
-  std::vector<std::string> sources;
-  for (const char* format : {"kalibr", "orbslam3"}) {
-    for (const fs::path& path : files_in(fs::path(FCA_TESTDATA_DIR) / "formats" / format / "good"))
-      sources.push_back(read_file(path));
+  std::vector<fs::path> sources;
+  for (const Format& format : all_formats()) {
+    std::ranges::copy(files_in(fs::path(FCA_TESTDATA_DIR) / "formats" / format.id / "good"), std::back_inserter(sources));
   }
   ASSERT_GE(sources.size(), 10U);
   std::mt19937 random(500);
@@ -153,9 +159,10 @@ TEST(Robustness, SeededRuins) {
   Watch watch;
   constexpr int kRuins = 500;
   for (int i = 0; i < kRuins; ++i) {
-    std::string bytes = ruined(sources[random() % sources.size()], random);
+    const fs::path& source = sources[random() % sources.size()];
+    std::string bytes = ruined(read_file(source), random);
     if (random() % 3 == 0) bytes = ruined(bytes, random);
-    const std::string path = folder.write("ruin.yaml", bytes);
+    const std::string path = folder.write("ruin" + source.extension().string(), bytes);
     const bool good = watch.run(kCommands[static_cast<std::size_t>(i) % kCommands.size()], path, "ruin " + std::to_string(i));
     if (!good) std::printf("---- ruin %d\n%s\n----\n", i, bytes.c_str());
   }

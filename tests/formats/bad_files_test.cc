@@ -51,19 +51,6 @@ TEST_P(BadFiles, AreExplainedWordForWord) {
   EXPECT_FALSE(text.empty()) << "nothing is said about a bad file";
 }
 
-/// The files of every format's folder of that name, without the expected texts.
-std::vector<fs::path> files_of_all_formats(const std::string& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& format : fs::directory_iterator(testdata_dir())) {
-    if (!fs::exists(format.path() / folder)) continue;
-    const std::vector<fs::path> found = files_in(format.path() / folder);
-    std::ranges::copy_if(found, std::back_inserter(files),
-                         [](const fs::path& path) { return path.extension() != ".expected"; });
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
 std::string test_name(const testing::TestParamInfo<fs::path>& info) {
   std::string name = info.param.parent_path().parent_path().filename().string() + "_" + info.param.stem().string();
   std::ranges::replace_if(
@@ -74,9 +61,10 @@ std::string test_name(const testing::TestParamInfo<fs::path>& info) {
 INSTANTIATE_TEST_SUITE_P(Formats, BadFiles, testing::ValuesIn(files_of_all_formats("bad")), test_name);
 
 TEST(BadFileFolder, HoldsEnough) {
-  for (const char* format : {"kalibr", "ocamcalib", "orbslam3", "tumvi", "woodscape"}) {
-    EXPECT_GE(files_in(testdata_dir() / format / "bad", ".expected").size(), 12U) << format;
-    for (const fs::path& path : files_in(testdata_dir() / format / "bad", ".expected")) {
+  for (const Format& format : all_formats()) {
+    const std::vector<fs::path> expected = files_in(testdata_dir() / format.id / "bad", ".expected");
+    EXPECT_GE(expected.size(), 12U) << format.id;
+    for (const fs::path& path : expected) {
       EXPECT_TRUE(fs::exists(path.parent_path() / path.stem())) << path << " explains a file that is not there";
     }
   }

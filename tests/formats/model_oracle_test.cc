@@ -5,9 +5,10 @@
 //   nan       the program itself calls the ray invalid;
 //   mirrored  the program divides by z and prints the mirror image of a ray at or behind 90 degrees;
 //   folded    the program prints a pixel although its image radius has stopped growing on the way out to that ray (we say
-//   nothing); misread   ORB-SLAM3's second camera with the first one's lens coefficients (FORMATS.md 3.2).
+//             nothing);
+//   misread   ORB-SLAM3's second camera with the first one's lens coefficients (FORMATS.md 3.2).
 // Mirrored and folded are established from the program's own formula (formats/consumers), not from our answer.
-#include "formats/test_files.h"
+#include "formats/oracle_table.h"
 
 #include <fca/formats/consumers/consumer.h>
 
@@ -17,34 +18,6 @@
 
 namespace fca::test {
 namespace {
-
-struct Row {
-  Ray ray;
-  Pixel pixel;
-};
-
-struct Table {
-  fs::path path;
-  std::string file;
-  std::size_t camera = 0;
-  std::vector<Row> rows;
-};
-
-Table read_table(const fs::path& path) {
-  Table table;
-  table.path = path;
-  for (const std::string& line : split(read_file(path), '\n')) {
-    const std::vector<std::string> fields = split(line, '\t');
-    if (line.starts_with("# corpus file: ")) {
-      table.file = fields.at(0).substr(std::string("# corpus file: ").size());
-      table.camera = std::stoul(fields.at(1).substr(std::string("camera index: ").size()));
-    } else if (line.starts_with("project\t")) {
-      table.rows.push_back({{std::stod(fields.at(1)), std::stod(fields.at(2)), std::stod(fields.at(3))},
-                            {std::stod(fields.at(4)), std::stod(fields.at(5))}});
-    }
-  }
-  return table;
-}
 
 struct Counts {
   int compared = 0;
@@ -97,7 +70,7 @@ class OracleTables {
     std::printf("%-100s cam compared  (>= 90 deg)   nan mirrored folded misread  worst / allowed\n", "file");
     for (const fs::path& path : files_in(shared_dir() / "oracles" / id_)) {
       if (!path.string().ends_with("." + id_ + ".tsv")) continue;
-      const Table table = read_table(path);
+      const OracleTable table = read_oracle_table(path);
       const Counts counts = compare(table);
       std::printf("%-100s %3zu %8d %12d %6d %8d %6d %7d  %.2g\n", table.file.c_str(), table.camera, counts.compared,
                   counts.behind, counts.nan, counts.mirrored, counts.folded, counts.misread, counts.worst);
@@ -110,7 +83,7 @@ class OracleTables {
   [[nodiscard]] int total() const { return total_; }
 
  private:
-  Counts compare(const Table& table) {
+  Counts compare(const OracleTable& table) {
     SCOPED_TRACE(table.file);
     Counts counts;
     const std::string bytes = read_file(shared_dir() / "corpus" / table.file);
@@ -128,12 +101,12 @@ class OracleTables {
       view = consumer_.load(bytes.substr(0, bytes.find("T_cam1_cam0")), {"mono"});
     }
     const consumers::ConsumerCamera& theirs = view.cameras.at(table.camera);
-    for (const Row& row : table.rows) compare_row(row, model, theirs, counts);
+    for (const OracleRow& row : table.rows) compare_row(row, model, theirs, counts);
     EXPECT_GE(counts.compared + counts.misread, 15) << "too few rows compared";
     return counts;
   }
 
-  void compare_row(const Row& row, const CameraModel& model, const consumers::ConsumerCamera& theirs, Counts& counts) {
+  void compare_row(const OracleRow& row, const CameraModel& model, const consumers::ConsumerCamera& theirs, Counts& counts) {
     const std::optional<Pixel> ours = project(model, row.ray);
     const bool kb4 = model_info(model).id == "kb4";
     if (kb4 && ours) {

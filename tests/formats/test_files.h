@@ -39,6 +39,19 @@ inline std::vector<fs::path> files_in(const fs::path& folder, const std::string&
   return result;
 }
 
+/// The files of testdata/formats/*/good (or bad), without the expected texts.
+inline std::vector<fs::path> files_of_all_formats(const std::string& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& format : fs::directory_iterator(testdata_dir())) {
+    if (!fs::exists(format.path() / folder)) continue;
+    const std::vector<fs::path> found = files_in(format.path() / folder);
+    std::ranges::copy_if(found, std::back_inserter(files),
+                         [](const fs::path& path) { return path.extension() != ".expected"; });
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
 inline std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::istringstream stream(text);

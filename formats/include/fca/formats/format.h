@@ -36,7 +36,7 @@ struct StoredModel {
 /// Something the target format cannot carry.
 struct Loss {
   std::string code;    ///< "time-offset-dropped"
-  std::string what;    ///< "cam0 timeshift_cam_imu 0.0021 s"
+  std::string what;    ///< "cam0 time offset 0.0021 s"
   std::string why;     ///< "ORB-SLAM3 has no key for it"
   std::string remedy;  ///< "add 0.0021 s to every image time stamp"; may be empty
 };
@@ -122,8 +122,10 @@ struct Format {
 /// The row of `format` for a model; stock rows first. Null if it cannot store it.
 [[nodiscard]] const StoredModel* find_stored_model(const Format& format, std::string_view model, bool stock_only);
 
-/// Can the format hold this camera's parameters? An error if not (EUCM's alpha for the forks, k3 in a camchain): the caller is
-/// to convert the camera first.
-[[nodiscard]] bool stored_within(const Format& format, const Camera& camera, Diagnostics& diagnostics);
+/// Can the format hold this camera: its model, and its parameters (EUCM's alpha for the forks, k3 in a camchain)? An error if
+/// not: the caller is to convert the camera first.
+[[nodiscard]] bool can_store(const Format& format, const Camera& camera, Diagnostics& diagnostics);
+/// The same of all cameras, but for those that `there` (the file to be edited; may be null) already holds as they are.
+[[nodiscard]] bool can_store(const Format& format, const Rig& rig, const Rig* there, Diagnostics& diagnostics);
 
 }  // namespace fca

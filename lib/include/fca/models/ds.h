@@ -23,7 +23,7 @@
 
 namespace fca {
 
-struct Ds : internal::FocalLengthsFirst {
+struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
   static constexpr std::string_view kId = "ds";
   static constexpr std::string_view kTitle = "Double Sphere";
   static constexpr std::array<std::string_view, 3> kAliases = {"double-sphere", "doublesphere", "ds-none"};
@@ -34,15 +34,6 @@ struct Ds : internal::FocalLengthsFirst {
       common_parameter::kCy,
       Parameter{"alpha", "", 0.0, 1.0, ParameterGroup::kLens},
       Parameter{"xi", "", -1.0, common_parameter::kInfinity, ParameterGroup::kLens, true}};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double alpha = p[4];
@@ -118,6 +109,7 @@ struct Ds : internal::FocalLengthsFirst {
   static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0] / (1.0 + p[5]), p[1] / (1.0 + p[5])}; }
 
  private:
+  friend struct internal::RayMap<Ds>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     using std::sqrt;

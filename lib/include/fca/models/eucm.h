@@ -76,7 +76,7 @@ struct UnifiedPlane {
 
 }  // namespace internal
 
-struct Eucm : internal::FocalLengthsFirst {
+struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
   static constexpr std::string_view kId = "eucm";
   static constexpr std::string_view kTitle = "Enhanced Unified Camera Model";
   static constexpr std::array<std::string_view, 3> kAliases = {"eucm-none", "extended-unified", "enhanced-unified"};
@@ -87,15 +87,6 @@ struct Eucm : internal::FocalLengthsFirst {
       common_parameter::kCy,
       Parameter{"alpha", "", 0.0, 1.0, ParameterGroup::kLens},
       Parameter{"beta", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens, true}};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double alpha = p[4];
@@ -123,6 +114,7 @@ struct Eucm : internal::FocalLengthsFirst {
   }
 
  private:
+  friend struct internal::RayMap<Eucm>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     T m[2];

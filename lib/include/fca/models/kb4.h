@@ -20,7 +20,7 @@
 
 namespace fca {
 
-struct Kb4 : internal::FocalLengthsFirst {
+struct Kb4 : internal::FocalLengthsFirst, internal::RayMap<Kb4> {
   static constexpr std::string_view kId = "kb4";
   static constexpr std::string_view kTitle = "Kannala-Brandt";
   static constexpr std::array<std::string_view, 12> kAliases = {
@@ -34,15 +34,6 @@ struct Kb4 : internal::FocalLengthsFirst {
                                              common_parameter::coefficient("k2"),
                                              common_parameter::coefficient("k3"),
                                              common_parameter::coefficient("k4")};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
     double mx = 0.0;
@@ -92,6 +83,7 @@ struct Kb4 : internal::FocalLengthsFirst {
   }
 
  private:
+  friend struct internal::RayMap<Kb4>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     using std::atan2;
@@ -117,7 +109,7 @@ struct Kb4 : internal::FocalLengthsFirst {
   /// dd/dtheta as a polynomial in theta^2.
   static std::array<double, 5> slope(const double* k) { return {1.0, 3.0 * k[0], 5.0 * k[1], 7.0 * k[2], 9.0 * k[3]}; }
 
-  /// d(theta) = radius. First Newton's method from theta = radius, nearly always enough; else the search inside the domain.
+  /// d(theta) = radius, from theta = radius.
   static bool angle_of_radius(const double* p, double radius, double& theta) {
     const std::array<double, 5> slope_coefficients = slope(p + 4);
     const auto d = [&](double x, double& value, double& derivative) {
@@ -125,20 +117,9 @@ struct Kb4 : internal::FocalLengthsFirst {
       value = x * (1.0 + t * (p[4] + t * (p[5] + t * (p[6] + t * p[7]))));
       derivative = evaluate_polynomial(slope_coefficients, t);
     };
-    theta = radius;
-    constexpr int kMaxSteps = 10;
-    for (int i = 0; i < kMaxSteps; ++i) {
-      double value = 0.0;
-      double derivative = 0.0;
-      d(theta, value, derivative);
-      const double step = (value - radius) / derivative;
-      theta -= step;
-      if (!(std::abs(step) <= 1e-10 * theta)) continue;  // the next step would be about the square of this one
-      if (theta < std::numbers::pi && positive_on(slope_coefficients, theta * theta)) return true;
-      break;
-    }
-    theta = radius;
-    return invert_increasing(d, radius, max_angle(p), theta);
+    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(slope_coefficients, x * x); };
+    return invert_inside(
+        d, radius, radius, inside, [&] { return max_angle(p); }, theta);
   }
 };
 

@@ -18,7 +18,7 @@
 
 namespace fca {
 
-struct Mei : internal::FocalLengthsFirst {
+struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
   static constexpr std::string_view kId = "mei";
   static constexpr std::string_view kTitle = "Mei (unified model with radial-tangential distortion)";
   static constexpr std::array<std::string_view, 4> kAliases = {"omni", "omni-radtan", "omni-none", "omnidir"};
@@ -31,15 +31,6 @@ struct Mei : internal::FocalLengthsFirst {
                                              common_parameter::coefficient("k2"),
                                              common_parameter::coefficient("p1"),
                                              common_parameter::coefficient("p2")};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
@@ -132,6 +123,7 @@ struct Mei : internal::FocalLengthsFirst {
   static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0] / (1.0 + p[4]), p[1] / (1.0 + p[4])}; }
 
  private:
+  friend struct internal::RayMap<Mei>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     using std::sqrt;

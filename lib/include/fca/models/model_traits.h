@@ -77,9 +77,11 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              u = cx + c . along_u,  v = cy + aspect c . along_v; false where a ray has no pixel. Such a
 ///                              model is fitted without a start.
 ///   kFolded                    (optional) the index of a parameter along which a fit has two bottoms with nearly the same
-///   pixels. kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller
-///   gives them a
-///                              range.
+///                              pixels.
+///   kBendsBack                 (optional) the name of a coefficient that may bend the radius back before the edge of a wide
+///                              lens; a fit that does not reach the edge is tried with 0 there.
+///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them
+///                              a range.
 ///
 /// Nothing is assumed of the order or the names of the parameters.
 template <class M>
@@ -134,6 +136,19 @@ void to_pixel(const T* p, const T& mx, const T& my, T* pixel) {
   pixel[0] = p[0] * mx + p[2];
   pixel[1] = p[1] * my + p[3];
 }
+
+/// project() and formula() of a model with one private map<kWithinDomain>(p, ray, pixel) for both, for whom RayMap is a friend.
+template <class M>
+struct RayMap {
+  template <class T>
+  static bool project(const T* p, const T* ray, T* pixel) {
+    return M::template map<true>(p, ray, pixel);
+  }
+  template <class T>
+  static bool formula(const T* p, const T* ray, T* pixel) {
+    return M::template map<false>(p, ray, pixel);
+  }
+};
 
 /// What a model inherits that begins with fx fy cx cy, where fx and fy are the central focal lengths.
 struct FocalLengthsFirst {

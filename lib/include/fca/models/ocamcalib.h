@@ -34,7 +34,7 @@
 
 namespace fca {
 
-struct Ocamcalib {
+struct Ocamcalib : internal::RayMap<Ocamcalib> {
   static constexpr std::string_view kId = "ocamcalib";
   static constexpr std::string_view kTitle = "OCamCalib (Scaramuzza's polynomial)";
   static constexpr std::array<std::string_view, 4> kAliases = {"ocam", "scaramuzza", "omnidirectional-polynomial", "occ"};
@@ -58,15 +58,6 @@ struct Ocamcalib {
   /// programs hold (camodocal and MATLAB: five coefficients with a1) and what the toolbox writes; LIMITS.md's floors are for
   /// it, too.
   static constexpr std::array<std::string_view, 5> kHeldInFits = {"a1", "a5", "a6", "a7", "a8"};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     if (!(p[kC] > p[kD] * p[kE]) || !(p[kA] < 0.0)) return false;
@@ -164,6 +155,7 @@ struct Ocamcalib {
   }
 
  private:
+  friend struct internal::RayMap<Ocamcalib>;
   enum Index : std::size_t { kCx, kCy, kC, kD, kE, kA };
   static constexpr std::size_t kTerms = 9;
   using Polynomial = std::array<double, kTerms>;

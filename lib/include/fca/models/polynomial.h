@@ -148,4 +148,24 @@ template <class F>
   return false;
 }
 
+/// The same for an f whose slope is positive where `inside` holds, between 0 and limit(): Newton's method from `guess`, which
+/// nearly always ends inside after a few steps and asks for no limit; else the search.
+template <class F, class Inside, class Limit>
+[[nodiscard]] bool invert_inside(const F& f, double y, double guess, const Inside& inside, const Limit& limit, double& x) {
+  constexpr int kMaxSteps = 10;
+  x = guess;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    double value = 0.0;
+    double slope = 0.0;
+    f(x, value, slope);
+    const double step = (value - y) / slope;
+    x -= step;
+    if (!(std::abs(step) <= 1e-10 * x)) continue;  // the next step would be about the square of this one
+    if (inside(x)) return true;
+    break;
+  }
+  x = guess;
+  return invert_increasing(f, y, limit(), x);
+}
+
 }  // namespace fca

@@ -19,7 +19,7 @@
 
 namespace fca {
 
-struct Radtan : internal::FocalLengthsFirst {
+struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
   static constexpr std::string_view kId = "radtan";
   static constexpr std::string_view kTitle = "Pinhole with radial-tangential distortion";
   static constexpr std::array<std::string_view, 6> kAliases = {"rt",        "pinhole-radtan", "radial-tangential",
@@ -34,14 +34,7 @@ struct Radtan : internal::FocalLengthsFirst {
                                              common_parameter::coefficient("p2"),
                                              common_parameter::coefficient("k3")};
 
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
+  static constexpr std::string_view kBendsBack = "k3";
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
     double m[2];
@@ -92,6 +85,7 @@ struct Radtan : internal::FocalLengthsFirst {
   }
 
  private:
+  friend struct internal::RayMap<Radtan>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     if (!(internal::value_of(ray[2]) > 0.0)) return false;

@@ -99,7 +99,7 @@ struct RationalFactor {
 
 }  // namespace internal
 
-struct Rational : internal::FocalLengthsFirst {
+struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
   static constexpr std::string_view kId = "rational";
   static constexpr std::string_view kTitle = "OpenCV's rational model with 8 coefficients";
   static constexpr std::array<std::string_view, 5> kAliases = {"rational-polynomial", "pinhole-rational", "pinhole-radtan8",
@@ -116,16 +116,6 @@ struct Rational : internal::FocalLengthsFirst {
                                              common_parameter::coefficient("k4"),
                                              common_parameter::coefficient("k5"),
                                              common_parameter::coefficient("k6")};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  /// No value beyond a pole, either: a fit has no way back from there.
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     if (!(ray[2] > 0.0)) return false;
@@ -217,8 +207,10 @@ struct Rational : internal::FocalLengthsFirst {
   }
 
  private:
+  friend struct internal::RayMap<Rational>;
   using Distortion = internal::TangentialOver<internal::RationalFactor>;
 
+  /// No value beyond a pole, either, without the domain: a fit has no way back from there.
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     if (!(internal::value_of(ray[2]) > 0.0)) return false;

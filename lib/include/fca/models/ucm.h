@@ -15,21 +15,12 @@
 
 namespace fca {
 
-struct Ucm : internal::FocalLengthsFirst {
+struct Ucm : internal::FocalLengthsFirst, internal::RayMap<Ucm> {
   static constexpr std::string_view kId = "ucm";
   static constexpr std::string_view kTitle = "Unified Camera Model";
   static constexpr std::array<std::string_view, 2> kAliases = {"unified", "unified-camera-model"};
   static constexpr std::array kParameters = {common_parameter::kFx, common_parameter::kFy, common_parameter::kCx,
                                              common_parameter::kCy, Parameter{"alpha", "", 0.0, 1.0, ParameterGroup::kLens}};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
@@ -55,6 +46,7 @@ struct Ucm : internal::FocalLengthsFirst {
   }
 
  private:
+  friend struct internal::RayMap<Ucm>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     T m[2];

@@ -26,7 +26,7 @@
 
 namespace fca {
 
-struct Woodscape {
+struct Woodscape : internal::RayMap<Woodscape> {
   static constexpr std::string_view kId = "woodscape";
   static constexpr std::string_view kTitle = "WoodScape radial polynomial";
   static constexpr std::array<std::string_view, 2> kAliases = {"radial-poly", "radial-polynomial"};
@@ -38,15 +38,6 @@ struct Woodscape {
                                              Parameter{"aspect_ratio", "", 0.0, kInfinity, ParameterGroup::kLens, true},
                                              common_parameter::kCx,
                                              common_parameter::kCy};
-
-  template <class T>
-  static bool project(const T* p, const T* ray, T* pixel) {
-    return map<true>(p, ray, pixel);
-  }
-  template <class T>
-  static bool formula(const T* p, const T* ray, T* pixel) {
-    return map<false>(p, ray, pixel);
-  }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
     const double x = pixel[0] - p[5];
@@ -101,6 +92,7 @@ struct Woodscape {
   }
 
  private:
+  friend struct internal::RayMap<Woodscape>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {
     using std::atan2;
@@ -131,27 +123,16 @@ struct Woodscape {
   /// drho/dtheta as a polynomial in theta.
   static std::array<double, 4> slope(const double* k) { return {k[0], 2.0 * k[1], 3.0 * k[2], 4.0 * k[3]}; }
 
-  /// rho(theta) = radius. First Newton's method, nearly always enough; else the search inside the domain.
+  /// rho(theta) = radius, from the lens without k2..k4.
   static bool angle_of_radius(const double* p, double radius, double& theta) {
     const std::array<double, 4> slope_coefficients = slope(p);
     const auto rho = [&](double x, double& value, double& derivative) {
       value = x * (p[0] + x * (p[1] + x * (p[2] + x * p[3])));
       derivative = evaluate_polynomial(slope_coefficients, x);
     };
-    theta = radius / p[0];
-    constexpr int kMaxSteps = 10;
-    for (int i = 0; i < kMaxSteps; ++i) {
-      double value = 0.0;
-      double derivative = 0.0;
-      rho(theta, value, derivative);
-      const double step = (value - radius) / derivative;
-      theta -= step;
-      if (!(std::abs(step) <= 1e-10 * theta)) continue;  // the next step would be about the square of this one
-      if (theta < std::numbers::pi && positive_on(slope_coefficients, theta)) return true;
-      break;
-    }
-    theta = radius / p[0];
-    return invert_increasing(rho, radius, max_angle(p), theta);
+    const auto inside = [&](double x) { return x < std::numbers::pi && positive_on(slope_coefficients, x); };
+    return invert_inside(
+        rho, radius, radius / p[0], inside, [&] { return max_angle(p); }, theta);
   }
 };
 

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "one_camera_files.h"
+
+#include "losses.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace fca {
+
+bool writable_alone(const Format& format, const Rig& rig, std::string_view size_use, Diagnostics& diagnostics) {
+  if (rig.cameras.empty()) {
+    diagnostics.error("no-camera", "a " + std::string(format.title) + " needs a camera and the input has none");
+    return false;
+  }
+  bool good = can_store(format, rig, nullptr, diagnostics);
+  for (const Camera& camera : rig.cameras) {
+    const std::vector<std::string> problems = validate(camera.model);
+    for (const std::string& problem : problems) diagnostics.error("not-a-camera", camera.name + ": " + problem);
+    if (!camera.image_size) {
+      diagnostics.error("image-size-missing", camera.name + ": " + std::string(size_use) + " and the input has no size", {},
+                        "give it: --size WIDTHxHEIGHT");
+    }
+    good = good && problems.empty() && camera.image_size;
+  }
+  return good;
+}
+
+bool is_camera_of(const std::optional<Rig>& there, const Rig& rig, const Camera& camera) {
+  return there && (rig.cameras.size() == 1 || camera.name == there->cameras.front().name);
+}
+
+void list_camera_losses(const Rig& rig, std::string_view program, std::string_view kept_frame, std::vector<Loss>& losses) {
+  const std::string no_place = "files of " + std::string(program) + " have no place for it";
+  for (const Camera& camera : rig.cameras) add_stream(camera, no_place, losses);
+  for (const Imu& imu : rig.imus) losses.push_back({"imu-dropped", imu.name + " noise and rate", no_place, ""});
+  for (const PoseEdge& edge : rig.poses) {
+    const auto is_camera = [&rig](const std::string& name) { return rig.find_camera(name) != nullptr; };
+    if (!is_camera(edge.a) && !is_camera(edge.b)) continue;  // of cameras that nobody asked for
+    const auto is_kept = [&](const std::string& name) { return name == kept_frame || is_camera(name); };
+    if (!kept_frame.empty() && is_kept(edge.a) && is_kept(edge.b)) continue;
+    losses.push_back({"pose-dropped", "T_" + edge.a + "_" + edge.b,
+                      kept_frame.empty() ? no_place
+                                         : "files of " + std::string(program) + " hold poses in the frame of " +
+                                               std::string(kept_frame) + " alone",
+                      ""});
+  }
+  if (rig.baseline_m) {
+    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
+  }
+}
+
+}  // namespace fca

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What writers of formats share that hold one camera per file and little else (OCamCalib, WoodScape).
+#pragma once
+
+#include <fca/formats/format.h>
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// Can every camera be written? An error for each that cannot: no size (`size_use`: what such a file wants it for), a model or
+/// parameters that the format does not hold; and one if there is no camera at all.
+[[nodiscard]] bool writable_alone(const Format& format, const Rig& rig, std::string_view size_use, Diagnostics& diagnostics);
+
+/// Is it the camera of `there`, the file to be edited? A rig of one camera goes there whatever its name.
+[[nodiscard]] bool is_camera_of(const std::optional<Rig>& there, const Rig& rig, const Camera& camera);
+
+/// What of `rig` such a file has no place for: time offsets, topics, frame rates, IMUs, the baseline, and poses, all of them
+/// or, with a `kept_frame` ("vehicle"), all but those of cameras in that frame. `program`: who reads the file, for people.
+void list_camera_losses(const Rig& rig, std::string_view program, std::string_view kept_frame, std::vector<Loss>& losses);
+
+}  // namespace fca
