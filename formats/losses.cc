@@ -39,7 +39,7 @@ void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::
 void add_time_offset(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {
   if (camera.time_offset_s.value_or(0.0) == 0.0) return;
   const std::string shift = text::format_short(*camera.time_offset_s, 12);
-  losses.push_back({"time-offset-dropped", camera.name + " time offset " + shift + " s", std::string(why),
+  losses.push_back({"time-offset-dropped", camera.name + " timeshift_cam_imu " + shift + " s", std::string(why),
                     "add " + shift + " s to every image time stamp of " + camera.name});
 }
 

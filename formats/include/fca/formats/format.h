@@ -36,7 +36,7 @@ struct StoredModel {
 /// Something the target format cannot carry.
 struct Loss {
   std::string code;    ///< "time-offset-dropped"
-  std::string what;    ///< "cam0 time offset 0.0021 s"
+  std::string what;    ///< "cam0 timeshift_cam_imu 0.0021 s"
   std::string why;     ///< "ORB-SLAM3 has no key for it"
   std::string remedy;  ///< "add 0.0021 s to every image time stamp"; may be empty
 };
