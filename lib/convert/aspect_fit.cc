@@ -13,7 +13,7 @@ namespace fca::internal {
 namespace {
 
 // The unknowns: the terms' coefficients, cx, cy, aspect.
-constexpr int kMostUnknowns = static_cast<int>(AspectFit::kMostTerms) + 3;
+constexpr int kMostUnknowns = static_cast<int>(kMostTerms) + 3;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMostUnknowns, kMostUnknowns>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
 

@@ -4,6 +4,8 @@
 // One pass of moment sums, one linear solve, and two or three Gauss-Newton steps for the aspect ratio: no start, no search.
 #pragma once
 
+#include <fca/convert/fit_target.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -15,8 +17,6 @@ namespace fca::internal {
 /// Terms and pixels of all points, times the root of the point's weight.
 class AspectFit {
  public:
-  static constexpr std::size_t kMostTerms = 6;
-
   AspectFit(std::size_t terms, std::size_t points) : terms_(terms), points_(points), numbers_((2 * terms + 3) * points) {}
 
   /// `pixel` is best counted from about the principal point.

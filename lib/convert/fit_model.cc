@@ -3,8 +3,10 @@
 #include "fit_model.h"
 
 #include "exact.h"
-#include "fit.h"
+#include "fitter.h"
+#include "jet_target.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,9 +15,11 @@ namespace fca::internal {
 namespace {
 
 template <CameraModelType M>
-std::optional<FittedModel> listed(std::optional<Fit<M>> fit) {
+std::optional<FittedModel> listed(std::optional<FoundFit> fit) {
   if (!fit) return std::nullopt;
-  FittedModel result{Intrinsics<M>{fit->parameters}, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};
+  Intrinsics<M> model;
+  std::copy_n(fit->parameters.begin(), model.values.size(), model.values.begin());
+  FittedModel result{model, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};
   if (!validate(result.model).empty()) return std::nullopt;
   return result;
 }
@@ -24,7 +28,7 @@ std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<co
                                                const LensCentre& centre, std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> result;
   ModelList::for_each([&]<CameraModelType M>() {
-    if (M::kId == id) result = listed<M>(Fitter<M>(samples, ranges).fit(centre));
+    if (M::kId == id) result = listed<M>(fit_target(JetTarget<M>(), samples, centre, ranges));
   });
   return result;
 }
@@ -77,8 +81,11 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
                   std::optional<FittedModel>& best) {
   std::visit(
       [&]<class M>(const Intrinsics<M>& m) {
-        Fitter<M> fitter(samples, ranges);
-        for (auto fit : {fitter.fit_from(m.values), fitter.as_it_is(m.values)}) {
+        const JetTarget<M> target;
+        Fitter fitter(target, samples, ranges);
+        ParameterValues values{};
+        std::ranges::copy(m.values, values.begin());
+        for (std::optional<FoundFit> fit : {fitter.fit_from(values), fitter.as_it_is(values)}) {
           std::optional<FittedModel> candidate = listed<M>(std::move(fit));
           if (candidate && better(*candidate, best)) best = std::move(candidate);
         }

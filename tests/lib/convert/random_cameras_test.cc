@@ -3,8 +3,9 @@
 // FCA_ALL_RANDOM_CAMERAS is set (tests/bench/run).
 #include "known_cameras.h"
 
-#include <convert/fit.h>
 #include <convert/fit_model.h>
+#include <convert/fitter.h>
+#include <convert/jet_target.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
 
@@ -126,11 +127,11 @@ Camera plausible_camera(Random& random) {
 
 /// A start of the model anywhere among its plausible parameters.
 template <CameraModelType M>
-std::array<double, kParameterCount<M>> random_start(const Sampled& sampled, Random& random) {
+internal::ParameterValues random_start(const Sampled& sampled, Random& random) {
   LensCentre centre = sampled.centre;
   const double scale = random.between(0.8, 1.25);
   for (double& focal : centre.focal) focal *= scale;
-  std::array<double, kParameterCount<M>> p{};
+  internal::ParameterValues p{};
   M::initialise(sampled.samples, centre, random.below(M::kStarts), p.data());
   if constexpr (std::is_same_v<M, Ucm> || std::is_same_v<M, Eucm> || std::is_same_v<M, Ds>) p[4] = random.between(0.05, 0.95);
   if constexpr (std::is_same_v<M, Eucm>) p[5] = std::exp(random.between(-1.5, 1.5));
@@ -148,10 +149,14 @@ template <CameraModelType M>
 double reference_rms(const Sampled& sampled, Random& random) {
   constexpr int kStarts = 20;
   double best = std::numeric_limits<double>::infinity();
-  internal::Fitter<M> fitter(sampled.samples, {});
+  const internal::JetTarget<M> target;
+  internal::Fitter fitter(target, sampled.samples, {});
   for (int i = 0; i < kStarts; ++i) {
-    const std::optional<internal::Fit<M>> fit = fitter.fit_from(random_start<M>(sampled, random));
-    if (fit && fit->reaches_all && validate(Intrinsics<M>{fit->parameters}).empty()) best = std::min(best, fit->rms_px);
+    const std::optional<internal::FoundFit> fit = fitter.fit_from(random_start<M>(sampled, random));
+    if (!fit || !fit->reaches_all) continue;
+    Intrinsics<M> model;
+    std::copy_n(fit->parameters.begin(), model.values.size(), model.values.begin());
+    if (validate(model).empty()) best = std::min(best, fit->rms_px);
   }
   return best;
 }

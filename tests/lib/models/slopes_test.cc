@@ -2,7 +2,9 @@
 // What models offer to fits beside their formula is the formula: derivatives by hand against automatic ones, and linear terms.
 #include "model_test_support.h"
 
-#include <convert/fit.h>
+#include <fca/convert/fit_target.h>
+
+#include <ceres/jet.h>
 
 namespace fca::test {
 namespace {

@@ -2,6 +2,7 @@
 // One camera as another model would describe it. Steps, each in its own file: domain -> sample -> fit -> judge.
 #pragma once
 
+#include <fca/convert/parameter_range.h>
 #include <fca/convert/report.h>
 #include <fca/diagnostics.h>
 #include <fca/rig/rig.h>
@@ -12,15 +13,6 @@
 #include <vector>
 
 namespace fca {
-
-/// A range for one parameter of the target, narrower than the model's own: what a program demands (EUCM alpha > 0.5, k3 = 0).
-/// lower = upper fixes it.
-struct ParameterRange {
-  std::string_view parameter;  ///< Must outlive the range: a literal, or a model's own name.
-  double lower = 0.0;
-  double upper = 0.0;
-  bool operator==(const ParameterRange&) const = default;
-};
 
 struct ConvertOptions {
   std::string model;                    ///< Id or alias of the target model.

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fits one camera model to rays and pixels: linear starts, then Levenberg-Marquardt on the geometric residual (pixels), bounds
+// by taking the active parameter out of the step. Whether the fitted camera folds inside the samples is asked afterwards.
+#pragma once
+
+#include "linearised.h"
+#include "minimise.h"
+#include "orthonormal.h"
+
+#include <fca/convert/fit_target.h>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace fca::internal {
+
+/// `count` of the samples (all, if there are no more), spread by the golden ratio: a stride would pick the same radii again and
+/// again from samples that come in rows.
+[[nodiscard]] std::vector<Correspondence> spread(std::span<const Correspondence> samples, std::size_t count);
+
+class Fitter {
+ public:
+  /// Target and samples must outlive it.
+  Fitter(const FitTarget& target, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges);
+
+  /// From the model's own starts, given the source's centre.
+  std::optional<FoundFit> fit(const LensCentre& centre);
+  /// From a given camera.
+  std::optional<FoundFit> fit_from(const ParameterValues& start);
+  /// That camera as it is, if it lies within the ranges.
+  [[nodiscard]] std::optional<FoundFit> as_it_is(const ParameterValues& values) const;
+
+ private:
+  struct Candidate {
+    ParameterValues values{};
+    std::array<bool, kMostParameters> fixed{};
+    double cost = 0.0;
+    int iterations = 0;
+    bool on_all = true;  ///< The cost is that of all samples.
+  };
+
+  void hold_fixed(Candidate& candidate) const;
+  void polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best);
+  bool move_inside(Candidate& candidate) const;
+  std::vector<Candidate> coarse_fits(const LensCentre& centre);
+  void look_beyond_fold(std::size_t folded, std::vector<Candidate>& polished, const Effort& effort);
+  double cost_of_start(const ParameterValues& values);
+  std::optional<Candidate> fit_terms(const LensCentre& centre) const;
+  bool polish(Candidate& candidate, const Effort& effort);
+  bool minimise_active(Candidate& candidate, const Effort& effort);
+  void refine(Candidate& candidate, const Effort& effort, std::span<double> free);
+  [[nodiscard]] ParameterValues merged(const Candidate& candidate, const double* free) const;
+  void respect_bounds(Candidate& candidate);
+  void score(const Candidate& candidate, FoundFit& result) const;
+  [[nodiscard]] FoundFit finish(const Candidate& candidate) const;
+
+  const FitTarget& target_;
+  std::size_t count_;  ///< Of parameters.
+  std::span<const Correspondence> samples_;
+  Linearised linearised_;
+  std::vector<std::array<double, 2>> pixels_;
+  std::vector<double> moved_;  ///< The Jacobian in other coordinates.
+  Orthonormal orthonormal_;
+  ParameterValues lower_{};
+  ParameterValues upper_{};
+  std::array<bool, kMostParameters> held_{};
+};
+
+}  // namespace fca::internal

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A model whose derivatives, where it has none of its own, are Ceres' automatic ones.
+#pragma once
+
+#include <fca/convert/fit_target.h>
+
+#include <ceres/jet.h>
+
+namespace fca::internal {
+
+template <CameraModelType M>
+class JetTarget : public FitTargetOf<M> {
+ public:
+  bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const override {
+    if constexpr (HasSlopes<M>) {
+      return FitTargetOf<M>::linearise(p, samples, out);
+    } else {
+      constexpr std::size_t kCount = kParameterCount<M>;
+      using Jet = ceres::Jet<double, static_cast<int>(kCount)>;
+      std::array<Jet, kCount> parameters;
+      for (std::size_t i = 0; i < kCount; ++i) parameters[i] = Jet(p[i], static_cast<int>(i));
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        const Correspondence& s = samples[k];
+        const Jet ray[3] = {Jet(s.ray[0]), Jet(s.ray[1]), Jet(s.ray[2])};
+        Jet pixel[2];
+        if (!M::formula(parameters.data(), ray, pixel)) return false;
+        std::array<std::array<double, kCount>, 2> slopes;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          for (std::size_t i = 0; i < kCount; ++i) {
+            // At an edge of the formula's domain a derivative may be no number.
+            const double slope = pixel[axis].v[static_cast<int>(i)];
+            slopes[axis][i] = std::isfinite(slope) ? slope : 0.0;
+          }
+        }
+        out.set(k, slopes[0], slopes[1], pixel[0].a - s.pixel[0], pixel[1].a - s.pixel[1]);
+      }
+      return true;
+    }
+  }
+};
+
+}  // namespace fca::internal

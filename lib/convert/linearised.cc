@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "linearised.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::internal {
+
+void Linearised::reset(std::vector<Correspondence> samples, const std::array<bool, kMostParameters>& fixed) {
+  samples_ = std::move(samples);
+  const std::size_t points = samples_.size();
+  const std::size_t count = target_.parameters().size();
+  roots_.resize(points);
+  std::ranges::transform(samples_, roots_.begin(), [](const Correspondence& s) { return std::sqrt(s.weight); });
+  numbers_.resize((count + 1) * rows());
+  columns_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (fixed[i]) continue;
+    Column column{out().column(i), 0, rows()};
+    if (target_.focal_lengths_first() && i < 4) (i % 2 == 0 ? column.end : column.begin) = points;
+    columns_.push_back(column);
+  }
+  at_.reset();
+}
+
+bool Linearised::evaluate(const ParameterValues& values, NormalEquations& sums) {
+  const bool with_slopes = !sums.gradient.empty();
+  // The solver asks for the slopes where it has just asked for the cost.
+  if (!(with_slopes || target_.cheap_slopes() ? linearise(values) : compute_residuals(values))) return false;
+  const Column r = residuals();
+  products(std::span(&r, 1), r, &sums.cost);
+  if (with_slopes) {
+    products(columns_, r, sums.gradient.data());
+    products(columns_, sums.hessian.data());
+  }
+  return true;
+}
+
+bool Linearised::linearise(const ParameterValues& values) {
+  if (at_ == values) return true;
+  at_.reset();
+  if (!target_.linearise(values.data(), samples_, out())) return false;
+  at_ = values;
+  return true;
+}
+
+bool Linearised::compute_residuals(const ParameterValues& values) {
+  at_.reset();
+  const std::size_t points = samples_.size();
+  pixels_.resize(points);
+  if (!target_.pixels(values.data(), samples_, pixels_.data())) return false;
+  double* const r = out().column(target_.parameters().size());
+  for (std::size_t k = 0; k < points; ++k) {
+    r[k] = roots_[k] * (pixels_[k][0] - samples_[k].pixel[0]);
+    r[points + k] = roots_[k] * (pixels_[k][1] - samples_[k].pixel[1]);
+  }
+  return true;
+}
+
+}  // namespace fca::internal

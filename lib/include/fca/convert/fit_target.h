@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a fit asks of a camera model, for any number of samples at a time: the fit itself is compiled once, for all models.
+#pragma once
+
+#include <fca/convert/parameter_range.h>
+#include <fca/models/model_traits.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace fca::internal {
+
+/// A model with derivatives of its own (model_traits.h).
+template <class M>
+concept HasSlopes = requires(const double* in, double* out) {
+  { M::formula_and_slopes(in, in, out, out, out) } -> std::same_as<bool>;
+};
+
+/// A model that is linear once fy / fx is given (model_traits.h).
+template <class M>
+concept HasTerms = requires(const double* in, const std::array<double, 2>& point, double* out) {
+  { M::kTerms } -> std::convertible_to<std::size_t>;
+  { M::terms(in, out, out) } -> std::same_as<bool>;
+  { M::from_terms(in, double{}, point, out) } -> std::same_as<void>;
+};
+
+/// As many as any model may have.
+inline constexpr std::size_t kMostParameters = 14;
+inline constexpr std::size_t kMostTerms = 6;
+
+/// A model's parameters; 0 behind its own.
+using ParameterValues = std::array<double, kMostParameters>;
+
+/// Numbers that are 0 outside [begin, end).
+struct Column {
+  const double* data = nullptr;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Residuals in pixels and their derivatives by each parameter, all times the root of the sample's weight. A column holds the
+/// numbers of u for all samples, then those of v; the residuals are the last column, behind one per parameter.
+struct LinearisedColumns {
+  std::span<const double> roots;  ///< Of the samples' weights.
+  double* numbers = nullptr;
+
+  [[nodiscard]] std::size_t rows() const { return 2 * roots.size(); }
+  [[nodiscard]] double* column(std::size_t i) const { return numbers + i * rows(); }
+  void set(std::size_t sample, std::span<const double> du, std::span<const double> dv, double u, double v) const {
+    const double root = roots[sample];
+    const std::size_t below = roots.size() + sample;
+    for (std::size_t i = 0; i < du.size(); ++i) {
+      column(i)[sample] = root * du[i];
+      column(i)[below] = root * dv[i];
+    }
+    column(du.size())[sample] = root * u;
+    column(du.size())[below] = root * v;
+  }
+};
+
+/// A camera model as a fit sees it. Parameters are `parameters().size()` numbers everywhere.
+class FitTarget {
+ public:
+  virtual ~FitTarget() = default;
+
+  [[nodiscard]] virtual std::span<const Parameter> parameters() const = 0;
+  /// Left at its start unless a range is given.
+  [[nodiscard]] virtual bool held(std::size_t parameter) const = 0;
+  /// A parameter along which there are two bottoms with nearly the same pixels.
+  [[nodiscard]] virtual std::optional<std::size_t> folded() const = 0;
+  /// u depends on the parameters 0 and 2 of the first four, v on 1 and 3.
+  [[nodiscard]] virtual bool focal_lengths_first() const = 0;
+  /// Derivatives cost hardly more than pixels.
+  [[nodiscard]] virtual bool cheap_slopes() const = 0;
+  [[nodiscard]] virtual double max_angle(const double* p) const = 0;
+
+  [[nodiscard]] virtual int starts() const = 0;
+  virtual void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) const = 0;
+
+  /// The formula's pixel of each ray, NaN where there is none. True if all have one.
+  virtual bool pixels(const double* p, std::span<const Correspondence> samples, std::array<double, 2>* out) const = 0;
+  /// One ray's pixel within the domain.
+  virtual bool project(const double* p, const double* ray, double* pixel) const = 0;
+  /// False where a sample has no pixel.
+  virtual bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const = 0;
+
+  /// How many terms the model is linear in once fy / fx is given; 0: it is not.
+  [[nodiscard]] virtual std::size_t terms() const = 0;
+  virtual bool terms(const double* ray, double* along_u, double* along_v) const = 0;
+  virtual void from_terms(const double* c, double aspect, const std::array<double, 2>& point, double* p) const = 0;
+};
+
+/// linearise() by central differences (Ceres' numeric differentiation): for a model outside the list without derivatives.
+bool linearise_by_differences(const FitTarget& target, const double* p, std::span<const Correspondence> samples,
+                              const LinearisedColumns& out);
+
+/// Any model of the concept.
+template <CameraModelType M>
+class FitTargetOf : public FitTarget {
+ public:
+  static constexpr std::size_t kCount = kParameterCount<M>;
+  static_assert(kCount <= kMostParameters);
+
+  [[nodiscard]] std::span<const Parameter> parameters() const override { return M::kParameters; }
+  [[nodiscard]] bool held(std::size_t parameter) const override { return held_in_fits<M>(M::kParameters[parameter].name); }
+  [[nodiscard]] std::optional<std::size_t> folded() const override {
+    if constexpr (requires { M::kFolded; }) {
+      return M::kFolded;
+    } else {
+      return std::nullopt;
+    }
+  }
+  [[nodiscard]] bool focal_lengths_first() const override { return std::is_base_of_v<FocalLengthsFirst, M>; }
+  [[nodiscard]] bool cheap_slopes() const override { return HasSlopes<M>; }
+  [[nodiscard]] double max_angle(const double* p) const override { return M::max_angle(p); }
+
+  [[nodiscard]] int starts() const override { return M::kStarts; }
+  void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) const override {
+    M::initialise(samples, centre, start, p);
+  }
+
+  bool pixels(const double* p, std::span<const Correspondence> samples, std::array<double, 2>* out) const override {
+    bool all = true;
+    for (const Correspondence& s : samples) {
+      std::array<double, 2>& pixel = *out++;
+      if (M::formula(p, s.ray.data(), pixel.data()) && std::isfinite(pixel[0]) && std::isfinite(pixel[1])) continue;
+      pixel.fill(std::numeric_limits<double>::quiet_NaN());
+      all = false;
+    }
+    return all;
+  }
+  bool project(const double* p, const double* ray, double* pixel) const override { return M::project(p, ray, pixel); }
+  bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const override {
+    if constexpr (HasSlopes<M>) {
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        const Correspondence& s = samples[k];
+        std::array<double, 2> pixel;
+        std::array<double, kCount> du;
+        std::array<double, kCount> dv;
+        if (!M::formula_and_slopes(p, s.ray.data(), pixel.data(), du.data(), dv.data())) return false;
+        out.set(k, du, dv, pixel[0] - s.pixel[0], pixel[1] - s.pixel[1]);
+      }
+      return true;
+    } else {
+      return linearise_by_differences(*this, p, samples, out);
+    }
+  }
+
+  [[nodiscard]] std::size_t terms() const override {
+    if constexpr (HasTerms<M>) {
+      static_assert(M::kTerms <= kMostTerms);
+      return M::kTerms;
+    } else {
+      return 0;
+    }
+  }
+  bool terms([[maybe_unused]] const double* ray, [[maybe_unused]] double* along_u,
+             [[maybe_unused]] double* along_v) const override {
+    if constexpr (HasTerms<M>) {
+      return M::terms(ray, along_u, along_v);
+    } else {
+      return false;
+    }
+  }
+  void from_terms([[maybe_unused]] const double* c, [[maybe_unused]] double aspect,
+                  [[maybe_unused]] const std::array<double, 2>& point, [[maybe_unused]] double* p) const override {
+    if constexpr (HasTerms<M>) M::from_terms(c, aspect, point, p);
+  }
+};
+
+/// What a fit found.
+struct FoundFit {
+  ParameterValues parameters{};
+  double rms_px = 0.0;
+  int iterations = 0;
+  bool reaches_all = true;  ///< Every sample projects.
+  std::vector<std::string> at_bound;
+};
+
+/// Fits a model from its own starts, given the centre of the lens; nothing if none leads to a camera.
+std::optional<FoundFit> fit_target(const FitTarget& target, std::span<const Correspondence> samples, const LensCentre& centre,
+                                   std::span<const ParameterRange> ranges);
+
+}  // namespace fca::internal
