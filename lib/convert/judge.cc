@@ -52,11 +52,11 @@ Judgement judge_all(const internal::Scorer& scorer, const JudgeOptions& options)
 
 }  // namespace
 
-Judgement judge(const CameraModel& source, const Projection& target, const Domain& domain, const JudgeOptions& options) {
+Judgement judge(const Lens& source, const Projection& target, const Domain& domain, const JudgeOptions& options) {
   return judge_all(internal::Scorer(source, nullptr, &target, domain, options.target_reach_rad), options);
 }
 
-Judgement judge(const CameraModel& source, const CameraModel& target, const Domain& domain, const JudgeOptions& options) {
+Judgement judge(const Lens& source, const CameraModel& target, const Domain& domain, const JudgeOptions& options) {
   return judge_all(internal::Scorer(source, &target, nullptr, domain, options.target_reach_rad), options);
 }
 

@@ -59,7 +59,7 @@ Point edge_point(const Scorer& scorer, double azimuth) {
   const Domain& domain = scorer.domain();
   const double angle = domain.max_angle_rad * (1.0 - 1e-9);  // a hair inside, so that rounding keeps it in the domain
   const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
-  const std::optional<Pixel> pixel = project(scorer.source(), ray);
+  const std::optional<Pixel> pixel = project(*scorer.source().model(), ray);
   if (!pixel || (*pixel)[0] < 0.0 || (*pixel)[1] < 0.0 || (*pixel)[0] > domain.size.width - 1.0 ||
       (*pixel)[1] > domain.size.height - 1.0) {
     return {};
@@ -113,15 +113,17 @@ void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove
   if (worst.empty()) return;
   constexpr std::size_t kAll = 12;
   constexpr std::size_t kFew = 4;
-  const bool provable = prove && scorer.target() != nullptr;
+  const CameraModel* source = scorer.source().model();
+  const bool provable = prove && source != nullptr && scorer.target() != nullptr;
   climb_from(scorer, worst, provable ? kFew : kAll, result);
   if (!provable) {
+    if (source == nullptr) return;  // its edge is where climbing ends, too
     if (const Point edge = worst_edge_point(scorer); edge.verdict == Verdict::kScored)
       keep_if_worse(climb(scorer, edge.pixel), result);
     return;
   }
   const double climbed = result.error.max;
-  const ErrorBound proof = bound_error(scorer.source(), *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
+  const ErrorBound proof = bound_error(*source, *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
   if (proof.seen > climbed) {
     keep_if_worse(climb(scorer, proof.seen_at), result);
   }

@@ -27,7 +27,7 @@ bool Scorer::Limit::admits(const Ray& unit_ray) const {
   return std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(unit_ray) <= angle;
 }
 
-Scorer::Scorer(const CameraModel& source, const CameraModel* model, const Projection* program, const Domain& domain,
+Scorer::Scorer(const Lens& source, const CameraModel* model, const Projection* program, const Domain& domain,
                double target_reach_rad)
     : source_(source),
       model_(model),
@@ -41,16 +41,27 @@ void Scorer::score(std::span<Point> points) const {
   std::array<Ray, kBatch> rays;
   for (; !points.empty(); points = points.subspan(std::min(kBatch, points.size()))) {
     const std::span<Point> batch = points.first(std::min(kBatch, points.size()));
-    std::visit(
-        [&]<class M>(const Intrinsics<M>& source) {
-          for (std::size_t i = 0; i < batch.size(); ++i) {
-            Point& point = batch[i];
-            const bool seen = M::unproject(source.values.data(), point.pixel.data(), rays[i].data()) && lens_.admits(rays[i]);
-            point.verdict = seen ? Verdict::kUnrepresentable : Verdict::kOutsideLens;
-            point.cosine = rays[i][2];
-          }
-        },
-        source_);
+    const auto see = [&](const auto& ray_of) {
+      for (std::size_t i = 0; i < batch.size(); ++i) {
+        Point& point = batch[i];
+        const bool seen = ray_of(point.pixel, rays[i]) && lens_.admits(rays[i]);
+        point.verdict = seen ? Verdict::kUnrepresentable : Verdict::kOutsideLens;
+        point.cosine = rays[i][2];
+      }
+    };
+    if (source_.model() != nullptr) {
+      std::visit(
+          [&]<class M>(const Intrinsics<M>& source) {
+            see([&](const Pixel& pixel, Ray& ray) { return M::unproject(source.values.data(), pixel.data(), ray.data()); });
+          },
+          *source_.model());
+    } else {
+      see([&](const Pixel& pixel, Ray& ray) {
+        const std::optional<Ray> seen = source_.ray(pixel);
+        if (seen) ray = *seen;
+        return seen.has_value();
+      });
+    }
     const auto compare = [&](const auto& project_ray) {
       for (std::size_t i = 0; i < batch.size(); ++i) {
         Point& point = batch[i];

@@ -24,14 +24,14 @@ struct Point {
 class Scorer {
  public:
   /// One of `model` and `program` is the target, the other null; both are kept by reference.
-  Scorer(const CameraModel& source, const CameraModel* model, const Projection* program, const Domain& domain,
+  Scorer(const Lens& source, const CameraModel* model, const Projection* program, const Domain& domain,
          double target_reach_rad);
 
   /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time.
   void score(std::span<Point> points) const;
   [[nodiscard]] Point at(const Pixel& pixel) const;
 
-  [[nodiscard]] const CameraModel& source() const { return source_; }
+  [[nodiscard]] const Lens& source() const { return source_; }
   /// Null if the target is a program.
   [[nodiscard]] const CameraModel* target() const { return model_; }
   [[nodiscard]] const Domain& domain() const { return domain_; }
@@ -46,7 +46,7 @@ class Scorer {
     [[nodiscard]] bool admits(const Ray& unit_ray) const;
   };
 
-  const CameraModel& source_;
+  Lens source_;
   const CameraModel* model_;
   const Projection* program_;
   const Domain& domain_;

@@ -56,11 +56,10 @@ const std::vector<Node>& gauss_legendre(int n) {
 /// decides.
 class Rays {
  public:
-  Rays(const CameraModel& source, const Domain& domain)
-      : source_(source), domain_(domain), lowest_(std::cos(domain.max_angle_rad)) {}
+  Rays(const Lens& source, const Domain& domain) : source_(source), domain_(domain), lowest_(std::cos(domain.max_angle_rad)) {}
 
   [[nodiscard]] std::optional<Ray> operator()(const Pixel& pixel) const {
-    std::optional<Ray> ray = unproject(source_, pixel);
+    std::optional<Ray> ray = source_.ray(pixel);
     constexpr double kUnclear = 1e-9;
     if (!ray || (*ray)[2] > lowest_ + kUnclear) return ray;
     if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > domain_.max_angle_rad) return std::nullopt;
@@ -69,14 +68,14 @@ class Rays {
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
   /// Beyond the domain's limit, in radians; nothing where the source has no ray.
   [[nodiscard]] std::optional<double> beyond(const Pixel& pixel) const {
-    const std::optional<Ray> ray = unproject(source_, pixel);
+    const std::optional<Ray> ray = source_.ray(pixel);
     if (!ray) return std::nullopt;
     return angle_from_axis(*ray) - domain_.max_angle_rad;
   }
   [[nodiscard]] const ImageSize& size() const { return domain_.size; }
 
  private:
-  const CameraModel& source_;
+  const Lens& source_;
   const Domain& domain_;
   double lowest_;  ///< Cosine of the limit.
 };
@@ -236,14 +235,14 @@ bool whole_image(const Rays& rays) {
 
 }  // namespace
 
-std::vector<Correspondence> sample(const CameraModel& source, const Domain& domain, int count) {
-  const std::optional<Pixel> centre = project(source, {0.0, 0.0, 1.0});
-  const bool centred = centre && (*centre)[0] > 0.0 && (*centre)[1] > 0.0 && (*centre)[0] < domain.size.width - 1.0 &&
-                       (*centre)[1] < domain.size.height - 1.0;
+std::vector<Correspondence> sample(const Lens& source, const Domain& domain, int count) {
+  const Pixel centre = source.centre().point;
+  const bool centred =
+      centre[0] > 0.0 && centre[1] > 0.0 && centre[0] < domain.size.width - 1.0 && centre[1] < domain.size.height - 1.0;
   const Rays rays(source, domain);
   std::vector<Correspondence> samples;
   if (centred && !whole_image(rays)) {
-    samples = sample_polar(rays, *centre, count);
+    samples = sample_polar(rays, centre, count);
   } else {
     // An image whose centre lies outside it is rare; a finer tensor grid makes up for the points that fall away.
     samples = sample_rectangle(rays, centred ? count : 4 * count);

@@ -2,6 +2,7 @@
 // Where a conversion counts: the part of the image that is lens.
 #pragma once
 
+#include <fca/convert/lens.h>
 #include <fca/diagnostics.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/rig.h>
@@ -18,7 +19,7 @@ struct Domain {
   std::string why;             ///< What decided max_angle, in words for people.
 
   /// The source's ray of a pixel of the domain; nothing outside.
-  [[nodiscard]] std::optional<Ray> ray(const CameraModel& source, const Pixel& pixel) const;
+  [[nodiscard]] std::optional<Ray> ray(const Lens& source, const Pixel& pixel) const;
 };
 
 /// Angle of a ray from the optical axis, in radians, [0, pi].
@@ -27,5 +28,9 @@ struct Domain {
 /// The domain of a camera: the whole image, cut where the model itself ends, and at `limit_rad` from the axis if one is given.
 /// An error (and nothing) where the camera has no usable size or parameters, or no pixel of the image has a ray.
 [[nodiscard]] std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limit_rad, Diagnostics& diagnostics);
+
+/// The same of any lens in front of an image of that size; `name` is for diagnostics.
+[[nodiscard]] std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::optional<double> limit_rad,
+                                              const std::string& name, Diagnostics& diagnostics);
 
 }  // namespace fca

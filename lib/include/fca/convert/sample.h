@@ -3,7 +3,7 @@
 #pragma once
 
 #include <fca/convert/domain.h>
-#include <fca/models/camera_model.h>
+#include <fca/convert/lens.h>
 
 #include <vector>
 
@@ -16,6 +16,6 @@ namespace fca {
 /// the principal point, Gauss-Legendre along the radius up to the domain's edge on that azimuth. A weighted sum over the points
 /// is then the integral over the area to far below what a fit can notice (LIMITS.md: within 1.004 of the optimum over all
 /// pixels at 200).
-[[nodiscard]] std::vector<Correspondence> sample(const CameraModel& source, const Domain& domain, int count = 200);
+[[nodiscard]] std::vector<Correspondence> sample(const Lens& source, const Domain& domain, int count = 200);
 
 }  // namespace fca

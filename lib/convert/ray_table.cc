@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/convert/ray_table.h>
+
+#include "judge_summary.h"
+
+#include <fca/models/linear_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fca {
+
+std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
+  std::vector<Correspondence> inner(table.begin(), table.end());
+  std::ranges::sort(inner, {}, [](const Correspondence& c) { return angle_from_axis(c.ray); });
+  constexpr std::size_t kFewest = 6;
+  inner.resize(std::min(inner.size(), std::max(kFewest, inner.size() / 4)));
+  LensCentre centre;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    internal::LinearFit<2> fit;
+    for (const Correspondence& c : inner) {
+      const double sine = std::hypot(c.ray[0], c.ray[1]);
+      const double along = sine > 0.0 ? angle_from_axis(c.ray) * c.ray[axis] / sine : 0.0;
+      fit.add({along, 1.0}, c.pixel[axis], c.weight);
+    }
+    std::array<double, 2> solution{};
+    fit.solve(solution.data());
+    if (!(solution[0] > 0.0) || !std::isfinite(solution[0]) || !std::isfinite(solution[1])) return std::nullopt;
+    centre.focal[axis] = solution[0];
+    centre.point[axis] = solution[1];
+  }
+  return centre;
+}
+
+ErrorSummary judge(std::span<const Correspondence> table, const Projection& target) {
+  std::vector<internal::Point> points;
+  for (const Correspondence& c : table) {
+    internal::Point point;
+    point.pixel = c.pixel;
+    point.weight = c.weight;
+    point.cosine = std::cos(angle_from_axis(c.ray));
+    point.verdict = internal::Verdict::kUnrepresentable;
+    if (const std::optional<Pixel> image = target(c.ray)) {
+      point.error = std::hypot((*image)[0] - c.pixel[0], (*image)[1] - c.pixel[1]);
+      if (std::isfinite(point.error)) point.verdict = internal::Verdict::kScored;
+    }
+    points.push_back(point);
+  }
+  constexpr int kBinsPerOctave = 16;
+  internal::Summary summary(kBinsPerOctave);
+  summary.add(points);
+  return summary.judgement({}, points).error;
+}
+
+}  // namespace fca
