@@ -40,13 +40,14 @@ struct SampledFit {
 
 bool too_few(std::size_t samples, const Job& job) { return 2 * samples < job.target.parameters.size(); }
 
-/// Fits the target to about `count` samples of the domain.
-SampledFit fit(const Job& job, const Domain& domain, int count) {
+/// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
+SampledFit fit(const Job& job, const Domain& domain, int count, const SampledFit* coarser = nullptr) {
   const std::vector<Correspondence> samples = sample(job.camera.model, domain, count);
   SampledFit result;
   result.samples = samples.size();
   if (!too_few(samples.size(), job)) {
-    result.model = internal::fit_model(job.target.id, samples, job.centre, job.options.ranges);
+    result.model = coarser != nullptr ? internal::fit_from(coarser->model->model, samples, job.options.ranges)
+                                      : internal::fit_model(job.target.id, samples, job.centre, job.options.ranges);
   }
   return result;
 }
@@ -86,8 +87,9 @@ void warn_of_cone(const Job& job, double cone_rad, Diagnostics& diagnostics) {
 }
 
 /// The fit to the whole domain or, if the target cannot describe that, to the largest cone.
-SampledFit fit_as_far_as_possible(const Job& job, int count) {
-  SampledFit fitted = fit(job, job.domain, count);
+SampledFit fit_as_far_as_possible(const Job& job, int count, const SampledFit* coarser) {
+  const bool same_domain = coarser != nullptr && coarser->reach_rad >= std::numbers::pi;
+  SampledFit fitted = fit(job, job.domain, count, same_domain ? coarser : nullptr);
   if (!too_few(fitted.samples, job) && (!fitted.model || !fitted.model->reaches_all)) {
     if (SampledFit narrower = fit_largest_cone(job, count); narrower.model) return narrower;
   }
@@ -138,7 +140,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   internal::Score score;
   for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
     const Clock::time_point start = Clock::now();
-    SampledFit finer = fit_as_far_as_possible(job, job.options.samples << doubling);
+    SampledFit finer = fit_as_far_as_possible(job, job.options.samples << doubling, doubling > 0 ? &fitted : nullptr);
     time += Clock::now() - start;
     if (!finer.model) {
       if (doubling == 0) fitted = std::move(finer);

@@ -116,4 +116,11 @@ std::optional<FittedModel> fit_model(std::string_view id, std::span<const Corres
   return best;
 }
 
+std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
+                                    std::span<const ParameterRange> ranges) {
+  std::optional<FittedModel> best;
+  improve_from(start, samples, ranges, best);
+  return best;
+}
+
 }  // namespace fca::internal

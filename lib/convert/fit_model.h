@@ -28,4 +28,8 @@ struct FittedModel {
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
                                                    const LensCentre& centre, std::span<const ParameterRange> ranges);
 
+/// The fit to which that camera leads, or itself, whichever is better; nothing if it leads nowhere and is outside the ranges.
+[[nodiscard]] std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
+                                                  std::span<const ParameterRange> ranges);
+
 }  // namespace fca::internal

@@ -43,11 +43,15 @@ class Fitter {
 
   void hold_fixed(Candidate& candidate) const;
   void polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best);
+  [[nodiscard]] bool rivals(const Candidate& polished, const std::vector<Candidate>& candidates, const FoundFit& best) const;
   bool move_inside(Candidate& candidate) const;
+  std::optional<FoundFit> fit_starts(const LensCentre& centre);
   std::vector<Candidate> coarse_fits(const LensCentre& centre);
   void look_beyond_fold(std::size_t folded, std::vector<Candidate>& polished, const Effort& effort);
   double cost_of_start(const ParameterValues& values);
-  std::optional<Candidate> fit_terms(const LensCentre& centre) const;
+  [[nodiscard]] std::optional<Candidate> fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
+                                                   double shape) const;
+  [[nodiscard]] std::vector<Candidate> search_shapes(const LensCentre& centre) const;
   bool polish(Candidate& candidate, const Effort& effort);
   bool minimise_active(Candidate& candidate, const Effort& effort);
   void refine(Candidate& candidate, const Effort& effort, std::span<double> free);
