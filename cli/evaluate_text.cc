@@ -35,7 +35,7 @@ std::string line(std::span<const Column> columns, std::span<const std::string> c
 }
 
 /// With all the digits that were published.
-std::string as_published(double value) { return text::format_short(value, 6); }
+std::string as_published(double value) { return text::format_short(value, 7); }
 
 /// The value, or a dash.
 std::string or_dash(const std::optional<double>& value) { return value ? pixels(*value) : "-"; }
@@ -94,7 +94,7 @@ std::string table_text(const EvaluatedTable& table) {
                                                             pixels(error.rms),
                                                             pixels(error.max),
                                                             as_published(row.published.parameter_error),
-                                                            as_published(row.parameter_error)};
+                                                            text::format_short(row.parameter_error, 4)};
     text += line(kColumns, cells);
     times.push_back(name_of(row) + " " + as_published(row.published.time_ms) + "/" + milliseconds(row.time_us));
   }
@@ -123,7 +123,7 @@ std::string polynomials_text(const EvaluatedPolynomials& polynomials) {
     const double lens = coverage.scored + coverage.unrepresentable;
     text += line(kColumns,
                  std::array<std::string, kColumns.size()>{
-                     row.method, as_published(row.polynomial.a0), as_published(row.polynomial.a1),
+                     row.method, text::format_short(row.polynomial.a0, 6), as_published(row.polynomial.a1),
                      text::format_short(row.polynomial.a2, 4), text::format_short(row.rmse, 4),
                      text::format_short(coverage.max_angle_deg, 4), percent(lens > 0.0 ? coverage.unrepresentable / lens : 0.0),
                      pixels(row.judgement.error.rms), pixels(row.judgement.error.max)});
@@ -136,15 +136,15 @@ std::string polynomials_text(const EvaluatedPolynomials& polynomials) {
 }  // namespace
 
 std::string sign_error_in_words(const EvaluatedPolynomials& polynomials) {
-  return "The sign of the paper's a2 is wrong. UCM's ray at r = gamma m has the height a(r) = gamma (1 - xi / k), with "
-         "k = (xi + sqrt(1 + (1 - xi^2) m^2)) / (1 + m^2), so that a2 = -xi / (2 gamma) = " +
+  return "The sign of the paper's a2 is wrong. UCM's ray at r = gamma*m has the height a(r) = gamma*(1 - xi/k) with "
+         "k = (xi + sqrt(1 + (1 - xi^2)*m^2)) / (1 + m^2), so that on the axis a2 = -xi/(2*gamma) = " +
          text::format_short(polynomials.sign.right_a2, 3) +
-         " on the axis. The authors' program divides by 1 - m^2: then a2 = xi (3 - xi) / (2 gamma (1 + xi)) = " +
+         ". The authors' program divides by 1 - m^2: then a2 = xi*(3 - xi)/(2*gamma*(1 + xi)) = " +
          text::format_short(polynomials.sign.wrong_a2, 3) +
-         ", rays bend the wrong way, samples beyond r = gamma fall away, and a fit to the rest gives the paper's polynomial. "
-         "Its "
-         "RMSE is smaller than libPeR's because a0 is nearly all of the RMSE, and says nothing of its pixels. Degree 2 is "
-         "short for this lens, so that a0 depends on how far it is to reach; degree 4 is enough.";
+         ", rays bend the wrong way, samples beyond r = gamma fall away, and a fit to the rest gives the paper's polynomial, "
+         "which has no pixel for most rays (without) and wrong ones for the others. RMSE does not show it: a0 is nearly all of "
+         "it. libPeR's a2 is printed with two digits, which alone leave some 3 px open at 90 deg; its pixels are better than "
+         "these digits. Degree 2 is short for this lens, so that a0 depends on how far it is to reach; degree 4 is enough.";
 }
 
 std::string evaluate_text(const Evaluation& evaluation) {
