@@ -26,7 +26,8 @@ struct OccParameters {
   std::array<double, kTerms> a{};
 };
 
-// The toolbox's form acts on (row, column) and stretches the rows: its radius is the paper's times the paper's c.
+// The toolbox's form acts on (row, column), so that its c is the inverse of the paper's, and its radius the paper's times the
+// paper's c. 0 - x, as no coefficient is to be -0.
 Intrinsics<Ocamcalib> toolbox_form(const OccParameters& occ) {
   CameraModel model = Intrinsics<Ocamcalib>{};
   set_parameter(model, "cx", occ.cx);
@@ -35,7 +36,7 @@ Intrinsics<Ocamcalib> toolbox_form(const OccParameters& occ) {
   set_parameter(model, "d", occ.e / occ.c);
   set_parameter(model, "e", occ.d / occ.c);
   for (std::size_t k = 0; k < OccParameters::kTerms; ++k)
-    set_parameter(model, "a" + std::to_string(k), -occ.a[k] * std::pow(occ.c, 1.0 - static_cast<double>(k)));
+    set_parameter(model, "a" + std::to_string(k), 0.0 - occ.a[k] * std::pow(occ.c, 1.0 - static_cast<double>(k)));
   return std::get<Intrinsics<Ocamcalib>>(model);
 }
 
@@ -48,7 +49,7 @@ OccParameters paper_form(const CameraModel& model) {
   occ.d = value("e") / value("c");
   occ.e = value("d") / value("c");
   for (std::size_t k = 0; k < OccParameters::kTerms; ++k)
-    occ.a[k] = -value("a" + std::to_string(k)) * std::pow(value("c"), 1.0 - static_cast<double>(k));
+    occ.a[k] = 0.0 - value("a" + std::to_string(k)) * std::pow(value("c"), 1.0 - static_cast<double>(k));
   return occ;
 }
 
@@ -154,10 +155,7 @@ std::vector<double> parameters_as_published(const CameraModel& model) {
 }
 
 Polynomial polynomial_of(const Intrinsics<Ocamcalib>& model) {
-  const auto ahead = [&model](std::string_view name) {
-    const double value = parameter(model, name).value_or(0.0);
-    return value == 0.0 ? 0.0 : -value;  // never -0
-  };
+  const auto ahead = [&model](std::string_view name) { return 0.0 - parameter(model, name).value_or(0.0); };
   return {ahead("a0"), ahead("a1"), ahead("a2")};
 }
 

@@ -211,7 +211,8 @@ std::vector<Point2> samples_of(const Size& size) {
 class Evaluate : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const RunResult run = run_program({"evaluate", "--json"});
+    // Under the sanitizers it takes its time.
+    const RunResult run = run_program({"evaluate", "--json"}, {.limit_seconds = 300.0});
     ASSERT_EQ(run.code, 0) << run.err;
     ASSERT_EQ(run.err, "");
     document_ = std::make_unique<rapidjson::Document>();
@@ -657,7 +658,7 @@ TEST_F(Evaluate, RmseIsThatOfThePaper) {
 }
 
 TEST(EvaluateText, HasEveryRowWithThePapersFiguresAndOneReasonEach) {
-  const RunResult run = run_program({"evaluate"});
+  const RunResult run = run_program({"evaluate"}, {.limit_seconds = 300.0});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   for (const PaperRow& paper : kTables1And2) {
