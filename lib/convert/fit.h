@@ -5,6 +5,7 @@
 #pragma once
 
 #include "aspect_fit.h"
+#include "fit_limits.h"
 #include "linearised.h"
 #include "minimise.h"
 #include "orthonormal.h"
@@ -62,21 +63,10 @@ class Fitter {
 
  public:
   Fitter(std::span<const Correspondence> samples, std::span<const ParameterRange> ranges) : samples_(samples) {
-    for (std::size_t i = 0; i < kParameterCount<M>; ++i) {
-      const Parameter& p = M::kParameters[i];
-      // An open end of a model's range is not a camera, but what lies next to it may be the best one: eucm with beta -> 0 is
-      // how a pinhole looks where alpha must be above 0.5.
-      constexpr double kHair = 1e-6;
-      lower_[i] = p.lower + (p.open ? kHair : 0.0);
-      upper_[i] = p.upper - (p.open ? kHair : 0.0);
-      held_[i] = held_in_fits<M>(p.name);
-      for (const ParameterRange& range : ranges) {
-        if (range.parameter != p.name) continue;
-        held_[i] = false;
-        lower_[i] = std::max(lower_[i], range.lower);
-        upper_[i] = std::min(upper_[i], range.upper);
-      }
-    }
+    const Limits<M> limits = limits_of<M>(ranges);
+    lower_ = limits.lower;
+    upper_ = limits.upper;
+    held_ = limits.held;
   }
 
   /// From a given camera.
