@@ -54,6 +54,14 @@ void put_report(Json& json, const ConversionReport& report) {
       json.put("max_px", row.max_px);
     });
   });
+  json.put("objective", report.objective == Objective::kMax ? "max" : "rms");
+  if (report.rms_fit) {
+    json.object("rms_fit", [&] {
+      json.put("rms_px", report.rms_fit->rms_px);
+      json.put("max_px", report.rms_fit->max_px);
+      json.put("kept", report.rms_fit->kept);
+    });
+  }
   json.object("fit", [&] {
     json.put("samples", report.fit.samples);
     json.put("iterations", report.fit.iterations);

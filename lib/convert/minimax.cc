@@ -20,15 +20,22 @@ template <CameraModelType M>
 class ModelErrors final : public PointErrors {
  public:
   ModelErrors(std::span<const Correspondence> points, const std::array<bool, kParameterCount<M>>& fixed)
-      : points_(points), fixed_(fixed) {}
+      : points_(points), fixed_(fixed) {
+    for (const Correspondence& point : points_) lowest_ = std::min(lowest_, point.ray[2]);
+  }
 
   [[nodiscard]] std::size_t size() const override { return points_.size(); }
 
   bool squares(std::span<const double> values, std::span<double> result) override {
+    // The domain's limit decides for all rays at once, unless it is too close to tell.
+    constexpr double kHair = 1e-9;
+    const bool all_within = lowest_ > std::cos(M::max_angle(values.data())) + kHair;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const Correspondence& point = points_[i];
       double pixel[2];
-      if (!M::project(values.data(), point.ray.data(), pixel)) return false;
+      const bool seen =
+          all_within ? M::formula(values.data(), point.ray.data(), pixel) : M::project(values.data(), point.ray.data(), pixel);
+      if (!seen) return false;
       const double du = pixel[0] - point.pixel[0];
       const double dv = pixel[1] - point.pixel[1];
       result[i] = du * du + dv * dv;
@@ -56,6 +63,7 @@ class ModelErrors final : public PointErrors {
   std::span<const Correspondence> points_;
   std::array<bool, kParameterCount<M>> fixed_;
   Linearised<M> linearised_;
+  double lowest_ = 1.0;  ///< Cosine of the largest angle from the axis.
 };
 
 /// From `model`, in place.
@@ -109,6 +117,17 @@ std::vector<Point> scored_points(const Scorer& scorer) {
   return points;
 }
 
+/// A few of the points, near and far from the axis alike, the furthest one among them: if that is in a model's domain, so are
+/// the others.
+std::vector<Point> few_of(std::vector<Point> points) {
+  constexpr std::size_t kFew = 600;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kFew);
+  std::ranges::stable_sort(points, {}, &Point::cosine);
+  std::vector<Point> few;
+  for (std::size_t i = 0; i < points.size(); i += stride) few.push_back(points[i]);
+  return few;
+}
+
 /// The tops of the highest hills of the error.
 std::vector<Point> hilltops(const Scorer& scorer, std::span<const Point> worst_first) {
   constexpr double kHigh = 0.97;  // of the highest
@@ -155,7 +174,7 @@ double largest_error(const CameraModel& model, std::span<const Correspondence> p
 
 MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start, const Domain& domain, double target_reach_rad,
                              std::span<const ParameterRange> ranges) {
-  constexpr int kMostExchanges = 6;
+  constexpr int kMostExchanges = 12;
   constexpr double kNobodySees = 1e-9;  // px; below, double's rounding decides
   constexpr double kWorthAPoint = 1.0005;
   MinimaxFit fit{start, 0, {}};
@@ -165,8 +184,9 @@ MinimaxFit fit_largest_error(const CameraModel& source, const CameraModel& start
     const Scorer scorer(source, &fit.model, nullptr, domain, target_reach_rad);
     const std::vector<Point> points = scored_points(scorer);
     if (points.empty() || points.front().error < kNobodySees) break;
+    bool more = set.empty() && add(scorer, few_of(points), 0.0, set);
     const double at_least = kWorthAPoint * largest_error(fit.model, set);
-    bool more = set.empty() && add(scorer, points, 0.0, set);
+    more = add(scorer, points, at_least, set) || more;
     more = add(scorer, hilltops(scorer, points), at_least, set) || more;
     if (!more) break;
     std::visit([&](auto& model) { minimise_on(set, ranges, sharpness, model, fit); }, fit.model);

@@ -58,6 +58,12 @@ Eigen::Map<const Vector> mapped(const Column& column, std::size_t rows) {
   return {column.data, static_cast<Eigen::Index>(rows)};
 }
 
+/// The triangular matrix of a QR decomposition.
+Matrix triangle_of(const Matrix& system) {
+  const Eigen::Index height = std::min(system.rows(), system.cols());
+  return Eigen::HouseholderQR<Matrix>(system).matrixQR().topRows(height).triangularView<Eigen::Upper>();
+}
+
 /// The smooth maximum near some parameters, as a least-squares problem |A d - b|^2 / 2 whose gradient and Hessian are its own:
 /// with w_k the points' weights, H = sum 2 w_k J_k'J_k + m sum w_k (g_k - g)(g_k - g)', g_k = 2 J_k'e_k, g their weighted mean.
 /// A in triangular form: the condition of J'J would be that of J squared.
@@ -91,24 +97,21 @@ Quadratic expand(const LinearErrors& linear, std::span<const WeightedPoint> poin
     spread = std::sqrt(sharpness) * (spread.cwiseQuotient(roots) - result.gradient[i] * roots);
   }
   system.topRows(2 * n) *= std::sqrt(2.0);
-  const Eigen::Index height = std::min<Eigen::Index>(3 * n, count + 1);
-  const Matrix upper = Eigen::HouseholderQR<Matrix>(system).matrixQR().topRows(height).triangularView<Eigen::Upper>();
+  const Matrix upper = triangle_of(system);
   result.triangle = upper.leftCols(count);
   result.right = upper.col(count);
   return result;
 }
 
-/// The damped Newton step, in the coordinates in which every parameter has the same effect.
-Vector damped_step(const Quadratic& quadratic, double damping) {
+/// The damped Newton step. Damping holds back each parameter by its effect on all points: those that have nothing to say now
+/// would, if a parameter that moves only them ran away.
+Vector damped_step(const Quadratic& quadratic, const Vector& effects, double damping) {
   const Eigen::Index height = quadratic.triangle.rows();
   const Eigen::Index count = quadratic.triangle.cols();
-  Matrix system = Matrix::Zero(height + count, count);
+  Matrix system(height + count, count);
   system.topRows(height) = quadratic.triangle;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double effect = quadratic.triangle.col(i).norm();
-    system(height + i, i) = std::sqrt(damping) * (effect > 0.0 ? effect : 1.0);
-  }
-  Vector right = Vector::Zero(height + count);
+  system.bottomRows(count) = Vector(std::sqrt(damping) * effects).asDiagonal();
+  Vector right = Vector::Zero(system.rows());
   right.head(height) = quadratic.right;
   return Eigen::HouseholderQR<Matrix>(system).solve(right);
 }
@@ -126,9 +129,10 @@ class Descent {
 
   /// Returns the number of steps.
   int run() {
-    constexpr int kMostSteps = 40;
+    constexpr int kMostSteps = 100;
     double value = maximum_.at(values_);
     if (!(std::isfinite(value) && maximum_.scale() > 0.0)) return 0;
+    if (!measure()) return 0;
     double damping = kFirstDamping;
     for (int step = 0; step < kMostSteps; ++step) {
       if (!expand_here()) return step;
@@ -140,6 +144,20 @@ class Descent {
  private:
   static constexpr double kFirstDamping = 1e-3;
   static constexpr double kNobodySees = 1e-3;  ///< Of the smooth maximum's distance from the maximum.
+
+  /// How far each parameter moves the points, in root mean square.
+  bool measure() {
+    std::vector<WeightedPoint> all(errors_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = {i, 1.0 / static_cast<double>(all.size())};
+    LinearErrors linear;
+    if (!errors_.linearise(values_, all, linear)) return false;
+    effects_.resize(static_cast<Eigen::Index>(free_.size()));
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const double effect = mapped(linear.columns[i], 2 * all.size()).norm() / std::sqrt(maximum_.scale());
+      effects_[static_cast<Eigen::Index>(i)] = effect > 0.0 ? effect : 1.0;
+    }
+    return true;
+  }
 
   /// The quadratic in the parameters that a step downhill would not push through a bound on which they lie.
   bool expand_here() {
@@ -170,9 +188,12 @@ class Descent {
     constexpr double kLess = 0.1;
     constexpr double kMore = 8.0;
     constexpr double kGood = 0.5;
+    Vector effects(static_cast<Eigen::Index>(columns_.size()));
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      effects[static_cast<Eigen::Index>(k)] = effects_[static_cast<Eigen::Index>(columns_[k])];
     const std::vector<double> before(values_.begin(), values_.end());
     for (; damping < kMostDamping; damping *= kMore) {
-      const Vector step = damped_step(quadratic_, damping);
+      const Vector step = damped_step(quadratic_, effects, damping);
       for (std::size_t k = 0; k < columns_.size(); ++k) {
         const FreeParameter& p = free_[columns_[k]];
         values_[p.index] = std::clamp(before[p.index] + step[static_cast<Eigen::Index>(k)], p.lower, p.upper);
@@ -194,6 +215,7 @@ class Descent {
   SmoothMaximum maximum_;
   std::vector<std::size_t> columns_;  ///< Of the parameters that may move.
   Quadratic quadratic_;
+  Vector effects_;
 };
 
 }  // namespace

@@ -50,7 +50,7 @@ struct FreeParameter {
 
 /// How sharp the smooth maximum is to begin with: at first all points should have a say, later only the worst.
 inline constexpr double kBlunt = 8.0;
-inline constexpr double kSharp = 512.0;
+inline constexpr double kSharp = 64.0;
 
 /// Changes the free ones of `values` in place, within their bounds, in which they must lie; `free` is in the order of
 /// LinearErrors::columns. Returns the number of steps.
