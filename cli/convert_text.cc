@@ -69,6 +69,15 @@ std::string why_at_bound(const ConversionReport& report, const Format& to, const
   return programs ? " (" + std::string(stored->why) + ")" : "";
 }
 
+/// What the search for a smaller worst pixel gained, and what it cost.
+std::string objective_text(const ConversionReport& report) {
+  if (!report.rms_fit) return "";
+  if (report.rms_fit->kept) return "  objective max: nothing near the rms fit has a smaller worst pixel, so that is kept\n";
+  const ErrorSummary& error = report.judgement.error;
+  return "  objective max: worst pixel " + pixels(report.rms_fit->max_px) + " -> " + pixels(error.max) + " px, rms " +
+         pixels(report.rms_fit->rms_px) + " -> " + pixels(error.rms) + " px\n";
+}
+
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const Judgement& j = report.judgement;
   std::string text = domain_text(j);
@@ -80,7 +89,7 @@ std::string report_text(const ConversionReport& report, const Format& to, const 
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
   }
-  text += band_table(j.bands) + reach_text(report.reach);
+  text += objective_text(report) + band_table(j.bands) + reach_text(report.reach);
   if (!report.at_bound.empty())
     text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
   return text;

@@ -5,6 +5,7 @@
 #include "fit_model.h"
 #include "judge_maximum.h"
 #include "judge_stages.h"
+#include "minimax.h"
 
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
@@ -128,6 +129,28 @@ double worse_between_samples(const Judgement& judgement, const internal::FittedM
   return judgement.error.rms / fitted.rms_px;
 }
 
+/// Replaces a least-squares fit by the camera near it whose largest error is smallest, if that is smaller and reaches as much.
+void cut_worst_pixel(const Job& job, double reach_rad, Conversion& conversion) {
+  using Clock = std::chrono::steady_clock;
+  ConversionReport& report = conversion.report;
+  CameraModel& model = conversion.camera.model;
+  const Judgement& before = report.judgement;
+  report.objective = Objective::kMax;
+  report.rms_fit = {before.error.rms, before.error.max, true};
+  const Clock::time_point start = Clock::now();
+  internal::MinimaxFit fit = internal::fit_largest_error(job.camera.model, model, job.domain, reach_rad, job.options.ranges);
+  report.fit.time_us += std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+  report.fit.iterations += fit.iterations;
+  if (!validate(fit.model).empty()) return;
+  const internal::Scorer scorer = scorer_of(job, fit.model, reach_rad);
+  Judgement after = final_judgement(job, scorer, internal::score_on_lattice(scorer));
+  if (!(after.error.max < before.error.max && after.coverage.scored >= before.coverage.scored)) return;
+  report.rms_fit->kept = false;
+  report.judgement = std::move(after);
+  report.at_bound = std::move(fit.at_bound);
+  model = fit.model;
+}
+
 /// The conversion by a fit, on twice as many samples while it is worse between them and that helps, and its judgement.
 std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnostics) {
   using Clock = std::chrono::steady_clock;
@@ -173,6 +196,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations,
                            std::chrono::duration<double, std::micro>(time).count()};
   conversion.report.at_bound = fitted.model->at_bound;
+  if (job.options.objective == Objective::kMax) cut_worst_pixel(job, fitted.reach_rad, conversion);
   return conversion;
 }
 

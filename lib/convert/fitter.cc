@@ -66,23 +66,7 @@ std::vector<Correspondence> spread(std::span<const Correspondence> samples, std:
 }
 
 Fitter::Fitter(const FitTarget& target, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges)
-    : target_(target), count_(target.parameters().size()), samples_(samples), linearised_(target) {
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Parameter& p = target.parameters()[i];
-    // An open end of a model's range is not a camera, but what lies next to it may be the best one: eucm with beta -> 0 is
-    // how a pinhole looks where alpha must be above 0.5.
-    constexpr double kHair = 1e-6;
-    lower_[i] = p.lower + (p.open ? kHair : 0.0);
-    upper_[i] = p.upper - (p.open ? kHair : 0.0);
-    held_[i] = target.held(i);
-    for (const ParameterRange& range : ranges) {
-      if (range.parameter != p.name) continue;
-      held_[i] = false;
-      lower_[i] = std::max(lower_[i], range.lower);
-      upper_[i] = std::min(upper_[i], range.upper);
-    }
-  }
-}
+    : target_(target), count_(target.parameters().size()), samples_(samples), linearised_(target), limits_(target, ranges) {}
 
 std::optional<FoundFit> Fitter::fit_from(const ParameterValues& start) {
   Candidate candidate;
@@ -142,8 +126,8 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
 
 void Fitter::hold_fixed(Candidate& candidate) const {
   for (std::size_t i = 0; i < count_; ++i) {
-    candidate.fixed[i] = held_[i] || lower_[i] == upper_[i];
-    candidate.values[i] = std::clamp(candidate.values[i], lower_[i], upper_[i]);
+    candidate.fixed[i] = limits_.fixed(i);
+    candidate.values[i] = std::clamp(candidate.values[i], limits_.lower[i], limits_.upper[i]);
   }
 }
 
@@ -179,10 +163,10 @@ bool Fitter::move_inside(Candidate& candidate) const {
   constexpr double kALittle = 0.05;
   bool moved = false;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!candidate.fixed[i] || held_[i] || lower_[i] == upper_[i]) continue;
+    if (!candidate.fixed[i] || limits_.fixed(i)) continue;
     double& value = candidate.values[i];
-    const double inside = value + (value == lower_[i] ? kALittle : -kALittle);
-    value = std::clamp(inside, lower_[i], upper_[i]);
+    const double inside = value + (value == limits_.lower[i] ? kALittle : -kALittle);
+    value = std::clamp(inside, limits_.lower[i], limits_.upper[i]);
     candidate.fixed[i] = false;
     moved = true;
   }
@@ -237,7 +221,7 @@ void Fitter::look_beyond_fold(std::size_t folded, std::vector<Candidate>& polish
     if (polished.back().cost <= exact || from.cost <= kExactCost) return;
     if (i >= kLikely && from.cost > kSmallCost) return;
     Candidate candidate = from;
-    if (candidate.fixed[folded] || !(candidate.values[folded] + kSteps[i] > lower_[folded])) continue;
+    if (candidate.fixed[folded] || !(candidate.values[folded] + kSteps[i] > limits_.lower[folded])) continue;
     candidate.values[folded] += kSteps[i];
     candidate.fixed[folded] = true;
     const bool followed = polish(candidate, effort);
@@ -264,7 +248,7 @@ double Fitter::cost_of_start(const ParameterValues& values) {
 /// Without a start, where the model is linear enough and no range of a parameter gets in the way.
 std::optional<Fitter::Candidate> Fitter::fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
                                                    double shape) const {
-  if (std::any_of(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(count_), [](bool h) { return h; }))
+  if (std::any_of(limits_.held.begin(), limits_.held.begin() + static_cast<std::ptrdiff_t>(count_), [](bool h) { return h; }))
     return std::nullopt;
   AspectFit fit(target_.terms(), samples.size());
   std::size_t points = 0;
@@ -280,7 +264,7 @@ std::optional<Fitter::Candidate> Fitter::fit_terms(std::span<const Correspondenc
   Candidate candidate;
   target_.from_terms(shape, solution->coefficients.data(), solution->aspect, point, candidate.values.data());
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!(candidate.values[i] >= lower_[i] && candidate.values[i] <= upper_[i])) return std::nullopt;
+    if (!(candidate.values[i] >= limits_.lower[i] && candidate.values[i] <= limits_.upper[i])) return std::nullopt;
   }
   candidate.cost = solution->cost;
   candidate.iterations = solution->iterations;
@@ -431,14 +415,14 @@ void Fitter::respect_bounds(Candidate& candidate) {
     double furthest = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       const double value = candidate.values[i];
-      const double outside = std::max(lower_[i] - value, value - upper_[i]) / (1.0 + std::abs(value));
+      const double outside = std::max(limits_.lower[i] - value, value - limits_.upper[i]) / (1.0 + std::abs(value));
       if (!candidate.fixed[i] && outside > furthest) {
         furthest = outside;
         worst = i;
       }
     }
     if (!worst) return;
-    candidate.values[*worst] = std::clamp(candidate.values[*worst], lower_[*worst], upper_[*worst]);
+    candidate.values[*worst] = std::clamp(candidate.values[*worst], limits_.lower[*worst], limits_.upper[*worst]);
     candidate.fixed[*worst] = true;
     if (!polish(candidate, kFull)) return;
   }
@@ -478,7 +462,7 @@ FoundFit Fitter::finish(const Candidate& candidate) const {
   result.iterations = candidate.iterations;
   score(candidate, result);
   for (std::size_t i = 0; i < count_; ++i) {
-    if (candidate.fixed[i] && !held_[i] && lower_[i] != upper_[i]) result.at_bound.emplace_back(target_.parameters()[i].name);
+    if (candidate.fixed[i] && !limits_.fixed(i)) result.at_bound.emplace_back(target_.parameters()[i].name);
   }
   return result;
 }

@@ -3,6 +3,7 @@
 // by taking the active parameter out of the step. Whether the fitted camera folds inside the samples is asked afterwards.
 #pragma once
 
+#include "fit_limits.h"
 #include "linearised.h"
 #include "minimise.h"
 #include "orthonormal.h"
@@ -67,9 +68,7 @@ class Fitter {
   std::vector<std::array<double, 2>> pixels_;
   std::vector<double> moved_;  ///< The Jacobian in other coordinates.
   Orthonormal orthonormal_;
-  ParameterValues lower_{};
-  ParameterValues upper_{};
-  std::array<bool, kMostParameters> held_{};
+  FitLimits limits_;
 };
 
 }  // namespace fca::internal
