@@ -248,18 +248,17 @@ class SettingsReader {
       }
       T_right_left(row, 3) = translation->values[static_cast<std::size_t>(row)];
     }
-    if (reader_.checked(T_right_left, *R, "CAMERA.R")) rig.poses.push_back({"cam1", "cam0", T_right_left});
+    if (reader_.checked(T_right_left, {*R, "CAMERA.R"}, {*T, "CAMERA.T"})) rig.poses.push_back({"cam1", "cam0", T_right_left});
   }
 
   /// Of a rectified pair or a depth sensor: Stereo.b, or bf / fx. With a posed second camera the poses say it.
   void read_baseline(Rig& rig) {
     if (rig.cameras.size() > 1) return;
     if (const Node* b = find("Stereo.b")) {
-      rig.baseline_m = reader_.real(*b, "Stereo.b");
+      rig.baseline_m = reader_.baseline(*b, "Stereo.b");
     } else if (const Node* bf = find("Camera.bf")) {
-      const std::optional<double> value = reader_.real(*bf, "Camera.bf");
-      const double fx = parameter(rig.cameras.front().model, "fx").value_or(0.0);
-      if (value && fx > 0.0) rig.baseline_m = *value / fx;
+      if (const std::optional<double> fx = parameter(rig.cameras.front().model, "fx"))
+        rig.baseline_m = reader_.baseline(*bf, "Camera.bf", *fx);
     }
   }
 
