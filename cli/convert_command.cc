@@ -6,6 +6,7 @@
 #include "words.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <array>
@@ -46,7 +47,7 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
     return "unknown objective '" + arguments.objective + "'; there are rms and max";
   if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6))
     return "--fps wants a rate in Hz, more than 0 and below 1e6";
-  if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6))
+  if (arguments.baseline_m && problem_with_baseline(*arguments.baseline_m))
     return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
   const Format* to = find_format(arguments.to);

@@ -152,10 +152,10 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
   std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.written.headline + "\n";
   for (const CameraOutcome& camera : outcome.cameras) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
-    // A kept model has no error to report: its pixels are the source's.
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report)
       text += kept ? domain_text(camera.report->judgement) : report_text(*camera.report, *outcome.to, camera.target.model);
+    if (kept) text += "  error:  none: the same model and parameters\n";
   }
   text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) +
           proofs_text(outcome.proofs, outcome.written.misread_remedy);
