@@ -19,7 +19,7 @@ namespace {
 /// How a file that we wrote is read: what it leaves open, the rig knows.
 ReadOptions options_for(const Rig& rig, const Written::File& file) {
   ReadOptions options;
-  const Camera* camera = rig.find_camera(file.cameras.front());
+  const Camera* camera = file.cameras.empty() ? nullptr : rig.find_camera(file.cameras.front());
   if (camera == nullptr) return options;
   options.image_size = camera->image_size;
   options.opencv_model = model_info(camera->model).id == "kb4" ? "fisheye" : "pinhole";
@@ -30,7 +30,6 @@ ReadOptions options_for(const Rig& rig, const Written::File& file) {
 std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Written& written) {
   std::vector<PoseEdge> poses;
   for (const Written::File& file : written.files) {
-    if (file.cameras.empty()) continue;
     Diagnostics ignored;
     const std::optional<text::Document> document =
         text::parse_document({file.document.source().name, file.document.bytes()}, ignored);

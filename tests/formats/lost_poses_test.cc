@@ -99,7 +99,7 @@ TEST(LostPoses, OfACameraThatIsDroppedAreNotListed) {
   rig = rig_with({"cam0", "cam1"}, {{"cam1", "cam0", T_cam1_cam0()}, {"cam1", "imu0", T_cam0_imu()}});
   WriteOptions mono;
   mono.sensor = "mono";
-  EXPECT_EQ(lost(rig, "orbslam3", mono), Names{"T_cam0_imu0"});
+  EXPECT_EQ(lost(rig, "orbslam3", mono), Names{"T_imu0_cam0"});
 }
 
 TEST(LostPoses, AFrameThatIsTheFirstCamerasIsThatCamera) {

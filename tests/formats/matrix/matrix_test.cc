@@ -295,7 +295,7 @@ void print(const Table& table) {
 std::vector<Source> corpus_sources(const std::string& format) {
   static const std::multimap<std::string, std::string> files = {
       {"kalibr", "mrastgoo__camera_imu_calibration_kalibr_viper__camchain_yaml__camchain_I0_RPY_4A3_Mei.yaml"},
-      {"kalibr", "rpng__open_vins__config__rs_t265__kalibr_imucam_chain.yaml"},
+      {"kalibr", "rpng__open_vins__config__euroc_mav__kalibr_imucam_chain.yaml"},
       {"orbslam3", "thien94__orb_slam3_ros__config__Stereo-Inertial__TUM-VI.yaml"},
       {"orbslam3", "urbste__ORB_SLAM3__Examples__Monocular-Inertial__gopro9_maxlens_fisheye_ds_setting.yaml"},
       {"opencv", "kev1nCh1u__opencv_practice__param__out_camera_data.xml"},
@@ -325,12 +325,20 @@ std::vector<Source> corpus_sources(const std::string& format) {
 /// Of our own files those that hold other parts of a calibration.
 bool holds_no_camera(const fs::path& path) { return path.filename() == "imu.yaml" || path.filename() == "extrinsics.yml"; }
 
+/// Of our own files that state no size.
+std::optional<Size> size_of_sizeless(const fs::path& path) {
+  static const std::map<std::string, Size> sizes = {{"k1d1.yml", {640, 360}}, {"stereo-14.yml", {640, 480}}};
+  const auto found = sizes.find(path.filename().string());
+  return found == sizes.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::vector<Source> sources_of(const std::string& format) {
   std::vector<Source> result;
   const fs::path good = fs::path(FCA_TESTDATA_DIR) / "formats" / format / "good";
   if (fs::exists(good)) {
     for (const fs::directory_entry& entry : fs::directory_iterator(good)) {
-      if (entry.is_regular_file() && !holds_no_camera(entry.path())) result.push_back({format, {entry.path()}});
+      if (entry.is_regular_file() && !holds_no_camera(entry.path()))
+        result.push_back({format, {entry.path()}, size_of_sizeless(entry.path())});
     }
   }
   std::ranges::sort(result, {}, &Source::paths);
