@@ -32,6 +32,7 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
   }
   if (surest.size() > 1) {
     std::vector<std::string> candidates;
+    candidates.reserve(surest.size());
     for (const DetectedFormat& candidate : surest)
       candidates.push_back(std::string(candidate.format->id) + " (" + candidate.why + ")");
     diagnostics.error("ambiguous-format", "could be " + text::enumerated(candidates, "or"), where, "say which with --from");

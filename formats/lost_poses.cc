@@ -118,6 +118,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
     row->second.push_back("T_" + edge.a + "_" + edge.b);
   }
   std::vector<Loss> losses;
+  losses.reserve(lost.size());
   for (const auto& [groups, poses] : lost) losses.push_back(loss_of(poses, groups.first, groups.second, format));
   return losses;
 }
