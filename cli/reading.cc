@@ -77,6 +77,7 @@ std::optional<std::vector<std::size_t>> chosen_cameras(const Rig& rig, const std
 /// The rig with these cameras alone. What only one left out says is not asked for, either; poses by way of it stay.
 void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   std::vector<Camera> cameras;
+  cameras.reserve(indices.size());
   for (const std::size_t index : indices) cameras.push_back(rig.cameras[index]);
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     if (std::ranges::find(indices, i) != indices.end()) continue;
