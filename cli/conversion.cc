@@ -185,7 +185,7 @@ WriteOptions write_options(const ConvertArguments& arguments) {
 /// Writes the rig in memory: into the base, or anew where its program would refuse what the base's own layout makes of it.
 std::optional<Written> write_rig(const Rig& rig, const Base& base, const ConvertArguments& arguments, ConvertOutcome& outcome) {
   WriteOptions options = write_options(arguments);
-  std::optional<Written> written = outcome.to->write(base.document, rig, options, outcome.diagnostics);
+  std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
   const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
   const std::optional<std::string> refusal = asked_for ? refused(*written, arguments) : std::nullopt;
@@ -194,7 +194,7 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   options.anew = true;
   outcome.diagnostics.note("layout-not-kept",
                            "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
-  return outcome.to->write(base.document, rig, options, outcome.diagnostics);
+  return write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
 }
 
 bool contradicts(const ConvertArguments& arguments, const Calibration& calibration, ConvertOutcome& outcome) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ledger.h"
 
+#include <fca/convert/containment.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace fca::cli {
 
@@ -26,6 +28,26 @@ constexpr std::array kFacts = {
     Fact{&Format::baseline, "baseline without poses"},
 };
 
+/// A value that a target defaults: only for what the source holds, and not where the source states it.
+struct Default {
+  std::string_view value;
+  bool Format::*of = nullptr;
+  bool Format::*stated = nullptr;
+};
+
+constexpr std::array kDefaults = {
+    Default{"frame rate", nullptr, &Format::frame_rate},
+    Default{"IMU topic", &Format::imu, &Format::topic},
+    Default{"depth threshold", &Format::extrinsics, nullptr},
+    Default{"overlapping columns", &Format::extrinsics, nullptr},
+};
+
+bool is_defaulted(std::string_view value, const Format& from) {
+  const auto* const row = std::ranges::find(kDefaults, value, &Default::value);
+  if (row == kDefaults.end()) return true;
+  return (row->of == nullptr || from.*row->of) && (row->stated == nullptr || !(from.*row->stated));
+}
+
 /// " (k3 = 0)": what the target demands of a model's parameters and the source does not.
 std::string limits_in_words(const StoredModel& from, const StoredModel& to) {
   std::string text;
@@ -39,20 +61,34 @@ std::string limits_in_words(const StoredModel& from, const StoredModel& to) {
   return text.empty() ? "" : " (" + text + ")";
 }
 
+/// How a model stays exact: as it is (""), within limits, as a model that contains it; nothing where it is fitted.
+std::optional<std::string> how_exact(const StoredModel& from, const Format& to) {
+  if (const StoredModel* there = find_stored_model(to, from.model, true)) return limits_in_words(from, *there);
+  const auto outer = std::ranges::find_if(
+      to.models, [&from](const StoredModel& stored) { return stored.stock && contains(stored.model, from.model); });
+  if (outer == to.models.end()) return std::nullopt;
+  return " (as " + std::string(outer->model) + ")";
+}
+
 LedgerRow row(const Format& from, const Format& to) {
   LedgerRow result{&from, &to, {}, {}, {}, {}};
   for (const StoredModel& stored : from.models) {
-    const StoredModel* there = find_stored_model(to, stored.model, true);
-    std::vector<std::string>& list = there != nullptr ? result.exact : result.fitted;
-    const std::string name = std::string(stored.model) + (there != nullptr ? limits_in_words(stored, *there) : "");
+    const std::optional<std::string> how = how_exact(stored, to);
+    std::vector<std::string>& list = how ? result.exact : result.fitted;
+    const std::string name = std::string(stored.model) + how.value_or("");
     if (std::ranges::find(list, name) == list.end()) list.push_back(name);
   }
   for (const Fact& fact : kFacts) {
-    if (from.*fact.held && !(to.*fact.held)) result.dropped.emplace_back(fact.name);
+    // A file of one camera states no pose but that in its frame.
+    const bool states_it = from.*fact.held && (fact.held != &Format::extrinsics || from.many_cameras);
+    if (states_it && !(to.*fact.held)) result.dropped.emplace_back(fact.name);
   }
+  if (from.many_cameras && to.many_cameras && from.most_cameras > to.most_cameras)
+    result.dropped.push_back("cameras beyond " + std::to_string(to.most_cameras));
+  if (!from.frame.empty() && from.frame != to.frame) result.dropped.push_back("poses in the frame " + std::string(from.frame));
+  if (!from.own_facts.empty()) result.dropped.emplace_back(from.own_facts);
   for (const std::string_view value : to.defaulted) {
-    const bool stated = (value == "frame rate" && from.frame_rate) || (value == "IMU topic" && from.topic);
-    if (!stated) result.defaulted.emplace_back(value);
+    if (is_defaulted(value, from)) result.defaulted.emplace_back(value);
   }
   if (to.image_size && !from.image_size) result.defaulted.emplace_back("nothing: the image size is asked for (--size)");
   return result;

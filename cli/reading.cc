@@ -5,6 +5,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/rig/leave_out.h>
 
 #include <algorithm>
 
@@ -73,9 +74,19 @@ std::optional<std::vector<std::size_t>> chosen_cameras(const Rig& rig, const std
   return indices;
 }
 
-}  // namespace
-
-namespace {
+/// The rig with these cameras alone. What only one left out says is not asked for, either; poses by way of it stay.
+void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
+  std::vector<Camera> cameras;
+  cameras.reserve(indices.size());
+  for (const std::size_t index : indices) cameras.push_back(rig.cameras[index]);
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    if (std::ranges::find(indices, i) != indices.end()) continue;
+    const std::string& name = rig.cameras[i].name;
+    std::erase_if(rig.as_read, [&name](const AsRead& extra) { return extra.key.starts_with(name + " "); });
+    leave_out(name, rig);
+  }
+  rig.cameras = std::move(cameras);
+}
 
 std::vector<std::string> format_ids() {
   std::vector<std::string> names;
@@ -155,17 +166,7 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
   if (!options.cameras) return calibration;
   const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, *options.cameras, diagnostics);
   if (!indices) return std::nullopt;
-  // What only a camera left out says is not asked for, either.
-  std::erase_if(calibration->rig.as_read, [&](const AsRead& extra) {
-    for (std::size_t i = 0; i < calibration->rig.cameras.size(); ++i) {
-      const bool chosen = std::ranges::find(*indices, i) != indices->end();
-      if (!chosen && extra.key.starts_with(calibration->rig.cameras[i].name + " ")) return true;
-    }
-    return false;
-  });
-  std::vector<Camera> cameras;
-  for (const std::size_t index : *indices) cameras.push_back(calibration->rig.cameras[index]);
-  calibration->rig.cameras = std::move(cameras);
+  keep_only(*indices, calibration->rig);
   return calibration;
 }
 

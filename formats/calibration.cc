@@ -2,6 +2,7 @@
 #include <fca/formats/calibration.h>
 
 #include "known_formats.h"
+#include "lost_poses.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
@@ -12,24 +13,16 @@
 namespace fca {
 
 std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics) {
-  DetectedFormat best;
-  DetectedFormat second;
-  int best_score = 0;
-  int second_score = 0;
+  std::vector<DetectedFormat> surest;
+  int score = 0;
   for (const Format& format : all_formats()) {
     const ProbeResult result = format.probe(document);
-    if (result.score > best_score) {
-      second = best;
-      second_score = best_score;
-      best = {&format, result.why};
-      best_score = result.score;
-    } else if (result.score > second_score) {
-      second = {&format, result.why};
-      second_score = result.score;
-    }
+    if (result.score > score) surest.clear();
+    score = std::max(score, result.score);
+    if (result.score == score && score > 0) surest.push_back({&format, result.why});
   }
   const SourceRange where = {document.source().name, 0, 0};
-  if (best.format == nullptr) {
+  if (surest.empty()) {
     const std::string known = looks_like(document);
     diagnostics.error("unknown-format",
                       known.empty() ? "none of the formats fca-io reads: no key of it stands here"
@@ -37,14 +30,15 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
                       where, "'fca-io formats' lists them; --from FORMAT forces one");
     return std::nullopt;
   }
-  if (best_score == second_score) {
-    diagnostics.error("ambiguous-format",
-                      "could be " + std::string(best.format->id) + " (" + best.why + ") or " + std::string(second.format->id) +
-                          " (" + second.why + ")",
-                      where, "say which with --from");
+  if (surest.size() > 1) {
+    std::vector<std::string> candidates;
+    candidates.reserve(surest.size());
+    for (const DetectedFormat& candidate : surest)
+      candidates.push_back(std::string(candidate.format->id) + " (" + candidate.why + ")");
+    diagnostics.error("ambiguous-format", "could be " + text::enumerated(candidates, "or"), where, "say which with --from");
     return std::nullopt;
   }
-  return best;
+  return surest.front();
 }
 
 namespace {
@@ -153,6 +147,15 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
   warn_of_contradictions(result.rig, documents.front(), diagnostics);
   result.documents = std::move(documents);
   return result;
+}
+
+std::optional<Written> write_calibration(const Format& format, const text::Document* base, const Rig& rig,
+                                         const WriteOptions& options, Diagnostics& diagnostics) {
+  std::optional<Written> written = format.write(base, rig, options, diagnostics);
+  if (!written) return std::nullopt;
+  const std::vector<Loss> poses = lost_poses(format, rig, *written);
+  written->losses.insert(written->losses.end(), poses.begin(), poses.end());
+  return written;
 }
 
 }  // namespace fca

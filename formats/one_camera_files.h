@@ -17,8 +17,8 @@ namespace fca {
 /// Is it the camera of `there`, the file to be edited? A rig of one camera goes there whatever its name.
 [[nodiscard]] bool is_camera_of(const std::optional<Rig>& there, const Rig& rig, const Camera& camera);
 
-/// What of `rig` such a file has no place for: time offsets, topics, frame rates, IMUs, the baseline, and poses, all of them
-/// or, with a `kept_frame` ("vehicle"), all but those of cameras in that frame. `program`: who reads the file, for people.
-void list_camera_losses(const Rig& rig, std::string_view program, std::string_view kept_frame, std::vector<Loss>& losses);
+/// What of `rig` such a file has no place for: time offsets, topics, frame rates, IMUs, the baseline. `program`: who reads the
+/// file, for people.
+void list_camera_losses(const Rig& rig, std::string_view program, std::vector<Loss>& losses);
 
 }  // namespace fca

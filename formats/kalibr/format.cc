@@ -36,17 +36,17 @@ ProbeResult probe(const text::Document& document) {
     if (!index_in(entry.key.value, "cam") || !entry.value.is_mapping()) continue;
     for (const std::string_view key : kCameraKeys) {
       if (text::find(entry.value, key, text::Dialect::kPyYaml) != nullptr) {
-        return {90, "a top-level " + entry.key.value + " with " + std::string(key)};
+        return {evidence::kCamera, "a top-level " + entry.key.value + " with " + std::string(key)};
       }
     }
   }
   for (const text::Entry& entry : root.entries) {
-    if (index_in(entry.key.value, "cam")) return {60, "a top-level " + entry.key.value};
+    if (index_in(entry.key.value, "cam")) return {evidence::kHint, "a top-level " + entry.key.value};
   }
-  if (holds_noise(root)) return {80, "the noise keys of Kalibr's imu.yaml"};
+  if (holds_noise(root)) return {evidence::kPart, "the noise keys of Kalibr's imu.yaml"};
   for (const text::Entry& entry : root.entries) {
     if (index_in(entry.key.value, "imu") && entry.value.is_mapping() && holds_noise(entry.value)) {
-      return {80, "a top-level " + entry.key.value + " with noise densities"};
+      return {evidence::kPart, "a top-level " + entry.key.value + " with noise densities"};
     }
   }
   return {};
@@ -66,6 +66,7 @@ const Format kFormat = {
     .image_size = true,
     .time_offset = true,
     .topic = true,
+    .own_facts = "keys of its own (cam_overlaps)",
     .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,

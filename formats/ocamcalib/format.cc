@@ -65,6 +65,7 @@ const Format kFormat = {
     .extrinsics = false,
     .imu = false,
     .image_size = true,
+    .own_facts = "the inverse polynomial",
     .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,

@@ -159,7 +159,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {camera.name}, {"ocamcalib"}});
   }
-  list_camera_losses(rig, "OCamCalib", "", written.losses);
+  list_camera_losses(rig, "OCamCalib", written.losses);
   // An inverse polynomial that was read is no loss: there is one again.
   std::vector<AsRead> extras = rig.as_read;
   std::erase_if(extras, [](const AsRead& extra) { return extra.key.ends_with(" inverse polynomial"); });

@@ -86,15 +86,6 @@ std::optional<Written::File> compose_file(const Rig& rig, const std::string& nam
   return file;
 }
 
-/// Poses between cameras of different files.
-void list_dropped_poses(const Rig& rig, std::vector<Loss>& losses) {
-  for (std::size_t i = 1; i < rig.cameras.size(); ++i) {
-    if (!rig.resolve(rig.cameras[i].name, rig.cameras[0].name)) continue;
-    losses.push_back({"pose-dropped", "pose of " + rig.cameras[i].name + " to " + rig.cameras[0].name,
-                      "a file of one camera holds none", any_omnidir(rig) ? "" : "--opencv-layout cameras keeps it"});
-  }
-}
-
 }  // namespace
 
 Syntax syntax_for(std::string_view extension) {
@@ -146,7 +137,6 @@ bool compose(const Rig& rig, const std::string& layout, Syntax syntax, std::stri
     if (!file) return false;
     written.files.push_back(*std::move(file));
   }
-  list_dropped_poses(rig, written.losses);
   return true;
 }
 

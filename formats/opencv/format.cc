@@ -19,8 +19,7 @@ constexpr std::array kModels = {
 ProbeResult probe(const text::Document& document) {
   const std::optional<Layout> layout = find_layout(document);
   if (!layout) return {};
-  // As sure as a camchain's keys; less where only a pose says so.
-  return {layout->cameras.empty() ? 60 : 85, "opencv-matrix under " + layout->why};
+  return {layout->cameras.empty() ? evidence::kHint : evidence::kCamera, "opencv-matrix under " + layout->why};
 }
 
 }  // namespace
@@ -35,6 +34,8 @@ const Format kFormat = {
     .extrinsics = true,
     .imu = false,
     .image_size = true,
+    .frame = "reference",
+    .own_facts = "keys of its own (calibration_time, flags, reprojection errors)",
     .layouts = kLayoutNames,
     .models = kModels,
     .probe = probe,

@@ -17,18 +17,11 @@ namespace fca::opencv {
 
 namespace {
 
-/// What none of OpenCV's samples has a key for. Poses among the cameras are the layout's affair.
+/// What none of OpenCV's samples has a key for.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   for (const Camera& camera : rig.cameras) add_stream(camera, "OpenCV's files have no key for it", losses);
   for (const Imu& imu : rig.imus) {
     losses.push_back({"imu-dropped", imu.name + " noise and rate", "OpenCV's files have no key for them", ""});
-  }
-  const auto is_imu = [](const std::string& name) { return name.starts_with("imu"); };
-  for (const Camera& camera : rig.cameras) {
-    const bool posed = std::ranges::any_of(rig.poses, [&](const PoseEdge& edge) {
-      return (edge.a == camera.name && is_imu(edge.b)) || (edge.b == camera.name && is_imu(edge.a));
-    });
-    if (posed) losses.push_back({"imu-pose-dropped", "pose of " + camera.name + " to the IMU", "OpenCV's files hold none", ""});
   }
   if (rig.baseline_m) {
     losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",

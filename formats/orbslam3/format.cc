@@ -31,18 +31,19 @@ constexpr std::array<std::string_view, kCount> names_of(const std::array<Row, kC
   return names;
 }
 
-constexpr std::array<std::string_view, 4> kDefaulted = {"frame rate", "colour order", "depth threshold",
-                                                        "ORBextractor.* and Viewer.*"};
+constexpr std::array<std::string_view, 6> kDefaulted = {"frame rate",          "colour order",   "depth threshold",
+                                                        "overlapping columns", "ORBextractor.*", "Viewer.*"};
 
 constexpr auto kModes = names_of(kSensors, &Sensor::id);
 constexpr auto kLayouts = names_of(kStyleNames, &StyleName::name);
 
 ProbeResult probe(const text::Document& document) {
-  if (find_key(document, "Camera1.fx") != nullptr) return {95, "the key Camera1.fx"};
-  if (find_key(document, "Camera.fx") != nullptr) return {90, "the key Camera.fx"};
+  for (const std::string_view key : {"Camera1.fx", "Camera.fx"}) {
+    if (find_key(document, key) != nullptr) return {evidence::kCamera, "the key " + std::string(key)};
+  }
   if (find_key(document, "File.version") != nullptr && find_key(document, "Camera.type") != nullptr)
-    return {80, "File.version and Camera.type"};
-  if (find_key(document, "ORBextractor.nFeatures") != nullptr) return {70, "the key ORBextractor.nFeatures"};
+    return {evidence::kPart, "File.version and Camera.type"};
+  if (find_key(document, "ORBextractor.nFeatures") != nullptr) return {evidence::kTuning, "the key ORBextractor.nFeatures"};
   return {};
 }
 
@@ -62,6 +63,7 @@ const Format kFormat = {
     .image_size = true,
     .frame_rate = true,
     .baseline = true,
+    .own_facts = "tuning (ORBextractor, Viewer, RGB, overlapping)",
     .modes = kModes,
     .layouts = kLayouts,
     .defaulted = kDefaulted,

@@ -123,11 +123,6 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
   }
   for (std::size_t i = 1; i < rig.imus.size(); ++i)
     losses.push_back({"imu-dropped", rig.imus[i].name + " noise and rate", "the settings hold one IMU", ""});
-  const std::string& first = rig.cameras.front().name;
-  const bool untouched_pose = untouched_imu && edited->rig.stated("imu0", edited->rig.cameras.front().name) != nullptr;
-  if (!target.sensor.inertial && !slam_no_opt && rig.resolve("imu0", first) && !untouched_pose) {
-    losses.push_back({"imu-pose-dropped", "pose of " + first + " to the IMU", mode + " settings hold no IMU pose", ""});
-  }
   const bool untouched_baseline = edited != nullptr && edited->rig.baseline_m == rig.baseline_m &&
                                   !edited->target.sensor.two_cameras && !edited->target.sensor.depth;
   if (rig.baseline_m && !target.sensor.two_cameras && !target.sensor.depth && !untouched_baseline) {

@@ -27,6 +27,8 @@ constexpr std::array kModels = {
     StoredModel{"fov", "pinhole-fov", false, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}},
 };
 
+constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
+
 /// A chain is Kalibr's, and says so.
 ProbeResult probe(const text::Document& document) { return probe_camera_txt(document); }
 
@@ -81,7 +83,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     if (std::optional<text::Document> document = edited_camera_txt(*base, rig_as_named.cameras.front())) {
       Written written;
       written.files.push_back({*std::move(document), {rig_as_named.cameras.front().name}, {"dso"}});
-      list_camera_losses(rig_as_named, "DSO", "", written.losses);
+      list_camera_losses(rig_as_named, "DSO", written.losses);
       add_not_carried(extras_beyond(rig_as_named.as_read, old->as_read), "a camera.txt has no place for it", written.losses);
       written.headline = "a camera.txt for DSO";
       return written;
@@ -110,6 +112,8 @@ const Format kFormat = {
     .imu = true,
     .image_size = true,
     .topic = true,
+    .own_facts = "keys of its own (cam_overlaps, DSO's rectified image)",
+    .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,
     .read = read,

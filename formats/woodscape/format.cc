@@ -25,14 +25,14 @@ ProbeResult probe(const text::Document& document) {
   const Node* intrinsic = text::find(root, "intrinsic", kDialect);
   if (intrinsic == nullptr || !intrinsic->is_mapping()) return {};
   const Node* model = text::find(*intrinsic, "model", kDialect);
-  if (model != nullptr && model->value == "radial_poly") return {95, "intrinsic with model \"radial_poly\""};
+  if (model != nullptr && model->value == "radial_poly") return {evidence::kCamera, "intrinsic with model \"radial_poly\""};
   for (const std::string_view key : {"cx_offset", "cy_offset", "poly_order"}) {
-    if (text::find(*intrinsic, key, kDialect) != nullptr) return {85, "intrinsic with " + std::string(key)};
+    if (text::find(*intrinsic, key, kDialect) != nullptr) return {evidence::kPart, "intrinsic with " + std::string(key)};
   }
   const Node* extrinsic = text::find(root, "extrinsic", kDialect);
   if (extrinsic != nullptr && extrinsic->is_mapping() && text::find(*extrinsic, "quaternion", kDialect) != nullptr &&
       text::find(*intrinsic, "k1", kDialect) != nullptr)
-    return {60, "intrinsic with k1 beside an extrinsic with quaternion"};
+    return {evidence::kHint, "intrinsic with k1 beside an extrinsic with quaternion"};
   return {};
 }
 
@@ -48,6 +48,8 @@ const Format kFormat = {
     .extrinsics = true,
     .imu = false,
     .image_size = true,
+    .frame = "vehicle",
+    .own_facts = "keys of its own",
     .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,

@@ -144,7 +144,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {camera.name}, {"woodscape"}});
   }
-  list_camera_losses(rig, "WoodScape", frame, written.losses);
+  list_camera_losses(rig, "WoodScape", written.losses);
   add_not_carried(extras_beyond(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>()),
                   "a WoodScape JSON has no place for it", written.losses);
   written.headline =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exact.h"
 
+#include <fca/convert/containment.h>
+
 #include <algorithm>
 #include <span>
 
@@ -102,3 +104,14 @@ std::string_view contained_model(std::string_view id) {
 }
 
 }  // namespace fca::internal
+
+namespace fca {
+
+bool contains(std::string_view outer, std::string_view inner) {
+  for (; !outer.empty(); outer = internal::contained_model(outer)) {
+    if (outer == inner) return true;
+  }
+  return false;
+}
+
+}  // namespace fca

@@ -146,6 +146,25 @@ TEST(Convert, TimeOffsetsAreLostWithTheirSignAndARemedy) {
   EXPECT_EQ(offsets, 2);
 }
 
+// A file that says where its camera sits in the vehicle, and a target that has no place for a vehicle.
+TEST(Convert, APoseThatIsDroppedIsALoss) {
+  const std::string front = testdata("formats/woodscape/good/front.json");
+  const std::string rear = testdata("formats/woodscape/good/crlf-tabs.json");
+  const RunResult one = run_program({"convert", front, "--to", "kalibr", "--json"});
+  EXPECT_TRUE(contains(one.out, "T_vehicle_FV")) << one.out;
+  const RunResult joined = run_program({"convert", front, rear, "--join", "--to", "kalibr", "--strict"});
+  EXPECT_EQ(joined.code, 1);
+  EXPECT_TRUE(contains(joined.err, "T_vehicle_FV and T_vehicle_RV")) << joined.err;
+  EXPECT_EQ(run_program({"convert", front, "--to", "woodscape", "--strict"}).code, 0);
+}
+
+// Nobody asked for the other camera: neither it nor its pose is lost, and what was known by way of it stays known.
+TEST(Convert, ACameraLeftOutIsNoLoss) {
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--camera", "1", "--to", "orbslam3", "--json"});
+  EXPECT_FALSE(contains(run.out, "pose-dropped")) << run.out;
+  EXPECT_TRUE(contains(run.out, "IMU.T_b_c1"));
+}
+
 TEST(Convert, ThereAndBackThroughTheCommand) {
   const TemporaryFolder folder;
   const std::string settings = folder / "settings.yaml";

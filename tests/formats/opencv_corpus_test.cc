@@ -1,33 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Real OpenCV calibrations: each is read, or refused for its actual defect; nothing else is taken for one; what is read is
-// written back byte for byte, and its pixels are those that OpenCV printed (oracles/README.md).
+// Real OpenCV calibrations: nothing else is taken for one; what is read is written back byte for byte, and its pixels are those
+// that OpenCV printed (oracles/README.md). corpus_test.cc has the table of what is read and refused.
 #include "formats/test_files.h"
 
 #include <fca/formats/consumers/consumer.h>
 
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <set>
 
 namespace fca::test {
 namespace {
 
 bool has_corpus() { return fs::exists(shared_dir() / "corpus" / "opencv"); }
-
-/// A file we refuse, and why it deserves it.
-struct Refused {
-  const char* file;
-  const char* code;
-  const char* why;
-};
-
-constexpr Refused kRefused[] = {
-    {"ScanVan__Calibration-CPP__out_camera_omni.xml", "skew", "K(0, 1) = 0.697"},
-    {"ZJUZQ__camera_calib_opencv__omni_camera_params.xml", "skew", "K(0, 1) = 21.2"},
-    {"ZJUZQ__camera_calib_opencv__out_camera_params.xml", "skew", "K(0, 1) = 21.3"},
-    {"SupernovaIndustries__unlook-standalone__calib-matlab-complete-export.yaml", "skew", "K(0, 1) = -1.02 and -1.53"},
-};
 
 struct Outcome {
   std::optional<Calibration> calibration;
@@ -43,31 +27,6 @@ Outcome read(const fs::path& path, const ReadOptions& options = {}) {
     if (outcome.codes.find(entry.code) == std::string::npos) outcome.codes += (outcome.codes.empty() ? "" : " ") + entry.code;
   }
   return outcome;
-}
-
-TEST(OpenCvCorpus, EveryFileIsReadOrRefusedForItsDefect) {
-  if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
-  std::map<std::string, int> counted;
-  for (const fs::path& path : files_in(shared_dir() / "corpus" / "opencv")) {
-    const std::string name = path.filename().string();
-    const Outcome outcome = read(path);
-    const auto* const expected = std::ranges::find_if(kRefused, [&name](const Refused& row) { return name == row.file; });
-    EXPECT_EQ(outcome.calibration.has_value(), expected == std::end(kRefused)) << name << ": " << outcome.codes;
-    if (outcome.calibration) {
-      EXPECT_EQ(outcome.calibration->format->id, "opencv") << name;
-      EXPECT_FALSE(outcome.calibration->rig.cameras.empty() && outcome.calibration->rig.poses.empty()) << name;
-      std::string models;
-      for (const Camera& camera : outcome.calibration->rig.cameras) models += " " + std::string(model_info(camera.model).id);
-      std::printf("%-90s read:%s%s %s\n", name.c_str(), models.c_str(), models.empty() ? " a pose" : "", outcome.codes.c_str());
-      ++counted["read"];
-    } else {
-      EXPECT_NE(outcome.codes.find(expected->code), std::string::npos) << name << ": " << outcome.codes;
-      std::printf("%-90s refused: %s (%s)\n", name.c_str(), outcome.codes.c_str(), expected->why);
-      ++counted["refused: " + std::string(expected->code)];
-    }
-  }
-  for (const auto& [what, count] : counted) std::printf("%4d %s\n", count, what.c_str());
-  EXPECT_GE(counted["read"], 51);
 }
 
 TEST(OpenCvCorpus, WhatIsReadIsWrittenBackByteForByte) {

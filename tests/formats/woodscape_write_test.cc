@@ -144,8 +144,7 @@ TEST(WoodScapeWrite, WithoutAPoseItIsIdentityAndSaid) {
   EXPECT_TRUE(written.defaults.front().look_at_it);
   std::vector<std::string> codes;
   for (const Loss& loss : written.losses) codes.push_back(loss.code);
-  EXPECT_EQ(codes, (std::vector<std::string>{"time-offset-dropped", "topic-dropped", "frame-rate-dropped", "imu-dropped",
-                                             "pose-dropped"}));
+  EXPECT_EQ(codes, (std::vector<std::string>{"time-offset-dropped", "topic-dropped", "frame-rate-dropped", "imu-dropped"}));
   EXPECT_EQ(calibration_of(bytes_of(written), "cam.json").rig.cameras[0].name, "cam\"0");
   EXPECT_TRUE(projection_py().load(bytes_of(written), {}).loads());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files in, a rig out: syntax, format detection, and several files that are one calibration.
+// Files in, a rig out, and back: syntax, format detection, several files that are one calibration, and what writing loses.
 #pragma once
 
 #include <fca/formats/format.h>
@@ -30,5 +30,9 @@ struct DetectedFormat {
 /// Reads one calibration. `format`: null to detect it. `with`: further parts of the same calibration (imu.yaml).
 [[nodiscard]] std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
                                                           const ReadOptions& options, Diagnostics& diagnostics);
+
+/// What `format.write` makes of the rig, and which of its poses that does not say (losses "pose-dropped").
+[[nodiscard]] std::optional<Written> write_calibration(const Format& format, const text::Document* base, const Rig& rig,
+                                                       const WriteOptions& options, Diagnostics& diagnostics);
 
 }  // namespace fca

@@ -73,6 +73,14 @@ struct Written {
   std::vector<DefaultedValue> defaults;
 };
 
+/// What speaks for a format, by its weight. Formats for which the same speaks tie, and the user is asked.
+namespace evidence {
+inline constexpr int kCamera = 90;  ///< Keys of a camera that only this format has.
+inline constexpr int kPart = 80;    ///< Keys of another part: an IMU's noise, a header.
+inline constexpr int kTuning = 70;  ///< Keys of its program's tuning.
+inline constexpr int kHint = 60;    ///< Less than that: a key without what belongs under it, a pose alone.
+}  // namespace evidence
+
 /// How sure a format is that a document is one of its own. 0: not at all.
 struct ProbeResult {
   int score = 0;
@@ -96,6 +104,8 @@ struct Format {
   bool frame_rate = false;
   bool topic = false;
   bool baseline = false;                           ///< Of a rectified pair or depth sensor, without a pose.
+  std::string_view frame = {};                     ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
+  std::string_view own_facts = {};                 ///< What it states and a Rig has no member for, for people: "cam_overlaps".
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   std::span<const std::string_view> defaulted =
@@ -109,7 +119,7 @@ struct Format {
 
   /// Edits `base` (a document this format read) so that it says what `rig` says; only fields in which the two differ are
   /// touched; cameras are recognised by their names. With no base a fresh file is composed. Every model of `rig` must be one of
-  /// `models`.
+  /// `models`. Losses are listed but for those of poses: write_calibration() finds them.
   std::optional<Written> (*write)(const text::Document* base, const Rig& rig, const WriteOptions& options,
                                   Diagnostics& diagnostics);
 };

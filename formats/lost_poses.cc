@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lost_poses.h"
+
+#include <fca/formats/text/prose.h>
+#include <fca/formats/text/read_document.h>
+#include <fca/rig/leave_out.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace fca {
+
+namespace {
+
+/// How a file that we wrote is read: what it leaves open, the rig knows.
+ReadOptions options_for(const Rig& rig, const Written::File& file) {
+  ReadOptions options;
+  const Camera* camera = file.cameras.empty() ? nullptr : rig.find_camera(file.cameras.front());
+  if (camera == nullptr) return options;
+  options.image_size = camera->image_size;
+  options.opencv_model = model_info(camera->model).id == "kb4" ? "fisheye" : "pinhole";
+  return options;
+}
+
+/// The poses that the files state, between cameras by the rig's names.
+std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Written& written) {
+  std::vector<PoseEdge> poses;
+  for (const Written::File& file : written.files) {
+    Diagnostics ignored;
+    const std::optional<text::Document> document =
+        text::parse_document({file.document.source().name, file.document.bytes()}, ignored);
+    if (!document) continue;
+    const std::optional<Rig> part = format.read(std::span(&*document, 1), options_for(rig, file), ignored);
+    if (!part) continue;
+    std::map<std::string, std::string> names;  // formats may rename cameras
+    for (std::size_t i = 0; i < std::min(part->cameras.size(), file.cameras.size()); ++i)
+      names.emplace(part->cameras[i].name, file.cameras[i]);
+    const auto name_in_rig = [&names](const std::string& name) { return names.contains(name) ? names.at(name) : name; };
+    for (const PoseEdge& edge : part->poses) poses.push_back({name_in_rig(edge.a), name_in_rig(edge.b), edge.T_a_b});
+  }
+  return poses;
+}
+
+/// To a millimetre and a twentieth of a degree: files state one pose in several ways, and round it.
+bool same_pose(const std::optional<Transform>& a, const std::optional<Transform>& b) {
+  constexpr double kTolerance = 1e-3;
+  return a && b && std::ranges::equal(a->values, b->values, [](double x, double y) {
+           return std::abs(x - y) <= kTolerance * std::max(1.0, std::abs(x));
+         });
+}
+
+bool is_device(const Rig& rig, const std::string& frame) {
+  return rig.find_camera(frame) != nullptr || std::ranges::find(rig.imus, frame, &Imu::name) != rig.imus.end() ||
+         frame.starts_with("imu");
+}
+
+/// The pose as it follows from the others.
+std::optional<Transform> around(const Rig& rig, const PoseEdge& edge) {
+  Rig others;
+  std::ranges::copy_if(rig.poses, std::back_inserter(others.poses), [&edge](const PoseEdge& other) { return &other != &edge; });
+  return others.resolve(edge.a, edge.b);
+}
+
+/// Frames whose poses to each other are kept.
+using Group = std::set<std::string>;
+
+Group group_of(const std::string& frame, const std::set<std::string>& frames, const Rig& kept) {
+  Group group;
+  std::ranges::copy_if(frames, std::inserter(group, group.end()),
+                       [&](const std::string& other) { return kept.resolve(frame, other).has_value(); });
+  return group;
+}
+
+Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group& b, const Format& format) {
+  std::string why = "what is written for " + std::string(format.program) + " does not say it";
+  std::vector<std::string> kept;
+  for (const Group* group : {&a, &b}) {
+    if (group->size() > 1) kept.push_back(text::enumerated(std::vector<std::string>(group->begin(), group->end())));
+  }
+  if (!kept.empty() && a != b) why += "; how " + text::enumerated(kept) + " sit to each other is kept";
+  return {"pose-dropped", text::enumerated(poses), why, ""};
+}
+
+}  // namespace
+
+std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const Written& written) {
+  Rig rig = rig_as_read;
+  for (const Camera& camera : rig_as_read.cameras) {
+    // A camera that no file holds is a loss of its own.
+    const bool held = std::ranges::any_of(written.files, [&camera](const Written::File& file) {
+      return std::ranges::find(file.cameras, camera.name) != file.cameras.end();
+    });
+    if (!held) leave_out(camera.name, rig);
+  }
+  if (rig.poses.empty()) return {};
+  Rig kept;
+  kept.poses = stated_in(format, rig, written);
+  std::set<std::string> frames;
+  for (const PoseEdge& edge : rig.poses) {
+    frames.insert({edge.a, edge.b});
+    const bool another_name = edge.T_a_b == Transform{} && !(is_device(rig, edge.a) && is_device(rig, edge.b));
+    if (another_name) kept.poses.push_back(edge);
+  }
+  // In the order in which the poses are stated.
+  std::vector<std::pair<std::pair<Group, Group>, std::vector<std::string>>> lost;
+  for (const PoseEdge& edge : rig.poses) {
+    const std::optional<Transform> written_pose = kept.resolve(edge.a, edge.b);
+    // Of poses that contradict each other a file may keep either.
+    if (same_pose(written_pose, edge.T_a_b) || same_pose(written_pose, around(rig, edge))) continue;
+    std::pair<Group, Group> groups = {group_of(edge.a, frames, kept), group_of(edge.b, frames, kept)};
+    if (groups.second < groups.first) std::swap(groups.first, groups.second);
+    auto row = std::ranges::find(lost, groups, &decltype(lost)::value_type::first);
+    if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}});
+    row->second.push_back("T_" + edge.a + "_" + edge.b);
+  }
+  std::vector<Loss> losses;
+  losses.reserve(lost.size());
+  for (const auto& [groups, poses] : lost) losses.push_back(loss_of(poses, groups.first, groups.second, format));
+  return losses;
+}
+
+}  // namespace fca

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ledger of `fca-io formats --ledger` against what convert does: for every pair of formats files that hold what the format
+// can hold are converted, and what comes out exact, fitted, dropped and defaulted is what the table says.
+#include "cli/run_program.h"
+#include "formats/rigs.h"
+
+#include <fca/formats/calibration.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <rapidjson/document.h>
+
+namespace fca::test {
+namespace {
+
+using Names = std::set<std::string>;
+
+struct Classes {
+  Names exact;
+  Names fitted;
+  Names dropped;
+  Names defaulted;
+};
+
+/// Inputs that are one calibration, as words for the command.
+using Input = std::vector<std::string>;
+
+rapidjson::Document json_of(const std::string& text) {
+  rapidjson::Document json;
+  json.Parse(text.c_str(), text.size());
+  EXPECT_FALSE(json.HasParseError()) << text;
+  return json;
+}
+
+Names names_in(const rapidjson::Value& list) {
+  Names names;
+  for (const rapidjson::Value& name : list.GetArray()) names.insert(name.GetString());
+  return names;
+}
+
+std::map<std::pair<std::string, std::string>, Classes> table() {
+  const rapidjson::Document json = json_of(run_program({"formats", "--ledger", "--json"}).out);
+  std::map<std::pair<std::string, std::string>, Classes> rows;
+  for (const rapidjson::Value& row : json["ledger"].GetArray()) {
+    rows[{row["from"].GetString(), row["to"].GetString()}] = {names_in(row["exact"]), names_in(row["fitted"]),
+                                                              names_in(row["dropped"]), names_in(row["defaulted"])};
+  }
+  return rows;
+}
+
+/// "radtan (k3 = 0)" -> "radtan"
+Names without_conditions(const Names& names) {
+  Names result;
+  for (const std::string& name : names) result.insert(name.substr(0, name.find(" (")));
+  return result;
+}
+
+/// What the table calls a loss.
+std::string fact_of(const std::string& code, const std::string& what, const Format& from) {
+  static const std::map<std::string, std::string> kFacts = {{"imu-dropped", "IMU"},
+                                                            {"time-offset-dropped", "time offset"},
+                                                            {"topic-dropped", "topics"},
+                                                            {"frame-rate-dropped", "frame rate"},
+                                                            {"baseline-dropped", "baseline without poses"},
+                                                            {"camera-dropped", "cameras beyond 2"}};
+  if (code == "not-carried") return std::string(from.own_facts);
+  if (code == "pose-dropped") {
+    if (contains(what, "imu")) return "IMU";
+    const std::string frame(from.frame);
+    return !frame.empty() && contains(what, frame) ? "poses in the frame " + frame : "poses";
+  }
+  const auto found = kFacts.find(code);
+  return found == kFacts.end() ? code : found->second;
+}
+
+/// What the table calls a value that is made up.
+std::string value_of(const std::string& key) {
+  static const std::pair<const char*, const char*> kValues[] = {
+      {"Camera.fps", "frame rate"},
+      {"Camera.RGB", "colour order"},
+      {"ThDepth", "depth threshold"},
+      {"overlapping", "overlapping columns"},
+      {"ORBextractor", "ORBextractor.*"},
+      {"Viewer", "Viewer.*"},
+      {"rostopic", "IMU topic"},
+      {"extrinsic", "pose in the vehicle"},
+      {"inverse polynomial", "inverse polynomial (fitted)"},
+  };
+  for (const auto& [part, value] : kValues) {
+    if (contains(key, part)) return value;
+  }
+  return key;
+}
+
+void convert_into(const Input& input, const Format& from, const Format& to, Classes& classes) {
+  const TemporaryFolder folder;
+  Input words = {"convert", "--from", std::string(from.id), "--to", std::string(to.id), "--json", "--max-angle", "30", "-o"};
+  words.push_back(folder.path().string() + "/");
+  words.insert(words.end(), input.begin(), input.end());
+  const RunResult run = run_program(words);
+  EXPECT_EQ(run.code, 0) << input.front() << " -> " << to.id << run.out << run.err;
+  if (run.code != 0) return;
+  const rapidjson::Document json = json_of(run.out);
+  for (const rapidjson::Value& camera : json["cameras"].GetArray())
+    (camera["exact"].GetBool() ? classes.exact : classes.fitted).insert(camera["from_model"].GetString());
+  for (const rapidjson::Value& loss : json["losses"].GetArray())
+    classes.dropped.insert(fact_of(loss["code"].GetString(), loss["what"].GetString(), from));
+  for (const rapidjson::Value& value : json["defaults"].GetArray())
+    classes.defaulted.insert(value_of(value["key"].GetString()));
+  int files = 0;
+  for (const rapidjson::Value& output : json["outputs"].GetArray()) files += output["cameras"].Empty() ? 0 : 1;
+  if (files > 1 && std::ranges::find(input, "--join") == input.end()) classes.dropped.insert("several cameras in one file");
+}
+
+/// The rig as a file of the format; nothing where that cannot hold it, or is read as another model: Kalibr's ucm as the eucm
+/// and its pinhole as the radtan that they are written as.
+std::optional<Input> written(const TemporaryFolder& folder, const std::string& name, const Format& format, const Rig& rig) {
+  Diagnostics ignored;
+  const std::optional<Written> files = write_calibration(format, nullptr, rig, {}, ignored);
+  if (!files) return std::nullopt;
+  const text::Document& document = files->files.front().document;
+  const std::optional<Rig> back = format.read(std::span(&document, 1), {}, ignored);
+  if (!back || back->cameras.front().model.index() != rig.cameras.front().model.index()) return std::nullopt;
+  return Input{folder.write(name + std::string(format.extension), document.bytes())};
+}
+
+Input good(const std::string& name) { return {testdata("formats/" + name)}; }
+
+Input operator+(Input words, const Input& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// A stereo rig with its poses, or three cameras of one model.
+Rig plain_rig(const std::string& model, int cameras) {
+  Rig rig;
+  for (int i = 0; i < cameras; ++i) {
+    const std::string name = "cam" + std::to_string(i);
+    rig.cameras.push_back({name, sample_size(model), sample_model(model, i % 2), std::nullopt, std::nullopt, ""});
+    if (i > 0) rig.poses.push_back({name, "cam" + std::to_string(i - 1), T_cam1_cam0()});
+  }
+  return rig;
+}
+
+/// What files of the format can hold, file by file.
+std::vector<Input> full_files(const TemporaryFolder& folder, const Format& format) {
+  std::vector<Input> inputs;
+  if (format.many_cameras) {
+    for (const int cameras : {2, 3}) {
+      if (std::optional<Input> input = written(folder, "many" + std::to_string(cameras), format, plain_rig("kb4", cameras)))
+        inputs.push_back(*std::move(input));
+    }
+  }
+  const Input with_imu = good("kalibr/good/tumvi.yaml") + Input{"--with"} + good("kalibr/good/imu.yaml");
+  if (format.id == "kalibr") {
+    const std::string shifted =
+        with_replaced(read_file(testdata("formats/kalibr/good/tumvi.yaml")), "cam0:\n", "cam0:\n  timeshift_cam_imu: 0.0021\n");
+    inputs.push_back(Input{folder.write("shifted.yaml", shifted), "--with"} + good("kalibr/good/imu.yaml"));
+  }
+  if (format.id == "tumvi") inputs.insert(inputs.end(), {with_imu, good("tumvi/good/pinhole.txt")});
+  if (format.id == "opencv") {
+    const std::string moved = with_replaced(read_file(testdata("formats/opencv/good/cameras.yml")),
+                                            "data: [ 1., 0., 0., 0., 0., 1.,", "data: [ 1., 0., 0., 0.25, 0., 1.,");
+    inputs.insert(inputs.end(), {good("opencv/good/calibration.yml"), Input{folder.write("moved.yml", moved)}});
+  }
+  if (format.id == "ocamcalib") inputs.push_back(good("ocamcalib/good/toolbox.txt"));
+  if (format.id == "orbslam3")
+    inputs.insert(inputs.end(), {good("orbslam3/good/v1-stereo-inertial.yaml"), good("orbslam3/good/v1-rectified.yaml")});
+  if (format.id == "woodscape") {
+    inputs.insert(inputs.end(), {good("woodscape/good/front.json"), good("woodscape/good/ints-and-more.json"),
+                                 good("woodscape/good/front.json") + good("woodscape/good/crlf-tabs.json") + Input{"--join"}});
+  }
+  return inputs;
+}
+
+/// A file for every model that the format stores; radtan with and without k3.
+std::vector<Input> model_files(const TemporaryFolder& folder, const Format& format) {
+  std::vector<Input> inputs;
+  for (const StoredModel& stored : format.models) {
+    const std::string model(stored.model);
+    if (model == "ocamcalib" || model == "woodscape") continue;  // their own files say all
+    Rig rig = plain_rig(model == "rational" ? "radtan" : model, 1);
+    if (model == "rational") {
+      rig.cameras[0].model =
+          model_of(model, {458.654, 457.296, 367.215, 248.375, -0.28, 0.07, 0.0002, 0.00002, 0.001, 0.01, 0.002, 0.0005});
+    }
+    if (std::optional<Input> input = written(folder, model, format, rig)) inputs.push_back(*std::move(input));
+    if (model == "radtan" && set_parameter(rig.cameras[0].model, "k3", 0.001)) {
+      if (std::optional<Input> input = written(folder, "radtan-k3", format, rig)) inputs.push_back(*std::move(input));
+    }
+  }
+  return inputs;
+}
+
+class Ledger : public testing::TestWithParam<const Format*> {};
+
+TEST_P(Ledger, SaysWhatConvertDoes) {
+  const Format& from = *GetParam();
+  const auto rows = table();
+  const TemporaryFolder folder;
+  const std::vector<Input> full = full_files(folder, from);
+  const std::vector<Input> models = model_files(folder, from);
+  for (const Format& to : all_formats()) {
+    if (&from == &to) continue;
+    SCOPED_TRACE(std::string(from.id) + " -> " + std::string(to.id));
+    const Classes& expected = rows.at({std::string(from.id), std::string(to.id)});
+    Classes got;
+    for (const Input& input : full) convert_into(input, from, to, got);
+    EXPECT_EQ(got.dropped, expected.dropped);
+    EXPECT_EQ(got.defaulted, expected.defaulted);
+    for (const Input& input : models) convert_into(input, from, to, got);
+    const Names exact = without_conditions(expected.exact);
+    for (const std::string& model : got.exact) EXPECT_TRUE(exact.contains(model)) << model << " stays exact";
+    for (const std::string& model : got.fitted) {
+      const bool on_condition = exact.contains(model) && !expected.exact.contains(model);
+      EXPECT_TRUE(expected.fitted.contains(model) || on_condition) << model << " is fitted";
+    }
+    // Of Kalibr's ucm and pinhole there is no file (see written()).
+    for (const std::string& model : exact)
+      EXPECT_TRUE(got.exact.contains(model) || model == "ucm" || model == "pinhole") << model << " is not exact";
+    for (const std::string& model : expected.fitted)
+      EXPECT_TRUE(got.fitted.contains(model) || model == "ucm" || model == "pinhole") << model << " is not fitted";
+  }
+}
+
+std::vector<const Format*> formats() {
+  std::vector<const Format*> result;
+  for (const Format& format : all_formats()) result.push_back(&format);
+  return result;
+}
+
+std::string name_of(const testing::TestParamInfo<const Format*>& format) { return std::string(format.param->id); }
+
+INSTANTIATE_TEST_SUITE_P(From, Ledger, testing::ValuesIn(formats()), name_of);
+
+}  // namespace
+}  // namespace fca::test
