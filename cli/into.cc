@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "into.h"
 
+#include <fca/formats/pose_agreement.h>
+
 #include <algorithm>
 
 namespace fca::cli {
@@ -30,6 +32,35 @@ void keep(std::optional<T>& value, const std::optional<T>& otherwise) {
   if (!value) value = otherwise;
 }
 
+/// The base's poses beside those that the rig states. They keep their numbers, also where they contradict each other, unless the
+/// rig moves something that one of them speaks of, too: then it follows.
+void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
+  // What the base says of the rig's own edges. Edge for edge the same, so that both resolve along the same path.
+  Rig before;
+  for (const PoseEdge& edge : rig.poses) {
+    const Transform* stated = base.stated(edge.a, edge.b);
+    const std::optional<Transform> T = stated != nullptr ? *stated : base.resolve(edge.a, edge.b);
+    if (T) before.poses.push_back({edge.a, edge.b, *T});
+  }
+  for (PoseEdge edge : base.poses) {
+    if (rig.stated(edge.a, edge.b) != nullptr) continue;
+    const PoseEdge as_it_was = edge;
+    const std::optional<Transform> now = rig.resolve(edge.a, edge.b);
+    const std::optional<Transform> then = before.resolve(edge.a, edge.b);
+    const bool moved = now && !(then && agree(*now, *then)) && !agree(*now, edge.T_a_b);
+    if (moved) {
+      edge.T_a_b = *now;
+      // The same statement the other way round is no second one.
+      if (rig.stated(edge.b, edge.a) == nullptr) {
+        diagnostics.note("pose-follows", "the base states the pose of " + edge.a + " relative to " + edge.b +
+                                             ", which a pose of the input contradicts; it is written as it follows from that");
+      }
+    }
+    rig.poses.push_back(edge);
+    before.poses.push_back(as_it_was);
+  }
+}
+
 }  // namespace
 
 Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics) {
@@ -48,9 +79,7 @@ Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics) {
   }
   if (rig.imus.empty()) rig.imus = base.imus;
   keep(rig.baseline_m, base.baseline_m);
-  for (const PoseEdge& edge : base.poses) {
-    if (!rig.resolve(edge.a, edge.b)) rig.poses.push_back(edge);
-  }
+  keep_poses(base, rig, diagnostics);
   return rig;
 }
 

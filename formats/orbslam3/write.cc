@@ -57,7 +57,7 @@ std::optional<Base> read_base(const text::Document* document) {
   const Style style = style_of(*document);
   const std::optional<double> rate = rig->cameras.front().frame_rate_hz;
   Target target{style, sensor_of(*document, *rig, style), rate.value_or(kUpstreamFrameRate), rate.has_value(),
-                Tuning(*document)};
+                Tuning(*document), imu_pose_key(*document)};
   return Base{*document, *std::move(rig), std::move(target)};
 }
 
@@ -137,9 +137,9 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
 }
 
 /// What was read and the fields of a fresh file do not say.
-void list_extras(const Rig& rig, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
+void list_extras(std::span<const AsRead> extras, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
   std::vector<AsRead> lost;
-  std::ranges::copy_if(rig.as_read, std::back_inserter(lost), [&fields](const AsRead& extra) {
+  std::ranges::copy_if(extras, std::back_inserter(lost), [&fields](const AsRead& extra) {
     const TuningKey* key = find_tuning_key(extra.key);
     return key == nullptr || std::ranges::none_of(fields, [key](const fields::Field& field) {
              return field.key == key->key || field.key == key->old_key;
@@ -277,6 +277,7 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   target.frame_rate_known = rate.has_value();
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
   if (base != nullptr) target.tuning = base->target.tuning;
+  if (base != nullptr && !options.anew && base->target.style == target.style) target.imu_pose_key = base->target.imu_pose_key;
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
   return target;
 }
@@ -327,7 +328,11 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}, {}});
     written.defaults = defaulted(fields, *target, rig);
-    list_extras(rig, fields, written.losses);
+    list_extras(rig.as_read, fields, written.losses);
+    if (base) {
+      add_composed_anew(base->document, written.files.front().document, "", written.losses);
+      list_extras(extras_beyond(base->rig.as_read, rig.as_read), fields, written.losses);
+    }
   }
   const std::string program(audience.program);
   list_camera_losses(rig, *target, program, written.losses);
