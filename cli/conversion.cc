@@ -106,7 +106,7 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
     } else if (refused_before) {
       outcome.diagnostics.warning(
           "program-refuses",
-          arguments.into + " is edited and not proven: " + program + " does not read it as it is: " + disagreement(proof), {},
+          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(), {},
           "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
       outcome.diagnostics.error("proof-failed",

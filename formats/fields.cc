@@ -317,8 +317,12 @@ bool edit_in_place(text::Document& document, const Node& value, text::Dialect di
       const Node* cols = value.is_mapping() ? text::find(value, "cols", dialect) : nullptr;
       const Node* type = value.is_mapping() ? text::find(value, "dt", dialect) : nullptr;
       if (data == nullptr || cols == nullptr || type == nullptr || !is_list(document, *data)) return false;
-      if (cols->value != std::to_string(field.columns) || type->value != field.element_type) return false;
-      return edit_items(document, leaves(*data), before, field);
+      if (cols->value != std::to_string(field.columns)) return false;
+      // The same digits are another number in a matrix of another type.
+      const bool same_type = type->value == field.element_type;
+      if (!edit_items(document, leaves(*data), same_type ? before : nullptr, field)) return false;
+      if (!same_type) set_scalar(document, *type, field.element_type);
+      return true;
     }
   }
   return false;
@@ -355,8 +359,8 @@ bool is_yaml(const text::Document& document) {
 
 /// A list of another length in a YAML block list's own style: "\n" and its dash before every number. Nothing of other lists.
 std::optional<std::string> as_block_list(const text::Document& document, const Node& value, const Field& field) {
-  if (!is_yaml(document) || field.shape != Shape::kList || !value.is_sequence() || value.flow || value.items.empty())
-    return std::nullopt;
+  if (!is_yaml(document) || field.shape != Shape::kList || !value.is_sequence() || value.flow) return std::nullopt;
+  if (value.items.empty() || field.tokens.empty()) return std::nullopt;
   const std::string& bytes = document.source().bytes;
   const std::size_t item = value.items.front().span.offset;
   const std::size_t line = document.source().line_at(item).offset;

@@ -141,6 +141,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.headline = headline(*layout, rig);
     add_not_carried(rig.as_read, "a new file has no place for it", written.losses);
     if (base != nullptr) add_composed_anew(*base, written.files.front().document, why, written.losses);
+    if (const std::optional<Base> old = base != nullptr ? read_base(*base, rig) : std::nullopt)
+      add_not_carried(extras_beyond(old->rig.as_read, rig.as_read), "a new file has no place for it", written.losses);
   }
   list_losses(rig, written.losses);
   return written;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base_shape.h"
 #include "orbslam3.h"
 #include "settings.h"
 
@@ -318,7 +319,9 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   Written written;
   if (edited != nullptr) {
     text::Document document = edited->document;
-    fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(edited->rig, edited->target), fields);
+    fields::apply(document, document.root(), text::Dialect::kOpenCv,
+                  shaped_as(settings_fields(edited->rig, edited->target), edited->document),
+                  shaped_as(fields, edited->document));
     written.files.push_back({std::move(document), {}, {}});
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
     add_not_carried(extras_beyond(rig.as_read, edited->rig.as_read), "the settings have no place for it", written.losses);

@@ -3,10 +3,8 @@
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 
-#include <fca/formats/text/numbers.h>
-
 #include <cmath>
-#include <functional>
+#include <map>
 #include <random>
 
 namespace fca::test {
@@ -46,16 +44,17 @@ std::vector<Base> all_bases() {
 /// One file's scalars, and what stands between them.
 struct Pieces {
   std::vector<std::string> scalars;
-  std::vector<std::string> keys;  ///< The mapping's key under which each scalar stands.
+  std::vector<std::string> paths;  ///< Keys above each scalar, "LEFT.D/data".
   std::vector<std::string> gaps;
 };
 
-void collect(const text::Node& node, const std::string& key, std::vector<std::pair<text::Span, std::string>>& places) {
-  if (node.is_scalar()) places.emplace_back(node.span, key);
-  for (const text::Node& item : node.items) collect(item, key, places);
+void collect(const text::Node& node, const std::string& path, std::vector<std::pair<text::Span, std::string>>& places) {
+  if (node.is_scalar()) places.emplace_back(node.span, path);
+  for (const text::Node& item : node.items) collect(item, path, places);
   for (const text::Entry& entry : node.entries) {
-    places.emplace_back(entry.key.span, "");
-    collect(entry.value, entry.value.is_scalar() || entry.value.is_sequence() ? entry.key.value : key, places);
+    const std::string below = path + (path.empty() ? "" : "/") + entry.key.value;
+    places.emplace_back(entry.key.span, below);
+    collect(entry.value, below, places);
   }
 }
 
@@ -66,44 +65,34 @@ Pieces pieces_of(const text::Document& document) {
   const std::string& bytes = document.source().bytes;
   Pieces pieces;
   std::size_t copied = 0;
-  for (const auto& [span, key] : places) {
+  for (const auto& [span, path] : places) {
     pieces.gaps.push_back(bytes.substr(copied, span.offset - copied));
     pieces.scalars.push_back(bytes.substr(span.offset, span.length));
-    pieces.keys.push_back(key);
+    pieces.paths.push_back(path);
     copied = span.end();
   }
   pieces.gaps.push_back(bytes.substr(copied));
   return pieces;
 }
 
-/// What the edit of one number is.
-struct NumberEdit {
-  double before = 0.0;
-  Rig rig;
-};
+/// A statement that repeats or follows from another one: slam_no_opt's LEFT.* say Camera.* again, and Camera.bf is the baseline
+/// times fx.
+bool is_redundant(const std::string& path) { return path == "Camera.bf" || path.starts_with("LEFT."); }
 
-/// A number that another follows from: Camera.bf from fx and the baseline.
-bool is_derived(const std::string& key) { return key == "Camera.bf"; }
-
-/// Why more changed than one number (in all the places where it stands); empty if not.
-std::string unexplained(const text::Document& before, const text::Document& after, double number) {
+/// Why more changed than one number, and one of each redundant statement; empty if not.
+std::string unexplained(const text::Document& before, const text::Document& after) {
   const Pieces was = pieces_of(before);
   const Pieces is = pieces_of(after);
   if (was.scalars.size() != is.scalars.size())
     return std::to_string(was.scalars.size()) + " scalars became " + std::to_string(is.scalars.size());
   if (was.gaps != is.gaps) return "bytes between the scalars changed";
-  std::vector<std::size_t> changed;
+  std::map<std::string, int> changed;
   for (std::size_t i = 0; i < was.scalars.size(); ++i) {
-    if (was.scalars[i] != is.scalars[i] && !is_derived(was.keys[i])) changed.push_back(i);
+    if (was.scalars[i] == is.scalars[i]) continue;
+    const std::string statement = is_redundant(was.paths[i]) ? was.paths[i] : "the number";
+    if (++changed[statement] > 1) return was.paths[i] + " " + was.scalars[i] + " became " + is.scalars[i];
   }
-  if (changed.empty()) return "nothing changed";
-  if (changed.size() == 1) return "";
-  for (const std::size_t i : changed) {
-    const std::optional<double> there = text::parse_real(was.scalars[i]);
-    const bool same = there && (*there == number || static_cast<double>(static_cast<float>(*there)) == number);
-    if (!same) return was.keys[i] + " " + was.scalars[i] + " became " + is.scalars[i];
-  }
-  return "";
+  return changed.contains("the number") ? "" : "nothing changed";
 }
 
 std::string written_over(const Base& base, const Rig& rig) {
@@ -120,6 +109,17 @@ std::optional<Calibration> read_back(const Base& base, const std::string& bytes)
   if (parsed.document) back = read_calibration({*parsed.document}, base.calibration.format, {}, parsed.diagnostics);
   EXPECT_TRUE(back) << parsed.rendered();
   return back;
+}
+
+/// DSO's camera.txt may state its numbers relative to the image's size: they come back to rounding.
+bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
+  if (base.calibration.format->id != "tumvi") return a.cameras == b.cameras;
+  return std::ranges::equal(a.cameras, b.cameras, [](const Camera& x, const Camera& y) {
+    return x.model.index() == y.model.index() &&
+           std::ranges::equal(parameter_values(x.model), parameter_values(y.model), [](double u, double v) {
+             return std::abs(u - v) <= 1e-12 * std::max(1.0, std::abs(v));
+           });
+  });
 }
 
 double largest_pose_difference(const Rig& a, const Rig& b) {
@@ -154,15 +154,14 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
         Rig rig = base.calibration.rig;
         double& value = parameter_values(rig.cameras[c].model)[p];
         if (value == 0.0 || others_follow(base, info.parameters[p])) continue;
-        const double before = value;
         value = storable(base, value * factor(random));
         SCOPED_TRACE(base.name + ": " + rig.cameras[c].name + " " + std::string(info.parameters[p].name));
         const std::string bytes = written_over(base, rig);
         if (bytes.empty()) continue;  // beyond what the format holds: refused, with a diagnostic
         const std::optional<Calibration> back = read_back(base, bytes);
         if (!back) continue;
-        EXPECT_TRUE(back->rig.cameras == rig.cameras);
-        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front(), before), "");
+        EXPECT_TRUE(same_cameras(base, back->rig, rig));
+        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front()), "");
         ++edits;
       }
     }
@@ -172,20 +171,23 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
 
 TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
   std::mt19937_64 random(2);
-  std::uniform_real_distribution<double> shift(-1e-3, 1e-3);
+  // Small enough that a rotation stays one as far as readers care.
+  std::uniform_real_distribution<double> shift(-1e-4, 1e-4);
+  constexpr int kElements = 12;
   int edits = 0;
   for (const Base& base : all_bases()) {
     for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {
-      for (int row = 0; row < 3; ++row) {
+      for (int element = 0; element < kElements; ++element) {
+        const bool of_rotation = element % 4 != 3;
+        if (of_rotation && base.calibration.format->id == "woodscape") continue;  // it stores a quaternion
         Rig rig = base.calibration.rig;
-        double& value = rig.poses[p].T_a_b(row, 3);
-        const double before = value;
+        double& value = rig.poses[p].T_a_b(element / 4, element % 4);
         value = storable(base, value + shift(random));
-        SCOPED_TRACE(base.name + ": " + rig.poses[p].a + " " + rig.poses[p].b + " " + std::to_string(row));
+        SCOPED_TRACE(base.name + ": " + rig.poses[p].a + " " + rig.poses[p].b + " " + std::to_string(element));
         const std::optional<Calibration> back = read_back(base, written_over(base, rig));
         if (!back) continue;
         EXPECT_LE(largest_pose_difference(rig, back->rig), 1e-12);
-        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front(), before), "");
+        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front()), "");
         ++edits;
       }
     }
@@ -210,7 +212,7 @@ TEST(EditProperty, APoseStatedTheOtherWayRoundEditsTheStatementThatIsThere) {
       const Pieces was = pieces_of(base.calibration.documents.front());
       const Pieces is = pieces_of(back->documents.front());
       EXPECT_EQ(was.scalars.size(), is.scalars.size());
-      EXPECT_EQ(was.gaps, is.gaps);
+      EXPECT_TRUE(was.gaps == is.gaps);
     }
   }
 }
