@@ -9,7 +9,8 @@ namespace fca::cli {
 
 namespace {
 
-/// Names the rig's cameras as the base's of the same place; a name that is then taken twice becomes "NAME of the input".
+/// Names the rig's cameras as the base's of the same place. Any other name of a camera of the base, also of one that was left
+/// out of the input and has a pose yet, becomes "NAME of the input".
 void take_names(const Rig& base, Rig& rig) {
   std::vector<std::pair<std::string, std::string>> names;
   for (std::size_t i = 0; i < std::min(base.cameras.size(), rig.cameras.size()); ++i)
@@ -17,8 +18,7 @@ void take_names(const Rig& base, Rig& rig) {
   const auto renamed = [&](const std::string& name) -> std::string {
     const auto row = std::ranges::find(names, name, &std::pair<std::string, std::string>::first);
     if (row != names.end()) return row->second;
-    const bool taken = std::ranges::find(names, name, &std::pair<std::string, std::string>::second) != names.end();
-    return taken ? name + " of the input" : name;
+    return base.find_camera(name) != nullptr ? name + " of the input" : name;
   };
   for (Camera& camera : rig.cameras) camera.name = renamed(camera.name);
   for (PoseEdge& edge : rig.poses) {

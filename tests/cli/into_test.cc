@@ -117,6 +117,17 @@ TEST(Into, ARedundantPoseFollowsTheOneThatMoved) {
   for (const std::string& line : lines_that_differ(tumvi, run.out)) EXPECT_TRUE(line.starts_with("  T_cam_imu |")) << line;
 }
 
+// A camera that was not chosen does not come by its poses.
+TEST(Into, ACameraLeftOutOfTheInputLeavesTheBasesAlone) {
+  const TemporaryFolder folder;
+  const std::string tumvi = read_file(kTumvi);
+  const std::string number = "-0.10106110275180535";
+  const std::string base = std::string(tumvi).replace(tumvi.find(number), number.size(), "-0.2");
+  const RunResult run = run_program({"convert", kTumvi, "--camera", "cam0", "--into", folder.write("b.yaml", base), "--no-verify"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, base);
+}
+
 // OpenVINS reads it and Kalibr does not, before and after: its header, comments and the direction of its pose are its owner's.
 TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
   const TemporaryFolder folder;
