@@ -106,8 +106,8 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
     } else if (refused_before) {
       outcome.diagnostics.warning(
           "program-refuses",
-          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(), {},
-          "--anew writes it as " + program + " reads it");
+          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(),
+          {}, "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
       outcome.diagnostics.error("proof-failed",
                                 program + " would not understand what was to be written: " + disagreement(proof));

@@ -32,8 +32,8 @@ void keep(std::optional<T>& value, const std::optional<T>& otherwise) {
   if (!value) value = otherwise;
 }
 
-/// The base's poses beside those that the rig states. They keep their numbers, also where they contradict each other, unless the
-/// rig moves something that one of them speaks of, too: then it follows.
+/// The base's poses beside those that the rig states. They keep their numbers, also where they contradict each other, unless
+/// the rig moves something that one of them speaks of, too: then it follows.
 void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
   // What the base says of the rig's own edges. Edge for edge the same, so that both resolve along the same path.
   Rig before;

@@ -206,8 +206,7 @@ std::vector<Field> FieldMaker::root(const std::vector<bool>& kept_length) const 
   for (std::size_t i = 0; i < rig_.cameras.size() && !layout_.in_maps(); ++i)
     add_lens(rig_.cameras[i], layout_.cameras[i], kept_length[i], fields);
   if (rig_.cameras.size() == 2) {
-    const std::vector<Field> pose =
-        stereo_pose_fields(rig_, rig_.cameras[0].name, rig_.cameras[1].name, layout_, base_);
+    const std::vector<Field> pose = stereo_pose_fields(rig_, rig_.cameras[0].name, rig_.cameras[1].name, layout_, base_);
     fields.insert(fields.end(), pose.begin(), pose.end());
   }
   return fields;

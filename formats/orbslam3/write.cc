@@ -57,8 +57,12 @@ std::optional<Base> read_base(const text::Document* document) {
   if (!rig) return std::nullopt;
   const Style style = style_of(*document);
   const std::optional<double> rate = rig->cameras.front().frame_rate_hz;
-  Target target{style, sensor_of(*document, *rig, style), rate.value_or(kUpstreamFrameRate), rate.has_value(),
-                Tuning(*document), imu_pose_key(*document)};
+  Target target{style,
+                sensor_of(*document, *rig, style),
+                rate.value_or(kUpstreamFrameRate),
+                rate.has_value(),
+                Tuning(*document),
+                imu_pose_key(*document)};
   return Base{*document, *std::move(rig), std::move(target)};
 }
 

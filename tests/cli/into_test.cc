@@ -123,7 +123,8 @@ TEST(Into, ACameraLeftOutOfTheInputLeavesTheBasesAlone) {
   const std::string tumvi = read_file(kTumvi);
   const std::string number = "-0.10106110275180535";
   const std::string base = std::string(tumvi).replace(tumvi.find(number), number.size(), "-0.2");
-  const RunResult run = run_program({"convert", kTumvi, "--camera", "cam0", "--into", folder.write("b.yaml", base), "--no-verify"});
+  const RunResult run =
+      run_program({"convert", kTumvi, "--camera", "cam0", "--into", folder.write("b.yaml", base), "--no-verify"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out, base);
 }
@@ -147,8 +148,7 @@ TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
 
 TEST(Into, WhatIsComposedAnewListsWhatGoes) {
   const TemporaryFolder folder;
-  const std::string base =
-      folder.write("base.yaml", read_file(kOpenVins) + "\n  cam_overlaps: []\n  line_delay: 0.001\n");
+  const std::string base = folder.write("base.yaml", read_file(kOpenVins) + "\n  cam_overlaps: []\n  line_delay: 0.001\n");
   const std::vector<std::string> words = {"convert", kTumvi, "--camera", "cam0", "--into", base, "--anew"};
   const RunResult run = run_program(words);
   EXPECT_EQ(run.code, 0) << run.err;

@@ -116,9 +116,8 @@ bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
   if (base.calibration.format->id != "tumvi") return a.cameras == b.cameras;
   return std::ranges::equal(a.cameras, b.cameras, [](const Camera& x, const Camera& y) {
     return x.model.index() == y.model.index() &&
-           std::ranges::equal(parameter_values(x.model), parameter_values(y.model), [](double u, double v) {
-             return std::abs(u - v) <= 1e-12 * std::max(1.0, std::abs(v));
-           });
+           std::ranges::equal(parameter_values(x.model), parameter_values(y.model),
+                              [](double u, double v) { return std::abs(u - v) <= 1e-12 * std::max(1.0, std::abs(v)); });
   });
 }
 

@@ -44,9 +44,8 @@ TEST(Sibling, AKalibrCameraTakesTheStyleOfTheOneBeforeIt) {
     const std::string bytes = read_file(path);
     const Calibration base = calibration_of(bytes);
     // Beside other keys cameras neither come nor go.
-    const bool cameras_alone = std::ranges::all_of(base.documents.front().root().entries, [](const text::Entry& entry) {
-      return entry.key.value.starts_with("cam");
-    });
+    const bool cameras_alone = std::ranges::all_of(base.documents.front().root().entries,
+                                                   [](const text::Entry& entry) { return entry.key.value.starts_with("cam"); });
     if (base.rig.cameras.empty() || !cameras_alone) continue;
     SCOPED_TRACE(path.filename());
     const std::string last = base.rig.cameras.back().name;
