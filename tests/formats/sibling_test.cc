@@ -58,9 +58,9 @@ TEST(Sibling, AKalibrCameraTakesTheStyleOfTheOneBeforeIt) {
     const std::string result = written->files.front().document.bytes();
     const Rig back = calibration_of(result).rig;
     EXPECT_TRUE(std::ranges::equal(back.cameras, rig.cameras, {}, &Camera::model, &Camera::model)) << result;
-    const std::string text = "\n" + result;
-    const std::string sibling = between(text, "\n" + last + ":", "\n" + added + ":");
-    std::string block = text.substr(text.find("\n" + added + ":"));
+    const std::string whole = "\n" + result;
+    const std::string sibling = between(whole, "\n" + last + ":", "\n" + added + ":");
+    std::string block = whole.substr(whole.find("\n" + added + ":"));
     // A comment between two cameras belongs to neither.
     while (block.ends_with('\n') || block.ends_with('\r')) block.pop_back();
     const auto lines = [](const std::string& text) {
