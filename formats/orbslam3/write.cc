@@ -282,7 +282,11 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   target.frame_rate_known = rate.has_value();
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
   if (base != nullptr) target.tuning = base->target.tuning;
-  if (base != nullptr && !options.anew && base->target.style == target.style) target.imu_pose_key = base->target.imu_pose_key;
+  if (base != nullptr && !options.anew && base->target.style == target.style) {
+    // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
+    const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
+    if (!leaves_inertial) target.imu_pose_key = base->target.imu_pose_key;
+  }
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
   return target;
 }
