@@ -6,7 +6,8 @@
 
 #include <fca/formats/format.h>
 
-#include <string>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace fca::kalibr {
