@@ -75,19 +75,39 @@ consumers::LoadOptions load_options(const Written& written, const ConvertArgumen
   return options;
 }
 
-/// `unchanged`: the output is the input's bytes. Then a program's refusal is the input's own defect: told, not held against us.
-void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, bool unchanged,
+/// The program's first reason not to load the bytes; nothing if it loads them.
+std::optional<std::string> first_refusal(const std::string& bytes, const std::string& program,
+                                         const consumers::LoadOptions& options) {
+  const consumers::Consumer* consumer = consumers::find_consumer(program);
+  if (consumer == nullptr) return std::nullopt;
+  const consumers::ConsumerView view = consumer->load(bytes, options);
+  if (view.loads()) return std::nullopt;
+  return view.refusals.front();
+}
+
+/// Where the output is an edit of a file that the program refuses itself, that is the file's own defect: told, not held against
+/// us. `base`: null if the output is no edit.
+void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, const text::Document* base,
             ConvertOutcome& outcome) {
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     ProofResult proof = prove(*consumer, output.bytes, load_options(outcome.written, arguments), rig, output.cameras);
     const std::string program(consumer->program);
+    const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
+    const bool refused_before = base != nullptr && !arguments.into.empty() && !proof.loads &&
+                                first_refusal(base->source().bytes, id, load_options(outcome.written, arguments)) ==
+                                    std::optional(proof.refusals.front());
     if (!proof.agrees() && unchanged) {
       outcome.diagnostics.warning(
           "program-refuses",
           "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
           "--anew writes it as " + program + " reads it");
+    } else if (refused_before) {
+      outcome.diagnostics.warning(
+          "program-refuses",
+          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(),
+          {}, "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
       outcome.diagnostics.error("proof-failed",
                                 program + " would not understand what was to be written: " + disagreement(proof));
@@ -113,14 +133,14 @@ void warn_of_poor_fits(ConvertOutcome& outcome) {
   }
 }
 
-/// Why a program would not load what is written for it; nothing if all load it.
-std::optional<std::string> refused(const Written& written, const ConvertArguments& arguments) {
+/// Why a program would not load what is written for it, and did load `base` (null: none); nothing if there is no such program.
+std::optional<std::string> newly_refused(const Written& written, const text::Document* base,
+                                         const ConvertArguments& arguments) {
+  const consumers::LoadOptions options = load_options(written, arguments);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
-      const consumers::Consumer* consumer = consumers::find_consumer(id);
-      if (consumer == nullptr) continue;
-      const consumers::ConsumerView view = consumer->load(file.document.bytes(), load_options(written, arguments));
-      if (!view.loads()) return view.refusals.front();
+      const std::optional<std::string> now = first_refusal(file.document.bytes(), id, options);
+      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now;
     }
   }
   return std::nullopt;
@@ -188,9 +208,11 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
   const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
-  const std::optional<std::string> refusal = asked_for ? refused(*written, arguments) : std::nullopt;
+  // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
+  // is written into is its owner's, who has another program for it.
+  const text::Document* owners = base.into != nullptr ? base.document : nullptr;
+  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners, arguments) : std::nullopt;
   if (!refusal) return written;
-  // OpenVINS' first line in a camchain is no base for a file that Kalibr is to read.
   options.anew = true;
   outcome.diagnostics.note("layout-not-kept",
                            "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
@@ -281,9 +303,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   }
   outcome.written = *std::move(written);
   place_outputs(arguments, outcome);
-  const bool unchanged = base.document != nullptr && outcome.outputs.front().bytes == base.document->source().bytes;
   if (!arguments.no_verify) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, arguments, unchanged, outcome);
+    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, arguments, base.document, outcome);
   }
   warn_of_poor_fits(outcome);
   judge_limits(arguments, outcome);

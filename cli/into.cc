@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "into.h"
 
+#include <fca/formats/pose_agreement.h>
+
 #include <algorithm>
 
 namespace fca::cli {
 
 namespace {
 
-/// Names the rig's cameras as the base's of the same place; a name that is then taken twice becomes "NAME of the input".
+/// Names the rig's cameras as the base's of the same place. Any other name of a camera of the base, also of one that was left
+/// out of the input and has a pose yet, becomes "NAME of the input".
 void take_names(const Rig& base, Rig& rig) {
   std::vector<std::pair<std::string, std::string>> names;
   for (std::size_t i = 0; i < std::min(base.cameras.size(), rig.cameras.size()); ++i)
@@ -15,8 +18,7 @@ void take_names(const Rig& base, Rig& rig) {
   const auto renamed = [&](const std::string& name) -> std::string {
     const auto row = std::ranges::find(names, name, &std::pair<std::string, std::string>::first);
     if (row != names.end()) return row->second;
-    const bool taken = std::ranges::find(names, name, &std::pair<std::string, std::string>::second) != names.end();
-    return taken ? name + " of the input" : name;
+    return base.find_camera(name) != nullptr ? name + " of the input" : name;
   };
   for (Camera& camera : rig.cameras) camera.name = renamed(camera.name);
   for (PoseEdge& edge : rig.poses) {
@@ -28,6 +30,35 @@ void take_names(const Rig& base, Rig& rig) {
 template <class T>
 void keep(std::optional<T>& value, const std::optional<T>& otherwise) {
   if (!value) value = otherwise;
+}
+
+/// The base's poses beside those that the rig states. They keep their numbers, also where they contradict each other, unless
+/// the rig moves something that one of them speaks of, too: then it follows.
+void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
+  // What the base says of the rig's own edges. Edge for edge the same, so that both resolve along the same path.
+  Rig before;
+  for (const PoseEdge& edge : rig.poses) {
+    const Transform* stated = base.stated(edge.a, edge.b);
+    const std::optional<Transform> T = stated != nullptr ? *stated : base.resolve(edge.a, edge.b);
+    if (T) before.poses.push_back({edge.a, edge.b, *T});
+  }
+  for (PoseEdge edge : base.poses) {
+    if (rig.stated(edge.a, edge.b) != nullptr) continue;
+    const PoseEdge as_it_was = edge;
+    const std::optional<Transform> now = rig.resolve(edge.a, edge.b);
+    const std::optional<Transform> then = before.resolve(edge.a, edge.b);
+    const bool moved = now && !(then && agree(*now, *then)) && !agree(*now, edge.T_a_b);
+    if (moved) {
+      edge.T_a_b = *now;
+      // The same statement the other way round is no second one.
+      if (rig.stated(edge.b, edge.a) == nullptr) {
+        diagnostics.note("pose-follows", "the base states the pose of " + edge.a + " relative to " + edge.b +
+                                             ", which a pose of the input contradicts; it is written as it follows from that");
+      }
+    }
+    rig.poses.push_back(edge);
+    before.poses.push_back(as_it_was);
+  }
 }
 
 }  // namespace
@@ -48,9 +79,7 @@ Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics) {
   }
   if (rig.imus.empty()) rig.imus = base.imus;
   keep(rig.baseline_m, base.baseline_m);
-  for (const PoseEdge& edge : base.poses) {
-    if (!rig.resolve(edge.a, edge.b)) rig.poses.push_back(edge);
-  }
+  keep_poses(base, rig, diagnostics);
   return rig;
 }
 

@@ -334,14 +334,17 @@ Field matrix(std::string key, std::span<const double> values, int columns, std::
 
 namespace {
 
-/// Edits the numbers of a sequence in place; false if the layout does not allow it.
-bool edit_items(text::Document& document, std::span<const Node* const> items, std::span<const std::string> tokens) {
+/// Edits the numbers of a sequence in place; false if the layout does not allow it. What the field before says as well is not
+/// touched, whatever its spelling: the int in a list of reals was there before, and the program had its chance to refuse it.
+bool edit_items(text::Document& document, std::span<const Node* const> items, const Field* before, const Field& field) {
+  const std::span<const std::string> tokens = field.tokens;
   if (items.size() != tokens.size()) return false;
   for (const Node* item : items) {
     if (!item->is_scalar() || item->span.length == 0) return false;
   }
+  const bool comparable = before != nullptr && before->shape == field.shape && before->tokens.size() == tokens.size();
   for (std::size_t i = 0; i < items.size(); ++i) {
-    set_scalar(document, *items[i], tokens[i]);
+    if (!comparable || before->tokens[i] != tokens[i]) set_scalar(document, *items[i], tokens[i]);
   }
   return true;
 }
@@ -361,20 +364,27 @@ bool is_list(const text::Document& document, const Node& node) {
   return node.is_sequence() || (node.is_scalar() && document.syntax() == text::Syntax::kXml);
 }
 
-bool edit_in_place(text::Document& document, const Node& value, text::Dialect dialect, const Field& field) {
+bool edit_in_place(text::Document& document, const Node& value, text::Dialect dialect, const Field* before,
+                   const Field& field) {
   switch (field.shape) {
     case Shape::kScalar:
-      return value.is_scalar() && edit_items(document, std::vector{&value}, field.tokens);
+      return value.is_scalar() && edit_items(document, std::vector{&value}, before, field);
     case Shape::kList:
     case Shape::kRows:
-      return is_list(document, value) && edit_items(document, leaves(value), field.tokens);
+      return is_list(document, value) && edit_items(document, leaves(value), before, field);
     case Shape::kMatrix: {
+      // Some write a matrix as a plain list.
+      if (value.is_sequence()) return edit_items(document, leaves(value), before, field);
       const Node* data = value.is_mapping() ? text::find(value, "data", dialect) : nullptr;
       const Node* cols = value.is_mapping() ? text::find(value, "cols", dialect) : nullptr;
       const Node* type = value.is_mapping() ? text::find(value, "dt", dialect) : nullptr;
       if (data == nullptr || cols == nullptr || type == nullptr || !is_list(document, *data)) return false;
-      if (cols->value != std::to_string(field.columns) || type->value != field.element_type) return false;
-      return edit_items(document, leaves(*data), field.tokens);
+      if (cols->value != std::to_string(field.columns)) return false;
+      // The same digits are another number in a matrix of another type.
+      const bool same_type = type->value == field.element_type;
+      if (!edit_items(document, leaves(*data), same_type ? before : nullptr, field)) return false;
+      if (!same_type) set_scalar(document, *type, field.element_type);
+      return true;
     }
   }
   return false;
@@ -405,8 +415,31 @@ bool on_one_line(const text::Document& document, const Node& mapping, const text
   }
 }
 
+bool is_yaml(const text::Document& document) {
+  return document.syntax() == text::Syntax::kYaml || document.syntax() == text::Syntax::kOpenCvYaml;
+}
+
+/// A list of another length in a YAML block list's own style: "\n" and its dash before every number. Nothing of other lists.
+std::optional<std::string> as_block_list(const text::Document& document, const Node& value, const Field& field) {
+  if (!is_yaml(document) || field.shape != Shape::kList || !value.is_sequence() || value.flow) return std::nullopt;
+  if (value.items.empty() || field.tokens.empty()) return std::nullopt;
+  const std::string& bytes = document.source().bytes;
+  const std::size_t item = value.items.front().span.offset;
+  const std::size_t line = document.source().line_at(item).offset;
+  const std::string before = bytes.substr(line, item - line);
+  if (before.find_first_not_of(" -") != std::string::npos || std::ranges::count(before, '-') != 1) return std::nullopt;
+  std::string text;
+  for (const std::string& token : field.tokens) text += std::string(document.source().line_break()) + before + token;
+  return text;
+}
+
 void replace_value(text::Document& document, const Node& mapping, const text::Entry& entry, const Field& field) {
   const text::Source& source = document.source();
+  if (const std::optional<std::string> items = as_block_list(document, entry.value, field)) {
+    const std::size_t start = source.bytes.find(':', entry.key.span.end()) + 1;
+    document.replace({start, entry.value.span.end() - start}, *items);
+    return;
+  }
   const std::string value = spell_value(field, document.syntax(), on_one_line(document, mapping, entry));
   text::Span span = entry.value.span;
   std::string indentation(document.indentation_at(entry.key.span.offset));
@@ -421,12 +454,43 @@ void replace_value(text::Document& document, const Node& mapping, const text::En
   document.replace(span, indented(value, indentation, source.line_break()));
 }
 
+/// A new transform as another one of the mapping is laid out; nothing if there is none to follow.
+std::optional<std::string> like_neighbour(const text::Document& document, const Node& mapping, const Field& field) {
+  if (!is_yaml(document) || mapping.flow || field.shape != Shape::kRows) return std::nullopt;
+  const std::string& bytes = document.source().bytes;
+  for (const text::Entry& entry : mapping.entries) {
+    const std::vector<const Node*> numbers = leaves(entry.value);
+    if (!entry.value.is_sequence() || entry.key.quoted || numbers.size() != field.tokens.size()) continue;
+    std::string text = field.key;
+    std::size_t copied = entry.key.span.end();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      text += bytes.substr(copied, numbers[i]->span.offset - copied) + field.tokens[i];
+      copied = numbers[i]->span.end();
+    }
+    text += bytes.substr(copied, entry.value.span.end() - copied);
+    if (text.find('#') != std::string::npos) continue;
+    const std::size_t column = entry.key.span.offset - document.source().line_at(entry.key.span.offset).offset;
+    return unindented(text, std::string(column, ' '));
+  }
+  return std::nullopt;
+}
+
 const Field* find_field(std::span<const Field> fields, std::string_view key) {
   const auto found = std::ranges::find(fields, key, &Field::key);
   return found == fields.end() ? nullptr : &*found;
 }
 
 }  // namespace
+
+std::string unindented(std::string_view text, std::string_view indentation) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+    result += text[i];
+    if (text[i] == '\n' && text.substr(i + 1).starts_with(indentation)) i += indentation.size();
+  }
+  return result;
+}
 
 std::string spell(const Field& field, std::size_t indentation, text::Syntax syntax) {
   const std::string blanks(indentation, ' ');
@@ -450,13 +514,14 @@ void apply(text::Document& document, const Node& mapping, text::Dialect dialect,
       if (anchor == nullptr && !mapping.entries.empty()) anchor = &mapping.entries.back();
       if (anchor != nullptr) {
         const bool one_line = on_one_line(document, mapping, *anchor);
-        document.insert_after(mapping, *anchor, spell_entry(field, document.syntax(), one_line));
+        const std::optional<std::string> alike = like_neighbour(document, mapping, field);
+        document.insert_after(mapping, *anchor, alike ? *alike : spell_entry(field, document.syntax(), one_line));
       }
       continue;
     }
     predecessor = entry;
     if (old != nullptr && *old == field) continue;
-    if (!edit_in_place(document, entry->value, dialect, field)) replace_value(document, mapping, *entry, field);
+    if (!edit_in_place(document, entry->value, dialect, old, field)) replace_value(document, mapping, *entry, field);
   }
   for (const Field& field : before) {
     if (find_field(after, field.key) != nullptr) continue;

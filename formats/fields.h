@@ -118,6 +118,9 @@ struct Field {
 /// spelling. For documents of words, which have no keys for apply().
 void set_scalar(text::Document& document, const text::Node& scalar, const std::string& token);
 
+/// Text of a document as Document::insert_after takes it: line feeds alone, and without `indentation` behind them.
+[[nodiscard]] std::string unindented(std::string_view text, std::string_view indentation);
+
 /// A double-quoted YAML string.
 [[nodiscard]] std::string quote(std::string_view value);
 

@@ -18,7 +18,32 @@ std::string_view group_of(const AsRead& extra) {
   return point == std::string::npos ? std::string_view() : std::string_view(extra.key).substr(0, point + 1);
 }
 
+bool holds_comments(const text::Document& document) {
+  const std::string& bytes = document.source().bytes;
+  if (document.syntax() == text::Syntax::kXml) return bytes.find("<!--") != std::string::npos;
+  return document.syntax() != text::Syntax::kJson && bytes.find('#') != std::string::npos;
+}
+
+/// The line that cv::FileStorage asks for; "" if there is none.
+std::string_view yaml_header(const text::Document& document) {
+  const std::string_view bytes = document.source().bytes;
+  constexpr std::string_view kHeader = "%YAML";
+  if (!bytes.starts_with(kHeader)) return {};
+  return bytes.substr(0, bytes.find_first_of("\r\n"));
+}
+
 }  // namespace
+
+void add_composed_anew(const text::Document& base, const text::Document& fresh, std::string_view why,
+                       std::vector<Loss>& losses) {
+  const std::string reason = "the file is composed anew" + (why.empty() ? "" : ": " + std::string(why));
+  if (holds_comments(base)) losses.push_back({"comments-dropped", "comments of " + base.source().name, reason, ""});
+  const std::string_view header = yaml_header(base);
+  if (!header.empty() && yaml_header(fresh).empty()) {
+    losses.push_back({"header-dropped", "first line " + std::string(header) + " of " + base.source().name, reason,
+                      "cv::FileStorage (OpenVINS) reads no file without it"});
+  }
+}
 
 void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses) {
   constexpr int kFewest = 3;  // fewer keys are named one by one

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "blocks.h"
 #include "layout.h"
+#include "poses.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -21,19 +22,21 @@ std::vector<double> slot_values(const CameraModel& model, std::span<const Slot> 
 }  // namespace
 
 std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index) {
-  const Camera& camera = rig.cameras[index];
+  std::vector<fields::Field> result;
+  const auto add_pose = [&](std::string_view key, const std::string& to) {
+    if (const std::optional<Transform> T = pose_in(rig, rig.cameras[index].name, to))
+      result.push_back(fields::rows(std::string(key), *T));
+  };
+  add_pose("T_cam_imu", "imu0");
+  if (index > 0) add_pose("T_cn_cnm1", rig.cameras[index - 1].name);
+  const std::vector<fields::Field> lens = lens_fields(rig.cameras[index]);
+  result.insert(result.end(), lens.begin(), lens.end());
+  return result;
+}
+
+std::vector<fields::Field> lens_fields(const Camera& camera) {
   const Layout& layout = *layout_for(camera.model);
   std::vector<fields::Field> result;
-  if (const std::optional<Transform> T = rig.resolve(camera.name, "imu0")) {
-    const Transform* stated = rig.stated(camera.name, "imu0");
-    result.push_back(fields::rows("T_cam_imu", stated != nullptr ? *stated : *T));
-  }
-  if (index > 0) {
-    const std::string& previous = rig.cameras[index - 1].name;
-    const Transform* stated = rig.stated(camera.name, previous);
-    const std::optional<Transform> T = rig.resolve(camera.name, previous);
-    if (T) result.push_back(fields::rows("T_cn_cnm1", stated != nullptr ? *stated : *T));
-  }
   result.push_back(fields::scalar("camera_model", std::string(layout.camera_model)));
   result.push_back(fields::list("distortion_coeffs", slot_values(camera.model, layout.coefficients)));
   result.push_back(fields::scalar("distortion_model", std::string(layout.distortion_model)));

@@ -10,7 +10,10 @@
 
 namespace fca::kalibr {
 
-/// The fields of the camera of that index, in Kalibr's (alphabetic) order.
+/// The fields of a camera without its poses, in Kalibr's (alphabetic) order.
+[[nodiscard]] std::vector<fields::Field> lens_fields(const Camera& camera);
+
+/// All fields of the camera of that index in a fresh chain.
 [[nodiscard]] std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index);
 
 /// The fields of an imu.yaml.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kalibr.h"
 #include "layout.h"
+#include "poses.h"
 
 #include "../fields.h"
 
@@ -160,28 +161,20 @@ class ChainReader {
   }
 
   void read_poses(const Node& node, const std::string& name, Rig& rig) {
-    const std::optional<std::size_t> index = index_in(name, "cam");
-    const auto read_edge = [&](std::string_view key, const std::string& a, const std::string& b) {
-      const Node* value = reader_.find(node, key);
-      if (value == nullptr) return;
-      if (const std::optional<Transform> T = reader_.transform(*value, name + " " + std::string(key))) {
-        rig.poses.push_back({a, b, *T});
-      }
-    };
-    if (*index > 0) read_edge("T_cn_cnm1", name, indexed("cam", *index - 1));
-    read_edge("T_cam_imu", name, "imu0");
-    read_edge("T_imu_cam", "imu0", name);
+    for (const PoseKey& pose : pose_keys(name)) {
+      const Node* value = reader_.find(node, pose.key);
+      if (value == nullptr) continue;
+      if (const std::optional<Transform> T = reader_.transform(*value, name + " " + pose.key))
+        rig.poses.push_back({pose.a, pose.b, *T});
+    }
   }
 
   /// A top-level T_cam1_cam0, as some forks and converters write it.
   bool read_named_pose(const text::Entry& entry, Rig& rig) {
-    const std::string& key = entry.key.value;
-    const std::size_t split = key.find('_', 2);
-    if (!key.starts_with("T_") || split == std::string::npos) return false;
-    const std::string a = key.substr(2, split - 2);
-    const std::string b = key.substr(split + 1);
-    if (!index_in(a, "cam") || !index_in(b, "cam")) return false;
-    if (const std::optional<Transform> T = reader_.transform(entry.value, key)) rig.poses.push_back({a, b, *T});
+    const std::optional<PoseKey> pose = named_pose_key(entry.key.value);
+    if (!pose) return false;
+    if (const std::optional<Transform> T = reader_.transform(entry.value, pose->key))
+      rig.poses.push_back({pose->a, pose->b, *T});
     return true;
   }
 

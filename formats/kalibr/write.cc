@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "blocks.h"
+#include "edit.h"
 #include "kalibr.h"
 #include "layout.h"
 
@@ -12,8 +13,6 @@
 #include <algorithm>
 
 namespace fca::kalibr {
-
-using text::Node;
 
 namespace {
 
@@ -60,67 +59,6 @@ bool check_sizes(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
   }
   return good;
 }
-
-std::optional<std::size_t> position_of(const Rig& rig, const std::string& name) {
-  const auto found = std::ranges::find(rig.cameras, name, &Camera::name);
-  if (found == rig.cameras.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - rig.cameras.begin());
-}
-
-/// Takes the document from saying `old` to saying `rig`, whose cameras are `rig_as_named`'s by another name.
-class Editor {
- public:
-  Editor(const text::Document& base, const Rig& old, const Rig& rig_as_named, const Rig& rig)
-      : document_(base), dialect_(dialect_of(base)), old_(old), as_named_(rig_as_named), rig_(rig) {}
-
-  /// Are the cameras other ones, or in another order?
-  [[nodiscard]] bool other_cameras() const {
-    return !std::ranges::equal(old_.cameras, as_named_.cameras, {}, &Camera::name, &Camera::name);
-  }
-
-  /// Blocks can be added and removed where they are blocks, and nothing beside them speaks of cameras by name.
-  [[nodiscard]] bool possible() const {
-    if (!other_cameras()) return true;
-    const auto is_block = [](const text::Entry& entry) { return index_in(entry.key.value, "cam") && !entry.key.quoted; };
-    return !document_.root().flow && std::ranges::all_of(document_.root().entries, is_block) &&
-           std::ranges::any_of(as_named_.cameras, [this](const Camera& c) { return position_of(old_, c.name).has_value(); });
-  }
-
-  text::Document edited(std::vector<Loss>& losses) {
-    const Node& root = document_.root();
-    for (std::size_t i = 0; i < old_.cameras.size(); ++i) {
-      const text::Entry* entry = text::find_entry(root, old_.cameras[i].name, dialect_);
-      if (entry == nullptr) continue;
-      const std::optional<std::size_t> now = position_of(as_named_, old_.cameras[i].name);
-      if (!now) {
-        document_.remove_entry(root, *entry);
-        continue;
-      }
-      if (rig_.cameras[*now].name != entry->key.value) document_.replace(entry->key.span, rig_.cameras[*now].name);
-      fields::apply(document_, entry->value, dialect_, camera_fields(old_, i), camera_fields(rig_, *now));
-      if (other_cameras()) remove_overlaps(*entry, losses);
-    }
-    for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
-      if (!position_of(old_, as_named_.cameras[i].name)) document_.insert_after(root, root.entries.back(), block(rig_, i));
-    }
-    return std::move(document_);
-  }
-
- private:
-  /// cam_overlaps counts cameras by their old places.
-  void remove_overlaps(const text::Entry& camera, std::vector<Loss>& losses) {
-    const text::Entry* overlaps = text::find_entry(camera.value, "cam_overlaps", dialect_);
-    if (overlaps == nullptr) return;
-    document_.remove_entry(camera.value, *overlaps);
-    losses.push_back({"not-carried", camera.key.value + " cam_overlaps", "it counts the cameras of the old chain", ""});
-  }
-
-  text::Document document_;
-  text::Dialect dialect_;
-  const Rig& old_;
-  const Rig& as_named_;
-  const Rig& rig_;
-};
 
 /// What Kalibr's imu.yaml demands and the IMU lacks.
 std::vector<std::string> missing_in(const Imu& imu) {
@@ -207,6 +145,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   }
   const std::vector<AsRead> kept = editor ? old->as_read : std::vector<AsRead>();
   add_not_carried(extras_beyond(rig.as_read, kept), "the camchain written has no place for it", written.losses);
+  if (old && !editor) {
+    add_composed_anew(*base, written.files.front().document, "", written.losses);
+    add_not_carried(extras_beyond(old->as_read, rig.as_read), "the file is composed anew", written.losses);
+  }
   list_losses(rig_as_named, written.losses);
   written.headline = "a camchain for Kalibr";
   return written;

@@ -180,17 +180,18 @@ void FieldMaker::add_lens(const Camera& camera, const CameraKeys& keys, bool kep
   }
 }
 
-void FieldMaker::add_stereo_pose(std::vector<Field>& fields) const {
-  if (rig_.cameras.size() != 2 || layout_.rotation.empty() || layout_.translation.empty() || layout_.rotation_vector) return;
-  const std::string& first = rig_.cameras[0].name;
-  const std::string& second = rig_.cameras[1].name;
-  const Transform* stated = rig_.stated(second, first);
-  const std::optional<Transform> T = stated != nullptr ? *stated : rig_.resolve(second, first);
-  if (!T) return;
-  const Node* root = base_ != nullptr ? &base_->root() : nullptr;
-  fields.push_back(matrix_as(layout_.rotation, rotation_of(*T, layout_.rotation_transposed), 3, there(root, layout_.rotation)));
+std::vector<Field> stereo_pose_fields(const Rig& rig, const std::string& first, const std::string& second, const Layout& layout,
+                                      const text::Document* base) {
+  if (layout.rotation.empty() || layout.translation.empty() || layout.rotation_vector) return {};
+  const Transform* stated = rig.stated(second, first);
+  const std::optional<Transform> T = stated != nullptr ? *stated : rig.resolve(second, first);
+  if (!T) return {};
+  const auto there = [base](const std::string& key) {
+    return base != nullptr ? text::find(base->root(), key, kDialect) : nullptr;
+  };
   const std::array translation = {(*T)(0, 3), (*T)(1, 3), (*T)(2, 3)};
-  fields.push_back(vector_as(layout_.translation, translation, false, there(root, layout_.translation)));
+  return {matrix_as(layout.rotation, rotation_of(*T, layout.rotation_transposed), 3, there(layout.rotation)),
+          vector_as(layout.translation, translation, false, there(layout.translation))};
 }
 
 std::vector<Field> FieldMaker::root(const std::vector<bool>& kept_length) const {
@@ -204,7 +205,10 @@ std::vector<Field> FieldMaker::root(const std::vector<bool>& kept_length) const 
   }
   for (std::size_t i = 0; i < rig_.cameras.size() && !layout_.in_maps(); ++i)
     add_lens(rig_.cameras[i], layout_.cameras[i], kept_length[i], fields);
-  add_stereo_pose(fields);
+  if (rig_.cameras.size() == 2) {
+    const std::vector<Field> pose = stereo_pose_fields(rig_, rig_.cameras[0].name, rig_.cameras[1].name, layout_, base_);
+    fields.insert(fields.end(), pose.begin(), pose.end());
+  }
   return fields;
 }
 

@@ -28,12 +28,15 @@ class FieldMaker {
   void add_size(const SizeKeys& keys, const Camera& camera, const text::Node* mapping,
                 std::vector<fields::Field>& fields) const;
   void add_lens(const Camera& camera, const CameraKeys& keys, bool kept_length, std::vector<fields::Field>& fields) const;
-  void add_stereo_pose(std::vector<fields::Field>& fields) const;
 
   const Rig& rig_;
   const Layout& layout_;
   const text::Document* base_;
 };
+
+/// R and T of a pair, as the base (may be null) writes them: T_second_first.
+[[nodiscard]] std::vector<fields::Field> stereo_pose_fields(const Rig& rig, const std::string& first, const std::string& second,
+                                                            const Layout& layout, const text::Document* base);
 
 /// Frame to which MC-Calib's poses take: what the rig states of the camera, else its first camera. Nothing if neither.
 struct ReferencePose {

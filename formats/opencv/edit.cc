@@ -5,6 +5,8 @@
 #include "names.h"
 #include "opencv.h"
 
+#include "../sibling.h"
+
 #include <algorithm>
 #include <array>
 
@@ -78,8 +80,9 @@ class Editor {
     }
     after_.cameras.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      CameraKeys keys = base_.layout.cameras[places_[i] == kNew ? 0 : places_[i]];
-      const Camera& before = base_.rig.cameras[places_[i] == kNew ? 0 : places_[i]];
+      const std::size_t like = places_[i] == kNew ? sibling_of(i) : places_[i];
+      CameraKeys keys = base_.layout.cameras[like];
+      const Camera& before = base_.rig.cameras[like];
       if (places_[i] == kNew && keys.model.key.empty()) keys.model.key = "distortion_type";
       if (!adapt_keys(base_, before, rig_.cameras[i], keys)) {
         why = "its keys cannot hold the model " + std::string(model_info(rig_.cameras[i].model).id);
@@ -137,9 +140,8 @@ class Editor {
     const bool renamed = std::ranges::any_of(places_, [this](const std::size_t& place) {
       return place != kNew && place != static_cast<std::size_t>(&place - places_.data());
     });
-    // An XML element has its name twice, and another one a style of its own: only removal from the end is done there.
-    const bool added = std::ranges::find(places_, kNew) != places_.end();
-    return base_.document.syntax() != text::Syntax::kXml || (!renamed && !added);
+    // An XML element has its name twice: only what leaves the others' names alone is done there.
+    return base_.document.syntax() != text::Syntax::kXml || !renamed;
   }
 
   [[nodiscard]] bool one_kind() const {
@@ -198,7 +200,7 @@ class Editor {
                     after.map(index, after_.cameras[index], keeps_length(index)));
     }
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      if (places_[i] == kNew) document_.insert_after(root, *last, block(i));
+      if (places_[i] == kNew) document_.insert_after(root, *last, like_sibling(before, i));
     }
   }
 
@@ -208,25 +210,33 @@ class Editor {
     document_.replace(entry.key.span, name);
   }
 
-  /// A new camera's mapping, indented as its siblings'.
-  [[nodiscard]] std::string block(std::size_t index) const {
-    const Entry& sibling = *text::find_entry(base_.document.root(), base_.layout.cameras.front().map, kDialect);
-    const auto column = [this](const Entry& entry) {
-      return static_cast<std::ptrdiff_t>(base_.document.indentation_at(entry.key.span.offset).size());
-    };
-    const auto deeper =
-        static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, column(sibling.value.entries.front()) - column(sibling)));
-    const bool json = base_.document.syntax() == text::Syntax::kJson;
-    CameraKeys keys = after_.cameras[index];
-    keys.map = "camera_" + std::to_string(index);
-    const FieldMaker maker(rig_, after_, nullptr);
-    std::string lines = (json ? "\"" : "") + keys.map + (json ? "\": {" : ":");
-    const char* separator = "\n";
-    for (const fields::Field& field : maker.map(index, keys, false)) {
-      lines += separator + fields::spell(field, deeper, base_.document.syntax());
-      if (json) separator = ",\n";
+  /// The camera of the base whose style a new one takes: of its kind, if there is one, and the last of those.
+  [[nodiscard]] std::size_t sibling_of(std::size_t index) const {
+    const Kind kind = kind_of(rig_.cameras[index].model);
+    std::size_t sibling = base_.rig.cameras.size() - 1;
+    for (std::size_t i = 0; i < base_.rig.cameras.size(); ++i) {
+      if (kind_of(base_.rig.cameras[i].model) == kind) sibling = i;
     }
-    return lines + (json ? "\n}" : "");
+    return sibling;
+  }
+
+  [[nodiscard]] std::string like_sibling(const FieldMaker& before, std::size_t index) const {
+    const std::size_t sibling = sibling_of(index);
+    const CameraKeys& there = base_.layout.cameras[sibling];
+    CameraKeys keys = after_.cameras[index];
+    keys.map = there.map;  // in the base, to be laid out as what stands there
+    const bool one_kind = kind_of(base_.rig.cameras[sibling].model) == kind_of(rig_.cameras[index].model);
+    std::vector<fields::Field> from = before.map(sibling, there, true);
+    std::vector<fields::Field> to = FieldMaker(rig_, after_, &base_.document).map(index, keys, one_kind);
+    const auto add_group = [&there](const Rig& rig, const Camera& camera, std::vector<fields::Field>& fields) {
+      const std::optional<ReferencePose> pose = reference_pose(rig, camera);
+      if (!there.group.empty()) fields.push_back(fields::integer(there.group, pose ? pose->group : 0));
+    };
+    add_group(base_.rig, base_.rig.cameras[sibling], from);
+    add_group(rig_, rig_.cameras[index], to);
+    const Entry& entry = *text::find_entry(base_.document.root(), there.map, kDialect);
+    return fields::like_sibling(base_.document, base_.document.root(), entry, kDialect, "camera_" + std::to_string(index), from,
+                                to);
   }
 
   const Base& base_;

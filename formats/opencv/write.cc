@@ -29,12 +29,6 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   }
 }
 
-bool holds_comments(const text::Document& document) {
-  const std::string& bytes = document.source().bytes;
-  if (document.syntax() == text::Syntax::kXml) return bytes.find("<!--") != std::string::npos;
-  return document.syntax() != text::Syntax::kJson && bytes.find('#') != std::string::npos;
-}
-
 /// The base's edit, if there is a base that can be edited; else `why` says what stands against it.
 std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const WriteOptions& options, std::string& why) {
   if (base == nullptr || options.anew) return std::nullopt;
@@ -49,6 +43,18 @@ std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const
     return std::nullopt;
   }
   return edit(*read, rig, why);
+}
+
+/// stereo_calib's extrinsics.yml: R and T alone.
+text::Document edited_pose(const text::Document& base, const Rig& rig) {
+  text::Document document = base;
+  Diagnostics ignored;
+  const std::optional<Layout> layout = find_layout(base);
+  const std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);
+  if (!layout || !old) return document;
+  const auto fields_of = [&](const Rig& says) { return stereo_pose_fields(says, "cam0", "cam1", *layout, &base); };
+  fields::apply(document, document.root(), kDialect, fields_of(*old), fields_of(rig));
+  return document;
 }
 
 /// The layout asked for, the base's if that can hold the rig, else the samples'.
@@ -97,8 +103,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       diagnostics.error("no-camera", "an OpenCV calibration needs a camera and the input has none");
       return std::nullopt;
     }
-    // R and T alone: there is nothing in it that a conversion changes.
-    written.files.push_back({*base, {}, {}});
+    written.files.push_back({edited_pose(*base, rig), {}, {}});
     written.headline = "the pose of a stereo pair";
     return written;
   }
@@ -128,10 +133,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
     written.headline = headline(*layout, rig);
     add_not_carried(rig.as_read, "a new file has no place for it", written.losses);
-    if (base != nullptr && holds_comments(*base)) {
-      written.losses.push_back({"comments-dropped", "comments of " + base->source().name,
-                                "the file is composed anew" + (why.empty() ? "" : ": " + why), ""});
-    }
+    if (base != nullptr) add_composed_anew(*base, written.files.front().document, why, written.losses);
+    if (const std::optional<Base> old = base != nullptr ? read_base(*base, rig) : std::nullopt)
+      add_not_carried(extras_beyond(old->rig.as_read, rig.as_read), "a new file has no place for it", written.losses);
   }
   list_losses(rig, written.losses);
   return written;

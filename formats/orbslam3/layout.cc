@@ -81,4 +81,13 @@ PoseKeys pose_keys(Style style) {
   return {};
 }
 
+std::string_view imu_pose_key(const text::Document& document) {
+  const Style style = style_of(document);
+  const std::string_view key = pose_keys(style).T_imu_c1;
+  if (find_key(document, key) != nullptr) return key;
+  // slam_no_opt's files without a type
+  constexpr std::string_view kForks = "Camera.Tbc";
+  return style == Style::kOrbSlam2 && find_key(document, kForks) != nullptr ? kForks : std::string_view();
+}
+
 }  // namespace fca::orbslam3

@@ -63,6 +63,9 @@ struct PoseKeys {
 };
 [[nodiscard]] PoseKeys pose_keys(Style style);
 
+/// The key under which a document states the first camera in the IMU; "" if it does not.
+[[nodiscard]] std::string_view imu_pose_key(const text::Document& document);
+
 /// The value that counts under a top-level key, as cv::FileStorage looks it up; null if there is none.
 [[nodiscard]] const text::Node* find_key(const text::Document& document, std::string_view key);
 

@@ -276,10 +276,8 @@ class SettingsReader {
     read_number("IMU.GyroWalk", imu.gyroscope_random_walk);
     read_number("IMU.AccWalk", imu.accelerometer_random_walk);
     read_number("IMU.Frequency", imu.rate_hz);
-    const std::string key(pose_keys(style_).T_imu_c1);
-    const Node* pose = find(key);
-    if (pose == nullptr && style_ == Style::kOrbSlam2) pose = find("Camera.Tbc");  // slam_no_opt's files without a type
-    if (pose != nullptr) {
+    const std::string key(imu_pose_key(document_));
+    if (const Node* pose = find(key)) {
       if (const std::optional<Transform> T = read_affine(*pose, key)) rig.poses.push_back({"imu0", "cam0", *T});
     }
     if (any) rig.imus.push_back(std::move(imu));

@@ -116,12 +116,13 @@ void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields)
 
 void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   const bool pose_always = target.style == Style::kSlamNoOpt;  // it reads Camera.Tbc without asking whether it is there
-  if (!target.sensor.inertial && !pose_always) return;
+  if (!target.sensor.inertial && !pose_always && target.imu_pose_key.empty()) return;
   std::optional<Transform> storage;
   const Transform* T = stated_or(rig, "imu0", rig.cameras[0].name, storage);
   const Transform identity;
-  if (T == nullptr) T = &identity;
-  fields.push_back(fields::matrix(std::string(pose_keys(target.style).T_imu_c1), T->values, 4, "f"));
+  if (T == nullptr && pose_always) T = &identity;
+  const std::string_view key = target.imu_pose_key.empty() ? pose_keys(target.style).T_imu_c1 : target.imu_pose_key;
+  if (T != nullptr) fields.push_back(fields::matrix(std::string(key), T->values, 4, "f"));
   if (!target.sensor.inertial) return;
   const Imu& imu = rig.imus.front();
   fields.push_back(fields::real("IMU.NoiseGyro", *imu.gyroscope_noise_density));

@@ -40,6 +40,7 @@ struct Target {
   double frame_rate_hz = 0.0;
   bool frame_rate_known = false;
   Tuning tuning = {};
+  std::string_view imu_pose_key = {};  ///< Under which the base states the first camera's pose, also where no mode asks for it.
 };
 
 /// Two cameras of one pair whose images are already rectified: one set of intrinsics without distortion, and a baseline.

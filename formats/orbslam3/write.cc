@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base_shape.h"
 #include "orbslam3.h"
 #include "settings.h"
 
@@ -56,8 +57,12 @@ std::optional<Base> read_base(const text::Document* document) {
   if (!rig) return std::nullopt;
   const Style style = style_of(*document);
   const std::optional<double> rate = rig->cameras.front().frame_rate_hz;
-  Target target{style, sensor_of(*document, *rig, style), rate.value_or(kUpstreamFrameRate), rate.has_value(),
-                Tuning(*document)};
+  Target target{style,
+                sensor_of(*document, *rig, style),
+                rate.value_or(kUpstreamFrameRate),
+                rate.has_value(),
+                Tuning(*document),
+                imu_pose_key(*document)};
   return Base{*document, *std::move(rig), std::move(target)};
 }
 
@@ -132,9 +137,9 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
 }
 
 /// What was read and the fields of a fresh file do not say.
-void list_extras(const Rig& rig, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
+void list_extras(std::span<const AsRead> extras, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
   std::vector<AsRead> lost;
-  std::ranges::copy_if(rig.as_read, std::back_inserter(lost), [&fields](const AsRead& extra) {
+  std::ranges::copy_if(extras, std::back_inserter(lost), [&fields](const AsRead& extra) {
     const TuningKey* key = find_tuning_key(extra.key);
     return key == nullptr || std::ranges::none_of(fields, [key](const fields::Field& field) {
              return field.key == key->key || field.key == key->old_key;
@@ -298,6 +303,11 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   target.frame_rate_known = rate.has_value();
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
   if (base != nullptr) target.tuning = base->target.tuning;
+  if (base != nullptr && !options.anew && base->target.style == target.style) {
+    // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
+    const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
+    if (!leaves_inertial) target.imu_pose_key = base->target.imu_pose_key;
+  }
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
   return target;
 }
@@ -338,7 +348,9 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   Written written;
   if (edited != nullptr) {
     text::Document document = edited->document;
-    fields::apply(document, document.root(), text::Dialect::kOpenCv, settings_fields(edited->rig, edited->target), fields);
+    fields::apply(document, document.root(), text::Dialect::kOpenCv,
+                  shaped_as(settings_fields(edited->rig, edited->target), edited->document),
+                  shaped_as(fields, edited->document));
     written.files.push_back({std::move(document), {}, {}});
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
     add_not_carried(extras_beyond(rig.as_read, edited->rig.as_read), "the settings have no place for it", written.losses);
@@ -348,7 +360,11 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}, {}});
     written.defaults = defaulted(fields, *target, rig);
-    list_extras(rig, fields, written.losses);
+    list_extras(rig.as_read, fields, written.losses);
+    if (base) {
+      add_composed_anew(base->document, written.files.front().document, "", written.losses);
+      list_extras(extras_beyond(base->rig.as_read, rig.as_read), fields, written.losses);
+    }
   }
   const std::string program(audience.program);
   list_camera_losses(rig, *target, program, written.losses);

@@ -97,6 +97,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   std::optional<Written> written = kalibr::write(chain, rig, options, diagnostics);
   if (!written) return std::nullopt;
   written->losses.insert(written->losses.begin(), losses.begin(), losses.end());
+  if (old && chain == nullptr)
+    add_not_carried(extras_beyond(old->as_read, rig.as_read), "the file is composed anew", written->losses);
   written->headline = "a camchain as TUM-VI's, for Kalibr";
   return written;
 }

@@ -147,6 +147,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   list_camera_losses(rig, "WoodScape", written.losses);
   add_not_carried(extras_beyond(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>()),
                   "a WoodScape JSON has no place for it", written.losses);
+  if (const std::optional<Rig> replaced =
+          base != nullptr && options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt)
+    add_not_carried(extras_beyond(replaced->as_read, rig.as_read), "the file is composed anew", written.losses);
   written.headline =
       rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py" : "one WoodScape JSON per camera for projection.py";
   return written;

@@ -5,12 +5,17 @@
 #include <fca/formats/calibration.h>
 #include <fca/formats/text/read_document.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 namespace fca::test {
 namespace {
 
 const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
+const std::string kOpenVins = testdata("formats/kalibr/good/opencv-header.yaml");
 const std::string kFork = testdata("formats/orbslam3/good/slam-no-opt-eucm.yaml");
 
 Rig rig_in(const std::string& bytes) {
@@ -22,29 +27,135 @@ Rig rig_in(const std::string& bytes) {
   return calibration ? calibration->rig : Rig();
 }
 
-std::vector<std::string> lines_that_differ(const std::string& a, const std::string& b) {
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The lines of `after` that differ from the same line of `before`, each behind the last key before it.
+std::vector<std::string> lines_that_differ(const std::string& before, const std::string& after) {
+  const std::vector<std::string> was = lines_of(before);
+  const std::vector<std::string> is = lines_of(after);
+  EXPECT_EQ(was.size(), is.size()) << after;
   std::vector<std::string> different;
-  std::istringstream left(a);
-  std::istringstream right(b);
-  std::string x;
-  std::string y;
-  while (std::getline(left, x) && std::getline(right, y)) {
-    if (x != y) different.push_back(y);
+  std::string key;
+  for (std::size_t i = 0; i < std::min(was.size(), is.size()); ++i) {
+    if (is[i].find(':') != std::string::npos) key = is[i].substr(0, is[i].find(':'));
+    if (was[i] != is[i]) different.push_back(key + " | " + is[i]);
   }
   return different;
 }
 
+/// The text of a camera of a chain.
+std::string block_of(const std::string& chain, const std::string& camera) {
+  const std::size_t begin = chain.find(camera + ":");
+  EXPECT_NE(begin, std::string::npos);
+  return chain.substr(begin, chain.find("\ncam", begin) - begin);
+}
+
+/// tumvi.yaml's first camera as a Double Sphere, without a pose.
+const std::string kBareDs =
+    "cam0:\n"
+    "  camera_model: ds\n"
+    "  distortion_coeffs: []\n"
+    "  distortion_model: none\n"
+    "  intrinsics: [-0.17213086034353243, 0.5931177593944744, 158.28600034966977, 158.2743455478755, 254.9611657819, 256.88]\n"
+    "  resolution: [512, 512]\n";
+
+double largest_difference(const Transform& a, const Transform& b) {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) worst = std::max(worst, std::abs(a.values.at(i) - b.values.at(i)));
+  return worst;
+}
+
 TEST(Into, OnlyTheCamerasNumbersChange) {
-  const RunResult run = run_program({"convert", kDs, "--into", kSettings, "--max-angle", "97.5"});
+  const TemporaryFolder folder;
+  const RunResult run = run_program({"convert", folder.write("ds.yaml", kBareDs), "--into", kSettings, "--max-angle", "97.5"});
   EXPECT_EQ(run.code, 0) << run.err;
-  const std::string before = read_file(kSettings);
-  const std::vector<std::string> changed = lines_that_differ(before, run.out);
-  EXPECT_EQ(std::count(before.begin(), before.end(), '\n'), std::count(run.out.begin(), run.out.end(), '\n'));
+  const std::vector<std::string> changed = lines_that_differ(read_file(kSettings), run.out);
   EXPECT_FALSE(changed.empty());
-  for (const std::string& line : changed)
-    EXPECT_TRUE(line.starts_with("Camera1.") || line.starts_with("Camera2.") || contains(line, "data") || contains(line, ","))
-        << line;
-  EXPECT_EQ(rig_in(run.out).imus, rig_in(before).imus) << "the input has no IMU, so the base's stays";
+  for (const std::string& line : changed) EXPECT_TRUE(line.starts_with("Camera1.")) << line;
+}
+
+// Neither derived anew nor made to agree: what the input does not state is the base's.
+TEST(Into, PosesThatTheInputDoesNotStateKeepTheirBytes) {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("ds.yaml", kBareDs);
+  const std::string tumvi = read_file(kTumvi);
+  const std::size_t chain = tumvi.find("-0.10106110275180535");
+  ASSERT_NE(chain, std::string::npos);
+  const std::string contradicting = std::string(tumvi).replace(chain, std::string("-0.10106110275180535").size(), "-0.2");
+  for (const std::string& base : {tumvi, contradicting}) {
+    const RunResult run =
+        run_program({"convert", input, "--into", folder.write("base.yaml", base), "--model", "ds", "--no-verify"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(block_of(run.out, "cam1"), block_of(base, "cam1"));
+    const std::string rows = base.substr(0, base.find("  cam_overlaps"));
+    EXPECT_EQ(run.out.substr(0, rows.size()), rows);
+    EXPECT_FALSE(contains(run.err, "pose-follows")) << run.err;
+  }
+}
+
+// The base says the second camera's pose twice. One that contradicts what the input says follows from it, and that is said.
+TEST(Into, ARedundantPoseFollowsTheOneThatMoved) {
+  const TemporaryFolder folder;
+  const std::string tumvi = read_file(kTumvi);
+  std::string moved = tumvi.substr(0, tumvi.find("cam1:"));
+  const std::string number = "0.04727988224914392";
+  moved.replace(moved.find(number), number.size(), "0.5");
+  const RunResult run = run_program({"convert", folder.write("moved.yaml", moved), "--into", kTumvi});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "pose-follows")) << run.err;
+  const Rig before = rig_in(tumvi);
+  const Rig after = rig_in(run.out);
+  EXPECT_EQ(after.stated("cam0", "imu0")->operator()(0, 3), 0.5);
+  EXPECT_EQ(*after.stated("cam1", "cam0"), *before.stated("cam1", "cam0"));
+  EXPECT_LE(largest_difference(*after.stated("cam1", "imu0"), *before.stated("cam1", "cam0") * *after.stated("cam0", "imu0")),
+            1e-12);
+  for (const std::string& line : lines_that_differ(tumvi, run.out)) EXPECT_TRUE(line.starts_with("  T_cam_imu |")) << line;
+}
+
+// A camera that was not chosen does not come by its poses.
+TEST(Into, ACameraLeftOutOfTheInputLeavesTheBasesAlone) {
+  const TemporaryFolder folder;
+  const std::string tumvi = read_file(kTumvi);
+  const std::string number = "-0.10106110275180535";
+  const std::string base = std::string(tumvi).replace(tumvi.find(number), number.size(), "-0.2");
+  const RunResult run =
+      run_program({"convert", kTumvi, "--camera", "cam0", "--into", folder.write("b.yaml", base), "--no-verify"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, base);
+}
+
+// OpenVINS reads it and Kalibr does not, before and after: its header, comments and the direction of its pose are its owner's.
+TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
+  const TemporaryFolder folder;
+  const std::string bytes = read_file(kOpenVins);
+  const std::string base = folder.write("base.yaml", bytes);
+  const RunResult run = run_program({"convert", kTumvi, "--camera", "cam0", "--into", base, "--model", "kb4"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_FALSE(contains(run.err, "layout-not-kept")) << run.err;
+  EXPECT_TRUE(contains(run.err, "program-refuses")) << run.err;
+  EXPECT_TRUE(run.out.starts_with(bytes.substr(0, bytes.find("cam0:")))) << run.out;
+  EXPECT_FALSE(contains(run.out, "T_cam_imu")) << run.out;
+  const Rig input = rig_in(read_file(kTumvi));
+  const Rig after = rig_in(run.out);
+  EXPECT_EQ(after.cameras.at(0).model, input.cameras.at(0).model);
+  EXPECT_LE(largest_difference(after.resolve("cam0", "imu0").value(), input.resolve("cam0", "imu0").value()), 1e-12);
+}
+
+TEST(Into, WhatIsComposedAnewListsWhatGoes) {
+  const TemporaryFolder folder;
+  const std::string base = folder.write("base.yaml", read_file(kOpenVins) + "\n  cam_overlaps: []\n  line_delay: 0.001\n");
+  const std::vector<std::string> words = {"convert", kTumvi, "--camera", "cam0", "--into", base, "--anew"};
+  const RunResult run = run_program(words);
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* lost : {"comments of", "%YAML:1.0", "line_delay"}) EXPECT_TRUE(contains(run.err, lost)) << run.err;
+  std::vector<std::string> strict = words;
+  strict.emplace_back("--strict");
+  EXPECT_NE(run_program(strict).code, 0);
 }
 
 // Into a fork's file goes the fork's model.

@@ -81,6 +81,23 @@ TEST(Base, OneCameraOfTwoKeepsTheTuning) {
   EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes, {"mono-inertial"}).loads());
 }
 
+// What is listed as lost is not there; what no mode asks for and the base states is edited.
+TEST(Base, AModeWithoutImuDropsItsPoseAndKeepsTheBases) {
+  const Calibration inertial = calibration_of(settings_with_two_cameras_and_imu());
+  WriteOptions mono;
+  mono.sensor = "mono";
+  const Written dropped = written_into(inertial, inertial.rig, mono);
+  EXPECT_EQ(value_of(bytes_of(dropped), "IMU.T_b_c1"), "absent");
+  EXPECT_TRUE(loses(dropped, "pose of cam0 to the IMU"));
+
+  const Calibration list = calibration_of(good("orbslam3/good/orbslam2-tbc-list.yaml"));
+  Rig moved = list.rig;
+  moved.poses.front().T_a_b(0, 3) = 0.5;
+  const Written kept = written_into(list, moved);
+  EXPECT_TRUE(kept.losses.empty());
+  EXPECT_EQ(bytes_of(kept), with_replaced(good("orbslam3/good/orbslam2-tbc-list.yaml"), "0.0625", "0.5"));
+}
+
 TEST(Base, AnImuThatJoinsIsInserted) {
   Diagnostics diagnostics;
   const std::string mono =
@@ -137,14 +154,14 @@ TEST(Base, RectifiedSettingsAreAPairByTheirBaseline) {
 // Whatever stands in a settings file and has no place in a camchain is said, key by key or group by group.
 TEST(Base, NoKeyOfSettingsGoesSilently) {
   for (const fs::path& path : files_in(testdata_dir() / "orbslam3" / "good", ".yaml")) {
-    const Calibration settings = calibration_of(read_file(path) + "\nMy.own.key: 5\nLEFT.height: 480\n");
+    const Calibration settings = calibration_of(read_file(path) + "\nMy.own.key: 5\nTheir.height: 480\n");
     Rig rig = settings.rig;
     for (Camera& camera : rig.cameras) camera.model = sample_model("kb4");
     Diagnostics diagnostics;
     const std::optional<Written> written = find_format("kalibr")->write(nullptr, rig, {}, diagnostics);
     ASSERT_TRUE(written) << path;
     EXPECT_TRUE(loses(*written, "My.own.key 5")) << path;
-    EXPECT_TRUE(loses(*written, "LEFT.height 480")) << path;
+    EXPECT_TRUE(loses(*written, "Their.height 480")) << path;
     if (value_of(read_file(path), "ORBextractor.nLevels") != "absent") {
       EXPECT_TRUE(loses(*written, "ORBextractor.*")) << path;
     }

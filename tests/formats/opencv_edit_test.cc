@@ -323,7 +323,7 @@ TEST(OpenCvEdit, CamerasComeAndGoInMaps) {
   more.cameras.push_back({"cam3", ImageSize{512, 512}, sample_model("kb4"), std::nullopt, std::nullopt, ""});
   more.poses.push_back({"reference", "cam3", T_cam1_cam0()});
   const Written longer = write(base, more);
-  EXPECT_NE(bytes_of(longer).find("\ncamera_3:\n   camera_matrix: !!opencv-matrix\n     rows: 3\n"), std::string::npos)
+  EXPECT_NE(bytes_of(longer).find("\ncamera_3:\n   camera_matrix: !!opencv-matrix\n      rows: 3\n"), std::string::npos)
       << bytes_of(longer);
   EXPECT_NE(bytes_of(longer).find("# a fisheye beside"), std::string::npos);
   EXPECT_TRUE(base_of(bytes_of(longer), "x.yml").rig().cameras == more.cameras) << bytes_of(longer);

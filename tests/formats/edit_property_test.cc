@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Any edit of any file: the result says what was asked for, and no byte changes that the edit does not explain.
+#include "formats/rigs.h"
+#include "formats/test_files.h"
+
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace fca::test {
+namespace {
+
+/// A calibration that can serve as a base, with its bytes.
+struct Base {
+  std::string name;
+  std::string bytes;
+  Calibration calibration;
+};
+
+std::optional<Base> base_at(const fs::path& path) {
+  Parsed parsed = parse(read_file(path), path.filename().string());
+  if (!parsed.document) return std::nullopt;
+  std::optional<Calibration> calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
+  if (!calibration) return std::nullopt;
+  return Base{path.string(), parsed.source.bytes, *std::move(calibration)};
+}
+
+/// The good files of testdata, and the readable ones of the corpus where there is one.
+std::vector<Base> all_bases() {
+  std::vector<fs::path> paths = files_of_all_formats("good");
+  for (const Format& format : all_formats()) {
+    const fs::path folder = shared_dir() / "corpus" / format.id;
+    if (!fs::exists(folder)) continue;
+    const std::vector<fs::path> found = files_in(folder);
+    paths.insert(paths.end(), found.begin(), found.end());
+  }
+  std::vector<Base> bases;
+  for (const fs::path& path : paths) {
+    if (std::optional<Base> base = base_at(path)) bases.push_back(*std::move(base));
+  }
+  return bases;
+}
+
+/// One file's scalars, and what stands between them.
+struct Pieces {
+  std::vector<std::string> scalars;
+  std::vector<std::string> paths;  ///< Keys above each scalar, "LEFT.D/data".
+  std::vector<std::string> gaps;
+};
+
+void collect(const text::Node& node, const std::string& path, std::vector<std::pair<text::Span, std::string>>& places) {
+  if (node.is_scalar()) places.emplace_back(node.span, path);
+  for (const text::Node& item : node.items) collect(item, path, places);
+  for (const text::Entry& entry : node.entries) {
+    const std::string below = path + (path.empty() ? "" : "/") + entry.key.value;
+    places.emplace_back(entry.key.span, below);
+    collect(entry.value, below, places);
+  }
+}
+
+Pieces pieces_of(const text::Document& document) {
+  std::vector<std::pair<text::Span, std::string>> places;
+  collect(document.root(), "", places);
+  std::ranges::sort(places, {}, [](const auto& place) { return place.first.offset; });
+  const std::string& bytes = document.source().bytes;
+  Pieces pieces;
+  std::size_t copied = 0;
+  for (const auto& [span, path] : places) {
+    pieces.gaps.push_back(bytes.substr(copied, span.offset - copied));
+    pieces.scalars.push_back(bytes.substr(span.offset, span.length));
+    pieces.paths.push_back(path);
+    copied = span.end();
+  }
+  pieces.gaps.push_back(bytes.substr(copied));
+  return pieces;
+}
+
+/// A statement that repeats or follows from another one: slam_no_opt's LEFT.* say Camera.* again, and Camera.bf is the baseline
+/// times fx.
+bool is_redundant(const std::string& path) { return path == "Camera.bf" || path.starts_with("LEFT."); }
+
+/// Why more changed than one number, and one of each redundant statement; empty if not.
+std::string unexplained(const text::Document& before, const text::Document& after) {
+  const Pieces was = pieces_of(before);
+  const Pieces is = pieces_of(after);
+  if (was.scalars.size() != is.scalars.size())
+    return std::to_string(was.scalars.size()) + " scalars became " + std::to_string(is.scalars.size());
+  if (was.gaps != is.gaps) return "bytes between the scalars changed";
+  std::map<std::string, int> changed;
+  for (std::size_t i = 0; i < was.scalars.size(); ++i) {
+    if (was.scalars[i] == is.scalars[i]) continue;
+    const std::string statement = is_redundant(was.paths[i]) ? was.paths[i] : "the number";
+    if (++changed[statement] > 1) return was.paths[i] + " " + was.scalars[i] + " became " + is.scalars[i];
+  }
+  return changed.contains("the number") ? "" : "nothing changed";
+}
+
+std::string written_over(const Base& base, const Rig& rig) {
+  Diagnostics diagnostics;
+  const std::optional<Written> written =
+      base.calibration.format->write(&base.calibration.documents.front(), rig, {}, diagnostics);
+  return written && !written->files.empty() ? written->files.front().document.bytes() : "";
+}
+
+/// Reads back what was written over a base; with a failure, nothing.
+std::optional<Calibration> read_back(const Base& base, const std::string& bytes) {
+  Parsed parsed = parse(bytes, base.calibration.documents.front().source().name);
+  std::optional<Calibration> back;
+  if (parsed.document) back = read_calibration({*parsed.document}, base.calibration.format, {}, parsed.diagnostics);
+  EXPECT_TRUE(back) << parsed.rendered();
+  return back;
+}
+
+/// DSO's camera.txt may state its numbers relative to the image's size: they come back to rounding.
+bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
+  if (base.calibration.format->id != "tumvi") return a.cameras == b.cameras;
+  return std::ranges::equal(a.cameras, b.cameras, [](const Camera& x, const Camera& y) {
+    return x.model.index() == y.model.index() &&
+           std::ranges::equal(parameter_values(x.model), parameter_values(y.model),
+                              [](double u, double v) { return std::abs(u - v) <= 1e-12 * std::max(1.0, std::abs(v)); });
+  });
+}
+
+double largest_pose_difference(const Rig& a, const Rig& b) {
+  double worst = 0.0;
+  for (const PoseEdge& edge : a.poses) {
+    const Transform* stated = b.stated(edge.a, edge.b);
+    const std::optional<Transform> there = stated != nullptr ? *stated : b.resolve(edge.a, edge.b);
+    worst = std::max(worst, there ? largest_difference(edge.T_a_b, *there) : HUGE_VAL);
+  }
+  return worst;
+}
+
+/// OCamCalib's inverse polynomial is fitted to the direct one.
+bool others_follow(const Base& base, const Parameter& parameter) {
+  return base.calibration.format->id == "ocamcalib" && parameter.name.starts_with('a');
+}
+
+/// A matrix of floats cannot hold every double: then it becomes one of doubles, which is another edit.
+double storable(const Base& base, double value) {
+  return base.calibration.format->id == "opencv" ? static_cast<double>(static_cast<float>(value)) : value;
+}
+
+// Also where nothing but one number of a list or matrix changes, the others keep their spelling.
+TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> factor(0.999, 1.001);
+  int edits = 0;
+  for (const Base& base : all_bases()) {
+    for (std::size_t c = 0; c < base.calibration.rig.cameras.size(); ++c) {
+      const ModelInfo& info = model_info(base.calibration.rig.cameras[c].model);
+      for (std::size_t p = 0; p < info.parameters.size(); ++p) {
+        Rig rig = base.calibration.rig;
+        double& value = parameter_values(rig.cameras[c].model)[p];
+        if (value == 0.0 || others_follow(base, info.parameters[p])) continue;
+        value = storable(base, value * factor(random));
+        SCOPED_TRACE(base.name + ": " + rig.cameras[c].name + " " + std::string(info.parameters[p].name));
+        const std::string bytes = written_over(base, rig);
+        if (bytes.empty()) continue;  // beyond what the format holds: refused, with a diagnostic
+        const std::optional<Calibration> back = read_back(base, bytes);
+        if (!back) continue;
+        EXPECT_TRUE(same_cameras(base, back->rig, rig));
+        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front()), "");
+        ++edits;
+      }
+    }
+  }
+  EXPECT_GT(edits, 200);
+}
+
+TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
+  std::mt19937_64 random(2);
+  // Small enough that a rotation stays one as far as readers care.
+  std::uniform_real_distribution<double> shift(-1e-4, 1e-4);
+  constexpr int kElements = 12;
+  int edits = 0;
+  for (const Base& base : all_bases()) {
+    for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {
+      for (int element = 0; element < kElements; ++element) {
+        const bool of_rotation = element % 4 != 3;
+        if (of_rotation && base.calibration.format->id == "woodscape") continue;  // it stores a quaternion
+        Rig rig = base.calibration.rig;
+        double& value = rig.poses[p].T_a_b(element / 4, element % 4);
+        value = storable(base, value + shift(random));
+        SCOPED_TRACE(base.name + ": " + rig.poses[p].a + " " + rig.poses[p].b + " " + std::to_string(element));
+        const std::optional<Calibration> back = read_back(base, written_over(base, rig));
+        if (!back) continue;
+        EXPECT_LE(largest_pose_difference(rig, back->rig), 1e-12);
+        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front()), "");
+        ++edits;
+      }
+    }
+  }
+  EXPECT_GT(edits, 40);
+}
+
+// The file states it in its own direction, whatever the rig's.
+TEST(EditProperty, APoseStatedTheOtherWayRoundEditsTheStatementThatIsThere) {
+  for (const Base& base : all_bases()) {
+    for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {
+      Rig rig = base.calibration.rig;
+      PoseEdge& edge = rig.poses[p];
+      edge.T_a_b(0, 3) += 0.125;
+      const std::optional<Transform> T_b_a = inverse(edge.T_a_b);
+      if (!T_b_a) continue;
+      SCOPED_TRACE(base.name + ": " + edge.a + " " + edge.b);
+      edge = {edge.b, edge.a, *T_b_a};
+      const std::optional<Calibration> back = read_back(base, written_over(base, rig));
+      if (!back) continue;
+      EXPECT_LE(largest_pose_difference(rig, back->rig), 1e-12);
+      const Pieces was = pieces_of(base.calibration.documents.front());
+      const Pieces is = pieces_of(back->documents.front());
+      EXPECT_EQ(was.scalars.size(), is.scalars.size());
+      EXPECT_TRUE(was.gaps == is.gaps);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fca::test
