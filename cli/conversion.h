@@ -55,6 +55,8 @@ struct ConvertOutcome {
   Written written;
   std::vector<Output> outputs;
   std::vector<ProofResult> proofs;
+  std::vector<std::string> unproven;  ///< Outputs that no program was found to judge; "" is standard output.
+  bool unchanged = false;             ///< The output is the bytes of the file that was to be edited.
   Diagnostics diagnostics;
   ExitCode code = ExitCode::kGood;
 };
