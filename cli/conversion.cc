@@ -154,9 +154,11 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
   drop_byte_order_mark(*written, arguments, outcome.diagnostics);
   const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
-  const std::optional<std::string> refusal = asked_for ? refused(*written, arguments) : std::nullopt;
+  // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
+  // is written into is its owner's, who has another program for it.
+  const text::Document* owners = base.into != nullptr ? base.document : nullptr;
+  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners, arguments) : std::nullopt;
   if (!refusal) return written;
-  // OpenVINS' first line in a camchain is no base for a file that Kalibr is to read.
   options.anew = true;
   outcome.diagnostics.note("layout-not-kept",
                            "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
@@ -264,9 +266,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   }
   outcome.written = *std::move(written);
   place_outputs(arguments, outcome);
-  outcome.unchanged = base.document != nullptr && outcome.outputs.front().bytes == base.document->source().bytes;
   if (!arguments.no_verify) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, arguments, outcome);
+    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, arguments, base.document, outcome);
   }
   warn_of_poor_fits(outcome);
   judge_limits(arguments, outcome);

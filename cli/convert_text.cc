@@ -120,8 +120,8 @@ std::string proofs_text(const ConvertOutcome& outcome) {
   for (const ProofResult& proof : outcome.proofs) {
     text += "proof: " + proof.program + " ";
     if (!proof.loads) {
-      text += std::string("would refuse it") + (outcome.unchanged ? ", as it refuses the file that needed no change: " : ": ") +
-              enumerated(proof.refusals) + "\n";
+      const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
+      text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") + enumerated(proof.refusals) + "\n";
     } else if (proof.all_misread) {
       text += "loads it and misreads it\n";
     } else if (proof.agrees() && proof.compared_share == 0.0) {

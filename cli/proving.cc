@@ -23,15 +23,25 @@ consumers::LoadOptions load_options(const Written& written, const ConvertArgumen
   return options;
 }
 
+/// The program's first reason not to load the bytes; nothing if it loads them.
+std::optional<std::string> first_refusal(const std::string& bytes, const std::string& program,
+                                         const consumers::LoadOptions& options) {
+  const consumers::Consumer* consumer = consumers::find_consumer(program);
+  if (consumer == nullptr) return std::nullopt;
+  const consumers::ConsumerView view = consumer->load(bytes, options);
+  if (view.loads()) return std::nullopt;
+  return view.refusals.front();
+}
+
 }  // namespace
 
-std::optional<std::string> refused(const Written& written, const ConvertArguments& arguments) {
+std::optional<std::string> newly_refused(const Written& written, const text::Document* base,
+                                         const ConvertArguments& arguments) {
+  const consumers::LoadOptions options = load_options(written, arguments);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
-      const consumers::Consumer* consumer = consumers::find_consumer(id);
-      if (consumer == nullptr) continue;
-      const consumers::ConsumerView view = consumer->load(file.document.bytes(), load_options(written, arguments));
-      if (!view.loads()) return view.refusals.front();
+      const std::optional<std::string> now = first_refusal(file.document.bytes(), id, options);
+      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now;
     }
   }
   return std::nullopt;
@@ -39,28 +49,39 @@ std::optional<std::string> refused(const Written& written, const ConvertArgument
 
 void drop_byte_order_mark(Written& written, const ConvertArguments& arguments, Diagnostics& diagnostics) {
   const text::Source& source = written.files.front().document.source();
-  if (source.byte_order_mark() == 0 || !refused(written, arguments)) return;
+  if (source.byte_order_mark() == 0 || !newly_refused(written, nullptr, arguments)) return;
   Written without = written;
   without.files.front().document.replace({0, source.byte_order_mark()}, "");
-  if (refused(without, arguments)) return;
+  if (newly_refused(without, nullptr, arguments)) return;
   diagnostics.note("byte-order-mark-dropped",
-                   "the base's byte order mark is left out: the program that reads the file refuses it with one");
+                   "the byte order mark is left out: the program that reads the file refuses it with one");
   written = std::move(without);
 }
 
-void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, ConvertOutcome& outcome) {
+void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, const text::Document* base,
+            ConvertOutcome& outcome) {
   bool judged = false;
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
-    ProofResult proof = prove(*consumer, output.bytes, load_options(outcome.written, arguments), rig, output.cameras);
+    const consumers::LoadOptions options = load_options(outcome.written, arguments);
+    ProofResult proof = prove(*consumer, output.bytes, options, rig, output.cameras);
     const std::string program(consumer->program);
-    if (!proof.agrees() && outcome.unchanged) {
+    const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
+    const bool refused_before = base != nullptr && !proof.loads && (unchanged || !arguments.into.empty()) &&
+                                first_refusal(base->source().bytes, id, options) == std::optional(proof.refusals.front());
+    if (refused_before) outcome.refused_before.push_back(program);
+    if (!proof.agrees() && unchanged) {
       outcome.diagnostics.warning(
           "program-refuses",
           "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
           "--anew writes it as " + program + " reads it");
+    } else if (refused_before) {
+      outcome.diagnostics.warning(
+          "program-refuses",
+          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(),
+          {}, "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
       outcome.diagnostics.error("proof-failed",
                                 program + " would not understand what was to be written: " + disagreement(proof));
