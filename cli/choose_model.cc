@@ -13,6 +13,7 @@ ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice)
   options.model = stored.model;
   options.max_angle_rad = choice.max_angle_rad;
   options.every_pixel = choice.every_pixel;
+  options.objective = choice.objective;
   options.ranges.assign(stored.ranges.begin(), stored.ranges.end());
   return options;
 }
@@ -38,18 +39,19 @@ std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>&
   return outcomes;
 }
 
-/// Coverage first, then rms, both over all cameras.
+/// Coverage first, then the error that the objective makes small, both over all cameras.
 struct Merit {
   double unrepresentable = 0.0;
   double square_sum = 0.0;
 };
 
-Merit merit_of(const std::vector<CameraOutcome>& outcomes) {
+Merit merit_of(const std::vector<CameraOutcome>& outcomes, Objective objective) {
   Merit merit;
   for (const CameraOutcome& outcome : outcomes) {
     if (!outcome.report) continue;
     merit.unrepresentable += outcome.report->judgement.coverage.unrepresentable;
-    merit.square_sum += std::pow(outcome.report->judgement.error.rms, 2);
+    const ErrorSummary& error = outcome.report->judgement.error;
+    merit.square_sum += std::pow(objective == Objective::kMax ? error.max : error.rms, 2);
   }
   return merit;
 }
@@ -58,7 +60,7 @@ bool better(const Merit& a, const Merit& b) {
   constexpr double kSameCoverage = 1e-3;  // a share of the image finer than the lattice can tell
   if (std::abs(a.unrepresentable - b.unrepresentable) > kSameCoverage) return a.unrepresentable < b.unrepresentable;
   // Nobody sees such a difference: then the order of the format's table, its usual models first, decides.
-  constexpr double kSameError = 0.96;       // rms within 2 %
+  constexpr double kSameError = 0.96;       // within 2 %
   constexpr double kNoError = 1e-6 * 1e-6;  // px^2
   return a.square_sum < kSameError * b.square_sum && b.square_sum > kNoError;
 }
@@ -101,7 +103,7 @@ std::optional<std::vector<CameraOutcome>> common_model(const std::vector<Camera>
       last_diagnostics = found;
       continue;
     }
-    if (!best || better(merit_of(*candidate), merit_of(*best))) {
+    if (!best || better(merit_of(*candidate, choice.objective), merit_of(*best, choice.objective))) {
       best = std::move(candidate);
       best_diagnostics = std::move(found);
     }

@@ -21,6 +21,7 @@ struct ModelChoice {
   std::string model;  ///< As asked for; empty: chosen for the stock program.
   std::optional<double> max_angle_rad;
   bool every_pixel = false;  ///< Judge by every pixel instead of the lattice.
+  Objective objective = Objective::kRms;
   bool same_format = false;  ///< The cameras come from a file of the format they are written to.
 };
 
@@ -28,7 +29,8 @@ struct ModelChoice {
 [[nodiscard]] ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice);
 
 /// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it
-/// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best.
+/// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best by
+/// the objective.
 [[nodiscard]] std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Camera>& cameras,
                                                                         const Format& format, const ModelChoice& choice,
                                                                         Diagnostics& diagnostics);

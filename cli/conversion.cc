@@ -239,7 +239,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     base.document = &calibration->documents.front();
   }
   const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
-                              arguments.every_pixel, calibration->format == outcome.to};
+                              arguments.every_pixel, arguments.objective == "max" ? Objective::kMax : Objective::kRms,
+                              calibration->format == outcome.to};
   std::optional<std::vector<CameraOutcome>> cameras =
       convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
   if (!cameras) return false;

@@ -28,6 +28,7 @@ struct ConvertArguments {
   bool in_place = false;
   bool anew = false;
   bool every_pixel = false;
+  std::string objective = "rms";
   std::optional<double> fps;
   std::optional<double> max_error_px;
   std::optional<double> baseline_m;

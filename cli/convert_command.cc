@@ -7,6 +7,7 @@
 #include "words.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <array>
@@ -45,9 +46,11 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (!arguments.to.empty() && find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
   if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
   if (!arguments.model.empty() && find_model(arguments.model) == nullptr) return unknown_model(arguments.model);
+  if (arguments.objective != "rms" && arguments.objective != "max")
+    return "unknown objective '" + arguments.objective + "'; there are rms and max";
   if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6))
     return "--fps wants a rate in Hz, more than 0 and below 1e6";
-  if (arguments.baseline_m && !(*arguments.baseline_m > 0.0 && *arguments.baseline_m < 1e6))
+  if (arguments.baseline_m && problem_with_baseline(*arguments.baseline_m))
     return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
   if (const Format* to = find_format(arguments.to)) {
@@ -162,6 +165,10 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       ->type_name("LAYOUT");
   command.add_option("--into", arguments.into, "Write what the input says into this file's text; its format is --to")
       ->type_name("BASE");
+  command
+      .add_option("--objective", arguments.objective,
+                  "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)")
+      ->type_name("rms|max");
   command.add_flag("--every-pixel", arguments.every_pixel, "Judge by every pixel, not by a lattice of about 5,000 points");
   command.add_flag("--anew", arguments.anew, "Write a fresh file even where the input's own text could be edited; comments go");
   command.add_flag("--in-place", arguments.in_place, "With --into: change BASE itself");

@@ -54,6 +54,16 @@ void put_report(Json& json, const ConversionReport& report) {
       json.put("max_px", row.max_px);
     });
   });
+  json.put("objective", report.objective == Objective::kMax ? "max" : "rms");
+  if (report.rms_fit) {
+    json.object("rms_fit", [&] {
+      json.put("rms_px", report.rms_fit->rms_px);
+      json.put("max_px", report.rms_fit->max_px);
+      json.put("kept", report.rms_fit->kept);
+    });
+  } else {
+    json.null("rms_fit");
+  }
   json.object("fit", [&] {
     json.put("samples", report.fit.samples);
     json.put("iterations", report.fit.iterations);
@@ -129,7 +139,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
       if (camera.report) {
         put_report(json, *camera.report);
       } else {
-        for (const char* key : {"domain", "error_px", "bands", "fit"}) json.null(key);
+        for (const char* key : {"domain", "error_px", "bands", "objective", "rms_fit", "fit"}) json.null(key);
       }
     });
   });

@@ -69,6 +69,15 @@ std::string why_at_bound(const ConversionReport& report, const Format& to, const
   return programs ? " (" + std::string(stored->why) + ")" : "";
 }
 
+/// What the search for a smaller worst pixel gained, and what it cost.
+std::string objective_text(const ConversionReport& report) {
+  if (!report.rms_fit) return "";
+  if (report.rms_fit->kept) return "  objective max: nothing near the rms fit has a smaller worst pixel, so that is kept\n";
+  const ErrorSummary& error = report.judgement.error;
+  return "  objective max: worst pixel " + pixels(report.rms_fit->max_px) + " -> " + pixels(error.max) + " px, rms " +
+         pixels(report.rms_fit->rms_px) + " -> " + pixels(error.rms) + " px\n";
+}
+
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const Judgement& j = report.judgement;
   std::string text = domain_text(j);
@@ -80,7 +89,7 @@ std::string report_text(const ConversionReport& report, const Format& to, const 
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
   }
-  text += band_table(j.bands) + reach_text(report.reach);
+  text += objective_text(report) + band_table(j.bands) + reach_text(report.reach);
   if (!report.at_bound.empty())
     text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
   return text;
@@ -149,10 +158,10 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
   std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.written.headline + "\n";
   for (const CameraOutcome& camera : outcome.cameras) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
-    // A kept model has no error to report: its pixels are the source's.
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report)
       text += kept ? domain_text(camera.report->judgement) : report_text(*camera.report, *outcome.to, camera.target.model);
+    if (kept) text += "  error:  none: the same model and parameters\n";
   }
   text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome);
   if (outcome.code == ExitCode::kGood && written) {

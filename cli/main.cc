@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
+#include "evaluate_command.h"
 #include "list_commands.h"
 #include "project_command.h"
 #include "show_command.h"
@@ -70,10 +71,12 @@ int run(int argc, char** argv) {
   ShowArguments show_arguments;
   ProjectArguments project_arguments;
   ListArguments list_arguments;
+  EvaluateArguments evaluate_arguments;
   add_convert_command(app, convert_arguments, chosen);
   add_show_command(app, show_arguments, chosen);
   add_project_commands(app, project_arguments, chosen);
   add_list_commands(app, list_arguments, chosen);
+  add_evaluate_command(app, evaluate_arguments, chosen);
 
   refuse_empty_values(app);
   std::vector<std::string> words(argv + 1, argv + argc);

@@ -51,6 +51,16 @@ std::string in_lines(std::span<const std::string> parts, std::string_view indent
 
 std::string wrapped(std::span<const std::string> parts, std::string_view indent) { return in_lines(parts, indent, ", "); }
 
+std::string paragraph(std::string_view text, std::string_view indent) {
+  std::vector<std::string> words;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return in_lines(words, indent, " ");
+}
+
 std::string parameters_in_words(const CameraModel& model, std::string_view indent) {
   std::vector<std::string> parts;
   const std::span<const Parameter> parameters = model_info(model).parameters;

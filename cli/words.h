@@ -27,6 +27,8 @@ inline constexpr double kDegreesPerRadian = 57.29577951308232;
 [[nodiscard]] std::string parameters_in_words(const CameraModel& model, std::string_view indent);
 /// "a, b, c" over lines of at most 100 characters, each behind `indent`.
 [[nodiscard]] std::string wrapped(std::span<const std::string> parts, std::string_view indent);
+/// A text in lines of at most 100 characters, each behind `indent`.
+[[nodiscard]] std::string paragraph(std::string_view text, std::string_view indent);
 /// Padded with blanks to `width` on the right.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 using text::enumerated;

@@ -4,6 +4,7 @@
 #include "spelling.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <charconv>
@@ -108,6 +109,26 @@ std::optional<double> Reader::positive(const Node& node, std::string_view what) 
   return std::nullopt;
 }
 
+std::optional<double> Reader::baseline(const Node& node, std::string_view what, std::optional<double> focal_length) {
+  const std::optional<double> value = real(node, what);
+  if (!value) return std::nullopt;
+  const double metres = *value / focal_length.value_or(1.0);
+  const std::optional<std::string> problem = problem_with_baseline(metres);
+  if (!problem) return metres;
+  error(node, "out-of-range", std::string(what) + ": " + *problem,
+        focal_length ? "it is the distance of the two cameras in metres, times the focal length in pixels"
+                     : "it is the distance of the two cameras in metres");
+  return std::nullopt;
+}
+
+std::optional<double> Reader::time_offset(const Node& node, std::string_view what) {
+  const std::optional<double> value = real(node, what);
+  const std::optional<std::string> problem = value ? problem_with_time_offset(*value) : std::nullopt;
+  if (!problem) return value;
+  error(node, "out-of-range", std::string(what) + ": " + *problem, "it is in seconds: t_imu = t_cam + offset");
+  return std::nullopt;
+}
+
 std::optional<int> Reader::integer(const Node& node, std::string_view what) {
   if (!node.is_scalar()) {
     error(node, "not-an-integer", std::string(what) + " is " + kind_in_words(node) + "; a whole number is wanted");
@@ -157,14 +178,17 @@ std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t c
 bool Reader::parameter(const Node& node, std::string_view what, std::string_view name, CameraModel& model) {
   const std::string label = what.ends_with(name) ? std::string(what) : std::string(what) + " (" + std::string(name) + ")";
   const std::optional<double> value = real(node, label);
-  if (!value) return false;
+  return value && parameter(node, what, name, *value, model);
+}
+
+bool Reader::parameter(const Node& node, std::string_view what, std::string_view name, double value, CameraModel& model) {
   const auto& parameters = model_info(model).parameters;
   const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
-  if (const std::optional<std::string> problem = problem_with(*parameter, *value)) {
+  if (const std::optional<std::string> problem = problem_with(*parameter, value)) {
     error(node, "not-a-camera", std::string(what) + ": " + *problem);
     return false;
   }
-  return set_parameter(model, name, *value);
+  return set_parameter(model, name, value);
 }
 
 std::optional<ImageSize> Reader::image_size(const Node& width, const Node& height, std::string_view owner) {
@@ -202,20 +226,58 @@ std::optional<Transform> Reader::transform(const Node& node, std::string_view wh
   return checked(T, node, what);
 }
 
-std::optional<Transform> Reader::checked(const Transform& T, const Node& node, std::string_view what) {
+namespace {
+
+enum class Part { kRotation, kTranslation };
+
+void collect_numbers(const Node& node, std::vector<const Node*>& numbers) {
+  if (node.is_scalar()) numbers.push_back(&node);
+  for (const Node& item : node.items) collect_numbers(item, numbers);
+}
+
+/// The first number of a part of a pose that is larger than `limit`; the whole node where none is. Of a pose of 12 or 16
+/// numbers every fourth is of the translation; else the node holds the part alone.
+const Node& first_beyond(double limit, Part part, const Node& node, text::Dialect dialect) {
+  const Node* data = node.is_mapping() ? text::find(node, "data", dialect) : &node;
+  std::vector<const Node*> numbers;
+  if (data != nullptr) collect_numbers(*data, numbers);
+  const bool whole = numbers.size() == 12 || numbers.size() == 16;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (whole && (i % 4 == 3) != (part == Part::kTranslation)) continue;
+    if (std::abs(text::parse_real(numbers[i]->value).value_or(0.0)) > limit) return *numbers[i];
+  }
+  return node;
+}
+
+}  // namespace
+
+std::optional<Transform> Reader::checked(const Transform& T, const Place& rotation, const Place& translation) {
   const double last_row[] = {T(3, 0), T(3, 1), T(3, 2), T(3, 3) - 1.0};
-  if (std::ranges::any_of(last_row, [](double v) { return std::abs(v) > 1e-9; })) {
-    error(node, "not-a-transform", std::string(what) + ": the last row of a transform is 0 0 0 1");
+  if (std::ranges::any_of(last_row, [](double v) { return !(std::abs(v) <= 1e-9); })) {
+    error(rotation.node, "not-a-transform", std::string(rotation.what) + ": the last row of a transform is 0 0 0 1");
+    return std::nullopt;
+  }
+  for (int row = 0; row < 3; ++row) {
+    const std::optional<std::string> problem = problem_with_translation(T(row, 3));
+    if (!problem) continue;
+    error(first_beyond(kLongestDistance, Part::kTranslation, translation.node, dialect_), "out-of-range",
+          std::string(translation.what) + ": " + *problem, "translations are in metres");
+    return std::nullopt;
+  }
+  if (const std::optional<std::string> problem = problem_with_rotation(T)) {
+    error(first_beyond(kLargestRotationElement, Part::kRotation, rotation.node, dialect_), "not-a-rotation",
+          std::string(rotation.what) + ": " + *problem,
+          "the columns of a rotation are unit vectors at right angles to each other");
     return std::nullopt;
   }
   constexpr double kPrintedWithThreeDigits = 2e-3;
   const double defect = rotation_defect(T);
   if (defect > kPrintedWithThreeDigits) {
-    warning(node, "not-a-rotation",
-            std::string(what) + ": its 3 x 3 part is not a rotation, R^T R differs from the identity by " +
+    warning(rotation.node, "not-a-rotation",
+            std::string(rotation.what) + ": its 3 x 3 part is not a rotation, R^T R differs from the identity by " +
                 text::format_short(defect, 3));
   } else if (rotation_determinant(T) < 0.0) {
-    warning(node, "not-a-rotation", std::string(what) + ": its 3 x 3 part is a mirror image, not a rotation");
+    warning(rotation.node, "not-a-rotation", std::string(rotation.what) + ": its 3 x 3 part is a mirror image, not a rotation");
   }
   return T;
 }

@@ -32,18 +32,35 @@ class Reader {
   [[nodiscard]] std::optional<double> real(const text::Node& node, std::string_view what);
   /// A number greater than 0 and not absurdly large (noise densities, rates, baselines).
   [[nodiscard]] std::optional<double> positive(const text::Node& node, std::string_view what);
+  /// A baseline in metres; where a focal length [px] is given, from their product (Camera.bf).
+  [[nodiscard]] std::optional<double> baseline(const text::Node& node, std::string_view what,
+                                               std::optional<double> focal_length = {});
+  /// Seconds.
+  [[nodiscard]] std::optional<double> time_offset(const text::Node& node, std::string_view what);
   [[nodiscard]] std::optional<int> integer(const text::Node& node, std::string_view what);
   [[nodiscard]] std::optional<std::string> string(const text::Node& node, std::string_view what);
   /// A sequence of finite numbers; any length if `count` is 0.
   [[nodiscard]] std::optional<std::vector<double>> reals(const text::Node& node, std::size_t count, std::string_view what);
   /// Sets a parameter of the model to the node's number; an error at the node if that cannot be.
   [[nodiscard]] bool parameter(const text::Node& node, std::string_view what, std::string_view name, CameraModel& model);
+  /// The same of a value that was computed from the node's.
+  [[nodiscard]] bool parameter(const text::Node& node, std::string_view what, std::string_view name, double value,
+                               CameraModel& model);
   /// Width and height; an error at `width` if no image can have that size.
   [[nodiscard]] std::optional<ImageSize> image_size(const text::Node& width, const text::Node& height, std::string_view owner);
   /// 4 x 4 as nested rows or as 16 numbers.
   [[nodiscard]] std::optional<Transform> transform(const text::Node& node, std::string_view what);
-  /// The same transform: an error (and nothing) if its last row is not 0 0 0 1, a warning if its 3 x 3 part is no rotation.
-  [[nodiscard]] std::optional<Transform> checked(const Transform& T, const text::Node& node, std::string_view what);
+  /// Where a part of a pose stands and what it is called.
+  struct Place {
+    const text::Node& node;  ///< Its numbers as a list, nested lists or an opencv-matrix: of the part, or of the whole pose.
+    std::string_view what;
+  };
+  /// The same transform: an error (and nothing) if its last row is not 0 0 0 1 or a number is beyond the limits of
+  /// rig/limits.h, a warning if its 3 x 3 part is only roughly a rotation.
+  [[nodiscard]] std::optional<Transform> checked(const Transform& T, const Place& rotation, const Place& translation);
+  [[nodiscard]] std::optional<Transform> checked(const Transform& T, const text::Node& node, std::string_view what) {
+    return checked(T, {node, what}, {node, what});
+  }
   /// An opencv-matrix {rows, cols, dt, data}: its numbers row by row, with rows and cols checked against them.
   struct Matrix {
     int rows = 0;

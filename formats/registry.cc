@@ -6,6 +6,7 @@
 #include "orbslam3/orbslam3.h"
 #include "tumvi/tumvi.h"
 #include "woodscape/woodscape.h"
+#include "write_guard.h"
 
 #include <fca/folded_name.h>
 #include <fca/formats/text/numbers.h>
@@ -18,8 +19,8 @@ namespace fca {
 namespace {
 
 const auto& table() {
-  static const std::array kTable = {kalibr::kFormat, opencv::kFormat,   ocamcalib::kFormat,
-                                    tumvi::kFormat,  orbslam3::kFormat, woodscape::kFormat};
+  static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),   guarded<ocamcalib::kFormat>(),
+                                    guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>()};
   return kTable;
 }
 

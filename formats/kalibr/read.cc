@@ -61,7 +61,7 @@ class ChainReader {
     read_size(node, name, camera);
     if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr && topic->is_scalar()) camera.topic = topic->value;
     if (const Node* shift = reader_.find(node, "timeshift_cam_imu")) {
-      camera.time_offset_s = reader_.real(*shift, name + " timeshift_cam_imu");
+      camera.time_offset_s = reader_.time_offset(*shift, name + " timeshift_cam_imu");
     }
     read_poses(node, name, rig);
     keep_unread(node, name, kCameraKeys, rig);

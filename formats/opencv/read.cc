@@ -200,6 +200,7 @@ class CalibrationReader {
     }
     Transform T_c1_c0;
     if (layout_.rotation_vector) {
+      if (!check_rotation_vector(*R, R_node)) return;
       set_rotation(R->values, T_c1_c0);
     } else {
       for (int i = 0; i < 9; ++i) {
@@ -209,9 +210,19 @@ class CalibrationReader {
       }
     }
     for (int row = 0; row < 3; ++row) T_c1_c0(row, 3) = T->values[static_cast<std::size_t>(row)];
-    if (!reader_.checked(T_c1_c0, R_node, layout_.rotation)) return;
+    if (!reader_.checked(T_c1_c0, {R_node, layout_.rotation}, {T_node, layout_.translation})) return;
     warn_of_units(T_c1_c0, T_node, layout_.translation);
     rig.poses.push_back({"cam1", "cam0", T_c1_c0});
+  }
+
+  /// OpenCV's are at most half a turn; any angle is a rotation, but a far larger one is no radians.
+  bool check_rotation_vector(const Numbers& om, const Node& node) {
+    constexpr double kLargestAngle = 100.0;  // rad
+    const double angle = std::hypot(om.values[0], om.values[1], om.values[2]);
+    if (angle <= kLargestAngle) return true;
+    reader_.error(node, "not-a-rotation", layout_.rotation + " turns by " + text::format_short(angle, 3) + " rad",
+                  "a rotation vector is an axis times the angle in radians");
+    return false;
   }
 
   /// Rodrigues' formula.

@@ -149,7 +149,7 @@ class SettingsReader {
     // For PinHole the parser before V1.0 knows only rectified pairs: Camera.bf, and one set of intrinsics for both.
     const bool old_pair = style_ != Style::kV1 && first.type != "KannalaBrandt8" && first.type != "DoubleSphere";
     // Rectified images have one set of intrinsics: V1.0 does not read Camera2.* there.
-    if (old_pair || first.type == "Rectified" || find("Camera2.fx") == nullptr) return;
+    if (old_pair || first.type == "Rectified" || !states_lens("Camera2.")) return;
     const Layout* layout = &first;
     if (first.model == "pinhole" && find("Camera2.k1") != nullptr) layout = find_layout(style_, "radtan");
     if (first.model == "radtan" && style_ == Style::kV1 && find("Camera2.k1") == nullptr)
@@ -159,8 +159,22 @@ class SettingsReader {
     if (const Node* node = find(key)) {
       if (const std::optional<Transform> T = read_affine(*node, key)) rig.poses.push_back({"cam0", "cam1", *T});
     } else {
-      reader_.warning(document_.root().entries.front().key, "pose-missing", "there is a second camera but no " + key);
+      warn_of_missing_pose(key);
     }
+  }
+
+  /// Is any number of a camera there? One key that is missing must not make the whole camera vanish.
+  bool states_lens(std::string_view prefix) const {
+    const auto& rows = layouts();
+    return std::ranges::any_of(rows, [&](const Layout& layout) {
+      return std::ranges::any_of(layout.slots,
+                                 [&](const Slot& slot) { return find_key(document_, joined(prefix, slot.key)) != nullptr; });
+    });
+  }
+
+  /// A warning at the top: there are two cameras, and not how they sit to each other.
+  void warn_of_missing_pose(const std::string& key) {
+    reader_.warning(document_.root().entries.front().key, "pose-missing", "there is a second camera but no " + key);
   }
 
   /// 3 x 4 or 4 x 4.
@@ -182,6 +196,12 @@ class SettingsReader {
   void read_right_camera(const Layout& layout, Rig& rig) {
     const Node* K = find("RIGHT.K");
     const Node* D = find("RIGHT.D");
+    const auto is_of_right_camera = [](const text::Entry& entry) { return entry.key.value.starts_with("RIGHT."); };
+    const auto first_of_right = std::ranges::find_if(document_.root().entries, is_of_right_camera);
+    if (first_of_right == document_.root().entries.end()) return;
+    for (const auto& [node, key] : {std::pair{K, "RIGHT.K"}, std::pair{D, "RIGHT.D"}}) {
+      if (node == nullptr) reader_.error(first_of_right->key, "missing-key", std::string("there is no ") + key);
+    }
     if (K == nullptr || D == nullptr) return;
     const std::optional<fields::Reader::Matrix> k = reader_.opencv_matrix(*K, "RIGHT.K");
     const std::optional<fields::Reader::Matrix> d = reader_.opencv_matrix(*D, "RIGHT.D");
@@ -210,7 +230,10 @@ class SettingsReader {
   void read_right_pose(Rig& rig) {
     const Node* R = find("CAMERA.R");
     const Node* T = find("CAMERA.T");
-    if (R == nullptr || T == nullptr) return;
+    if (R == nullptr || T == nullptr) {
+      warn_of_missing_pose(R == nullptr ? "CAMERA.R" : "CAMERA.T");
+      return;
+    }
     const std::optional<fields::Reader::Matrix> rotation = reader_.opencv_matrix(*R, "CAMERA.R");
     const std::optional<fields::Reader::Matrix> translation = reader_.opencv_matrix(*T, "CAMERA.T");
     if (!rotation || !translation) return;
@@ -225,18 +248,17 @@ class SettingsReader {
       }
       T_right_left(row, 3) = translation->values[static_cast<std::size_t>(row)];
     }
-    if (reader_.checked(T_right_left, *R, "CAMERA.R")) rig.poses.push_back({"cam1", "cam0", T_right_left});
+    if (reader_.checked(T_right_left, {*R, "CAMERA.R"}, {*T, "CAMERA.T"})) rig.poses.push_back({"cam1", "cam0", T_right_left});
   }
 
   /// Of a rectified pair or a depth sensor: Stereo.b, or bf / fx. With a posed second camera the poses say it.
   void read_baseline(Rig& rig) {
     if (rig.cameras.size() > 1) return;
     if (const Node* b = find("Stereo.b")) {
-      rig.baseline_m = reader_.real(*b, "Stereo.b");
+      rig.baseline_m = reader_.baseline(*b, "Stereo.b");
     } else if (const Node* bf = find("Camera.bf")) {
-      const std::optional<double> value = reader_.real(*bf, "Camera.bf");
-      const double fx = parameter(rig.cameras.front().model, "fx").value_or(0.0);
-      if (value && fx > 0.0) rig.baseline_m = *value / fx;
+      if (const std::optional<double> fx = parameter(rig.cameras.front().model, "fx"))
+        rig.baseline_m = reader_.baseline(*bf, "Camera.bf", *fx);
     }
   }
 

@@ -148,6 +148,32 @@ void list_extras(const Rig& rig, const std::vector<fields::Field>& fields, std::
   add_not_carried(lost, "the new settings have no place for it", losses);
 }
 
+/// Does one set of intrinsics and a baseline say all of the pair? What differs less, a file in floats cannot say.
+bool is_posed_as_rectified(const Rig& rig) {
+  constexpr double kFloatPrecision = 1e-6;
+  const std::optional<Transform> T_c1_c2 = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
+  if (!T_c1_c2 || rig.cameras[0].model != rig.cameras[1].model) return false;
+  Transform beside;
+  beside(0, 3) = std::hypot((*T_c1_c2)(0, 3), (*T_c1_c2)(1, 3), (*T_c1_c2)(2, 3));
+  return std::ranges::equal(T_c1_c2->values, beside.values,
+                            [](double a, double b) { return std::abs(a - b) <= kFloatPrecision; });
+}
+
+/// Before V1.0, settings of pinhole cameras hold one set of intrinsics and Camera.bf for a pair.
+bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  const bool before_v1 = target.style == Style::kOld || target.style == Style::kOrbSlam2;
+  if (!before_v1 || !target.sensor.two_cameras || rig.cameras.size() < 2) return true;
+  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
+  const bool holds_two = layout != nullptr && (layout->type == "KannalaBrandt8" || layout->type == "DoubleSphere");
+  if (holds_two || is_posed_as_rectified(rig)) return true;
+  diagnostics.error(
+      "pose-not-storable",
+      "settings of pinhole cameras in the style before ORB-SLAM3 V1.0 are for rectified pairs: they have no place "
+      "for the pose between unrectified cameras nor for a second camera's own intrinsics",
+      {}, "--orbslam3-layout v1 has both; --sensor mono writes the first camera alone; or rectify the images");
+  return false;
+}
+
 bool check_cameras(const Rig& rig, const Target& target, const Base* edited, Diagnostics& diagnostics) {
   const std::size_t used = target.sensor.two_cameras && rig.cameras.size() > 1 ? 2 : 1;
   for (std::size_t i = 0; i < used; ++i) {
@@ -318,7 +344,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   // Another style has other keys and other types for the same ones: such a file is composed anew, and what that drops is
   // listed.
   const Base* edited = base && !options.anew && base->target.style == target->style ? &*base : nullptr;
-  if (!check_cameras(rig, *target, edited, diagnostics)) return std::nullopt;
+  if (!check_cameras(rig, *target, edited, diagnostics) || !check_pair(rig, *target, diagnostics)) return std::nullopt;
 
   const Audience& audience = audience_of(target->style, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);

@@ -201,8 +201,8 @@ class CameraTxtReader {
                       "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height");
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      good = reader_.parameter(*first.numbers[i], "line 1", kFocalAndCentre[i], camera.model) && good;
-      if (good && relative) set_parameter(camera.model, kFocalAndCentre[i], to_pixels(numbers[i], i, size));
+      const double value = relative ? to_pixels(numbers[i], i, size) : numbers[i];
+      good = reader_.parameter(*first.numbers[i], "line 1", kFocalAndCentre[i], value, camera.model) && good;
     }
     for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i) {
       good = reader_.parameter(*first.numbers[4 + i], "line 1", first.lens->coefficients[i], camera.model) && good;

@@ -140,7 +140,7 @@ class CameraReader {
   bool read_centre(const Node& intrinsic, std::string_view key, std::string_view name, int size, CameraModel& model) {
     const Node* node = require(intrinsic, key);
     const std::optional<double> offset = node != nullptr ? reader_.real(*node, key) : std::nullopt;
-    return offset && set_parameter(model, name, centre_of(*offset, size));
+    return offset && reader_.parameter(*node, key, name, centre_of(*offset, size), model);
   }
 
   /// False with an error if what stands there is no pose; a missing one is a warning.
@@ -166,13 +166,25 @@ class CameraReader {
       reader_.error(*quaternion, "not-a-rotation", "the quaternion is 0: scipy stops with ValueError");
       return false;
     }
+    // scipy normalises any length whose square neither over- nor underflows; a far other one is no quaternion of a rotation.
+    constexpr double kLongest = 1e3;
+    if (norm > kLongest || norm < 1.0 / kLongest) {
+      const auto beyond = std::ranges::find_if(*q, [](double value) { return std::abs(value) > kLongest; });
+      const Node& place = beyond == q->end() ? *quaternion : quaternion->items[static_cast<std::size_t>(beyond - q->begin())];
+      reader_.error(place, "not-a-rotation", "the quaternion has length " + text::format_short(norm, 4) + ", not 1",
+                    "a rotation by an angle a about the axis n is [n sin(a/2), cos(a/2)]");
+      return false;
+    }
     constexpr double kPrinted = 1e-3;
     if (std::abs(norm - 1.0) > kPrinted) {
       reader_.warning(*quaternion, "not-a-rotation",
                       "the quaternion has length " + text::format_short(norm, 4) + ", not 1; projection.py normalises it");
     }
-    rig.poses.push_back(
-        {std::string(kVehicle), name, pose_of({(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, {(*t)[0], (*t)[1], (*t)[2]})});
+    const std::optional<Transform> T =
+        reader_.checked(pose_of({(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, {(*t)[0], (*t)[1], (*t)[2]}), {*quaternion, "quaternion"},
+                        {*translation, "translation"});
+    if (!T) return false;
+    rig.poses.push_back({std::string(kVehicle), name, *T});
     return true;
   }
 

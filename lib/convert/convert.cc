@@ -5,6 +5,7 @@
 #include "fit_model.h"
 #include "judge_maximum.h"
 #include "judge_stages.h"
+#include "minimax.h"
 
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
@@ -40,13 +41,14 @@ struct SampledFit {
 
 bool too_few(std::size_t samples, const Job& job) { return 2 * samples < job.target.parameters.size(); }
 
-/// Fits the target to about `count` samples of the domain.
-SampledFit fit(const Job& job, const Domain& domain, int count) {
+/// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
+SampledFit fit(const Job& job, const Domain& domain, int count, const SampledFit* coarser = nullptr) {
   const std::vector<Correspondence> samples = sample(job.camera.model, domain, count);
   SampledFit result;
   result.samples = samples.size();
   if (!too_few(samples.size(), job)) {
-    result.model = internal::fit_model(job.target.id, samples, job.centre, job.options.ranges);
+    result.model = coarser != nullptr ? internal::fit_from(coarser->model->model, samples, job.options.ranges)
+                                      : internal::fit_model(job.target.id, samples, job.centre, job.options.ranges);
   }
   return result;
 }
@@ -86,8 +88,9 @@ void warn_of_cone(const Job& job, double cone_rad, Diagnostics& diagnostics) {
 }
 
 /// The fit to the whole domain or, if the target cannot describe that, to the largest cone.
-SampledFit fit_as_far_as_possible(const Job& job, int count) {
-  SampledFit fitted = fit(job, job.domain, count);
+SampledFit fit_as_far_as_possible(const Job& job, int count, const SampledFit* coarser) {
+  const bool same_domain = coarser != nullptr && coarser->reach_rad >= std::numbers::pi;
+  SampledFit fitted = fit(job, job.domain, count, same_domain ? coarser : nullptr);
   if (!too_few(fitted.samples, job) && (!fitted.model || !fitted.model->reaches_all)) {
     if (SampledFit narrower = fit_largest_cone(job, count); narrower.model) return narrower;
   }
@@ -126,6 +129,28 @@ double worse_between_samples(const Judgement& judgement, const internal::FittedM
   return judgement.error.rms / fitted.rms_px;
 }
 
+/// Replaces a least-squares fit by the camera near it whose largest error is smallest, if that is smaller and reaches as much.
+void cut_worst_pixel(const Job& job, double reach_rad, Conversion& conversion) {
+  using Clock = std::chrono::steady_clock;
+  ConversionReport& report = conversion.report;
+  CameraModel& model = conversion.camera.model;
+  const Judgement& before = report.judgement;
+  report.objective = Objective::kMax;
+  report.rms_fit = {before.error.rms, before.error.max, true};
+  const Clock::time_point start = Clock::now();
+  internal::MinimaxFit fit = internal::fit_largest_error(job.camera.model, model, job.domain, reach_rad, job.options.ranges);
+  report.fit.time_us += std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+  report.fit.iterations += fit.iterations;
+  if (!validate(fit.model).empty()) return;
+  const internal::Scorer scorer = scorer_of(job, fit.model, reach_rad);
+  Judgement after = final_judgement(job, scorer, internal::score_on_lattice(scorer));
+  if (!(after.error.max < before.error.max && after.coverage.scored >= before.coverage.scored)) return;
+  report.rms_fit->kept = false;
+  report.judgement = std::move(after);
+  report.at_bound = std::move(fit.at_bound);
+  model = fit.model;
+}
+
 /// The conversion by a fit, on twice as many samples while it is worse between them and that helps, and its judgement.
 std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnostics) {
   using Clock = std::chrono::steady_clock;
@@ -138,7 +163,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   internal::Score score;
   for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
     const Clock::time_point start = Clock::now();
-    SampledFit finer = fit_as_far_as_possible(job, job.options.samples << doubling);
+    SampledFit finer = fit_as_far_as_possible(job, job.options.samples << doubling, doubling > 0 ? &fitted : nullptr);
     time += Clock::now() - start;
     if (!finer.model) {
       if (doubling == 0) fitted = std::move(finer);
@@ -171,6 +196,7 @@ std::optional<Conversion> fitted_conversion(const Job& job, Diagnostics& diagnos
   conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations,
                            std::chrono::duration<double, std::micro>(time).count()};
   conversion.report.at_bound = fitted.model->at_bound;
+  if (job.options.objective == Objective::kMax) cut_worst_pixel(job, fitted.reach_rad, conversion);
   return conversion;
 }
 

@@ -116,4 +116,17 @@ std::optional<FittedModel> fit_model(std::string_view id, std::span<const Corres
   return best;
 }
 
+std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model) {
+  return std::visit(
+      []<class M>(const Intrinsics<M>& /*model*/) -> std::unique_ptr<FitTarget> { return std::make_unique<JetTarget<M>>(); },
+      model);
+}
+
+std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
+                                    std::span<const ParameterRange> ranges) {
+  std::optional<FittedModel> best;
+  improve_from(start, samples, ranges, best);
+  return best;
+}
+
 }  // namespace fca::internal

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <fca/convert/convert.h>
+#include <fca/convert/fit_target.h>
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,5 +29,12 @@ struct FittedModel {
 /// fitted, too, and what it finds is one more start.
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
                                                    const LensCentre& centre, std::span<const ParameterRange> ranges);
+
+/// What a fit asks of that model.
+[[nodiscard]] std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model);
+
+/// The fit to which that camera leads, or itself, whichever is better; nothing if it leads nowhere and is outside the ranges.
+[[nodiscard]] std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Correspondence> samples,
+                                                  std::span<const ParameterRange> ranges);
 
 }  // namespace fca::internal

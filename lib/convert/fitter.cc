@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fca::internal {
 
@@ -32,9 +33,15 @@ constexpr double kExactCost = 1e-22;
 constexpr double kKnown = 1e-8;  // Of another bottom's cost: this one is the lens.
 constexpr double kWorthwhile = 0.9;
 
+/// To reach all of the lens is worth some pixels, but not a useless camera.
+bool is_better(const FoundFit& a, const FoundFit& b) {
+  constexpr double kWorth = 4.0;
+  if (a.reaches_all == b.reaches_all) return a.rms_px < b.rms_px;
+  return a.reaches_all ? a.rms_px <= kWorth * b.rms_px : kWorth * a.rms_px < b.rms_px;
+}
+
 void keep_better(FoundFit fit, std::optional<FoundFit>& best) {
-  const bool better = !best || (fit.reaches_all != best->reaches_all ? fit.reaches_all : fit.rms_px < best->rms_px);
-  if (better) best = std::move(fit);
+  if (!best || is_better(fit, *best)) best = std::move(fit);
 }
 
 /// Would no other start be better? One may be where a parameter ends at a bound, as the basin's bottom lies beyond it; and
@@ -59,23 +66,7 @@ std::vector<Correspondence> spread(std::span<const Correspondence> samples, std:
 }
 
 Fitter::Fitter(const FitTarget& target, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges)
-    : target_(target), count_(target.parameters().size()), samples_(samples), linearised_(target) {
-  for (std::size_t i = 0; i < count_; ++i) {
-    const Parameter& p = target.parameters()[i];
-    // An open end of a model's range is not a camera, but what lies next to it may be the best one: eucm with beta -> 0 is
-    // how a pinhole looks where alpha must be above 0.5.
-    constexpr double kHair = 1e-6;
-    lower_[i] = p.lower + (p.open ? kHair : 0.0);
-    upper_[i] = p.upper - (p.open ? kHair : 0.0);
-    held_[i] = target.held(i);
-    for (const ParameterRange& range : ranges) {
-      if (range.parameter != p.name) continue;
-      held_[i] = false;
-      lower_[i] = std::max(lower_[i], range.lower);
-      upper_[i] = std::min(upper_[i], range.upper);
-    }
-  }
-}
+    : target_(target), count_(target.parameters().size()), samples_(samples), linearised_(target), limits_(target, ranges) {}
 
 std::optional<FoundFit> Fitter::fit_from(const ParameterValues& start) {
   Candidate candidate;
@@ -96,9 +87,27 @@ std::optional<FoundFit> Fitter::as_it_is(const ParameterValues& values) const {
 }
 
 std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
-  if (const std::optional<Candidate> candidate = fit_terms(centre)) return finish(*candidate);
+  if (target_.terms() > 0 && target_.shapes().empty()) {
+    if (const std::optional<Candidate> candidate = fit_terms(samples_, centre, 0.0)) return finish(*candidate);
+  }
+  std::optional<FoundFit> best = fit_starts(centre);
+  // Two more reasons to begin from longer and shorter lenses: the optimum's radius may turn back before the edge of this one,
+  // and many parameters have many bottoms.
+  constexpr double kNobodySees = 1e-3;  // px
+  const bool may_be_beaten = count_ >= kManyParameters && best && best->rms_px > kNobodySees;
+  if (best && best->reaches_all && !may_be_beaten) return best;
+  for (const double scale : {0.8, 0.9, 1.1, 1.25}) {
+    const LensCentre other = {{scale * centre.focal[0], scale * centre.focal[1]}, centre.point};
+    if (std::optional<FoundFit> fit = fit_starts(other)) keep_better(*std::move(fit), best);
+  }
+  return best;
+}
+
+/// The best fit from the starts with that centre.
+std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
   std::optional<FoundFit> best;
-  std::vector<Candidate> candidates = coarse_fits(centre);
+  std::vector<Candidate> candidates = search_shapes(centre);
+  if (candidates.empty()) candidates = coarse_fits(centre);
   if (candidates.empty()) return std::nullopt;
   polish_all(candidates, best);
   const std::optional<std::size_t> folded = target_.folded();
@@ -117,8 +126,8 @@ std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
 
 void Fitter::hold_fixed(Candidate& candidate) const {
   for (std::size_t i = 0; i < count_; ++i) {
-    candidate.fixed[i] = held_[i] || lower_[i] == upper_[i];
-    candidate.values[i] = std::clamp(candidate.values[i], lower_[i], upper_[i]);
+    candidate.fixed[i] = limits_.fixed(i);
+    candidate.values[i] = std::clamp(candidate.values[i], limits_.lower[i], limits_.upper[i]);
   }
 }
 
@@ -132,8 +141,20 @@ void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundF
       respect_bounds(candidate);
       keep_better(finish(candidate), best);
     }
-    if (settled(*best)) return;
+    if (settled(*best) && !rivals(candidate, candidates, *best)) return;
   }
+}
+
+/// Is a candidate left that is about as good as the one just polished and on the other side of the fold?
+bool Fitter::rivals(const Candidate& polished, const std::vector<Candidate>& candidates, const FoundFit& best) const {
+  constexpr double kAboutAsGood = 1.5;
+  constexpr double kFarAway = 0.3;
+  const std::optional<std::size_t> folded = target_.folded();
+  if (!folded) return false;
+  return std::any_of(candidates.begin() + (&polished - candidates.data()) + 1, candidates.end(), [&](const Candidate& other) {
+    return other.cost < kAboutAsGood * candidates.front().cost &&
+           std::abs(other.values[*folded] - best.parameters[*folded]) > kFarAway;
+  });
 }
 
 /// From a bound that holds parameters a little way back inside, where they may find a bottom of their own. False if none is
@@ -142,10 +163,10 @@ bool Fitter::move_inside(Candidate& candidate) const {
   constexpr double kALittle = 0.05;
   bool moved = false;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!candidate.fixed[i] || held_[i] || lower_[i] == upper_[i]) continue;
+    if (!candidate.fixed[i] || limits_.fixed(i)) continue;
     double& value = candidate.values[i];
-    const double inside = value + (value == lower_[i] ? kALittle : -kALittle);
-    value = std::clamp(inside, lower_[i], upper_[i]);
+    const double inside = value + (value == limits_.lower[i] ? kALittle : -kALittle);
+    value = std::clamp(inside, limits_.lower[i], limits_.upper[i]);
     candidate.fixed[i] = false;
     moved = true;
   }
@@ -171,7 +192,8 @@ std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   for (Candidate& start : starts) {
     // Far worse than the best start: not even the right basin's edge.
     constexpr double kHopeless = 400.0;
-    if (!polished.empty() && start.cost > kHopeless * first_cost) break;
+    constexpr std::size_t kFewest = 2;
+    if (polished.size() >= kFewest && start.cost > kHopeless * first_cost) break;
     if (!polish(start, coarse.effort)) continue;
     polished.push_back(start);
     if (start.on_all && start.cost < kExactCost) break;
@@ -199,7 +221,7 @@ void Fitter::look_beyond_fold(std::size_t folded, std::vector<Candidate>& polish
     if (polished.back().cost <= exact || from.cost <= kExactCost) return;
     if (i >= kLikely && from.cost > kSmallCost) return;
     Candidate candidate = from;
-    if (candidate.fixed[folded] || !(candidate.values[folded] + kSteps[i] > lower_[folded])) continue;
+    if (candidate.fixed[folded] || !(candidate.values[folded] + kSteps[i] > limits_.lower[folded])) continue;
     candidate.values[folded] += kSteps[i];
     candidate.fixed[folded] = true;
     const bool followed = polish(candidate, effort);
@@ -224,29 +246,74 @@ double Fitter::cost_of_start(const ParameterValues& values) {
 }
 
 /// Without a start, where the model is linear enough and no range of a parameter gets in the way.
-std::optional<Fitter::Candidate> Fitter::fit_terms(const LensCentre& centre) const {
-  const std::size_t terms = target_.terms();
-  if (terms == 0 || std::any_of(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(count_), [](bool h) { return h; }))
+std::optional<Fitter::Candidate> Fitter::fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
+                                                   double shape) const {
+  if (std::any_of(limits_.held.begin(), limits_.held.begin() + static_cast<std::ptrdiff_t>(count_), [](bool h) { return h; }))
     return std::nullopt;
-  AspectFit fit(terms, samples_.size());
+  AspectFit fit(target_.terms(), samples.size());
   std::size_t points = 0;
-  for (const Correspondence& s : samples_) {
+  for (const Correspondence& s : samples) {
     double along_u[kMostTerms];
     double along_v[kMostTerms];
-    if (!target_.terms(s.ray.data(), along_u, along_v)) return std::nullopt;
+    if (!target_.terms(shape, s.ray.data(), along_u, along_v)) return std::nullopt;
     fit.set(points++, along_u, along_v, {s.pixel[0] - centre.point[0], s.pixel[1] - centre.point[1]}, s.weight);
   }
   const std::optional<AspectFit::Solution> solution = fit.solve(centre.focal[1] / centre.focal[0]);
   if (!solution) return std::nullopt;
   const std::array<double, 2> point = {centre.point[0] + solution->point[0], centre.point[1] + solution->point[1]};
   Candidate candidate;
-  target_.from_terms(solution->coefficients.data(), solution->aspect, point, candidate.values.data());
+  target_.from_terms(shape, solution->coefficients.data(), solution->aspect, point, candidate.values.data());
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!(candidate.values[i] >= lower_[i] && candidate.values[i] <= upper_[i])) return std::nullopt;
+    if (!(candidate.values[i] >= limits_.lower[i] && candidate.values[i] <= limits_.upper[i])) return std::nullopt;
   }
   candidate.cost = solution->cost;
   candidate.iterations = solution->iterations;
   return candidate;
+}
+
+/// The bottoms along the shape, with the best of all other parameters for each (variable projection: Golub & Pereyra 1973), on
+/// a few of the samples, best first: what a descent in all parameters finds only by a long way through a narrow valley.
+std::vector<Fitter::Candidate> Fitter::search_shapes(const LensCentre& centre) const {
+  constexpr std::size_t kSamples = 48;
+  constexpr std::size_t kMostBottoms = 3;
+  constexpr int kSections = 12;
+  const std::span<const double> shapes = target_.shapes();
+  const std::vector<Correspondence> few = spread(samples_, kSamples);
+  std::vector<std::optional<Candidate>> tried;
+  for (const double shape : shapes) tried.push_back(fit_terms(few, centre, shape));
+  const auto cost = [](const std::optional<Candidate>& c) { return c ? c->cost : std::numeric_limits<double>::infinity(); };
+  std::vector<std::size_t> bottoms;
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    const bool falls = i == 0 || cost(tried[i]) < cost(tried[i - 1]);
+    const bool rises = i + 1 == tried.size() || cost(tried[i]) <= cost(tried[i + 1]);
+    if (tried[i] && falls && rises) bottoms.push_back(i);
+  }
+  std::ranges::sort(bottoms, {}, [&](std::size_t i) { return cost(tried[i]); });
+  bottoms.resize(std::min(bottoms.size(), kMostBottoms));
+  std::vector<Candidate> found;
+  for (const std::size_t bottom : bottoms) {
+    std::optional<Candidate> best = tried[bottom];
+    double at = shapes[bottom];
+    double low = shapes[bottom > 0 ? bottom - 1 : bottom];
+    double high = shapes[std::min(bottom + 1, shapes.size() - 1)];
+    // Golden section: the longer side of what is left is divided.
+    constexpr double kGolden = 0.381966011250105;
+    for (int i = 0; i < kSections; ++i) {
+      const double trial = high - at > at - low ? at + kGolden * (high - at) : at - kGolden * (at - low);
+      std::optional<Candidate> candidate = fit_terms(few, centre, trial);
+      if (cost(candidate) < cost(best)) {
+        (trial > at ? low : high) = at;
+        at = trial;
+        best = std::move(candidate);
+      } else {
+        (trial > at ? high : low) = trial;
+      }
+    }
+    hold_fixed(*best);
+    found.push_back(*best);
+  }
+  std::ranges::sort(found, {}, &Candidate::cost);
+  return found;
 }
 
 /// A start may not reach every sample: fit those it reaches, then ask again with the better parameters.
@@ -348,14 +415,14 @@ void Fitter::respect_bounds(Candidate& candidate) {
     double furthest = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       const double value = candidate.values[i];
-      const double outside = std::max(lower_[i] - value, value - upper_[i]) / (1.0 + std::abs(value));
+      const double outside = std::max(limits_.lower[i] - value, value - limits_.upper[i]) / (1.0 + std::abs(value));
       if (!candidate.fixed[i] && outside > furthest) {
         furthest = outside;
         worst = i;
       }
     }
     if (!worst) return;
-    candidate.values[*worst] = std::clamp(candidate.values[*worst], lower_[*worst], upper_[*worst]);
+    candidate.values[*worst] = std::clamp(candidate.values[*worst], limits_.lower[*worst], limits_.upper[*worst]);
     candidate.fixed[*worst] = true;
     if (!polish(candidate, kFull)) return;
   }
@@ -395,7 +462,7 @@ FoundFit Fitter::finish(const Candidate& candidate) const {
   result.iterations = candidate.iterations;
   score(candidate, result);
   for (std::size_t i = 0; i < count_; ++i) {
-    if (candidate.fixed[i] && !held_[i] && lower_[i] != upper_[i]) result.at_bound.emplace_back(target_.parameters()[i].name);
+    if (candidate.fixed[i] && !limits_.fixed(i)) result.at_bound.emplace_back(target_.parameters()[i].name);
   }
   return result;
 }

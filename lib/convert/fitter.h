@@ -3,6 +3,7 @@
 // by taking the active parameter out of the step. Whether the fitted camera folds inside the samples is asked afterwards.
 #pragma once
 
+#include "fit_limits.h"
 #include "linearised.h"
 #include "minimise.h"
 #include "orthonormal.h"
@@ -43,11 +44,15 @@ class Fitter {
 
   void hold_fixed(Candidate& candidate) const;
   void polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best);
+  [[nodiscard]] bool rivals(const Candidate& polished, const std::vector<Candidate>& candidates, const FoundFit& best) const;
   bool move_inside(Candidate& candidate) const;
+  std::optional<FoundFit> fit_starts(const LensCentre& centre);
   std::vector<Candidate> coarse_fits(const LensCentre& centre);
   void look_beyond_fold(std::size_t folded, std::vector<Candidate>& polished, const Effort& effort);
   double cost_of_start(const ParameterValues& values);
-  std::optional<Candidate> fit_terms(const LensCentre& centre) const;
+  [[nodiscard]] std::optional<Candidate> fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
+                                                   double shape) const;
+  [[nodiscard]] std::vector<Candidate> search_shapes(const LensCentre& centre) const;
   bool polish(Candidate& candidate, const Effort& effort);
   bool minimise_active(Candidate& candidate, const Effort& effort);
   void refine(Candidate& candidate, const Effort& effort, std::span<double> free);
@@ -63,9 +68,7 @@ class Fitter {
   std::vector<std::array<double, 2>> pixels_;
   std::vector<double> moved_;  ///< The Jacobian in other coordinates.
   Orthonormal orthonormal_;
-  ParameterValues lower_{};
-  ParameterValues upper_{};
-  std::array<bool, kMostParameters> held_{};
+  FitLimits limits_;
 };
 
 }  // namespace fca::internal

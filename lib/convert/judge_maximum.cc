@@ -10,18 +10,7 @@
 
 namespace fca::internal {
 
-namespace {
-
-void keep_if_worse(const Point& point, Judgement& result) {
-  if (point.verdict != Verdict::kScored || point.error < result.error.max) return;
-  result.error.max = point.error;
-  result.error.max_at = point.pixel;
-  constexpr double kBandRadians = 10.0 * std::numbers::pi / 180.0;
-  const auto band = static_cast<std::size_t>(std::acos(std::clamp(point.cosine, -1.0, 1.0)) / kBandRadians);
-  if (band < result.bands.size()) result.bands[band].max_px = std::max(result.bands[band].max_px, point.error);
-}
-
-/// Uphill from a pixel, along eight directions with steps down to a thousandth of a pixel.
+/// Along eight directions, with steps down to a thousandth of a pixel.
 Point climb(const Scorer& scorer, const Pixel& start) {
   constexpr double kFinestStep = 1e-3;  // px
   constexpr int kMostPoints = 600;      // along a ring of nearly equal errors it would never end
@@ -52,6 +41,17 @@ Point climb(const Scorer& scorer, const Pixel& start) {
     if (!moved) step *= 0.5;
   }
   return best;
+}
+
+namespace {
+
+void keep_if_worse(const Point& point, Judgement& result) {
+  if (point.verdict != Verdict::kScored || point.error < result.error.max) return;
+  result.error.max = point.error;
+  result.error.max_at = point.pixel;
+  constexpr double kBandRadians = 10.0 * std::numbers::pi / 180.0;
+  const auto band = static_cast<std::size_t>(std::acos(std::clamp(point.cosine, -1.0, 1.0)) / kBandRadians);
+  if (band < result.bands.size()) result.bands[band].max_px = std::max(result.bands[band].max_px, point.error);
 }
 
 /// The point of the edge of the lens at an azimuth; not scored if that is outside the image.

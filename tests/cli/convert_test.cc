@@ -79,6 +79,36 @@ TEST(Convert, TheEucmDialectSaysWhoReadsIt) {
   for (const Camera& camera : rig.cameras) EXPECT_GT(parameter(camera.model, "alpha").value_or(0.0), 0.5);
 }
 
+TEST(Convert, TheObjectiveMaxCutsTheWorstPixelAndSaysWhatItCosts) {
+  const std::vector<std::string> command = {"convert", kTumvi, "--camera",    "cam0", "--to",  "orbslam3",
+                                            "--model", "eucm", "--max-angle", "97.5", "--json"};
+  const auto with = [&](const char* objective) {
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {"--objective", objective});
+    return json_of(run_program(words));
+  };
+  const Json rms = with("rms");
+  const Json max = with("max");
+  EXPECT_EQ(json_of(run_program(command))["cameras"][0]["parameters"], rms["cameras"][0]["parameters"]) << "rms is the default";
+  const Value& before = rms["cameras"][0];
+  const Value& after = max["cameras"][0];
+  EXPECT_STREQ(before["objective"].GetString(), "rms");
+  EXPECT_TRUE(before["rms_fit"].IsNull());
+  EXPECT_STREQ(after["objective"].GetString(), "max");
+  EXPECT_FALSE(after["rms_fit"]["kept"].GetBool());
+  EXPECT_EQ(after["rms_fit"]["rms_px"], before["error_px"]["rms"]);
+  EXPECT_EQ(after["rms_fit"]["max_px"], before["error_px"]["max"]);
+  EXPECT_LT(after["error_px"]["max"].GetDouble(), before["error_px"]["max"].GetDouble());
+  EXPECT_GT(after["error_px"]["rms"].GetDouble(), before["error_px"]["rms"].GetDouble());
+  EXPECT_GT(after["parameters"]["alpha"].GetDouble(), 0.5) << "what the program demands holds all the same";
+
+  std::vector<std::string> words = command;
+  words.back() = "--dry-run";
+  EXPECT_FALSE(contains(run_program(words).out, "objective"));
+  words.insert(words.end(), {"--objective", "max"});
+  EXPECT_TRUE(contains(run_program(words).out, "  objective max: worst pixel ")) << run_program(words).out;
+}
+
 // FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted anew with alpha above.
 TEST(Convert, AnEucmWithSmallAlphaIsNotPassedThrough) {
   const TemporaryFolder folder;

@@ -19,8 +19,13 @@ void expect_usage(const std::vector<std::string>& words, const std::string& word
 
 TEST(Options, EmptyValuesAreRefused) {
   for (const char* option :
-       {"--max-error", "--model", "--sensor", "--fps", "--max-angle", "--size", "--with", "-o", "--baseline"})
+       {"--max-error", "--model", "--objective", "--sensor", "--fps", "--max-angle", "--size", "--with", "-o", "--baseline"})
     expect_usage({"convert", kTumvi, "--to", "orbslam3", option, ""}, "empty value");
+}
+
+TEST(Options, AnObjectiveIsRmsOrMax) {
+  for (const char* value : {"min", "MAX", "rms,max"})
+    expect_usage({"convert", kTumvi, "--to", "orbslam3", "--objective", value}, "there are rms and max");
 }
 
 TEST(Options, NumbersAreDecimal) {

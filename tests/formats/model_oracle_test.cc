@@ -8,9 +8,7 @@
 //             nothing);
 //   misread   ORB-SLAM3's second camera with the first one's lens coefficients (FORMATS.md 3.2).
 // Mirrored and folded are established from the program's own formula (formats/consumers), not from our answer.
-#include "formats/oracle_table.h"
-
-#include <fca/formats/consumers/consumer.h>
+#include "formats/oracle_camera.h"
 
 #include <cmath>
 #include <cstdio>
@@ -29,25 +27,6 @@ struct Counts {
   double worst = 0.0;  ///< In units of what the row allows.
 };
 
-/// Whether the program's image radius falls anywhere between the axis and the ray, on the ray's azimuth.
-bool folds_before(const consumers::ConsumerCamera& camera, const Ray& ray) {
-  const double r = std::hypot(ray[0], ray[1]);
-  const double end = std::atan2(r, ray[2]);
-  const auto centre = camera.project({0.0, 0.0, 1.0});
-  if (!centre || r == 0.0) return false;
-  constexpr int kSteps = 4000;
-  double last = 0.0;
-  for (int i = 1; i <= kSteps; ++i) {
-    const double angle = end * i / kSteps;
-    const auto pixel = camera.project({std::sin(angle) * ray[0] / r, std::sin(angle) * ray[1] / r, std::cos(angle)});
-    if (!pixel) return true;
-    const double radius = std::hypot((*pixel)[0] - (*centre)[0], (*pixel)[1] - (*centre)[1]);
-    if (radius < last) return true;
-    last = radius;
-  }
-  return false;
-}
-
 /// theta (1 + k1 theta^2 + ... + k4 theta^8) written out here: right at any angle.
 Pixel kannala_brandt(const CameraModel& model, const Ray& ray) {
   const auto p = [&model](const char* name) { return parameter(model, name).value(); };
@@ -58,8 +37,6 @@ Pixel kannala_brandt(const CameraModel& model, const Ray& ray) {
   const double scale = r > 0.0 ? distorted / r : 1.0;
   return {p("fx") * scale * ray[0] + p("cx"), p("fy") * scale * ray[1] + p("cy")};
 }
-
-double distance(const Pixel& a, const Pixel& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
 class OracleTables {
  public:
@@ -86,22 +63,9 @@ class OracleTables {
   Counts compare(const OracleTable& table) {
     SCOPED_TRACE(table.file);
     Counts counts;
-    const std::string bytes = read_file(shared_dir() / "corpus" / table.file);
-    const Calibration calibration = calibration_of(bytes);
-    if (calibration.rig.cameras.size() <= table.camera) {
-      ADD_FAILURE() << "our reader finds " << calibration.rig.cameras.size() << " cameras";
-      return counts;
-    }
-    const CameraModel& model = calibration.rig.cameras[table.camera].model;
-    consumers::ConsumerView view = consumer_.load(bytes, {"mono"});
-    if (view.cameras.size() <= table.camera) view = consumer_.load(bytes, {"stereo"});
-    if (view.cameras.size() <= table.camera) {
-      // A chain Kalibr's own reader stops at, whose cameras the oracle loaded one by one: MANIFEST.tsv.
-      EXPECT_NE(table.file.find("4seasons"), std::string::npos);
-      view = consumer_.load(bytes.substr(0, bytes.find("T_cam1_cam0")), {"mono"});
-    }
-    const consumers::ConsumerCamera& theirs = view.cameras.at(table.camera);
-    for (const OracleRow& row : table.rows) compare_row(row, model, theirs, counts);
+    const std::optional<OracleCamera> camera = oracle_camera(consumer_, table);
+    if (!camera) return counts;
+    for (const OracleRow& row : table.rows) compare_row(row, camera->ours, camera->theirs, counts);
     EXPECT_GE(counts.compared + counts.misread, 15) << "too few rows compared";
     return counts;
   }
@@ -137,8 +101,7 @@ class OracleTables {
     }
     ++counts.compared;
     if (row.ray[2] <= 0.0) ++counts.behind;
-    const double tolerance =
-        id_ == "kalibr" ? 1e-9 : 2e-4 * std::max({1.0, std::abs(row.pixel[0]) / 1000.0, std::abs(row.pixel[1]) / 1000.0});
+    const double tolerance = oracle_tolerance(consumer_, row.pixel);
     const Pixel scaled = {(*ours)[0] * theirs.scale[0], (*ours)[1] * theirs.scale[1]};
     const double difference = distance(scaled, row.pixel);
     EXPECT_LE(difference, tolerance) << "at " << row.pixel[0] << " " << row.pixel[1];
@@ -150,17 +113,15 @@ class OracleTables {
   int total_ = 0;
 };
 
-bool has_oracles() { return fs::exists(shared_dir() / "oracles" / "kalibr"); }
-
 TEST(ModelOracle, Kalibr) {
-  if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  if (!has_shared()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   OracleTables tables("kalibr");
   tables.compare_all(10);
   EXPECT_GE(tables.total(), 400);
 }
 
 TEST(ModelOracle, OrbSlam3) {
-  if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  if (!has_shared()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   OracleTables tables("orbslam3");
   tables.compare_all(12);
   EXPECT_GE(tables.total(), 400);

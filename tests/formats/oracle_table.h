@@ -9,14 +9,15 @@
 namespace fca::test {
 
 struct OracleRow {
-  Ray ray;
-  Pixel pixel;  ///< nan: the program calls the ray invalid.
+  Ray ray;      ///< Of "unproject" rows, nan: the program calls the pixel invalid.
+  Pixel pixel;  ///< Of "project" rows, nan: the program calls the ray invalid.
 };
 
 struct OracleTable {
   std::string file;  ///< Below corpus/.
   std::size_t camera = 0;
-  std::vector<OracleRow> rows;  ///< Those of "project".
+  std::vector<OracleRow> rows;         ///< Those of "project".
+  std::vector<OracleRow> unprojected;  ///< Those of "unproject".
 };
 
 inline OracleTable read_oracle_table(const fs::path& path) {
@@ -29,6 +30,9 @@ inline OracleTable read_oracle_table(const fs::path& path) {
     } else if (line.starts_with("project\t")) {
       table.rows.push_back({{std::stod(fields.at(1)), std::stod(fields.at(2)), std::stod(fields.at(3))},
                             {std::stod(fields.at(4)), std::stod(fields.at(5))}});
+    } else if (line.starts_with("unproject\t")) {
+      table.unprojected.push_back({{std::stod(fields.at(3)), std::stod(fields.at(4)), std::stod(fields.at(5))},
+                                   {std::stod(fields.at(1)), std::stod(fields.at(2))}});
     }
   }
   return table;

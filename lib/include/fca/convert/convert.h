@@ -18,10 +18,11 @@ struct ConvertOptions {
   std::string model;                    ///< Id or alias of the target model.
   std::optional<double> max_angle_rad;  ///< What counts as lens, from the axis; default: the whole image.
   std::vector<ParameterRange> ranges;   ///< Of the target's parameters.
-  bool every_pixel = false;             ///< The report counts each pixel instead of a lattice.
-  bool bound = true;                    ///< The report proves ErrorSummary::bound.
-  bool reach = false;                   ///< The report holds the table of reach.h, at the price of one more fit per row.
-  int samples = 200;                    ///< To begin with; more where the target turns out to be worse between them.
+  Objective objective = Objective::kRms;
+  bool every_pixel = false;  ///< The report counts each pixel instead of a lattice.
+  bool bound = true;         ///< The report proves ErrorSummary::bound.
+  bool reach = false;        ///< The report holds the table of reach.h, at the price of one more fit per row.
+  int samples = 200;         ///< To begin with; more where the target turns out to be worse between them.
 };
 
 /// A converted camera (everything but the model is the source's) and how good it is.
@@ -30,10 +31,12 @@ struct Conversion {
   ConversionReport report;
 };
 
-/// Converts `camera` to another model at the least-squares optimum in pixels over its domain. The same model, and a model that
-/// contains the source (ucm -> eucm, pinhole -> radtan, ...), are exact. Where the target cannot reach the whole domain (radtan
-/// from a wide lens), it is fitted to the largest cone around the axis on which it stays under 1 px rms and does not fold, with
-/// a warning. Errors: unknown model, no image size, parameters that are no camera, a domain without pixels.
+/// Converts `camera` to another model at the least-squares optimum in pixels over its domain, or, with Objective::kMax, at the
+/// camera near it whose largest error is smallest; that one reaches every ray which the least-squares fit reaches. The same
+/// model, and a model that contains the source (ucm -> eucm, pinhole -> radtan, ...), are exact. Where the target cannot reach
+/// the whole domain (radtan from a wide lens), it is fitted to the largest cone around the axis on which it stays under 1 px
+/// rms and does not fold, with a warning. Errors: unknown model, no image size, parameters that are no camera, a domain without
+/// pixels.
 [[nodiscard]] std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics);
 
 /// Whether the model's parameters lie within the ranges.

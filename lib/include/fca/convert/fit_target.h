@@ -33,6 +33,15 @@ concept HasTerms = requires(const double* in, const std::array<double, 2>& point
   { M::from_terms(in, double{}, point, out) } -> std::same_as<void>;
 };
 
+/// One that is linear once fy / fx and its shape are given (model_traits.h).
+template <class M>
+concept HasShapedTerms = requires(const double* in, const std::array<double, 2>& point, double* out) {
+  { M::kTerms } -> std::convertible_to<std::size_t>;
+  {std::span<const double>(M::kShapes)};
+  { M::terms(double{}, in, out, out) } -> std::same_as<bool>;
+  { M::from_terms(double{}, in, double{}, point, out) } -> std::same_as<void>;
+};
+
 /// As many as any model may have.
 inline constexpr std::size_t kMostParameters = 14;
 inline constexpr std::size_t kMostTerms = 6;
@@ -93,10 +102,13 @@ class FitTarget {
   /// False where a sample has no pixel.
   virtual bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const = 0;
 
-  /// How many terms the model is linear in once fy / fx is given; 0: it is not.
+  /// How many terms the model is linear in once fy / fx and its shape, if it has one, are given; 0: it is not.
   [[nodiscard]] virtual std::size_t terms() const = 0;
-  virtual bool terms(const double* ray, double* along_u, double* along_v) const = 0;
-  virtual void from_terms(const double* c, double aspect, const std::array<double, 2>& point, double* p) const = 0;
+  /// Shapes to begin with; none: the model has no shape, and any number will do below.
+  [[nodiscard]] virtual std::span<const double> shapes() const = 0;
+  virtual bool terms(double shape, const double* ray, double* along_u, double* along_v) const = 0;
+  virtual void from_terms(double shape, const double* c, double aspect, const std::array<double, 2>& point,
+                          double* p) const = 0;
 };
 
 /// linearise() by central differences (Ceres' numeric differentiation): for a model outside the list without derivatives.
@@ -156,24 +168,37 @@ class FitTargetOf : public FitTarget {
   }
 
   [[nodiscard]] std::size_t terms() const override {
-    if constexpr (HasTerms<M>) {
+    if constexpr (HasTerms<M> || HasShapedTerms<M>) {
       static_assert(M::kTerms <= kMostTerms);
       return M::kTerms;
     } else {
       return 0;
     }
   }
-  bool terms([[maybe_unused]] const double* ray, [[maybe_unused]] double* along_u,
+  [[nodiscard]] std::span<const double> shapes() const override {
+    if constexpr (HasShapedTerms<M>) {
+      return M::kShapes;
+    } else {
+      return {};
+    }
+  }
+  bool terms([[maybe_unused]] double shape, [[maybe_unused]] const double* ray, [[maybe_unused]] double* along_u,
              [[maybe_unused]] double* along_v) const override {
-    if constexpr (HasTerms<M>) {
+    if constexpr (HasShapedTerms<M>) {
+      return M::terms(shape, ray, along_u, along_v);
+    } else if constexpr (HasTerms<M>) {
       return M::terms(ray, along_u, along_v);
     } else {
       return false;
     }
   }
-  void from_terms([[maybe_unused]] const double* c, [[maybe_unused]] double aspect,
+  void from_terms([[maybe_unused]] double shape, [[maybe_unused]] const double* c, [[maybe_unused]] double aspect,
                   [[maybe_unused]] const std::array<double, 2>& point, [[maybe_unused]] double* p) const override {
-    if constexpr (HasTerms<M>) M::from_terms(c, aspect, point, p);
+    if constexpr (HasShapedTerms<M>) {
+      M::from_terms(shape, c, aspect, point, p);
+    } else if constexpr (HasTerms<M>) {
+      M::from_terms(c, aspect, point, p);
+    }
   }
 };
 

@@ -5,7 +5,9 @@
 #include <fca/models/camera_model.h>
 
 #include <array>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,19 @@ struct FitSummary {
   double time_us = 0.0;
 };
 
+/// What a fit makes small.
+enum class Objective : std::uint8_t {
+  kRms,  ///< The root mean square of the errors over the domain.
+  kMax,  ///< The largest error of the domain.
+};
+
+/// The least-squares fit from which the search for a smaller largest error set out: what that cost in rms, and what it gained.
+struct RmsFit {
+  double rms_px = 0.0;
+  double max_px = 0.0;
+  bool kept = false;  ///< No camera with a smaller largest error was found beside it.
+};
+
 /// What a conversion would reach if the lens ended at that angle from the axis.
 struct ReachRow {
   double max_angle_deg = 0.0;
@@ -78,6 +93,8 @@ struct ConversionReport {
   bool exact = false;  ///< The target contains the source: same pixels by construction, no fit.
   Judgement judgement;
   FitSummary fit;
+  Objective objective = Objective::kRms;
+  std::optional<RmsFit> rms_fit;      ///< Of a fit for the largest error.
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
   std::vector<ReachRow> reach;  ///< Only if asked for, and where the lens's angle matters and nothing states it (reach.h).
 };

@@ -79,30 +79,29 @@ struct Fov : internal::FocalLengthsFirst {
 
   static double max_angle(const double* /*p*/) { return std::numbers::pi; }
 
-  /// w by a scan, for one parameter costs little. Far from any fov lens the residual has several minima: a scan for each third.
+  /// Given w, one term. Far from any fov lens the residual has several minima along w.
+  static constexpr std::array kShapes = {0.1, 0.3, 0.5, 0.7, 0.9, 1.1,  1.3,  1.5,  1.7,
+                                         1.9, 2.1, 2.3, 2.5, 2.7, 2.85, 2.95, 3.05, 3.12};
+  static constexpr std::size_t kTerms = 1;
+  static bool terms(double w, const double* ray, double* along_u, double* along_v) {
+    const double r = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1]);
+    if (!valid(w) || !(r > 0.0 || ray[2] > 0.0)) return false;
+    const double slope = 2.0 * std::tan(0.5 * w);
+    const double scale = (r > 0.0 ? std::atan2(slope * r, ray[2]) / r : slope / ray[2]) / w;
+    along_u[0] = scale * ray[0];
+    along_v[0] = scale * ray[1];
+    return true;
+  }
+  static void from_terms(double w, const double* c, double aspect, const std::array<double, 2>& point, double* p) {
+    begin({{c[0], aspect * c[0]}, point}, p);
+    p[4] = w;
+  }
+
   static constexpr int kStarts = 3;
-  static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {
-    double best = std::numeric_limits<double>::infinity();
-    std::array<double, kParameters.size()> candidate{};
-    const double middle = 0.5 + start;
-    begin(centre, p, 1.0 / central_factor(middle));
-    p[4] = middle;
-    constexpr double kStep = 0.125;
-    for (double w = start + kStep; w <= start + 1.0; w += kStep) {
-      begin(centre, candidate.data(), 1.0 / central_factor(w));
-      candidate.back() = w;
-      double cost = 0.0;
-      for (const Correspondence& s : samples) {
-        double pixel[2];
-        if (project(candidate.data(), s.ray.data(), pixel)) {
-          cost += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
-        }
-      }
-      if (cost < best) {
-        best = cost;
-        std::ranges::copy(candidate, p);
-      }
-    }
+  static void initialise(std::span<const Correspondence> /*samples*/, const LensCentre& centre, int start, double* p) {
+    const double w = 0.5 + start;
+    begin(centre, p, 1.0 / central_factor(w));
+    p[4] = w;
   }
 
   static std::array<double, 2> central_focal_lengths(const double* p) {

@@ -101,6 +101,28 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
     return std::min(sphere, std::atan2(factor * r, factor - xi));
   }
 
+  /// Given xi, all of radtan's terms, on its plane.
+  static constexpr std::array kShapes = {0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4,  0.5,  0.65, 0.8,   1.0,
+                                         1.2, 1.5,  1.9,  2.4, 3.2,  4.5, 7.0, 12.0, 25.0, 60.0, 200.0, 1000.0};
+  static constexpr std::size_t kTerms = 5;
+  static bool terms(double xi, const double* ray, double* along_u, double* along_v) {
+    const double denominator = internal::unified_sum(xi, 1.0, 1.0, ray[2], ray[0] * ray[0] + ray[1] * ray[1]);
+    if (!(denominator > 0.0)) return false;
+    const double x = ray[0] / denominator;
+    const double y = ray[1] / denominator;
+    const double r2 = x * x + y * y;
+    const std::array<double, kTerms> u = {x, x * r2, x * r2 * r2, 2.0 * x * y, r2 + 2.0 * x * x};
+    const std::array<double, kTerms> v = {y, y * r2, y * r2 * r2, r2 + 2.0 * y * y, 2.0 * x * y};
+    std::ranges::copy(u, along_u);
+    std::ranges::copy(v, along_v);
+    return true;
+  }
+  static void from_terms(double xi, const double* c, double aspect, const std::array<double, 2>& point, double* p) {
+    begin({{c[0], aspect * c[0]}, point}, p);
+    p[4] = xi;
+    for (std::size_t i = 1; i < kTerms; ++i) p[4 + i] = c[i] / c[0];
+  }
+
   /// Given xi the distortion is linear, as in radtan.h; f on the plane is the central one times 1 + xi. xi has several basins.
   static constexpr std::array kStartXi = {1.0, 0.3, 2.0, 4.0};
   static constexpr int kStarts = static_cast<int>(kStartXi.size());

@@ -76,6 +76,9 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              (optional) for a model that is linear in all else once fy / fx is given:
 ///                              u = cx + c . along_u,  v = cy + aspect c . along_v; false where a ray has no pixel. Such a
 ///                              model is fitted without a start.
+///   kShapes, terms(shape, ray, along_u, along_v), from_terms(shape, coefficients, aspect, point, p)
+///                              (optional) the same for a model that is linear in all else once fy / fx and one parameter,
+///                              its shape, are given. kShapes: values to begin a search with, ascending.
 ///   kFolded                    (optional) the index of a parameter along which a fit has two bottoms with nearly the same
 ///                              pixels.
 ///   kBendsBack                 (optional) the name of a coefficient that may bend the radius back before the edge of a wide

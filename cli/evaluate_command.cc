@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluate_command.h"
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+ExitCode run_evaluation(const EvaluateArguments& arguments, Console& console) {
+  Diagnostics diagnostics;
+  const std::optional<Evaluation> evaluation = evaluate(diagnostics);
+  // The cameras are ours, not the user's.
+  if (!evaluation) return console.refuse(ExitCode::kBug, diagnostics);
+  console.show(diagnostics);
+  if (arguments.json) {
+    console.out(evaluate_json(*evaluation));
+  } else {
+    console.say(evaluate_text(*evaluation));
+  }
+  return ExitCode::kGood;
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, EvaluateArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  CLI::App& command = *app.add_subcommand(
+      "evaluate", "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and judged on every pixel");
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer(
+      "Reads no file: the cameras are the paper's. Its figures stand beside ours, and why they differ. PSNR and SSIM are left\n"
+      "out, as they need the paper's images.\n\n"
+      "Example:\n"
+      "  fca-io evaluate\n"
+      "  fca-io evaluate --json > tables.json\n");
+  command.callback([&] { run = [&arguments](Console& console) { return run_evaluation(arguments, console); }; });
+}
+
+}  // namespace fca::cli

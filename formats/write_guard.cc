@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write_guard.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+#include <fca/rig/limits.h>
+
+#include <cmath>
+#include <set>
+
+namespace fca {
+
+namespace {
+
+using text::Node;
+
+/// The names of the numbers that are not finite: "Camera.bf". A word in quotes is no number.
+void collect_not_finite(const Node& node, const std::string& name, std::multiset<std::string>& names) {
+  if (node.is_scalar() && !node.quoted) {
+    const std::optional<double> value = text::parse_real(node.value);
+    if (value && !std::isfinite(*value)) names.insert(name);
+  }
+  for (const Node& item : node.items) collect_not_finite(item, name, names);
+  for (const text::Entry& entry : node.entries) collect_not_finite(entry.value, entry.key.value, names);
+}
+
+std::multiset<std::string> not_finite(const text::Document& document) {
+  std::multiset<std::string> names;
+  Diagnostics ignored;
+  const std::optional<text::Document> after =
+      document.edited() ? text::parse_document({document.source().name, document.bytes()}, ignored) : document;
+  if (after) collect_not_finite(after->root(), "", names);
+  return names;
+}
+
+}  // namespace
+
+bool may_be_written(const Rig& rig, Diagnostics& diagnostics) {
+  const std::vector<std::string> problems = validate(rig);
+  for (const std::string& problem : problems) diagnostics.error("out-of-range", problem);
+  return problems.empty();
+}
+
+bool holds_finite_numbers(const Written& written, const text::Document* base, Diagnostics& diagnostics) {
+  const std::multiset<std::string> already = base != nullptr ? not_finite(*base) : std::multiset<std::string>();
+  for (const Written::File& file : written.files) {
+    const std::multiset<std::string> names = not_finite(file.document);
+    for (const std::string& name : names) {
+      if (names.count(name) <= already.count(name)) continue;
+      diagnostics.error("not-finite",
+                        (name.empty() ? "a number" : name) + " would not be a finite number in " + file.document.source().name);
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace fca

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The last line of defence of every writer, whatever it writes: no number that is not finite leaves the program.
+#pragma once
+
+#include <fca/formats/format.h>
+
+namespace fca {
+
+/// False with errors if the rig states what no file may (rig/limits.h).
+[[nodiscard]] bool may_be_written(const Rig& rig, Diagnostics& diagnostics);
+
+/// False with an error if a number in what was written is not finite, where the base (may be null) does not say it already.
+[[nodiscard]] bool holds_finite_numbers(const Written& written, const text::Document* base, Diagnostics& diagnostics);
+
+/// The row with both checks around its writer.
+template <const Format& kFormat>
+Format guarded() {
+  Format format = kFormat;
+  format.write = [](const text::Document* base, const Rig& rig, const WriteOptions& options,
+                    Diagnostics& diagnostics) -> std::optional<Written> {
+    if (!may_be_written(rig, diagnostics)) return std::nullopt;
+    std::optional<Written> written = kFormat.write(base, rig, options, diagnostics);
+    if (written && !holds_finite_numbers(*written, base, diagnostics)) return std::nullopt;
+    return written;
+  };
+  return format;
+}
+
+}  // namespace fca

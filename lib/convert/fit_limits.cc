@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fit_limits.h"
+
+#include <algorithm>
+
+namespace fca::internal {
+
+FitLimits::FitLimits(const FitTarget& target, std::span<const ParameterRange> ranges) {
+  for (std::size_t i = 0; i < target.parameters().size(); ++i) {
+    const Parameter& p = target.parameters()[i];
+    // An open end of a model's range is not a camera, but what lies next to it may be the best one: eucm with beta -> 0 is
+    // how a pinhole looks where alpha must be above 0.5.
+    constexpr double kHair = 1e-6;
+    lower[i] = p.lower + (p.open ? kHair : 0.0);
+    upper[i] = p.upper - (p.open ? kHair : 0.0);
+    held[i] = target.held(i);
+    for (const ParameterRange& range : ranges) {
+      if (range.parameter != p.name) continue;
+      held[i] = false;
+      lower[i] = std::max(lower[i], range.lower);
+      upper[i] = std::min(upper[i], range.upper);
+    }
+  }
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "smooth_maximum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+namespace fca::internal {
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// (1/m) log sum exp(m s_k / scale); infinite where a point has no error.
+class SmoothMaximum {
+ public:
+  SmoothMaximum(PointErrors& errors, double sharpness) : errors_(errors), sharpness_(sharpness), squares_(errors.size()) {}
+
+  [[nodiscard]] double at(std::span<const double> values) {
+    if (!errors_.squares(values, squares_)) return std::numeric_limits<double>::infinity();
+    largest_ = *std::ranges::max_element(squares_);
+    if (!(scale_ > 0.0)) scale_ = largest_;
+    double sum = 0.0;
+    for (const double square : squares_) sum += std::exp(sharpness_ * (square - largest_) / scale_);
+    sum_ = sum;
+    return largest_ / scale_ + std::log(sum) / sharpness_;
+  }
+
+  /// How much each point has to say there where at() was asked last; those that have nothing to say are left out.
+  [[nodiscard]] std::vector<WeightedPoint> weights() const {
+    constexpr double kNothing = 1e-9;
+    std::vector<WeightedPoint> result;
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      const double weight = std::exp(sharpness_ * (squares_[i] - largest_) / scale_) / sum_;
+      if (weight > kNothing) result.push_back({i, weight});
+    }
+    return result;
+  }
+
+  /// In px^2: what counts as 1. The largest square where at() was asked first.
+  [[nodiscard]] double scale() const { return scale_; }
+
+ private:
+  PointErrors& errors_;
+  double sharpness_;
+  std::vector<double> squares_;
+  double scale_ = 0.0;
+  double largest_ = 0.0;
+  double sum_ = 0.0;
+};
+
+Eigen::Map<const Vector> mapped(const Column& column, std::size_t rows) {
+  return {column.data, static_cast<Eigen::Index>(rows)};
+}
+
+/// The triangular matrix of a QR decomposition.
+Matrix triangle_of(const Matrix& system) {
+  const Eigen::Index height = std::min(system.rows(), system.cols());
+  return Eigen::HouseholderQR<Matrix>(system).matrixQR().topRows(height).triangularView<Eigen::Upper>();
+}
+
+/// The smooth maximum near some parameters, as a least-squares problem |A d - b|^2 / 2 whose gradient and Hessian are its own:
+/// with w_k the points' weights, H = sum 2 w_k J_k'J_k + m sum w_k (g_k - g)(g_k - g)', g_k = 2 J_k'e_k, g their weighted mean.
+/// A in triangular form: the condition of J'J would be that of J squared.
+struct Quadratic {
+  Matrix triangle;
+  Vector right;
+  Vector gradient;
+};
+
+Quadratic expand(const LinearErrors& linear, std::span<const WeightedPoint> points, std::span<const std::size_t> columns,
+                 double sharpness, double scale) {
+  const auto n = static_cast<Eigen::Index>(points.size());
+  const auto count = static_cast<Eigen::Index>(columns.size());
+  const std::size_t rows = 2 * points.size();
+  Matrix system(3 * n, count + 1);  // the last column is the right side
+  auto residuals = system.col(count);
+  residuals.head(2 * n) = mapped(linear.residuals, rows) / -std::sqrt(scale);
+  residuals.tail(n).setZero();
+  Vector roots(n);
+  for (Eigen::Index k = 0; k < n; ++k) roots[k] = std::sqrt(points[static_cast<std::size_t>(k)].weight);
+  Quadratic result;
+  result.gradient.resize(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    auto column = system.col(i);
+    column.head(2 * n) = mapped(linear.columns[columns[static_cast<std::size_t>(i)]], rows) / std::sqrt(scale);
+    // w_k g_k, of which the mean is g.
+    auto spread = column.tail(n);
+    spread =
+        -2.0 * (column.head(n).cwiseProduct(residuals.head(n)) + column.segment(n, n).cwiseProduct(residuals.segment(n, n)));
+    result.gradient[i] = spread.sum();
+    spread = std::sqrt(sharpness) * (spread.cwiseQuotient(roots) - result.gradient[i] * roots);
+  }
+  system.topRows(2 * n) *= std::sqrt(2.0);
+  const Matrix upper = triangle_of(system);
+  result.triangle = upper.leftCols(count);
+  result.right = upper.col(count);
+  return result;
+}
+
+/// The damped Newton step. Damping holds back each parameter by its effect on all points: those that have nothing to say now
+/// would, if a parameter that moves only them ran away.
+Vector damped_step(const Quadratic& quadratic, const Vector& effects, double damping) {
+  const Eigen::Index height = quadratic.triangle.rows();
+  const Eigen::Index count = quadratic.triangle.cols();
+  Matrix system(height + count, count);
+  system.topRows(height) = quadratic.triangle;
+  system.bottomRows(count) = Vector(std::sqrt(damping) * effects).asDiagonal();
+  Vector right = Vector::Zero(system.rows());
+  right.head(height) = quadratic.right;
+  return Eigen::HouseholderQR<Matrix>(system).solve(right);
+}
+
+/// What the quadratic promises for a step.
+double promised(const Quadratic& quadratic, const Vector& step) {
+  return 0.5 * (quadratic.right.squaredNorm() - (quadratic.right - quadratic.triangle * step).squaredNorm());
+}
+
+/// One smooth maximum, minimised.
+class Descent {
+ public:
+  Descent(PointErrors& errors, std::span<const FreeParameter> free, double sharpness, std::span<double> values)
+      : errors_(errors), free_(free), sharpness_(sharpness), values_(values), maximum_(errors, sharpness) {}
+
+  /// Returns the number of steps.
+  int run() {
+    constexpr int kMostSteps = 100;
+    double value = maximum_.at(values_);
+    if (!(std::isfinite(value) && maximum_.scale() > 0.0)) return 0;
+    if (!measure()) return 0;
+    double damping = kFirstDamping;
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (!expand_here()) return step;
+      if (promised_without_damping() < kNobodySees / sharpness_ || !improve(damping, value)) return step;
+    }
+    return kMostSteps;
+  }
+
+ private:
+  static constexpr double kFirstDamping = 1e-3;
+  static constexpr double kNobodySees = 1e-3;  ///< Of the smooth maximum's distance from the maximum.
+
+  /// How far each parameter moves the points, in root mean square.
+  bool measure() {
+    std::vector<WeightedPoint> all(errors_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = {i, 1.0 / static_cast<double>(all.size())};
+    LinearErrors linear;
+    if (!errors_.linearise(values_, all, linear)) return false;
+    effects_.resize(static_cast<Eigen::Index>(free_.size()));
+    for (std::size_t i = 0; i < free_.size(); ++i) {
+      const double effect = mapped(linear.columns[i], 2 * all.size()).norm() / std::sqrt(maximum_.scale());
+      effects_[static_cast<Eigen::Index>(i)] = effect > 0.0 ? effect : 1.0;
+    }
+    return true;
+  }
+
+  /// The quadratic in the parameters that a step downhill would not push through a bound on which they lie.
+  bool expand_here() {
+    const std::vector<WeightedPoint> points = maximum_.weights();
+    LinearErrors linear;
+    if (!errors_.linearise(values_, points, linear)) return false;
+    columns_.resize(free_.size());
+    for (std::size_t i = 0; i < columns_.size(); ++i) columns_[i] = i;
+    quadratic_ = expand(linear, points, columns_, sharpness_, maximum_.scale());
+    const Vector gradient = quadratic_.gradient;
+    const std::size_t held = std::erase_if(columns_, [&](std::size_t i) {
+      const double value = values_[free_[i].index];
+      const double slope = gradient[static_cast<Eigen::Index>(i)];
+      return (value <= free_[i].lower && slope > 0.0) || (value >= free_[i].upper && slope < 0.0);
+    });
+    if (held > 0) quadratic_ = expand(linear, points, columns_, sharpness_, maximum_.scale());
+    return !columns_.empty();
+  }
+
+  [[nodiscard]] double promised_without_damping() const { return 0.5 * quadratic_.right.head(count()).squaredNorm(); }
+  [[nodiscard]] Eigen::Index count() const {
+    return std::min(quadratic_.right.size(), static_cast<Eigen::Index>(columns_.size()));
+  }
+
+  /// Goes down by one step, the damping raised until one leads down. False if none does.
+  bool improve(double& damping, double& value) {
+    constexpr double kMostDamping = 1e12;
+    constexpr double kLess = 0.1;
+    constexpr double kMore = 8.0;
+    constexpr double kGood = 0.5;
+    Vector effects(static_cast<Eigen::Index>(columns_.size()));
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      effects[static_cast<Eigen::Index>(k)] = effects_[static_cast<Eigen::Index>(columns_[k])];
+    const std::vector<double> before(values_.begin(), values_.end());
+    for (; damping < kMostDamping; damping *= kMore) {
+      const Vector step = damped_step(quadratic_, effects, damping);
+      for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const FreeParameter& p = free_[columns_[k]];
+        values_[p.index] = std::clamp(before[p.index] + step[static_cast<Eigen::Index>(k)], p.lower, p.upper);
+      }
+      const double next = maximum_.at(values_);
+      if (!(next < value)) continue;
+      if (value - next > kGood * promised(quadratic_, step)) damping *= kLess;
+      value = next;
+      return true;
+    }
+    std::ranges::copy(before, values_.begin());
+    return false;
+  }
+
+  PointErrors& errors_;
+  std::span<const FreeParameter> free_;
+  double sharpness_;
+  std::span<double> values_;
+  SmoothMaximum maximum_;
+  std::vector<std::size_t> columns_;  ///< Of the parameters that may move.
+  Quadratic quadratic_;
+  Vector effects_;
+};
+
+}  // namespace
+
+int minimise_maximum(PointErrors& errors, std::span<const FreeParameter> free, double first_sharpness,
+                     std::span<double> values) {
+  constexpr double kSharpest = 32768.0;
+  constexpr double kSharper = 4.0;
+  int steps = 0;
+  for (double sharpness = first_sharpness; sharpness <= kSharpest; sharpness *= kSharper)
+    steps += Descent(errors, free, sharpness, values).run();
+  return steps;
+}
+
+}  // namespace fca::internal

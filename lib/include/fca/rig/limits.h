@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the facts of a rig may be, as problem_with() of camera_model.h says it of parameters. Beyond these limits a number is a
+// slip of the pen or has another unit, and what follows from it (an inverse pose, baseline times focal length) overflows.
+// Readers ask at the number's place, the command of its options, writers of the whole rig.
+#pragma once
+
+#include <fca/rig/rig.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+inline constexpr double kLongestDistance = 1e6;    ///< m: no two parts of a rig are farther apart.
+inline constexpr double kLongestTimeOffset = 1e6;  ///< s: eleven days.
+
+/// What rotation_defect() may be. A rotation printed with a single digit is off by 0.05 in an element, thus by up to
+/// 2 sqrt(3) 0.05 = 0.17 in R^T R.
+inline constexpr double kCoarsestRotation = 0.2;
+/// What an element of such a rotation may be at most: sqrt(1 + 0.2), rounded up.
+inline constexpr double kLargestRotationElement = 1.1;
+
+/// What is wrong with an element of a translation [m]; nothing if it may be.
+[[nodiscard]] std::optional<std::string> problem_with_translation(double metres);
+/// The same of a baseline, which is positive besides.
+[[nodiscard]] std::optional<std::string> problem_with_baseline(double metres);
+[[nodiscard]] std::optional<std::string> problem_with_time_offset(double seconds);
+/// The same of the 3 x 3 part of a pose.
+[[nodiscard]] std::optional<std::string> problem_with_rotation(const Transform& T_a_b);
+
+/// Everything that must not be written: facts beyond these limits and numbers that are not finite, with what they belong to.
+[[nodiscard]] std::vector<std::string> validate(const Rig& rig);
+
+}  // namespace fca
