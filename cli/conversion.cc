@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversion.h"
 
+#include "assumptions.h"
 #include "into.h"
+#include "option_use.h"
 #include "output_name.h"
+#include "proving.h"
 #include "words.h"
 
 #include <fca/convert/reach.h>
@@ -33,6 +36,9 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
     }
     outcome.outputs.push_back({output_path(place, outcome.input, *outcome.to, outcome.written, i), file.document.bytes(),
                                file.cameras, file.programs});
+    if (const std::string problem = misnamed(outcome.outputs.back().path, file.document);
+        !problem.empty() && !arguments.in_place)
+      outcome.diagnostics.note("extension", problem);
   }
   // Cameras that no file holds are listed as lost; their fits are nobody's business.
   std::erase_if(outcome.cameras, [&outcome](const CameraOutcome& camera) {
@@ -45,9 +51,12 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
 /// A file without a camera was probably meant as a further part.
 void explain_no_camera(const ConvertArguments& arguments, const std::string& input, const Calibration& calibration,
                        Diagnostics& diagnostics) {
-  const std::string what = calibration.rig.imus.empty() ? "no camera" : "an IMU and no camera";
+  const bool imu = !calibration.rig.imus.empty();
+  const std::string what = imu ? "an IMU and no camera" : calibration.rig.poses.empty() ? "no camera" : "a pose and no camera";
+  const std::string main_file = calibration.format->id == "opencv" ? "intrinsics.yml" : "camchain.yaml";
+  const std::string target = arguments.into.empty() ? " --to " + arguments.to : " --into " + arguments.into;
   diagnostics.error("no-camera", input + " holds " + what, {input, 0, 0},
-                    "did you mean: fca-io convert camchain.yaml --with " + input + " --to " + arguments.to);
+                    "did you mean: fca-io convert " + main_file + " --with " + input + target);
 }
 
 Rig converted_rig(const Calibration& calibration, const std::vector<CameraOutcome>& cameras,
@@ -59,62 +68,6 @@ Rig converted_rig(const Calibration& calibration, const std::vector<CameraOutcom
   }
   if (arguments.baseline_m) rig.baseline_m = arguments.baseline_m;
   return rig;
-}
-
-std::string disagreement(const ProofResult& proof) {
-  if (!proof.loads) return "it would refuse the file: " + enumerated(proof.refusals);
-  if (!proof.poses_agree) return "an element of its poses differs by " + text::format_short(proof.max_diff_pose, 3);
-  if (proof.compared_share == 0.0) return "it has no pixel where we have one";
-  return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
-}
-
-consumers::LoadOptions load_options(const Written& written, const ConvertArguments& arguments) {
-  consumers::LoadOptions options;
-  if (!written.sensor.empty()) options.sensor = written.sensor;
-  options.opencv_model = arguments.reading.opencv_model;
-  return options;
-}
-
-/// The program's first reason not to load the bytes; nothing if it loads them.
-std::optional<std::string> first_refusal(const std::string& bytes, const std::string& program,
-                                         const consumers::LoadOptions& options) {
-  const consumers::Consumer* consumer = consumers::find_consumer(program);
-  if (consumer == nullptr) return std::nullopt;
-  const consumers::ConsumerView view = consumer->load(bytes, options);
-  if (view.loads()) return std::nullopt;
-  return view.refusals.front();
-}
-
-/// Where the output is an edit of a file that the program refuses itself, that is the file's own defect: told, not held against
-/// us. `base`: null if the output is no edit.
-void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, const text::Document* base,
-            ConvertOutcome& outcome) {
-  for (const std::string& id : output.programs) {
-    const consumers::Consumer* consumer = consumers::find_consumer(id);
-    if (consumer == nullptr) continue;
-    ProofResult proof = prove(*consumer, output.bytes, load_options(outcome.written, arguments), rig, output.cameras);
-    const std::string program(consumer->program);
-    const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
-    const bool refused_before = base != nullptr && !arguments.into.empty() && !proof.loads &&
-                                first_refusal(base->source().bytes, id, load_options(outcome.written, arguments)) ==
-                                    std::optional(proof.refusals.front());
-    if (!proof.agrees() && unchanged) {
-      outcome.diagnostics.warning(
-          "program-refuses",
-          "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
-          "--anew writes it as " + program + " reads it");
-    } else if (refused_before) {
-      outcome.diagnostics.warning(
-          "program-refuses",
-          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(),
-          {}, "--anew writes it as " + program + " reads it");
-    } else if (!proof.agrees()) {
-      outcome.diagnostics.error("proof-failed",
-                                program + " would not understand what was to be written: " + disagreement(proof));
-      outcome.code = worse(outcome.code, ExitCode::kJudgedBad);
-    }
-    outcome.proofs.push_back(std::move(proof));
-  }
 }
 
 /// A model that does not suit the lens is the user's choice, but one to know of.
@@ -131,19 +84,6 @@ void warn_of_poor_fits(ConvertOutcome& outcome) {
             " px, worst pixel " + pixels(error.max) + " px",
         {}, "fca-io models " + outcome.input + " compares all models; --max-angle DEG if the corners are black");
   }
-}
-
-/// Why a program would not load what is written for it, and did load `base` (null: none); nothing if there is no such program.
-std::optional<std::string> newly_refused(const Written& written, const text::Document* base,
-                                         const ConvertArguments& arguments) {
-  const consumers::LoadOptions options = load_options(written, arguments);
-  for (const Written::File& file : written.files) {
-    for (const std::string& id : file.programs) {
-      const std::optional<std::string> now = first_refusal(file.document.bytes(), id, options);
-      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now;
-    }
-  }
-  return std::nullopt;
 }
 
 void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
@@ -184,10 +124,15 @@ struct Base {
   const Calibration* into = nullptr;
 };
 
-/// The model to write where none is asked for: into a fork's file the fork's own.
-std::string model_for(const ConvertArguments& arguments, const Base& base, const Format& to) {
+/// The model to write where none is asked for: into a fork's file the fork's own; into a line of DSO's the input's where the
+/// format stores it, else the line's.
+std::string model_for(const ConvertArguments& arguments, const Base& base, const Rig& source, const Format& to) {
   if (!arguments.model.empty() || base.into == nullptr || base.into->rig.cameras.empty()) return arguments.model;
   const std::string_view model = model_info(base.into->rig.cameras.front().model).id;
+  if (base.document->syntax() == text::Syntax::kWords) {
+    const std::string_view own = model_info(source.cameras.front().model).id;
+    return std::string(find_stored_model(to, own, false) != nullptr ? own : model);
+  }
   return find_stored_model(to, model, true) == nullptr ? std::string(model) : "";
 }
 
@@ -207,6 +152,7 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   WriteOptions options = write_options(arguments);
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
+  drop_byte_order_mark(*written, arguments, outcome.diagnostics);
   const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.
@@ -217,6 +163,16 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   outcome.diagnostics.note("layout-not-kept",
                            "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
   return write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
+}
+
+/// Lines of words (DSO's camera.txt) are no base for a YAML file, whatever the reason that it became one.
+bool keeps_syntax(const ConvertArguments& arguments, const Base& base, const Written& written, Diagnostics& diagnostics) {
+  if (base.into == nullptr || base.document->syntax() != text::Syntax::kWords) return true;
+  if (written.files.front().document.syntax() == text::Syntax::kWords) return true;
+  diagnostics.error("into-another-syntax",
+                    "what the input says does not fit into this text; it would become a file of another syntax",
+                    {arguments.into, 0, 0}, "--to " + std::string(base.into->format->id) + " -o OTHER.yaml writes that one");
+  return false;
 }
 
 bool contradicts(const ConvertArguments& arguments, const Calibration& calibration, ConvertOutcome& outcome) {
@@ -262,6 +218,11 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     if (!into) return false;
   }
   outcome.to = into ? into->format : find_format(arguments.to);
+  if (const std::optional<std::string> problem = option_without_use(arguments, *outcome.to)) {
+    outcome.diagnostics.error("option-without-use", *problem);
+    outcome.code = ExitCode::kUsage;
+    return false;
+  }
   const std::optional<Calibration> calibration = read_input(inputs, arguments.reading, console, outcome.diagnostics);
   if (!calibration) return false;
   outcome.from = calibration->format;
@@ -277,8 +238,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   } else if (calibration->format == outcome.to && inputs.size() == 1) {
     base.document = &calibration->documents.front();
   }
-  const ModelChoice choice = {model_for(arguments, base, *outcome.to), max_angle_rad(arguments.reading), arguments.every_pixel,
-                              arguments.objective == "max" ? Objective::kMax : Objective::kRms,
+  const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
+                              arguments.every_pixel, arguments.objective == "max" ? Objective::kMax : Objective::kRms,
                               calibration->format == outcome.to};
   std::optional<std::vector<CameraOutcome>> cameras =
       convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
@@ -292,12 +253,15 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   }
 
   std::optional<Written> written = write_rig(rig, base, arguments, outcome);
-  if (!written) return false;
+  if (!written || !keeps_syntax(arguments, base, *written, outcome.diagnostics)) return false;
+  list_assumed_units(*calibration, *outcome.to, *written);
   if (needs_folder(arguments, *written)) {
     outcome.diagnostics.error(
         "one-camera-per-file",
         std::string(outcome.to->title) + " holds one camera per file, and here are " + std::to_string(camera_files(*written)),
-        {}, "-o FOLDER/, a pattern such as -o '{stem}.{camera}.txt', or --camera to choose one");
+        {},
+        "-o FOLDER/, a pattern such as -o '{stem}.{camera}" + extension_of(written->files.front(), *outcome.to) +
+            "', or --camera to choose one");
     outcome.code = ExitCode::kUsage;
     return false;
   }

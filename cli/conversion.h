@@ -56,6 +56,8 @@ struct ConvertOutcome {
   Written written;
   std::vector<Output> outputs;
   std::vector<ProofResult> proofs;
+  std::vector<std::string> unproven;        ///< Outputs that no program was found to judge; "" is standard output.
+  std::vector<std::string> refused_before;  ///< Programs that refuse the file as they did before it was edited.
   Diagnostics diagnostics;
   ExitCode code = ExitCode::kGood;
 };

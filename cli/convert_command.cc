@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
 
+#include "option_use.h"
 #include "output_file.h"
 #include "output_name.h"
 #include "words.h"
@@ -21,12 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An option that is one format's own, as an error if another is written or that one does not know the value. `to`: null under
-/// --into.
-std::optional<std::string> not_among(const std::string& value, std::string_view option, std::string_view kind, const Format* to,
-                                     std::string_view owner, std::span<const std::string_view> Format::*values) {
+/// An option that is one format's own, as an error if that one does not know the value.
+std::optional<std::string> not_among(const std::string& value, std::string_view kind, std::string_view owner,
+                                     std::span<const std::string_view> Format::*values) {
   if (value.empty()) return std::nullopt;
-  if (to != nullptr && to->id != owner) return std::string(option) + " is for --to " + std::string(owner);
   const Format* format = find_format(owner);
   const std::span<const std::string_view> known = format != nullptr ? format->*values : std::span<const std::string_view>();
   if (std::ranges::find(known, value) != known.end()) return std::nullopt;
@@ -38,9 +37,13 @@ std::optional<std::string> not_among(const std::string& value, std::string_view 
 
 std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
+  if (arguments.in_place && arguments.into.empty()) {
+    const std::string& input = arguments.inputs.front();
+    return "--in-place is for --into BASE; to change the input itself: fca-io convert " + input + " --into " + input +
+           " --in-place";
+  }
   if (arguments.into.empty() && arguments.to.empty()) return "--to FORMAT is missing: " + format_names();
   if (!arguments.to.empty() && find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
-  if (arguments.in_place && arguments.into.empty()) return "--in-place is for --into BASE";
   if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
   if (!arguments.model.empty() && find_model(arguments.model) == nullptr) return unknown_model(arguments.model);
   if (arguments.objective != "rms" && arguments.objective != "max")
@@ -50,12 +53,12 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (arguments.baseline_m && problem_with_baseline(*arguments.baseline_m))
     return "--baseline wants a positive number of metres";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
-  const Format* to = find_format(arguments.to);
-  if (const auto error = not_among(arguments.sensor, "--sensor", "sensor mode", to, "orbslam3", &Format::modes)) return error;
-  if (const auto error = not_among(arguments.orbslam3_layout, "--orbslam3-layout", "layout", to, "orbslam3", &Format::layouts))
-    return error;
-  if (const auto error = not_among(arguments.opencv_layout, "--opencv-layout", "layout", to, "opencv", &Format::layouts))
-    return error;
+  if (const Format* to = find_format(arguments.to)) {
+    if (const auto error = option_without_use(arguments, *to)) return error;
+  }
+  if (const auto error = not_among(arguments.sensor, "sensor mode", "orbslam3", &Format::modes)) return error;
+  if (const auto error = not_among(arguments.orbslam3_layout, "layout", "orbslam3", &Format::layouts)) return error;
+  if (const auto error = not_among(arguments.opencv_layout, "layout", "opencv", &Format::layouts)) return error;
   const bool many = grouped(arguments.inputs, arguments.reading).size() > 1;
   if (many && !arguments.into.empty()) return "--into wants one input, or several that are one rig (--join)";
   const bool one_path =
@@ -91,9 +94,12 @@ void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, c
       console.out(output.bytes);
     }
   }
-  if (arguments.output.ends_with('/')) {
-    std::error_code error;  // what is wrong with the folder, writing into it will tell
-    fs::create_directories(arguments.output, error);
+  // A folder or a pattern names places that need not be there yet.
+  if (arguments.output.ends_with('/') || arguments.output.find('{') != std::string::npos) {
+    for (const OutputFile& file : files) {
+      std::error_code error;  // what is wrong with the folder, writing into it will tell
+      fs::create_directories(fs::path(file.path).parent_path(), error);
+    }
   }
   if (const std::optional<std::string> failure = write_files(files, arguments.force || arguments.in_place, arguments.fsync)) {
     outcome.diagnostics.error("cannot-write", *failure);
@@ -107,6 +113,8 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   for (const std::vector<std::string>& group : grouped(arguments.inputs, arguments.reading))
     outcomes.push_back(convert_inputs(group, arguments, console));
   for (ConvertOutcome& outcome : outcomes) outcome.one_of_many = outcomes.size() > 1;
+  if (const std::optional<std::string> error = opencv_model_without_use(arguments, outcomes))
+    return console.refuse(ExitCode::kUsage, *error);
   if (collide(outcomes, console)) return ExitCode::kUsage;
 
   ExitCode code = ExitCode::kGood;

@@ -121,14 +121,20 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
   return text;
 }
 
-std::string proofs_text(const std::vector<ProofResult>& proofs, const std::string& remedy) {
+std::string proofs_text(const ConvertOutcome& outcome) {
+  const std::string& remedy = outcome.written.misread_remedy;
   std::string text;
-  for (const ProofResult& proof : proofs) {
+  for (const std::string& path : outcome.unproven)
+    text += "proof: none: no program that fca-io knows reads " + (path.empty() ? "such keys" : path) + "\n";
+  for (const ProofResult& proof : outcome.proofs) {
     text += "proof: " + proof.program + " ";
     if (!proof.loads) {
-      text += "would refuse it: " + enumerated(proof.refusals) + "\n";
+      const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
+      text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") + enumerated(proof.refusals) + "\n";
     } else if (proof.all_misread) {
       text += "loads it and misreads it\n";
+    } else if (proof.agrees() && proof.compared_share == 0.0) {
+      text += "loads it; no pixels were compared, as nothing states the image's size (--size WxH)\n";
     } else {
       text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
@@ -157,8 +163,7 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
       text += kept ? domain_text(camera.report->judgement) : report_text(*camera.report, *outcome.to, camera.target.model);
     if (kept) text += "  error:  none: the same model and parameters\n";
   }
-  text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) +
-          proofs_text(outcome.proofs, outcome.written.misread_remedy);
+  text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome);
   if (outcome.code == ExitCode::kGood && written) {
     for (const ConvertOutcome::Output& output : outcome.outputs) {
       if (!output.path.empty()) text += "wrote " + output.path + "\n";

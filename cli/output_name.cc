@@ -32,6 +32,30 @@ std::string as_file_name(std::string name) {
   return name.empty() || name.starts_with('.') ? "_" + name : name;
 }
 
+/// What people expect behind a name.
+struct Extension {
+  std::string_view extension;
+  std::string_view syntax;
+};
+
+constexpr std::array kExtensions = {Extension{".yaml", "YAML"}, Extension{".yml", "YAML"}, Extension{".xml", "XML"},
+                                    Extension{".json", "JSON"}, Extension{".txt", "text"}};
+
+std::string_view name_of(text::Syntax syntax) {
+  switch (syntax) {
+    case text::Syntax::kXml:
+      return "XML";
+    case text::Syntax::kJson:
+      return "JSON";
+    case text::Syntax::kWords:
+      return "text";
+    case text::Syntax::kYaml:
+    case text::Syntax::kOpenCvYaml:
+      break;
+  }
+  return "YAML";
+}
+
 }  // namespace
 
 std::optional<std::string> unknown_placeholder(std::string_view pattern) {
@@ -63,8 +87,20 @@ std::string output_path(const std::string& output, const std::string& input, con
   const fs::path proposal = file.document.source().name;
   if (file.cameras.empty()) return (fs::path(output) / as_file_name(proposal.filename().string())).string();
   const std::string camera = camera_files(written) > 1 ? "." + as_file_name(joined(file.cameras)) : "";
-  const std::string extension = proposal.has_extension() ? proposal.extension().string() : std::string(format.extension);
-  return (fs::path(output) / (stem + camera + "." + std::string(format.id) + extension)).string();
+  return (fs::path(output) / (stem + camera + "." + std::string(format.id) + extension_of(file, format))).string();
+}
+
+std::string extension_of(const Written::File& file, const Format& format) {
+  const fs::path proposal = file.document.source().name;
+  return proposal.has_extension() ? proposal.extension().string() : std::string(format.extension);
+}
+
+std::string misnamed(const std::string& path, const text::Document& document) {
+  const std::string_view is = name_of(document.syntax());
+  const std::string extension = fs::path(path).extension().string();
+  const auto known = std::ranges::find(kExtensions, extension, &Extension::extension);
+  if (known == kExtensions.end() || known->syntax == is) return "";
+  return path + " holds " + std::string(is) + ", whatever its name says: its readers go by the content";
 }
 
 std::ptrdiff_t camera_files(const Written& written) {

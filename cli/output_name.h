@@ -19,6 +19,12 @@ namespace fca::cli {
 /// How many of the files hold cameras.
 [[nodiscard]] std::ptrdiff_t camera_files(const Written& written);
 
+/// The extension of a file that is to be written, with its point.
+[[nodiscard]] std::string extension_of(const Written::File& file, const Format& format);
+
+/// "x.xml is YAML": what a path's extension promises and the document is not; "" if it promises nothing else.
+[[nodiscard]] std::string misnamed(const std::string& path, const text::Document& document);
+
 /// The path of file number `index` of a conversion of `input`, from -o: a path, a folder or a pattern; empty: standard output.
 [[nodiscard]] std::string output_path(const std::string& output, const std::string& input, const Format& format,
                                       const Written& written, std::size_t index);

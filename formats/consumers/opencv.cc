@@ -420,6 +420,11 @@ ConsumerView load_opencv(std::string_view bytes, const LoadOptions& options) {
     view.refusals.push_back(std::move(obstacle));
     return view;
   }
+  // From memory it skips the mark, from a file its parsers meet it and throw (persistence_yml.cpp:824, OpenCV 4.6).
+  if (bytes.starts_with("\xEF\xBB\xBF")) {
+    view.refusals.emplace_back("the file begins with a byte order mark (BOM), which cv::FileStorage does not parse");
+    return view;
+  }
   try {
     const cv::FileStorage file(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (file.isOpened()) {

@@ -87,7 +87,25 @@ class ResultsReader {
       good = false;
     }
     camera.image_size = reader_.image_size(*blocks.size[1], *blocks.size[0], "image ");
-    return good && camera.image_size;
+    return good && camera.image_size && check_centre(blocks, camera);
+  }
+
+  /// A centre a whole image away from the image is no lens's: one of the two is not what it seems.
+  bool check_centre(const Blocks& blocks, const Camera& camera) {
+    const double row = *parameter(camera.model, "cy");
+    const double column = *parameter(camera.model, "cx");
+    const auto near = [](double at, int side) { return at > -1.0 * side && at < 2.0 * side; };
+    const ImageSize size = *camera.image_size;
+    const bool straight = near(row, size.height) && near(column, size.width);
+    const bool swapped = near(row, size.width) && near(column, size.height);
+    if (straight || swapped) return true;
+    const bool by_row = !near(row, size.height);
+    reader_.error(*blocks.centre[by_row ? 0 : 1], "centre-outside",
+                  "the centre is row " + blocks.centre[0]->value + ", column " + blocks.centre[1]->value +
+                      ", far outside an image of " + std::to_string(size.height) + " rows and " + std::to_string(size.width) +
+                      " columns",
+                  "the image size is its height and its width: is one of the two numbers cut short?");
+    return false;
   }
 
   /// Some exporters write column before row (MATLAB's DistortionCenter is so). On a square image nobody can tell.

@@ -78,6 +78,7 @@ class Editor {
       why = "its cameras are other ones";
       return false;
     }
+    renumbered_ = !same_cameras;
     after_.cameras.clear();
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const std::size_t like = places_[i] == kNew ? sibling_of(i) : places_[i];
@@ -128,7 +129,13 @@ class Editor {
     return std::move(document_);
   }
 
-  [[nodiscard]] const Layout& layout() const { return after_; }
+  /// Of the result.
+  [[nodiscard]] Layout layout() const {
+    Layout result = after_;
+    for (std::size_t i = 0; renumbered_ && i < result.cameras.size(); ++i)
+      result.cameras[i].map = "camera_" + std::to_string(i);
+    return result;
+  }
 
  private:
   /// Whole cameras come and go where each has a mapping that nothing else speaks of.
@@ -242,7 +249,8 @@ class Editor {
   const Base& base_;
   const Rig& rig_;
   std::vector<std::size_t> places_;
-  Layout after_;
+  Layout after_;             ///< The keys of the base under which the result's are found or made.
+  bool renumbered_ = false;  ///< Cameras come or go, and the others are counted anew.
   text::Document document_;
 };
 

@@ -312,8 +312,16 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   return target;
 }
 
-/// Has the pair two lens polynomials that V1.0 confuses and the parser before it does not?
-bool is_confused_pair(const Rig& rig) { return rig.cameras.size() > 1 && model_info(rig.cameras[1].model).id == "kb4"; }
+/// What to do about a pair whose second camera V1.0 misreads: Settings.cc, readCamera2, takes Camera2's k1..k4 of
+/// KannalaBrandt8 from Camera1; Settings.h, camera2DistortionCoef, gives cv::stereoRectify the first PinHole's coefficients
+/// twice. The parser before it reads both KannalaBrandt8 cameras rightly, and knows no second PinHole.
+std::string way_out_of_confusion(const Rig& rig) {
+  if (rig.cameras.size() < 2) return "";
+  if (model_info(rig.cameras[1].model).id == "kb4")
+    return "--orbslam3-layout old: V1.0 also reads the older style, and there both cameras rightly";
+  return "rectify the images first (cv::stereoRectify) and convert one camera of the rectified pair with --baseline METRES "
+         "--sensor stereo; or --model kb4 --orbslam3-layout old, where V1.0 reads both cameras rightly";
+}
 
 /// Of the values that no input states, those that the base does not already have.
 std::vector<fields::Field> new_fields(const std::vector<fields::Field>& fields, const Base& base) {
@@ -377,10 +385,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   // The first line people see: who reads the file, the mode, and what is missing for a richer one.
   written.headline = std::string(audience.headline) + ", " + std::string(target->sensor.id) + (next.empty() ? "" : "; " + next);
   written.sensor = target->sensor.id;
-  // Settings.cc, readCamera2 of V1.0 takes Camera2's k1..k4 from Camera1; the parser before it does not.
-  const bool second_misread = target->style == Style::kV1 && target->sensor.two_cameras && is_confused_pair(rig);
-  if (second_misread)
-    written.misread_remedy = "--orbslam3-layout old: V1.0 also reads the older style, and there both cameras rightly";
+  if (target->style == Style::kV1 && target->sensor.two_cameras) written.misread_remedy = way_out_of_confusion(rig);
   return written;
 }
 

@@ -34,6 +34,12 @@ constexpr std::array kLenses = {Lens{"EquiDistant", "kb4", kKannalaBrandt, 8},
                                 Lens{"ATAN", "fov", kOmega, 5},  // PTAM's name for it; DSO knows only the first
                                 Lens{"Pinhole", "pinhole", {}, 5}};
 
+/// The lens under whose name DSO reads a model: the first.
+const Lens* lens_of(std::string_view model) {
+  const auto found = std::ranges::find(kLenses, model, &Lens::model);
+  return found == kLenses.end() ? nullptr : &*found;
+}
+
 const Lens& lens_named(std::string_view name) { return *std::ranges::find(kLenses, name, &Lens::name); }
 
 bool is_number(const Node& word) { return text::parse_real(word.value).has_value(); }
@@ -109,6 +115,17 @@ void set_real(text::Document& document, const Node& word, double value) {
 }
 
 constexpr std::array<std::string_view, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
+
+double value_of(const Camera& camera, std::string_view name) { return parameter(camera.model, name).value_or(0.0); }
+
+/// Line 1 with the lens's name; `numbers`: fx fy cx cy as they are to stand there.
+std::string spelled(const Lens& lens, const Camera& camera, const std::array<double, 4>& numbers) {
+  std::string line(lens.name);
+  for (const double number : numbers) line += " " + text::format_real(number);
+  for (const std::string_view name : lens.coefficients) line += " " + text::format_real(value_of(camera, name));
+  for (std::size_t i = numbers.size() + lens.coefficients.size(); i < lens.numbers; ++i) line += " 0";
+  return line;
+}
 
 class CameraTxtReader {
  public:
@@ -255,13 +272,33 @@ std::optional<Rig> read_camera_txt(const text::Document& document, Diagnostics& 
   return CameraTxtReader(document, diagnostics).run();
 }
 
+std::string problem_with_camera_txt(const Rig& rig) {
+  if (rig.cameras.size() != 1) return "it holds one camera, and here are " + std::to_string(rig.cameras.size());
+  const Camera& camera = rig.cameras.front();
+  const std::string model(model_info(camera.model).id);
+  if (lens_of(model) == nullptr) return "DSO knows no model " + model + " (it reads pinhole, radtan, kb4 and fov)";
+  if (model == "radtan" && value_of(camera, "k3") != 0.0) return "DSO's RadTan has no k3";
+  if (!camera.image_size) return "it states the image's size, and the input has none";
+  if (value_of(camera, "cx") < 1.0 && value_of(camera, "cy") < 1.0)
+    return "DSO takes a centre below (1, 1) for shares of the image's size";
+  return "";
+}
+
+std::string fresh_camera_txt(const Camera& camera) {
+  std::array<double, 4> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = value_of(camera, kFocalAndCentre[i]);
+  const std::string size = std::to_string(camera.image_size->width) + " " + std::to_string(camera.image_size->height);
+  return spelled(*lens_of(model_info(camera.model).id), camera, numbers) + "\n" + size + "\ncrop\n" + size + "\n";
+}
+
 std::optional<text::Document> edited_camera_txt(const text::Document& base, const Camera& camera) {
   text::Document document = base;
   const std::vector<Node>& lines = document.root().items;
   const FirstLine first = first_line(lines.front());
-  if (first.lens == nullptr || first.lens->model != model_info(camera.model).id || !camera.image_size) return std::nullopt;
-  const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
-  if (first.lens->model == "radtan" && value("k3") != 0.0) return std::nullopt;
+  const std::string_view model = model_info(camera.model).id;
+  if (first.lens == nullptr || lens_of(model) == nullptr || !camera.image_size) return std::nullopt;
+  const auto value = [&camera](std::string_view name) { return value_of(camera, name); };
+  if (model == "radtan" && value("k3") != 0.0) return std::nullopt;
   std::array<double, 4> old{};
   for (std::size_t i = 0; i < old.size(); ++i) old[i] = text::parse_real(first.numbers[i]->value).value_or(0.0);
   const bool relative = is_relative(old);
@@ -280,9 +317,15 @@ std::optional<text::Document> edited_camera_txt(const text::Document& base, cons
     numbers[i] = same ? old[i] : relative ? to_relative(wanted, i, size) : wanted;
   }
   if (is_relative(numbers) != relative) return std::nullopt;
-  for (std::size_t i = 0; i < numbers.size(); ++i) set_real(document, *first.numbers[i], numbers[i]);
-  for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i)
-    set_real(document, *first.numbers[4 + i], value(first.lens->coefficients[i]));
+  if (first.lens->model == model) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) set_real(document, *first.numbers[i], numbers[i]);
+    for (std::size_t i = 0; i < first.lens->coefficients.size(); ++i)
+      set_real(document, *first.numbers[4 + i], value(first.lens->coefficients[i]));
+  } else {
+    const std::vector<Node>& words = lines.front().items;
+    const std::size_t start = words.front().span.offset;
+    document.replace({start, words.back().span.end() - start}, spelled(*lens_of(model), camera, numbers));
+  }
   // With "none" DSO demands that what goes in comes out.
   const bool passes_through =
       size != *old_size && lines.size() > 3 && lines[3].items.size() >= 2 && whole_line(document, lines[2]) == "none";

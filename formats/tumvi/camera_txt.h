@@ -19,8 +19,15 @@ namespace fca::tumvi {
 
 [[nodiscard]] std::optional<Rig> read_camera_txt(const text::Document& document, Diagnostics& diagnostics);
 
-/// The base with the camera's numbers in place of its own; nothing if it cannot say them (another model, a centre that DSO
-/// would take for a relative one).
+/// Why a camera.txt cannot say this rig (several cameras, another model, a centre that DSO would take for a relative one, no
+/// image size), for people; "" if one can.
+[[nodiscard]] std::string problem_with_camera_txt(const Rig& rig);
+
+/// The base with the camera's numbers in place of its own, and the lens's name where the model is another one; nothing if it
+/// cannot say them, in the form (pixels or shares) that it has.
 [[nodiscard]] std::optional<text::Document> edited_camera_txt(const text::Document& base, const Camera& camera);
+
+/// A fresh camera.txt of a camera that one can say: DSO crops to a rectified image of the camera's own size.
+[[nodiscard]] std::string fresh_camera_txt(const Camera& camera);
 
 }  // namespace fca::tumvi

@@ -7,6 +7,7 @@
 #include "../one_camera_files.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <array>
@@ -68,6 +69,38 @@ void remove_time_offsets(Rig& rig, const Rig* old, std::vector<Loss>& losses) {
   }
 }
 
+/// Is DSO's text asked for: by the name of the file to be written, or by the base where that name says nothing else?
+bool wants_camera_txt(const text::Document* base, const WriteOptions& options) {
+  if (options.extension == ".txt") return true;
+  return base != nullptr && is_camera_txt(*base) && options.extension != ".yaml" && options.extension != ".yml";
+}
+
+/// A camera.txt: the base with the camera's numbers, or a fresh one. Nothing, and `why` says why, if none can say the rig.
+std::optional<Written> write_camera_txt(const text::Document* base, const std::optional<Rig>& old, const Rig& rig,
+                                        std::string& why, Diagnostics& diagnostics) {
+  why = problem_with_camera_txt(rig);
+  const bool edits = old && is_camera_txt(*base);
+  // In shares of the image's size, the base can say another centre than in pixels.
+  if (!why.empty() && (!edits || rig.cameras.size() != 1)) return std::nullopt;
+  Written written;
+  std::optional<text::Document> document;
+  if (edits) {
+    document = edited_camera_txt(*base, rig.cameras.front());
+    if (!document && why.empty()) why = "its numbers are shares of the image's size, and these cannot be";
+  } else {
+    document = text::parse_document({"camera.txt", fresh_camera_txt(rig.cameras.front())}, diagnostics);
+    written.defaults.push_back({"rectification (line 3)", "crop", false});
+    written.defaults.push_back({"size of DSO's images (line 4)", "the camera's", false});
+  }
+  if (!document) return std::nullopt;
+  written.files.push_back({*std::move(document), {rig.cameras.front().name}, {"dso"}});
+  list_camera_losses(rig, "DSO", written.losses);
+  const std::vector<AsRead> there = edits ? old->as_read : std::vector<AsRead>();
+  add_not_carried(extras_beyond(rig.as_read, there), "a camera.txt has no place for it", written.losses);
+  written.headline = "a camera.txt for DSO";
+  return written;
+}
+
 }  // namespace
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
@@ -79,15 +112,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  if (old && is_camera_txt(*base) && rig_as_named.cameras.size() == 1) {
-    if (std::optional<text::Document> document = edited_camera_txt(*base, rig_as_named.cameras.front())) {
-      Written written;
-      written.files.push_back({*std::move(document), {rig_as_named.cameras.front().name}, {"dso"}});
-      list_camera_losses(rig_as_named, "DSO", written.losses);
-      add_not_carried(extras_beyond(rig_as_named.as_read, old->as_read), "a camera.txt has no place for it", written.losses);
-      written.headline = "a camera.txt for DSO";
-      return written;
-    }
+  if (wants_camera_txt(base, options)) {
+    std::string why;
+    if (std::optional<Written> written = write_camera_txt(base, old, rig_as_named, why, diagnostics)) return written;
+    diagnostics.note("not-a-camera-txt", "a camchain, not DSO's camera.txt: " + why);
   }
   const text::Document* chain = base != nullptr && !is_camera_txt(*base) ? base : nullptr;
   Rig rig = rig_as_named;

@@ -6,7 +6,9 @@
 #include <fca/formats/proof.h>
 #include <fca/formats/text/read_document.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <rapidjson/document.h>
 
@@ -250,6 +252,25 @@ TEST(Convert, AnImuAloneIsAnsweredWithTheCommandThatWasMeant) {
   const RunResult both = run_program({"convert", kTumvi, kImu, "--to", "orbslam3", "-o", "written/"});
   EXPECT_EQ(both.code, 2);
   EXPECT_TRUE(contains(both.err, "--with " + kImu)) << both.err;
+}
+
+TEST(Convert, APoseAloneIsAnsweredWithOpenCvsNames) {
+  const RunResult run = run_program({"convert", testdata("formats/opencv/good/extrinsics.yml"), "--to", "kalibr"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "holds a pose and no camera")) << run.err;
+  EXPECT_TRUE(contains(run.err, "fca-io convert intrinsics.yml --with ")) << run.err;
+}
+
+// No file of OpenCV's states the unit of T.
+TEST(Convert, TheUnitOfOpenCvsPoseIsAnAssumption) {
+  const std::string pair = testdata("formats/opencv/good/k1d1.yml");
+  for (const char* to : {"kalibr", "opencv"}) {
+    const Json json = json_of(run_program({"convert", pair, "--size", "640x400", "--to", to, "--max-angle", "40", "--json"}));
+    const bool listed = std::ranges::any_of(json["defaults"].GetArray(), [](const Value& value) {
+      return std::string_view(value["key"].GetString()) == "translation unit" && value["look_at_it"].GetBool();
+    });
+    EXPECT_EQ(listed, std::string_view(to) == "kalibr");
+  }
 }
 
 TEST(Convert, MaxAngleIsTheDomain) {

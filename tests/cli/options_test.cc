@@ -63,6 +63,29 @@ TEST(Options, TheBaselineOfTwoCamerasIsTheirPose) {
   EXPECT_EQ(run.out, "");
 }
 
+TEST(Options, NoneIsIgnored) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--fps", "30"}, {"--baseline", "0.1"}, {"--sensor", "mono"}, {"--orbslam3-layout", "old"}}) {
+    std::vector<std::string> all = {"convert", kTumvi, "--camera", "cam0"};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<std::string> into = all;
+    all.insert(all.end(), {"--to", "kalibr"});
+    into.insert(into.end(), {"--into", kTumvi});
+    expect_usage(all, words.front() + " is for --to orbslam3, not kalibr");
+    expect_usage(into, words.front() + " is for --to orbslam3, not kalibr");
+  }
+  expect_usage({"convert", kTumvi, "--to", "orbslam3", "--opencv-layout", "stereo"}, "--opencv-layout is for --to opencv");
+  expect_usage({"convert", kTumvi, "--to", "kalibr", "--opencv-model", "fisheye"}, "--opencv-model is for OpenCV files");
+}
+
+TEST(Options, InPlaceSaysTheCommandThatWorks) {
+  for (const std::vector<std::string>& to : {std::vector<std::string>{}, {"--to", "kalibr"}}) {
+    std::vector<std::string> words = {"convert", kTumvi, "--in-place", "--model", "ds"};
+    words.insert(words.end(), to.begin(), to.end());
+    expect_usage(words, "convert " + kTumvi + " --into " + kTumvi + " --in-place");
+  }
+}
+
 TEST(Options, MaxAngleCutsTheLensInProjectToo) {
   // 45 and 80 degrees from the axis.
   const RunResult run = run_program({"project", kTumvi, "--camera", "cam0", "--max-angle", "60"}, {"1 0 1\n5.6713 0 1\n"});

@@ -118,6 +118,26 @@ TEST(OutputFile, AMissingFolderIsAnErrorUnlessNamedAsOne) {
   EXPECT_TRUE(folder.names().empty());
   EXPECT_EQ(convert({"-o", folder / "new/"}).code, 0);
   EXPECT_TRUE(is_settings(read_file(folder / "new/tumvi.orbslam3.yaml")));
+  EXPECT_EQ(convert({"-o", folder / "two/{format}/{stem}.yaml"}).code, 0);
+  EXPECT_TRUE(is_settings(read_file(folder / "two/orbslam3/tumvi.yaml")));
+}
+
+TEST(OutputFile, ANameOfAnotherSyntaxIsNoted) {
+  const TemporaryFolder folder;
+  const RunResult run = convert({"-o", folder / "out.xml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "out.xml holds YAML")) << run.err;
+  EXPECT_FALSE(contains(convert({"-o", folder / "out.yaml"}).err, "holds YAML"));
+}
+
+TEST(OutputFile, TheHintOfAPatternHasTheFilesExtension) {
+  const TemporaryFolder folder;
+  for (const auto& [to, extension] : {std::pair("woodscape", ".json"), {"ocamcalib", ".txt"}}) {
+    const RunResult run = run_program(
+        {"convert", testdata("formats/kalibr/good/tumvi.yaml"), "--to", to, "--max-angle", "80", "-o", folder / "one"});
+    EXPECT_EQ(run.code, 3) << run.err;
+    EXPECT_TRUE(contains(run.err, std::string("{stem}.{camera}") + extension)) << run.err;
+  }
 }
 
 TEST(OutputFile, AFolderGetsANameOfItsOwn) {

@@ -5,9 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <opencv2/core.hpp>
 #include <random>
 #include <string>
 #include <vector>
+
+#include <unistd.h>
 
 #include "fca/formats/consumers/consumer.h"
 #include "test_files.h"
@@ -258,6 +263,35 @@ TEST(OpenCvConsumer, RefusesBytesThatOpenCvDoesNotTake) {
   std::string flat = "{";
   for (int i = 0; i < 100; ++i) flat += "\"k" + std::to_string(i) + "\": 1, ";
   expect_refusal(load("opencv", flat + "\"z\": 1}"), "no camera matrix");
+}
+
+// cv::FileStorage is the judge: of a file, as programs open it, and not of bytes in memory.
+TEST(OpenCvConsumer, TakesTheFilesThatFileStorageTakes) {
+  const std::string yaml = mono(kD5, 5);
+  const std::string xml =
+      "<?xml version=\"1.0\"?>\n<opencv_storage>\n<camera_matrix type_id=\"opencv-matrix\">\n<rows>3</rows>\n<cols>3</cols>\n"
+      "<dt>d</dt>\n<data>\n400. 0. 320. 0. 410. 240. 0. 0. 1.</data></camera_matrix>\n</opencv_storage>\n";
+  const std::string json =
+      "{\"camera_matrix\": {\"type_id\": \"opencv-matrix\", \"rows\": 3, \"cols\": 3, \"dt\": \"d\", \"data\": [" + kK + "]}}";
+  const auto opened = [](const std::string& bytes) {
+    std::string path = (std::filesystem::temp_directory_path() / "fca-io-test-XXXXXX").string();
+    const int file = ::mkstemp(path.data());
+    EXPECT_EQ(::write(file, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+    ::close(file);
+    bool good = false;
+    try {
+      good = cv::FileStorage(path, cv::FileStorage::READ).isOpened();
+    } catch (const std::exception&) {
+    }
+    std::filesystem::remove(path);
+    return good;
+  };
+  for (const std::string& bytes : {yaml, xml, json}) {
+    for (const char* before : {"", "\xEF\xBB\xBF", "\n", " ", "# a remark\n"}) {
+      const ConsumerView view = load("opencv", before + bytes);
+      EXPECT_EQ(view.loads(), opened(before + bytes)) << before << bytes << joined(view.refusals);
+    }
+  }
 }
 
 // --- OCamCalib --------------------------------------------------------------------------------------------------------------

@@ -207,21 +207,74 @@ RC_GTEST_PROP(CameraTxt, RelativeNumbersReadBackToRounding, ()) {
     RC_ASSERT(std::abs(parameter_values(back.rig.cameras[0].model)[i] - parameter_values(camera.model)[i]) <= 2.5e-13);
 }
 
-// DSO has no such lens, or would take the centre for a relative one: the camera goes into a chain.
+// Another lens of DSO's is another name in line 1; the rest stays.
+TEST(CameraTxt, AnotherLensIsAnotherFirstLine) {
+  for (const char* file : {"radtan-bare.txt", "equidistant.txt", "fov-bare.txt", "pinhole.txt", "fov-relative.txt"}) {
+    const std::string bytes = read_file(testdata_dir() / "tumvi/good" / file);
+    const Calibration calibration = calibration_of(bytes, "camera.txt");
+    const std::string_view own = model_info(calibration.rig.cameras[0].model).id;
+    for (const char* model : {"kb4", "radtan", "fov", "pinhole"}) {
+      if (own == model) continue;
+      Rig rig = calibration.rig;
+      rig.cameras[0].model = sample_model(model);
+      if (std::string_view(model) == "radtan") set_parameter(rig.cameras[0].model, "k3", 0.0);
+      for (const char* name : {"fx", "fy", "cx", "cy"})
+        set_parameter(rig.cameras[0].model, name, *parameter(calibration.rig.cameras[0].model, name));
+      const Written written = written_by(tumvi_format(), &calibration.documents.front(), rig);
+      EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"dso"}) << file << " " << model;
+      const std::string after = bytes_of(written);
+      EXPECT_EQ(after.substr(after.find('\n')), bytes.substr(bytes.find('\n'))) << "only line 1 changes";
+      const std::vector<double> was(parameter_values(rig.cameras[0].model).begin(),
+                                    parameter_values(rig.cameras[0].model).end());
+      const Calibration back = calibration_of(after, "camera.txt");
+      ASSERT_EQ(back.rig.cameras[0].model.index(), rig.cameras[0].model.index()) << after;
+      for (std::size_t i = 0; i < was.size(); ++i)
+        EXPECT_NEAR(parameter_values(back.rig.cameras[0].model)[i], was[i], 1e-9) << after;
+    }
+  }
+}
+
+// DSO has no such lens, or would take the centre for a relative one: the camera goes into a chain, and that is said.
 TEST(CameraTxt, WhatItCannotSayBecomesAChain) {
   const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/radtan-bare.txt"), "camera.txt");
   const auto becomes_a_chain = [&calibration](const Rig& rig) {
-    const Written written = written_by(tumvi_format(), &calibration.documents.front(), rig);
-    return written.files.front().programs == std::vector<std::string>{"kalibr"} &&
-           read_as_tumvi(bytes_of(written)).cameras.at(0).model == rig.cameras.at(0).model;
+    Diagnostics diagnostics;
+    const std::optional<Written> written = tumvi_format().write(&calibration.documents.front(), rig, {}, diagnostics);
+    return written && written->files.front().programs == std::vector<std::string>{"kalibr"} &&
+           diagnostics.entries().front().code == "not-a-camera-txt" &&
+           read_as_tumvi(bytes_of(*written)).cameras.at(0).model == rig.cameras.at(0).model;
   };
   Rig other_model = calibration.rig;
-  other_model.cameras[0].model = sample_model("kb4");
+  other_model.cameras[0].model = sample_model("mei");
   EXPECT_TRUE(becomes_a_chain(other_model));
   Rig near_the_corner = calibration.rig;
   set_parameter(near_the_corner.cameras[0].model, "cx", 0.5);
   set_parameter(near_the_corner.cameras[0].model, "cy", 0.25);
   EXPECT_TRUE(becomes_a_chain(near_the_corner));
+  Rig pair = calibration.rig;
+  pair.cameras.push_back(pair.cameras[0]);
+  pair.cameras[1].name = "cam1";
+  EXPECT_TRUE(becomes_a_chain(pair));
+}
+
+// A name that ends in .txt asks for DSO's text.
+TEST(CameraTxt, AFreshOneByItsName) {
+  const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/equidistant.txt"), "camera.txt");
+  for (const char* extension : {".txt", ".yaml"}) {
+    WriteOptions options;
+    options.extension = extension;
+    Diagnostics diagnostics;
+    const std::optional<Written> written = tumvi_format().write(nullptr, calibration.rig, options, diagnostics);
+    ASSERT_TRUE(written);
+    const bool text = options.extension == ".txt";
+    EXPECT_EQ(written->files.front().programs.front(), text ? "dso" : "kalibr");
+    EXPECT_EQ(written->defaults.empty(), !text);
+    EXPECT_TRUE(diagnostics.entries().empty());
+    const std::string bytes = bytes_of(*written);
+    EXPECT_EQ(bytes.starts_with("EquiDistant "), text) << bytes;
+    const Rig back = text ? calibration_of(bytes, "camera.txt").rig : read_as_tumvi(bytes);
+    EXPECT_EQ(back.cameras.at(0).model, calibration.rig.cameras[0].model);
+  }
 }
 
 }  // namespace

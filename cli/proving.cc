@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "proving.h"
+
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+
+namespace fca::cli {
+
+namespace {
+
+std::string disagreement(const ProofResult& proof) {
+  if (!proof.loads) return "it would refuse the file: " + enumerated(proof.refusals);
+  if (!proof.poses_agree) return "an element of its poses differs by " + text::format_short(proof.max_diff_pose, 3);
+  if (proof.compared_share == 0.0) return "it has no pixel where we have one";
+  return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
+}
+
+consumers::LoadOptions load_options(const Written& written, const ConvertArguments& arguments) {
+  consumers::LoadOptions options;
+  if (!written.sensor.empty()) options.sensor = written.sensor;
+  options.opencv_model = arguments.reading.opencv_model;
+  return options;
+}
+
+/// The program's first reason not to load the bytes; nothing if it loads them.
+std::optional<std::string> first_refusal(const std::string& bytes, const std::string& program,
+                                         const consumers::LoadOptions& options) {
+  const consumers::Consumer* consumer = consumers::find_consumer(program);
+  if (consumer == nullptr) return std::nullopt;
+  const consumers::ConsumerView view = consumer->load(bytes, options);
+  if (view.loads()) return std::nullopt;
+  return view.refusals.front();
+}
+
+}  // namespace
+
+std::optional<std::string> newly_refused(const Written& written, const text::Document* base,
+                                         const ConvertArguments& arguments) {
+  const consumers::LoadOptions options = load_options(written, arguments);
+  for (const Written::File& file : written.files) {
+    for (const std::string& id : file.programs) {
+      const std::optional<std::string> now = first_refusal(file.document.bytes(), id, options);
+      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now;
+    }
+  }
+  return std::nullopt;
+}
+
+void drop_byte_order_mark(Written& written, const ConvertArguments& arguments, Diagnostics& diagnostics) {
+  const text::Source& source = written.files.front().document.source();
+  if (source.byte_order_mark() == 0 || !newly_refused(written, nullptr, arguments)) return;
+  Written without = written;
+  without.files.front().document.replace({0, source.byte_order_mark()}, "");
+  if (newly_refused(without, nullptr, arguments)) return;
+  diagnostics.note("byte-order-mark-dropped",
+                   "the byte order mark is left out: the program that reads the file refuses it with one");
+  written = std::move(without);
+}
+
+void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, const text::Document* base,
+            ConvertOutcome& outcome) {
+  bool judged = false;
+  for (const std::string& id : output.programs) {
+    const consumers::Consumer* consumer = consumers::find_consumer(id);
+    if (consumer == nullptr) continue;
+    judged = true;
+    const consumers::LoadOptions options = load_options(outcome.written, arguments);
+    ProofResult proof = prove(*consumer, output.bytes, options, rig, output.cameras);
+    const std::string program(consumer->program);
+    const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
+    const bool refused_before = base != nullptr && !proof.loads && (unchanged || !arguments.into.empty()) &&
+                                first_refusal(base->source().bytes, id, options) == std::optional(proof.refusals.front());
+    if (refused_before) outcome.refused_before.push_back(program);
+    if (!proof.agrees() && unchanged) {
+      outcome.diagnostics.warning(
+          "program-refuses",
+          "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
+          "--anew writes it as " + program + " reads it");
+    } else if (refused_before) {
+      outcome.diagnostics.warning(
+          "program-refuses",
+          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(),
+          {}, "--anew writes it as " + program + " reads it");
+    } else if (!proof.agrees()) {
+      outcome.diagnostics.error("proof-failed",
+                                program + " would not understand what was to be written: " + disagreement(proof));
+      outcome.code = worse(outcome.code, ExitCode::kJudgedBad);
+    }
+    outcome.proofs.push_back(std::move(proof));
+  }
+  if (judged) return;
+  outcome.unproven.push_back(output.path);
+  outcome.diagnostics.note(
+      "not-proven",
+      (output.path.empty() ? "" : output.path + ": ") + "no program that fca-io knows reads such keys, so none has proven it",
+      {}, "--anew writes the keys that " + std::string(outcome.to->program) + " reads");
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// DSO's camera.txt through the command: it stays what it is, or nothing is written.
+#include "cli/run_program.h"
+
+namespace fca::test {
+namespace {
+
+const std::string kEquidistant = testdata("formats/tumvi/good/equidistant.txt");
+const std::string kFov = testdata("formats/tumvi/good/fov-bare.txt");
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
+
+TEST(CameraTxt, AnotherModelIsAnotherLineOfDsos) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("camera.txt", read_file(kEquidistant));
+  const RunResult run = run_program({"convert", file, "--into", file, "--in-place", "--model", "fov", "--max-angle", "60"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "proof: DSO")) << run.out;
+  const std::string after = read_file(file);
+  EXPECT_TRUE(after.starts_with("FOV ")) << after;
+  EXPECT_EQ(after.substr(after.find('\n')), read_file(kEquidistant).substr(read_file(kEquidistant).find('\n')));
+}
+
+TEST(CameraTxt, TheInputsLensGoesInto) {
+  for (const std::string& input : {kFov, testdata("formats/tumvi/good/radtan-bare.txt")}) {
+    const RunResult run = run_program({"convert", input, "--into", kEquidistant});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(run.out.starts_with(input == kFov ? "FOV " : "RadTan ")) << run.out;
+    EXPECT_TRUE(contains(run.err, "kept")) << run.err;
+  }
+  // A model that DSO does not know takes the base's.
+  const RunResult run = run_program({"convert", kDs, "--camera", "cam0", "--into", kEquidistant, "--max-angle", "80"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.out.starts_with("EquiDistant ")) << run.out;
+}
+
+TEST(CameraTxt, WhatDoesNotFitIsRefused) {
+  const TemporaryFolder folder;
+  const std::string base = folder.write("camera.txt", read_file(kEquidistant));
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{kTumvi}, {kTumvi, "--camera", "cam0", "--model", "mei", "--max-angle", "97.5"}}) {
+    std::vector<std::string> all = {"convert", "--into", base, "--in-place"};
+    all.insert(all.end(), words.begin(), words.end());
+    const RunResult run = run_program(all);
+    EXPECT_EQ(run.code, 2) << run.err << run.out;
+    EXPECT_TRUE(contains(run.err, "into-another-syntax")) << run.err;
+    EXPECT_EQ(read_file(base), read_file(kEquidistant));
+  }
+}
+
+TEST(CameraTxt, IsWrittenByItsName) {
+  const TemporaryFolder folder;
+  const RunResult one = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "tumvi", "-o", folder / "camera.txt"});
+  EXPECT_EQ(one.code, 0) << one.err;
+  EXPECT_TRUE(read_file(folder / "camera.txt").starts_with("EquiDistant 190.9"));
+  EXPECT_TRUE(contains(one.out, "proof: DSO")) << one.out;
+  const RunResult two = run_program({"convert", kTumvi, "--to", "tumvi", "-o", folder / "two.txt"});
+  EXPECT_EQ(two.code, 0) << two.err;
+  EXPECT_TRUE(contains(two.err, "not-a-camera-txt")) << two.err;
+  EXPECT_TRUE(contains(two.err, "two.txt holds YAML")) << two.err;
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is written is proven, mended, refused, or said to be unproven: never written in silence.
+#include "cli/run_program.h"
+
+#include <fca/formats/consumers/consumer.h>
+
+#include <rapidjson/document.h>
+#include <opencv2/core.hpp>
+
+namespace fca::test {
+namespace {
+
+const std::string kBom = "\xEF\xBB\xBF";
+const std::string kCalibration = testdata("formats/opencv/good/calibration.yml");
+const std::string kCameras = testdata("formats/opencv/good/cameras.yml");
+const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+
+bool opens(const std::string& path) {
+  try {
+    return cv::FileStorage(path, cv::FileStorage::READ).isOpened();
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+rapidjson::Document json_of(const RunResult& run) {
+  rapidjson::Document document;
+  document.Parse(run.out.c_str());
+  EXPECT_FALSE(document.HasParseError()) << run.out << run.err;
+  return document;
+}
+
+TEST(Proof, AByteOrderMarkIsNoFileOfOpenCvs) {
+  const TemporaryFolder folder;
+  const std::string yml = folder.write("bom.yml", kBom + read_file(kCalibration));
+  EXPECT_FALSE(opens(yml));
+  const RunResult shown = run_program({"show", yml});
+  EXPECT_TRUE(contains(shown.out, "OpenCV: no")) << shown.out;
+  EXPECT_TRUE(contains(shown.out, "byte order mark")) << shown.out;
+  // Written into, the mark goes and the rest stays.
+  const RunResult run = run_program({"convert", yml, "--to", "opencv", "--model", "rational", "-o", folder / "out.yml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "byte-order-mark-dropped")) << run.err;
+  EXPECT_TRUE(opens(folder / "out.yml"));
+  EXPECT_TRUE(contains(read_file(folder / "out.yml"), "# As OpenCV's camera_calibration sample")) << "comments stay";
+}
+
+TEST(Proof, SettingsLoseTheirByteOrderMark) {
+  const TemporaryFolder folder;
+  const std::string base = folder.write("settings.yaml", kBom + read_file(kSettings));
+  const RunResult run = run_program({"convert", kSettings, "--into", base, "--in-place"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_FALSE(contains(run.out, "refuse")) << run.out;
+  EXPECT_EQ(read_file(base), read_file(kSettings));
+}
+
+// The input's own defect, kept byte by byte: said as such in the proof's line.
+TEST(Proof, AnUnchangedFileIsRefusedForItsOwnDefect) {
+  const RunResult run = run_program({"convert", testdata("formats/kalibr/good/opencv-header.yaml"), "--to", "kalibr"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "refuses it, as it did before: ")) << run.err;
+}
+
+TEST(Proof, ACameraAddedToMcCalibsMapsIsProven) {
+  const TemporaryFolder folder;
+  const RunResult two = run_program({"convert", kCameras, "--camera", "0,1", "--to", "opencv", "-o", folder / "two.yml"});
+  EXPECT_EQ(two.code, 0) << two.err;
+  EXPECT_TRUE(contains(two.out, "proof: OpenCV loads it")) << two.out;
+  const RunResult run = run_program({"convert", kCameras, "--into", folder / "two.yml", "--json", "-o", folder / "three.yml"});
+  EXPECT_EQ(run.code, 0) << run.err << run.out;
+  const rapidjson::Document json = json_of(run);
+  ASSERT_EQ(json["proof"].Size(), 1U) << run.out;
+  EXPECT_TRUE(json["proof"][0]["agrees"].GetBool());
+  EXPECT_TRUE(opens(folder / "three.yml"));
+  // Without the first camera the others are counted anew.
+  const RunResult last = run_program({"convert", kCameras, "--camera", "1,2", "--to", "opencv", "--json"});
+  EXPECT_EQ(json_of(last)["proof"].Size(), 1U) << last.out;
+}
+
+TEST(Proof, WhatNoProgramReadsIsSaidToBeUnproven) {
+  const TemporaryFolder folder;
+  const std::string keys = with_replaced(read_file(kCalibration), "camera_matrix:", "Intrisic:");
+  const std::string input = folder.write("keys.yml", with_replaced(keys, "distortion_coefficients:", "Distorsion:"));
+  const RunResult run = run_program({"convert", input, "--to", "opencv", "-o", folder / "out.yml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "proof: none")) << run.out;
+  const RunResult json = run_program({"convert", input, "--to", "opencv", "--json"});
+  EXPECT_EQ(json_of(json)["proof"].Size(), 0U);
+  EXPECT_TRUE(contains(json.out, "not-proven")) << json.out;
+}
+
+TEST(Proof, WithoutASizeNoPixelsAreCompared) {
+  const TemporaryFolder folder;
+  std::string bytes = read_file(kCalibration);
+  bytes = with_replaced(with_replaced(bytes, "image_width: 752\n", ""), "image_height: 480\n", "");
+  const RunResult run = run_program({"convert", folder.write("in.yml", bytes), "--to", "opencv", "-o", folder / "out.yml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "no pixels were compared")) << run.out;
+}
+
+// A pair that is not rectified: V1.0 gives both cameras the first one's coefficients, and there is a way out.
+TEST(Proof, AMisreadPinholePairHasAWayOut) {
+  const RunResult run = run_program(
+      {"convert", testdata("formats/opencv/good/k1d1.yml"), "--size", "640x400", "--to", "orbslam3", "--max-angle", "40"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "which costs up to")) << run.err;
+  EXPECT_TRUE(contains(run.err, "  do: rectify the images first")) << run.err;
+}
+
+}  // namespace
+}  // namespace fca::test
