@@ -240,7 +240,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   }
   const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
                               arguments.every_pixel, arguments.objective == "max" ? Objective::kMax : Objective::kRms,
-                              calibration->format == outcome.to};
+                              calibration->format == outcome.to && calibration->one_format};
   std::optional<std::vector<CameraOutcome>> cameras =
       convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
   if (!cameras) return false;

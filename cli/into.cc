@@ -4,17 +4,37 @@
 #include <fca/formats/pose_agreement.h>
 
 #include <algorithm>
+#include <iterator>
+#include <span>
+#include <vector>
 
 namespace fca::cli {
 
 namespace {
 
-/// Names the rig's cameras as the base's of the same place. Any other name of a camera of the base, also of one that was left
-/// out of the input and has a pose yet, becomes "NAME of the input".
-void take_names(const Rig& base, Rig& rig) {
+/// Which camera of the base each of the rig's stands for: the one of its name, if any of the rig's names is one of the base's,
+/// else the one in its place; nothing: it is added.
+std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig) {
+  const auto known = [&base](const Camera& camera) { return base.find_camera(camera.name) != nullptr; };
+  const bool by_name = std::ranges::any_of(rig.cameras, known);
+  std::vector<const Camera*> result;
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const Camera* in_place = i < base.cameras.size() ? &base.cameras[i] : nullptr;
+    result.push_back(by_name ? base.find_camera(rig.cameras[i].name) : in_place);
+  }
+  return result;
+}
+
+/// Names the rig's cameras as their counterparts. Any other name of a camera of the base, of one that was left out of the input
+/// and has a pose yet, becomes "NAME of the input".
+void take_names(const Rig& base, std::span<const Camera* const> counterparts, Rig& rig, Diagnostics& diagnostics) {
   std::vector<std::pair<std::string, std::string>> names;
-  for (std::size_t i = 0; i < std::min(base.cameras.size(), rig.cameras.size()); ++i)
-    names.emplace_back(rig.cameras[i].name, base.cameras[i].name);
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const std::string& name = rig.cameras[i].name;
+    names.emplace_back(name, counterparts[i] != nullptr ? counterparts[i]->name : name);
+    if (name != names.back().second)
+      diagnostics.note("camera-replaced", name + " of the input takes the place of " + names.back().second + " of the base");
+  }
   const auto renamed = [&](const std::string& name) -> std::string {
     const auto row = std::ranges::find(names, name, &std::pair<std::string, std::string>::first);
     if (row != names.end()) return row->second;
@@ -25,6 +45,21 @@ void take_names(const Rig& base, Rig& rig) {
     edge.a = renamed(edge.a);
     edge.b = renamed(edge.b);
   }
+}
+
+/// The base's cameras in their order, as the rig has them where it does, then those that only the rig has.
+std::vector<Camera> merged_cameras(const Rig& base, const Rig& rig, Diagnostics& diagnostics) {
+  std::vector<Camera> cameras;
+  for (const Camera& camera : base.cameras) {
+    const Camera* now = rig.find_camera(camera.name);
+    if (now == nullptr) {
+      diagnostics.note("camera-kept", camera.name + " of the base is not in the input and stays as it is");
+    }
+    cameras.push_back(now != nullptr ? *now : camera);
+  }
+  std::ranges::copy_if(rig.cameras, std::back_inserter(cameras),
+                       [&base](const Camera& camera) { return base.find_camera(camera.name) == nullptr; });
+  return cameras;
 }
 
 template <class T>
@@ -64,7 +99,7 @@ void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
 }  // namespace
 
 Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics) {
-  take_names(base, rig);
+  take_names(base, counterparts(base, rig), rig, diagnostics);
   for (Camera& camera : rig.cameras) {
     const Camera* before = base.find_camera(camera.name);
     if (before == nullptr) continue;
@@ -73,10 +108,7 @@ Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics) {
     keep(camera.frame_rate_hz, before->frame_rate_hz);
     if (camera.topic.empty()) camera.topic = before->topic;
   }
-  for (std::size_t i = rig.cameras.size(); i < base.cameras.size(); ++i) {
-    diagnostics.note("camera-kept", base.cameras[i].name + " of the base is not in the input and stays as it is");
-    rig.cameras.push_back(base.cameras[i]);
-  }
+  rig.cameras = merged_cameras(base, rig, diagnostics);
   if (rig.imus.empty()) rig.imus = base.imus;
   keep(rig.baseline_m, base.baseline_m);
   keep_poses(base, rig, diagnostics);

@@ -90,6 +90,7 @@ LedgerRow row(const Format& from, const Format& to) {
   for (const std::string_view value : to.defaulted) {
     if (is_defaulted(value, from)) result.defaulted.emplace_back(value);
   }
+  if (from.any_length_unit && to.extrinsics) result.defaulted.emplace_back("translation unit");
   if (to.image_size && !from.image_size) result.defaulted.emplace_back("nothing: the image size is asked for (--size)");
   return result;
 }

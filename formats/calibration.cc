@@ -141,6 +141,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       result.rig = *std::move(rig);
     } else {
       if (options.join) rename_apart(result.rig, *rig);
+      result.one_format = result.one_format && (rig->cameras.empty() || detected.format == result.format);
       if (!join(*rig, document, result.rig, diagnostics)) return std::nullopt;
     }
   }

@@ -32,6 +32,7 @@ const Format kFormat = {
     .program = "OpenCV",
     .many_cameras = true,
     .extrinsics = true,
+    .any_length_unit = true,
     .imu = false,
     .image_size = true,
     .frame = "reference",

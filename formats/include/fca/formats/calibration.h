@@ -15,6 +15,7 @@ namespace fca {
 struct Calibration {
   const Format* format = nullptr;
   std::string why;                        ///< Why that format.
+  bool one_format = true;                 ///< False: joined from files with cameras in more than one.
   std::vector<text::Document> documents;  ///< The main file first, then those of --with.
   Rig rig;
 };

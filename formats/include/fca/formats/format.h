@@ -98,6 +98,7 @@ struct Format {
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
+  bool any_length_unit = false;  ///< Its files do not say in what unit translations are; metres elsewhere.
   bool imu = true;
   bool image_size = true;
   bool time_offset = false;
