@@ -11,11 +11,12 @@ namespace fca::internal {
 template <CameraModelType M>
 class JetTarget : public FitTargetOf<M> {
  public:
+  using FitTargetOf<M>::kCount;
+
   bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const override {
     if constexpr (HasSlopes<M>) {
       return FitTargetOf<M>::linearise(p, samples, out);
     } else {
-      constexpr std::size_t kCount = kParameterCount<M>;
       using Jet = ceres::Jet<double, static_cast<int>(kCount)>;
       std::array<Jet, kCount> parameters;
       for (std::size_t i = 0; i < kCount; ++i) parameters[i] = Jet(p[i], static_cast<int>(i));
