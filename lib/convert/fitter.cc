@@ -304,7 +304,7 @@ std::vector<Fitter::Candidate> Fitter::search_shapes(const LensCentre& centre) c
       if (cost(candidate) < cost(best)) {
         (trial > at ? low : high) = at;
         at = trial;
-        best = std::move(candidate);
+        best = candidate;
       } else {
         (trial > at ? high : low) = trial;
       }

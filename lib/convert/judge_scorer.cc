@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace fca::internal {
 
@@ -27,9 +28,8 @@ bool Scorer::Limit::admits(const Ray& unit_ray) const {
   return std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(unit_ray) <= angle;
 }
 
-Scorer::Scorer(const Lens& source, const CameraModel* model, const Projection* program, const Domain& domain,
-               double target_reach_rad)
-    : source_(source),
+Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad)
+    : source_(std::move(source)),
       model_(model),
       program_(program),
       domain_(domain),

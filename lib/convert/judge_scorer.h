@@ -24,8 +24,7 @@ struct Point {
 class Scorer {
  public:
   /// One of `model` and `program` is the target, the other null; both are kept by reference.
-  Scorer(const Lens& source, const CameraModel* model, const Projection* program, const Domain& domain,
-         double target_reach_rad);
+  Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad);
 
   /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time.
   void score(std::span<Point> points) const;
