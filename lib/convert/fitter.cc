@@ -133,28 +133,30 @@ void Fitter::hold_fixed(Candidate& candidate) const {
 
 /// Fits from the candidates until no other can be better.
 void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best) {
+  std::vector<Candidate> polished;
   for (Candidate& candidate : candidates) {
+    if (best && settled(*best) && !is_rival(candidate, polished)) continue;
+    const Candidate coarse = candidate;
     if (!polish(candidate, kFull)) continue;
     respect_bounds(candidate);
     keep_better(finish(candidate), best);
+    polished.push_back(coarse);
+    polished.push_back(candidate);
     if (move_inside(candidate) && polish(candidate, kFull)) {
       respect_bounds(candidate);
       keep_better(finish(candidate), best);
     }
-    if (settled(*best) && !rivals(candidate, candidates, *best)) return;
   }
 }
 
-/// Is a candidate left that is about as good as the one just polished and on the other side of the fold?
-bool Fitter::rivals(const Candidate& polished, const std::vector<Candidate>& candidates, const FoundFit& best) const {
+/// Is it about as good as the first one and on another side of the fold than all that were polished, before or after?
+bool Fitter::is_rival(const Candidate& candidate, const std::vector<Candidate>& polished) const {
   constexpr double kAboutAsGood = 1.5;
   constexpr double kFarAway = 0.3;
   const std::optional<std::size_t> folded = target_.folded();
-  if (!folded) return false;
-  return std::any_of(candidates.begin() + (&polished - candidates.data()) + 1, candidates.end(), [&](const Candidate& other) {
-    return other.cost < kAboutAsGood * candidates.front().cost &&
-           std::abs(other.values[*folded] - best.parameters[*folded]) > kFarAway;
-  });
+  if (!folded || candidate.cost >= kAboutAsGood * polished.front().cost) return false;
+  return std::ranges::all_of(
+      polished, [&](const Candidate& other) { return std::abs(other.values[*folded] - candidate.values[*folded]) > kFarAway; });
 }
 
 /// From a bound that holds parameters a little way back inside, where they may find a bottom of their own. False if none is
@@ -192,8 +194,9 @@ std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   for (Candidate& start : starts) {
     // Far worse than the best start: not even the right basin's edge.
     constexpr double kHopeless = 400.0;
-    constexpr std::size_t kFewest = 2;
-    if (polished.size() >= kFewest && start.cost > kHopeless * first_cost) break;
+    // On one side of a fold a start may look hopeless beside one on the other.
+    const std::size_t fewest = target_.folded() ? 2 : 1;
+    if (polished.size() >= fewest && start.cost > kHopeless * first_cost) break;
     if (!polish(start, coarse.effort)) continue;
     polished.push_back(start);
     if (start.on_all && start.cost < kExactCost) break;

@@ -44,7 +44,7 @@ class Fitter {
 
   void hold_fixed(Candidate& candidate) const;
   void polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best);
-  [[nodiscard]] bool rivals(const Candidate& polished, const std::vector<Candidate>& candidates, const FoundFit& best) const;
+  [[nodiscard]] bool is_rival(const Candidate& candidate, const std::vector<Candidate>& polished) const;
   bool move_inside(Candidate& candidate) const;
   std::optional<FoundFit> fit_starts(const LensCentre& centre);
   std::vector<Candidate> coarse_fits(const LensCentre& centre);
