@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Real OpenCV calibrations: nothing else is taken for one; what is read is written back byte for byte, and its pixels are those
 // that OpenCV printed (oracles/README.md). corpus_test.cc has the table of what is read and refused.
-#include "formats/test_files.h"
+#include "formats/oracle_camera.h"
 
 #include <fca/formats/consumers/consumer.h>
 
@@ -124,24 +124,6 @@ struct Row {
   Ray ray;
   Pixel pixel;
 };
-
-/// OpenCV's radius must have grown all the way out to the ray; beyond that it prints folded pixels.
-bool folds_before(const consumers::ConsumerCamera& camera, const Ray& ray) {
-  const double r = std::hypot(ray[0], ray[1]);
-  const auto centre = camera.project({0.0, 0.0, 1.0});
-  if (!centre || r == 0.0) return false;
-  constexpr int kSteps = 4000;
-  double last = 0.0;
-  for (int i = 1; i <= kSteps; ++i) {
-    const double angle = std::atan2(r, ray[2]) * i / kSteps;
-    const auto pixel = camera.project({std::sin(angle) * ray[0] / r, std::sin(angle) * ray[1] / r, std::cos(angle)});
-    if (!pixel) return true;
-    const double radius = std::hypot((*pixel)[0] - (*centre)[0], (*pixel)[1] - (*centre)[1]);
-    if (radius < last) return true;
-    last = radius;
-  }
-  return false;
-}
 
 TEST(OpenCvCorpus, PixelsAreThoseOpenCvPrinted) {
   if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
