@@ -118,10 +118,11 @@ bool needs_folder(const ConvertArguments& arguments, const Written& written) {
   return arguments.output.find("{camera}") == std::string::npos;
 }
 
-/// What is written into: the file of --into, or the input itself where the format stays.
+/// What is written into: the file of --into, or the input itself where the layout stays.
 struct Base {
   const text::Document* document = nullptr;
   const Calibration* into = nullptr;
+  bool adopted = false;  ///< The input, of another format with the same layout.
 };
 
 /// The model to write where none is asked for: into a fork's file the fork's own; into a line of DSO's the input's where the
@@ -136,12 +137,13 @@ std::string model_for(const ConvertArguments& arguments, const Base& base, const
   return find_stored_model(to, model, true) == nullptr ? std::string(model) : "";
 }
 
-WriteOptions write_options(const ConvertArguments& arguments) {
+WriteOptions write_options(const ConvertArguments& arguments, const Base& base) {
   WriteOptions options;
   options.sensor = arguments.sensor;
   options.layout = arguments.orbslam3_layout.empty() ? arguments.opencv_layout : arguments.orbslam3_layout;
   options.frame_rate_hz = arguments.fps;
   options.anew = arguments.anew;
+  options.adopted = base.adopted;
   const std::string extension = std::filesystem::path(arguments.output).extension().string();
   options.extension = extension;
   return options;
@@ -149,7 +151,7 @@ WriteOptions write_options(const ConvertArguments& arguments) {
 
 /// Writes the rig in memory: into the base, or anew where its program would refuse what the base's own layout makes of it.
 std::optional<Written> write_rig(const Rig& rig, const Base& base, const ConvertArguments& arguments, ConvertOutcome& outcome) {
-  WriteOptions options = write_options(arguments);
+  WriteOptions options = write_options(arguments, base);
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
   drop_byte_order_mark(*written, arguments, outcome.diagnostics);
@@ -163,6 +165,16 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   outcome.diagnostics.note("layout-not-kept",
                            "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
   return write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
+}
+
+/// The rig with the poses that the files say otherwise.
+Rig as_restated(Rig rig, const Written& written) {
+  for (const PoseEdge& edge : written.restated) {
+    const auto stated = std::ranges::find_if(
+        rig.poses, [&edge](const PoseEdge& other) { return other.a == edge.a && other.b == edge.b; });
+    if (stated != rig.poses.end()) stated->T_a_b = edge.T_a_b;
+  }
+  return rig;
 }
 
 /// Lines of words (DSO's camera.txt) are no base for a YAML file, whatever the reason that it became one.
@@ -235,8 +247,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   Base base;
   if (into) {
     base = {&into->documents.front(), &*into};
-  } else if (calibration->format == outcome.to && inputs.size() == 1) {
-    base.document = &calibration->documents.front();
+  } else if (inputs.size() == 1 && is_base_of(*calibration->format, calibration->documents.front(), *outcome.to)) {
+    base = {&calibration->documents.front(), nullptr, calibration->format != outcome.to};
   }
   const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
                               arguments.every_pixel, arguments.objective == "max" ? Objective::kMax : Objective::kRms,
@@ -268,7 +280,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   outcome.written = *std::move(written);
   place_outputs(arguments, outcome);
   if (!arguments.no_verify) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, arguments, base.document, outcome);
+    const Rig meant = as_restated(rig, outcome.written);
+    for (const ConvertOutcome::Output& output : outcome.outputs) verify(meant, output, arguments, base.document, outcome);
   }
   warn_of_poor_fits(outcome);
   judge_limits(arguments, outcome);
@@ -281,6 +294,7 @@ ConvertOutcome convert_inputs(const std::vector<std::string>& inputs, const Conv
   ConvertOutcome outcome;
   outcome.input = inputs.front();
   outcome.to = find_format(arguments.to);
+  outcome.max_angle_given = max_angle_rad(arguments.reading).has_value();
   if (convert_into(inputs, arguments, console, outcome)) return outcome;
   const ExitCode code = code_of(outcome.diagnostics);
   outcome.code = worse(outcome.code, code == ExitCode::kGood ? ExitCode::kBadInput : code);

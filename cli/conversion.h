@@ -49,7 +49,8 @@ struct ConvertOutcome {
     std::vector<std::string> programs;
   };
   std::string input;
-  bool one_of_many = false;  ///< Then its report names it.
+  bool one_of_many = false;      ///< Then its report names it.
+  bool max_angle_given = false;  ///< Then shares are of the image within that angle.
   const Format* from = nullptr;
   const Format* to = nullptr;
   std::vector<CameraOutcome> cameras;

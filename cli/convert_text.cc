@@ -133,15 +133,22 @@ std::string proofs_text(const ConvertOutcome& outcome) {
       text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") + enumerated(proof.refusals) + "\n";
     } else if (proof.all_misread) {
       text += "loads it and misreads it\n";
+    } else if (proof.without_cameras) {
+      text += "loads it\n";
     } else if (proof.agrees() && proof.compared_share == 0.0) {
       text += "loads it; no pixels were compared, as nothing states the image's size (--size WxH)\n";
     } else {
       text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
     constexpr double kNoticeable = 1e-3;
+    const std::string of_image = outcome.max_angle_given ? " of the image within --max-angle" : " of the image";
     if (proof.unanswered_share > kNoticeable) {
-      text += "  warning: it has no right pixel for " + percent(proof.unanswered_share) +
-              " of the image, whose rays lie beyond what it can project\n";
+      text += "  warning: it has no right pixel for " + percent(proof.unanswered_share) + of_image +
+              ", whose rays lie beyond what it can project\n";
+    }
+    if (proof.wrong_ray_share > kNoticeable) {
+      text += "  warning: it gives " + percent(proof.wrong_ray_share) + of_image +
+              " wrong rays: it projects rays beyond 90 deg from the axis, but takes their pixels for rays inside\n";
     }
     for (const std::string& warning : proof.warnings) text += "  warning: " + warning + "\n";
     if (proof.misread_px > 0.0) {

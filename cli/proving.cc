@@ -5,6 +5,8 @@
 
 #include <fca/formats/text/numbers.h>
 
+#include <numbers>
+
 namespace fca::cli {
 
 namespace {
@@ -66,7 +68,8 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
     if (consumer == nullptr) continue;
     judged = true;
     const consumers::LoadOptions options = load_options(outcome.written, arguments);
-    ProofResult proof = prove(*consumer, output.bytes, options, rig, output.cameras);
+    ProofResult proof = prove(*consumer, output.bytes, options, rig, output.cameras,
+                              max_angle_rad(arguments.reading).value_or(std::numbers::pi));
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !arguments.into.empty()) &&

@@ -2,7 +2,9 @@
 #include "losses.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <string>
@@ -54,7 +56,7 @@ void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::
     const std::string_view group = group_of(extra);
     const int members = sizes[group];
     if (group.empty() || members < kFewest) {
-      losses.push_back({"not-carried", extra.key + (extra.value.empty() ? "" : " " + extra.value), std::string(why), ""});
+      losses.push_back({"not-carried", extra.key + (extra.value.empty() ? "" : " " + text::shortened(extra.value)), std::string(why), ""});
     } else if (told.insert(group).second) {
       losses.push_back({"not-carried", std::string(group) + "* (" + std::to_string(members) + " keys)", std::string(why), ""});
     }
@@ -75,6 +77,18 @@ void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& l
     losses.push_back(
         {"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz", std::string(why), ""});
   }
+}
+
+void add_beyond_base(std::span<const AsRead> extras, std::span<const AsRead> there, std::string_view why,
+                     std::vector<Loss>& losses) {
+  std::set<std::string_view> keys;
+  for (const AsRead& extra : there) keys.insert(extra.key);
+  std::vector<AsRead> other_values = extras_beyond(extras, there);
+  const auto without_place =
+      std::ranges::stable_partition(other_values, [&keys](const AsRead& extra) { return keys.contains(extra.key); });
+  add_not_carried(without_place, why, losses);
+  add_not_carried(std::span(other_values.begin(), without_place.begin()), "the file that is written into keeps its own value",
+                  losses);
 }
 
 std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there) {

@@ -23,6 +23,11 @@ void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& l
 /// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
 [[nodiscard]] std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there);
 
+/// What the input states beside its rig and the edited file, which says `there`, does not: as losses. Keys that the file has keep
+/// its value; for the others `why` is said.
+void add_beyond_base(std::span<const AsRead> extras, std::span<const AsRead> there, std::string_view why,
+                     std::vector<Loss>& losses);
+
 /// What goes with a base's text where `fresh` is composed in its place: comments and its first line, "%YAML:1.0". `why`: why it
 /// is composed anew; may be empty. Its keys are the writer's affair.
 void add_composed_anew(const text::Document& base, const text::Document& fresh, std::string_view why,

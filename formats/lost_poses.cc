@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lost_poses.h"
 
+#include <fca/formats/consumers/consumer.h>
 #include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/leave_out.h>
@@ -75,8 +76,17 @@ Group group_of(const std::string& frame, const std::set<std::string>& frames, co
   return group;
 }
 
-Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group& b, const Format& format) {
-  std::string why = "what is written for " + std::string(format.program) + " does not say it";
+/// Who is to read what is written: DSO's files are TUM-VI's, too.
+std::string program_of(const Format& format, const Written& written) {
+  for (const Written::File& file : written.files) {
+    const consumers::Consumer* consumer = file.programs.empty() ? nullptr : consumers::find_consumer(file.programs.front());
+    if (consumer != nullptr && consumer->cameras) return std::string(consumer->program);
+  }
+  return std::string(format.program);
+}
+
+Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group& b, const std::string& program) {
+  std::string why = "what is written for " + program + " does not say it";
   std::vector<std::string> kept;
   for (const Group* group : {&a, &b}) {
     if (group->size() > 1) kept.push_back(text::enumerated(std::vector<std::string>(group->begin(), group->end())));
@@ -119,7 +129,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
   }
   std::vector<Loss> losses;
   losses.reserve(lost.size());
-  for (const auto& [groups, poses] : lost) losses.push_back(loss_of(poses, groups.first, groups.second, format));
+  for (const auto& [groups, poses] : lost) losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written)));
   return losses;
 }
 

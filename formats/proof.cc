@@ -15,42 +15,61 @@ namespace {
 /// program stores them as floats (2.6e-4 px on a T265).
 constexpr double kRounding = 5.0;
 
+/// Sums are of image area, in cells of the lattice.
 struct Comparison {
   double worst = 0.0;
   double misread = 0.0;
-  int asked = 0;
-  int compared = 0;
-  int misread_points = 0;
+  double asked = 0.0;
+  double compared = 0.0;
+  double misread_area = 0.0;
+  double wrong_rays = 0.0;
   bool agrees = true;
 };
 
+/// On the other side of the program's image centre? So the formulas that divide by z answer rays from behind.
+bool is_mirrored(const consumers::ConsumerCamera& theirs, const Pixel& image, const Pixel& pixel) {
+  const std::optional<Pixel> centre = theirs.project({0.0, 0.0, 1.0});
+  if (!centre) return false;
+  return (image[0] - (*centre)[0]) * (pixel[0] * theirs.scale[0] - (*centre)[0]) +
+             (image[1] - (*centre)[1]) * (pixel[1] * theirs.scale[1] - (*centre)[1]) <
+         0.0;
+}
+
+void compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs, double area, double tolerance,
+                   Comparison& result) {
+  result.asked += area;
+  const std::optional<Pixel> image = theirs.project(ray);
+  if (!image) return;
+  const double difference = std::hypot((*image)[0] - pixel[0] * theirs.scale[0], (*image)[1] - pixel[1] * theirs.scale[1]);
+  // From 90 degrees on some programs mirror: that is their limit, told as a warning, not a fault of the file.
+  const double in_file_pixels = std::hypot((*image)[0] / theirs.scale[0] - pixel[0], (*image)[1] / theirs.scale[1] - pixel[1]);
+  if (ray[2] <= 0.0 && in_file_pixels > 1.0 && (!theirs.misread || is_mirrored(theirs, *image, pixel))) return;
+  result.compared += area;
+  if (angle_from_axis(ray) > theirs.right_rays_rad) result.wrong_rays += area;
+  if (theirs.misread) {
+    result.misread_area += area;
+    result.misread = std::max(result.misread, difference);
+    return;
+  }
+  result.worst = std::max(result.worst, difference);
+  const double allowed = (kRounding * tolerance + theirs.approximation_px) *
+                         std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
+  if (!(difference <= allowed)) result.agrees = false;
+}
+
 /// Over the camera's image: our ray of a pixel, then the program's pixel of that ray.
-void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, Comparison& result) {
+void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, double max_angle_rad,
+                    Comparison& result) {
   if (!ours.image_size) return;
   constexpr int kSteps = 40;
+  // Trapezoids: a point of the border stands for half a cell.
+  const auto width_of = [](int step) { return step == 0 || step == kSteps ? 0.5 : 1.0; };
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) {
       const Pixel pixel = {(ours.image_size->width - 1.0) * i / kSteps, (ours.image_size->height - 1.0) * j / kSteps};
       const std::optional<Ray> ray = unproject(ours.model, pixel);
-      if (!ray) continue;
-      ++result.asked;
-      const std::optional<std::array<double, 2>> image = theirs.project(*ray);
-      if (!image) continue;
-      // Beyond 90 degrees some programs mirror: that is their limit, told as a warning, not a fault of the file.
-      if ((*ray)[2] <= 0.0 &&
-          std::hypot((*image)[0] / theirs.scale[0] - pixel[0], (*image)[1] / theirs.scale[1] - pixel[1]) > 1.0)
-        continue;
-      ++result.compared;
-      const double difference = std::hypot((*image)[0] - pixel[0] * theirs.scale[0], (*image)[1] - pixel[1] * theirs.scale[1]);
-      if (theirs.misread) {
-        ++result.misread_points;
-        result.misread = std::max(result.misread, difference);
-        continue;
-      }
-      result.worst = std::max(result.worst, difference);
-      const double allowed = (kRounding * tolerance + theirs.approximation_px) *
-                             std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
-      if (!(difference <= allowed)) result.agrees = false;
+      if (!ray || angle_from_axis(*ray) > max_angle_rad) continue;
+      compare_pixel(pixel, *ray, theirs, width_of(i) * width_of(j), tolerance, result);
     }
   }
 }
@@ -77,17 +96,17 @@ double pose_difference(const Rig& rig, const consumers::ConsumerView& view, cons
 }  // namespace
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, std::span<const std::string> cameras) {
+                  const Rig& rig, std::span<const std::string> cameras, double max_angle_rad) {
   Rig written = rig;
   written.cameras.clear();
   for (const std::string& name : cameras) {
     if (const Camera* camera = rig.find_camera(name)) written.cameras.push_back(*camera);
   }
-  return prove(consumer, bytes, options, written);
+  return prove(consumer, bytes, options, written, max_angle_rad);
 }
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig) {
+                  const Rig& rig, double max_angle_rad) {
   const consumers::ConsumerView view = consumer.load(bytes, options);
   ProofResult result;
   result.program = consumer.program;
@@ -98,18 +117,20 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   // The rig's cameras by position: formats may rename them.
   Comparison comparison;
   for (std::size_t i = 0; i < std::min(rig.cameras.size(), view.cameras.size()); ++i) {
-    compare_camera(rig.cameras[i], view.cameras[i], consumer.tolerance_px, comparison);
+    compare_camera(rig.cameras[i], view.cameras[i], consumer.tolerance_px, max_angle_rad, comparison);
   }
+  result.without_cameras = rig.cameras.empty();
   result.max_diff_px = comparison.worst;
   result.misread_px = comparison.misread;
-  result.all_misread = comparison.misread_points > 0 && comparison.misread_points == comparison.compared;
-  result.compared_share = comparison.asked > 0 ? static_cast<double>(comparison.compared) / comparison.asked : 0.0;
-  result.unanswered_share = comparison.asked > 0 ? 1.0 - result.compared_share : 0.0;
+  result.all_misread = comparison.misread_area > 0.0 && comparison.misread_area == comparison.compared;
+  result.compared_share = comparison.asked > 0.0 ? comparison.compared / comparison.asked : 0.0;
+  result.unanswered_share = comparison.asked > 0.0 ? 1.0 - result.compared_share : 0.0;
+  result.wrong_ray_share = comparison.asked > 0.0 ? comparison.wrong_rays / comparison.asked : 0.0;
   constexpr double kPosePrecision = 1e-6;  // float formats
   for (const consumers::ConsumerPose& pose : view.poses)
     result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));
   result.pixels_agree =
-      comparison.agrees && (comparison.compared > 0 || comparison.misread_points > 0 || comparison.asked == 0);
+comparison.agrees && (comparison.compared > 0.0 || comparison.asked == 0.0);
   if (view.cameras.size() < rig.cameras.size()) result.pixels_agree = false;  // it does not see a camera at all
   result.poses_agree = result.max_diff_pose <= kPosePrecision;
   return result;

@@ -34,6 +34,11 @@ const Format* find_format(std::string_view name) {
   return found == formats.end() ? nullptr : &*found;
 }
 
+bool is_base_of(const Format& from, const text::Document& document, const Format& to) {
+  if (from.id == to.id || to.layout_of == from.id) return true;
+  return from.layout_of == to.id && to.probe(document).score > 0;
+}
+
 const StoredModel* find_stored_model(const Format& format, std::string_view model, bool stock_only) {
   const auto found = std::ranges::find_if(
       format.models, [&](const StoredModel& row) { return row.model == model && (row.stock || !stock_only); });

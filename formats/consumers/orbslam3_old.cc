@@ -125,6 +125,12 @@ class Parser {
   }
 
   void read_fisheye(Projection (Parser::*read)(const std::string&)) {
+    read_fisheye_cameras(read);
+    if (read != &Parser::read_kannala_brandt8) return;
+    for (ConsumerCamera& camera : view_.cameras) camera.right_rays_rad = kKannalaBrandt8RightRays;
+  }
+
+  void read_fisheye_cameras(Projection (Parser::*read)(const std::string&)) {
     add_camera("cam0", (this->*read)("Camera"));
     const bool rgbd_inertial =
         sensor_.rgbd && sensor_.inertial && dialect_.rgbd_needs_bf;  // V1.0 reads a second camera there too

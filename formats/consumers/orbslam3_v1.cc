@@ -268,7 +268,9 @@ class Parser {
   [[nodiscard]] ConsumerCamera to_camera(std::string name, const Camera& camera) const {
     const Intrinsics k = {camera.k.fx * scale_x_, camera.k.fy * scale_y_, camera.k.cx * scale_x_, camera.k.cy * scale_y_};
     Projection project = is_fisheye() && !pinhole_depth_ ? kannala_brandt8(k, camera.radial) : pinhole(k, camera.pinhole);
-    return {std::move(name), width_, height_, std::move(project), {scale_x_, scale_y_}, camera.misread};
+    ConsumerCamera result = {std::move(name), width_, height_, std::move(project), {scale_x_, scale_y_}, camera.misread};
+    if (is_fisheye()) result.right_rays_rad = kKannalaBrandt8RightRays;
+    return result;
   }
 
   void add_cameras() {

@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -37,6 +38,8 @@ using PinholeDistortion = std::array<float, 5>;
 
 [[nodiscard]] Projection pinhole(const Intrinsics& k, const PinholeDistortion& distortion);
 [[nodiscard]] Projection kannala_brandt8(const Intrinsics& k, const std::array<float, 4>& coeffs);
+/// KannalaBrandt8::unproject clamps the distorted angle to +-pi/2 and returns z = 1.
+inline constexpr double kKannalaBrandt8RightRays = std::numbers::pi / 2.0;
 [[nodiscard]] Projection double_sphere(const Intrinsics& k, float xi, float alpha);
 [[nodiscard]] Projection eucm(const Intrinsics& k, float alpha, float beta);
 

@@ -63,13 +63,14 @@ Rig Editor::said_by(std::span<const Kept> cameras) const {
 }
 
 std::string_view Editor::imu_pose_key() const {
-  const auto states = [this](std::string_view key) {
-    return std::ranges::any_of(old_.cameras, [&](const Camera& camera) {
-      const Node* block = text::find(base_.root(), camera.name, dialect_);
-      return block != nullptr && text::find(*block, key, dialect_) != nullptr;
-    });
-  };
   return states("T_imu_cam") && !states("T_cam_imu") ? "T_imu_cam" : "T_cam_imu";
+}
+
+bool Editor::states(std::string_view key) const {
+  return std::ranges::any_of(old_.cameras, [&](const Camera& camera) {
+    const Node* block = text::find(base_.root(), camera.name, dialect_);
+    return block != nullptr && text::find(*block, key, dialect_) != nullptr;
+  });
 }
 
 std::vector<fields::Field> Editor::fields_before(const Node& block, std::size_t index) const {
@@ -88,8 +89,11 @@ std::vector<fields::Field> Editor::fields_after(const Node& block, std::size_t i
   for (const PoseKey& pose : pose_keys(rig_.cameras[index].name)) {
     const bool there = text::find(block, pose.key, dialect_) != nullptr;
     const bool may_come = pose.key == imu_pose_key() || pose.key == "T_cn_cnm1";
+    // Cameras that come or change places are given every pose that this chain states of its cameras, also redundant ones.
+    const bool habit = other_cameras() && states(pose.key);
+    const bool comes = may_come && (habit || lacks_pose(said_, rig_, pose.a, pose.b));
     const std::optional<Transform> T = pose_in(rig_, pose.a, pose.b);
-    if (T && (there || (may_come && lacks_pose(said_, rig_, pose.a, pose.b)))) result.push_back(fields::rows(pose.key, *T));
+    if (T && (there || comes)) result.push_back(fields::rows(pose.key, *T));
   }
   std::ranges::sort(result, {}, &fields::Field::key);
   const std::vector<fields::Field> lens = lens_fields(rig_.cameras[index]);
@@ -113,6 +117,8 @@ void Editor::edit_named_poses() {
 text::Document Editor::edited(std::vector<Loss>& losses) {
   const Node& root = document_.root();
   const std::vector<Kept> cameras = kept();
+  const bool same_places =
+      cameras.size() == old_.cameras.size() && std::ranges::equal(cameras, cameras, {}, &Kept::before, &Kept::now);
   said_ = said_by(cameras);
   edit_named_poses();
   for (const Camera& camera : old_.cameras) {
@@ -124,7 +130,7 @@ text::Document Editor::edited(std::vector<Loss>& losses) {
     if (name != camera.entry->key.value) document_.replace(camera.entry->key.span, name);
     fields::apply(document_, camera.entry->value, dialect_, fields_before(camera.entry->value, camera.before),
                   fields_after(camera.entry->value, camera.now));
-    if (other_cameras()) remove_overlaps(*camera.entry, losses);
+    if (!same_places) remove_overlaps(*camera.entry, losses);
   }
   for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
     if (position_of(old_, as_named_.cameras[i].name)) continue;

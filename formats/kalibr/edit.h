@@ -41,6 +41,8 @@ class Editor {
   [[nodiscard]] std::vector<fields::Field> fields_before(const text::Node& block, std::size_t index) const;
   /// OpenVINS' chains state the inverse of T_cam_imu.
   [[nodiscard]] std::string_view imu_pose_key() const;
+  /// Does a camera of the base state something under that key?
+  [[nodiscard]] bool states(std::string_view key) const;
   void remove_overlaps(const text::Entry& camera, std::vector<Loss>& losses);
 
   const text::Document& base_;

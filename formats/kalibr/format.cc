@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "demands.h"
 #include "kalibr.h"
 #include "layout.h"
 
 #include <array>
-#include <limits>
 
 namespace fca::kalibr {
 
@@ -11,14 +11,8 @@ using text::Node;
 
 namespace {
 
-/// ConfigReader.py demands 0 <= alpha < 1; a radtan has no k3.
-constexpr double kBelowOne = 1.0 - std::numeric_limits<double>::epsilon() / 2;
-constexpr std::array kAlphaRange = {ParameterRange{"alpha", 0.0, kBelowOne}};
-constexpr std::string_view kAlphaReason = "Kalibr demands alpha < 1";
-constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
-
 constexpr std::array kModels = {
-    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr", kNoK3, "Kalibr's radtan has no k3"},
+    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr", kNoK3, kNoK3Reason},
     StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg)", {}},
     StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
     StoredModel{"eucm", "eucm-none", true, "Kalibr", kAlphaRange, kAlphaReason},

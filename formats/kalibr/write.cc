@@ -144,7 +144,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     if (!there) add_imu_file(imu, written, diagnostics);
   }
   const std::vector<AsRead> kept = editor ? old->as_read : std::vector<AsRead>();
-  add_not_carried(extras_beyond(rig.as_read, kept), "the camchain written has no place for it", written.losses);
+  add_beyond_base(rig.as_read, kept, "the camchain written has no place for it", written.losses);
   if (old && !editor) {
     add_composed_anew(*base, written.files.front().document, "", written.losses);
     add_not_carried(extras_beyond(old->as_read, rig.as_read), "the file is composed anew", written.losses);

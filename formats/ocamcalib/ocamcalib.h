@@ -18,6 +18,9 @@ namespace fca::ocamcalib {
 
 extern const Format kFormat;
 
+/// What read() calls the file's own inverse polynomial among AsRead, behind the camera's name.
+inline constexpr std::string_view kInverse = "inverse polynomial";
+
 [[nodiscard]] std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options,
                                       Diagnostics& diagnostics);
 [[nodiscard]] std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,

@@ -16,6 +16,12 @@ namespace {
 /// Farther than this from the exact inverse, the two polynomials are not of one lens. findinvpoly.m stops at 0.01 px.
 constexpr double kStalePx = 1.0;
 
+std::string listed(std::span<const double> values) {
+  std::string list;
+  for (const double value : values) list += (list.empty() ? "" : " ") + text::format_real(value);
+  return list;
+}
+
 class ResultsReader {
  public:
   ResultsReader(const text::Document& document, Diagnostics& diagnostics)
@@ -42,9 +48,10 @@ class ResultsReader {
     }
     const double error = inverse_error(camera, *inverse);
     if (!swapped) warn_if_stale(*blocks, error);  // else the lens is not where the centre says
-    rig.as_read.push_back({"cam0 inverse polynomial", std::to_string(inverse->size()) + " coefficients, up to " +
+    rig.as_read.push_back({"cam0 " + std::string(kInverse), std::to_string(inverse->size()) + " coefficients, up to " +
                                                           text::format_short(error, 3) +
-                                                          " px from the exact inverse of the direct polynomial"});
+                                                          " px from the exact inverse of the direct polynomial: " +
+                                                          listed(*inverse)});
     rig.cameras.push_back(std::move(camera));
     return rig;
   }

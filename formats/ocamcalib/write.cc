@@ -136,6 +136,15 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
   return document;
 }
 
+/// An inverse polynomial that was read is no loss where one was fitted to the same lens again. One that differs from that of the
+/// file written into is: with the same direct polynomial, the file keeps its own.
+void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written) {
+  std::vector<AsRead> extras = rig.as_read;
+  if (!old || old->cameras.front().model != rig.cameras.front().model)
+    std::erase_if(extras, [](const AsRead& extra) { return extra.key.ends_with(kInverse); });
+  add_beyond_base(extras, old ? old->as_read : std::vector<AsRead>(), "a calib_results.txt has no place for it", written.losses);
+}
+
 }  // namespace
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
@@ -160,10 +169,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.push_back({*std::move(document), {camera.name}, {"ocamcalib"}});
   }
   list_camera_losses(rig, "OCamCalib", written.losses);
-  // An inverse polynomial that was read is no loss: there is one again.
-  std::vector<AsRead> extras = rig.as_read;
-  std::erase_if(extras, [](const AsRead& extra) { return extra.key.ends_with(" inverse polynomial"); });
-  add_not_carried(extras, "a calib_results.txt has no place for it", written.losses);
+  list_extras(rig, old, written);
   written.headline =
       rig.cameras.size() == 1 ? "a calib_results.txt for OCamCalib" : "one calib_results.txt for OCamCalib per camera";
   return written;

@@ -255,7 +255,7 @@ class CalibrationReader {
     const auto keep = [&rig](const Node& mapping, const std::vector<std::string>& known, const std::string& owner) {
       for (const text::Entry& entry : mapping.entries) {
         if (std::ranges::find(known, entry.key.value) == known.end())
-          rig.as_read.push_back({owner + entry.key.value, entry.value.value});
+          rig.as_read.push_back({owner + entry.key.value, text::in_one_line(entry.value)});
       }
     };
     keep(document_.root(), keys_of(layout_, ""), "");

@@ -16,7 +16,7 @@ constexpr std::array kAlphaAboveHalf = {ParameterRange{"alpha", 0.501, 1.0}};
 
 constexpr std::array kModels = {
     StoredModel{"radtan", "PinHole", true, "ORB-SLAM3 V1.0", {}},
-    StoredModel{"kb4", "KannalaBrandt8", true, "ORB-SLAM3 V1.0", {}},
+    StoredModel{"kb4", "KannalaBrandt8", true, "ORB-SLAM3 V1.0 (right rays inside 90 deg)", {}},
     StoredModel{"pinhole", "PinHole, Rectified", true, "ORB-SLAM3 V1.0", {}},
     StoredModel{"eucm", "EUCM", false, "ns15417/slam_no_opt, lsyads/fisheye-ORB-SLAM", kAlphaAboveHalf,
                 "these programs reject every point below alpha = 0.5"},

@@ -63,7 +63,7 @@ class SettingsReader {
   /// What the file says and a Rig has no place for.
   void keep_unread(Rig& rig) const {
     for (const text::Entry& entry : document_.root().entries) {
-      if (!read_.contains(entry.key.value)) rig.as_read.push_back({entry.key.value, entry.value.value});
+      if (!read_.contains(entry.key.value)) rig.as_read.push_back({entry.key.value, text::in_one_line(entry.value)});
     }
   }
 
@@ -108,7 +108,7 @@ class SettingsReader {
         good = false;
       }
       if (node != nullptr && slot.parameter.empty() && text::parse_real(node->value) != 0.0)
-        rig.as_read.push_back({key, node->value});
+        rig.as_read.push_back({key, text::in_one_line(*node)});
       if (node == nullptr || slot.parameter.empty()) continue;
       good = reader_.parameter(*node, key, slot.parameter, camera.model) && good;
     }

@@ -41,7 +41,9 @@ Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
   const text::Node* type = find_key(document, "Camera.type");
   // Settings of an RGB-D sensor state a baseline, too.
   const bool said = style_of(document) != Style::kV1 || (type != nullptr && type->value == "Rectified");
-  const bool rectified = is_rectified_pair(rig) && !depth && said;
+  // Before V1.0, Camera.bf is read beside any lens, and follows its focal length.
+  const bool states_bf = rig.cameras.size() == 1 && rig.baseline_m && find_key(document, "Camera.bf") != nullptr;
+  const bool rectified = !depth && ((is_rectified_pair(rig) && said) || (states_bf && style != Style::kV1));
   const bool two = posed || rectified;
   const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty();
   const auto* const found = std::ranges::find_if(kSensors, [&](const Sensor& candidate) {
@@ -128,8 +130,9 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
   }
   for (std::size_t i = 1; i < rig.imus.size(); ++i)
     losses.push_back({"imu-dropped", rig.imus[i].name + " noise and rate", "the settings hold one IMU", ""});
+  const bool said_by_mode = edited != nullptr && (edited->target.sensor.two_cameras || edited->target.sensor.depth);
   const bool untouched_baseline = edited != nullptr && edited->rig.baseline_m == rig.baseline_m &&
-                                  !edited->target.sensor.two_cameras && !edited->target.sensor.depth;
+                                  (target.style == Style::kV1 || !said_by_mode);
   if (rig.baseline_m && !target.sensor.two_cameras && !target.sensor.depth && !untouched_baseline) {
     losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",
                       mode + " settings hold none", "--sensor rgbd writes it"});
@@ -323,6 +326,17 @@ std::string way_out_of_confusion(const Rig& rig) {
          "--sensor stereo; or --model kb4 --orbslam3-layout old, where V1.0 reads both cameras rightly";
 }
 
+/// What the base says in a mode that the rig leaves, and the rig still says: it stays, for it is as true as before.
+std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span<const fields::Field> after) {
+  std::vector<fields::Field> before = settings_fields(base.rig, base.target);
+  if (base.rig.baseline_m != rig.baseline_m) return before;
+  std::erase_if(before, [after](const fields::Field& field) {
+    const bool of_baseline = field.key == "Stereo.b" || field.key == "Stereo.ThDepth";
+    return of_baseline && std::ranges::find(after, field.key, &fields::Field::key) == after.end();
+  });
+  return before;
+}
+
 /// Of the values that no input states, those that the base does not already have.
 std::vector<fields::Field> new_fields(const std::vector<fields::Field>& fields, const Base& base) {
   std::vector<fields::Field> result;
@@ -357,11 +371,10 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   if (edited != nullptr) {
     text::Document document = edited->document;
     fields::apply(document, document.root(), text::Dialect::kOpenCv,
-                  shaped_as(settings_fields(edited->rig, edited->target), edited->document),
-                  shaped_as(fields, edited->document));
+                  shaped_as(fields_of(*edited, rig, fields), edited->document), shaped_as(fields, edited->document));
     written.files.push_back({std::move(document), {}, {}});
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
-    add_not_carried(extras_beyond(rig.as_read, edited->rig.as_read), "the settings have no place for it", written.losses);
+    add_beyond_base(rig.as_read, edited->rig.as_read, "the settings have no place for it", written.losses);
   } else {
     std::optional<text::Document> document =
         text::parse_document({"settings.yaml", compose(fields, *target, rig, audience.headline)}, diagnostics);

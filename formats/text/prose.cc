@@ -16,6 +16,15 @@ std::string enumerated(std::span<const std::string> parts, std::string_view last
   return text;
 }
 
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kMost = 100;
+  if (text.size() <= kMost) return std::string(text);
+  std::size_t end = kMost;
+  const auto continues = [&text](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U; };  // UTF-8
+  while (end > 0 && continues(end)) --end;
+  return std::string(text.substr(0, end)) + " ...";
+}
+
 namespace {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

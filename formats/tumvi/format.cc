@@ -2,6 +2,7 @@
 #include "camera_txt.h"
 #include "tumvi.h"
 
+#include "../kalibr/demands.h"
 #include "../kalibr/kalibr.h"
 #include "../losses.h"
 #include "../one_camera_files.h"
@@ -17,15 +18,16 @@ namespace fca::tumvi {
 
 namespace {
 
-constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
-
-/// The dataset has two calibrations of its cameras, and these are their models. The others are Kalibr's or DSO's.
+/// What Kalibr holds. The dataset has two calibrations of its cameras, and their models stand first.
 constexpr std::array kModels = {
-    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg)", {}},
+    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg), DSO (camera.txt)", {}},
     StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
-    StoredModel{"radtan", "pinhole-radtan", false, "Kalibr, DSO (camera.txt)", kNoK3, "Kalibr's radtan has no k3"},
-    StoredModel{"pinhole", "pinhole-radtan with zeros", false, "Kalibr, DSO (camera.txt)", {}},
-    StoredModel{"fov", "pinhole-fov", false, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}},
+    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr, DSO (camera.txt)", kalibr::kNoK3, kalibr::kNoK3Reason},
+    StoredModel{"eucm", "eucm-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
+    StoredModel{"ds", "ds-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
+    StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
+    StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}},
+    StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}},
 };
 
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
@@ -37,7 +39,7 @@ bool is_camera_txt(const text::Document& document) { return document.syntax() ==
 
 /// The dataset states T_cam_imu and T_cn_cnm1 of one estimate. Where a rig's contradict each other, the chain and the first
 /// camera's pose are kept, and the others follow from them.
-void make_consistent(Rig& rig, std::vector<Loss>& losses) {
+void make_consistent(Rig& rig, std::vector<Loss>& losses, std::vector<PoseEdge>& restated) {
   constexpr double kRounding = 1e-9;
   for (std::size_t i = 1; i < rig.cameras.size(); ++i) {
     const std::string& name = rig.cameras[i].name;
@@ -56,6 +58,7 @@ void make_consistent(Rig& rig, std::vector<Loss>& losses) {
                       "check which of them is right"});
     std::erase_if(rig.poses, [&name](const PoseEdge& edge) { return edge.a == name && edge.b == "imu0"; });
     rig.poses.push_back({name, "imu0", derived});
+    restated.push_back(rig.poses.back());
   }
 }
 
@@ -75,29 +78,50 @@ bool wants_camera_txt(const text::Document* base, const WriteOptions& options) {
   return base != nullptr && is_camera_txt(*base) && options.extension != ".yaml" && options.extension != ".yml";
 }
 
-/// A camera.txt: the base with the camera's numbers, or a fresh one. Nothing, and `why` says why, if none can say the rig.
+/// The base, a camera.txt, with the numbers of the rig's one camera. Nothing, and `why` says why, if it cannot say them.
+std::optional<text::Document> edited_base(const text::Document& base, const Rig& rig, std::string& why) {
+  why = problem_with_camera_txt(rig);
+  // In shares of the image's size, the base can say another centre than in pixels.
+  if (!why.empty() && rig.cameras.size() != 1) return std::nullopt;
+  std::optional<text::Document> document = edited_camera_txt(base, rig.cameras.front());
+  if (!document && why.empty()) why = "its numbers are shares of the image's size, and these cannot be";
+  return document;
+}
+
+/// A fresh camera.txt per camera. Nothing, and `why` says why, if one of them cannot be.
+std::vector<Written::File> fresh_files(const Rig& rig, std::string& why, Diagnostics& diagnostics) {
+  std::vector<Written::File> files;
+  for (const Camera& camera : rig.cameras) {
+    Rig alone;
+    alone.cameras = {camera};
+    why = problem_with_camera_txt(alone);
+    if (!why.empty()) return {};
+    const std::string name = rig.cameras.size() == 1 ? "camera.txt" : camera.name + ".txt";
+    std::optional<text::Document> document = text::parse_document({name, fresh_camera_txt(camera)}, diagnostics);
+    if (document) files.push_back({*std::move(document), {camera.name}, {"dso"}});
+  }
+  return files;
+}
+
+/// DSO's text: the base with the camera's numbers, or fresh ones. Nothing, and `why` says why, if it cannot say the rig.
 std::optional<Written> write_camera_txt(const text::Document* base, const std::optional<Rig>& old, const Rig& rig,
                                         std::string& why, Diagnostics& diagnostics) {
-  why = problem_with_camera_txt(rig);
   const bool edits = old && is_camera_txt(*base);
-  // In shares of the image's size, the base can say another centre than in pixels.
-  if (!why.empty() && (!edits || rig.cameras.size() != 1)) return std::nullopt;
   Written written;
-  std::optional<text::Document> document;
   if (edits) {
-    document = edited_camera_txt(*base, rig.cameras.front());
-    if (!document && why.empty()) why = "its numbers are shares of the image's size, and these cannot be";
+    std::optional<text::Document> document = edited_base(*base, rig, why);
+    if (!document) return std::nullopt;
+    written.files.push_back({*std::move(document), {rig.cameras.front().name}, {"dso"}});
   } else {
-    document = text::parse_document({"camera.txt", fresh_camera_txt(rig.cameras.front())}, diagnostics);
+    written.files = fresh_files(rig, why, diagnostics);
+    if (written.files.empty()) return std::nullopt;
     written.defaults.push_back({"rectification (line 3)", "crop", false});
     written.defaults.push_back({"size of DSO's images (line 4)", "the camera's", false});
   }
-  if (!document) return std::nullopt;
-  written.files.push_back({*std::move(document), {rig.cameras.front().name}, {"dso"}});
   list_camera_losses(rig, "DSO", written.losses);
   const std::vector<AsRead> there = edits ? old->as_read : std::vector<AsRead>();
-  add_not_carried(extras_beyond(rig.as_read, there), "a camera.txt has no place for it", written.losses);
-  written.headline = "a camera.txt for DSO";
+  add_beyond_base(rig.as_read, there, "a camera.txt has no place for it", written.losses);
+  written.headline = written.files.size() == 1 ? "a camera.txt for DSO" : "a camera.txt for DSO per camera";
   return written;
 }
 
@@ -118,13 +142,16 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     diagnostics.note("not-a-camera-txt", "a camchain, not DSO's camera.txt: " + why);
   }
   const text::Document* chain = base != nullptr && !is_camera_txt(*base) ? base : nullptr;
+  const bool own_chain = chain != nullptr && !options.adopted;
   Rig rig = rig_as_named;
   std::vector<Loss> losses;
-  remove_time_offsets(rig, chain != nullptr && old ? &*old : nullptr, losses);
-  if (chain == nullptr) make_consistent(rig, losses);
+  std::vector<PoseEdge> restated;
+  remove_time_offsets(rig, own_chain && old ? &*old : nullptr, losses);
+  if (!own_chain) make_consistent(rig, losses, restated);
   std::optional<Written> written = kalibr::write(chain, rig, options, diagnostics);
   if (!written) return std::nullopt;
   written->losses.insert(written->losses.begin(), losses.begin(), losses.end());
+  written->restated = std::move(restated);
   if (old && chain == nullptr)
     add_not_carried(extras_beyond(old->as_read, rig.as_read), "the file is composed anew", written->losses);
   written->headline = "a camchain as TUM-VI's, for Kalibr";
@@ -137,6 +164,7 @@ const Format kFormat = {
     .syntaxes = "YAML, text",
     .extension = ".yaml",
     .program = "Kalibr",
+    .layout_of = "kalibr",
     .many_cameras = true,
     .extrinsics = true,
     .imu = true,

@@ -75,6 +75,17 @@ void edit_translation(text::Document& document, const Node& list, const std::arr
   }
 }
 
+/// Of q and -q, which are one rotation, the one that is nearer to what the file says.
+Quaternion signed_as(const Node& extrinsic, Quaternion q) {
+  const Node* list = text::find(extrinsic, "quaternion", text::Dialect::kPyYaml);
+  double product = 0.0;
+  for (std::size_t i = 0; list != nullptr && i < std::min(q.size(), list->items.size()); ++i)
+    product += text::parse_real(list->items[i].value).value_or(0.0) * q.at(i);
+  if (product >= 0.0) return q;
+  for (double& value : q) value = -value;
+  return q;
+}
+
 /// Takes the base from saying `old` to saying `camera` at that pose. Its own name and, where the rotation is the same, its own
 /// quaternion stay.
 text::Document edited(const text::Document& base, const Rig& old, const Camera& camera, const std::optional<Transform>& pose) {
@@ -87,11 +98,13 @@ text::Document edited(const text::Document& base, const Rig& old, const Camera& 
 
   const Transform* stated = old.stated(kVehicle, before.name);
   if (!pose || (stated != nullptr && *stated == *pose)) return document;
+  const text::Entry* extrinsic = text::find_entry(root, "extrinsic", kDialect);
   std::vector<Field> from = stated != nullptr ? extrinsic_fields(*stated) : std::vector<Field>();
   std::vector<Field> to = extrinsic_fields(*pose);
   constexpr double kSameRotation = 1e-12;
   if (stated != nullptr && largest_difference_of_rotations(*stated, *pose) <= kSameRotation) to.front() = from.front();
-  const text::Entry* extrinsic = text::find_entry(root, "extrinsic", kDialect);
+  if (stated != nullptr && to.front().tokens != from.front().tokens)
+    to.front() = fields::list("quaternion", signed_as(extrinsic->value, quaternion_of(*pose)));
   if (stated != nullptr) {
     edit_translation(document, *text::find(extrinsic->value, "translation", kDialect), translation_of(*pose));
     from.pop_back();
@@ -145,7 +158,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.push_back({*std::move(document), {camera.name}, {"woodscape"}});
   }
   list_camera_losses(rig, "WoodScape", written.losses);
-  add_not_carried(extras_beyond(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>()),
+  add_beyond_base(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>(),
                   "a WoodScape JSON has no place for it", written.losses);
   if (const std::optional<Rig> replaced =
           base != nullptr && options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt)

@@ -198,33 +198,81 @@ std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
   return pieces;
 }
 
-/// Polar around the principal point.
-std::vector<Correspondence> sample_polar(const Rays& rays, const Pixel& centre, int count) {
-  const std::vector<double> pieces = smooth_pieces(rays, centre);
-  // Errors change fast along the radius (tan^7 for radtan) and slowly around it: three azimuths a piece, and radii as many as
-  // are left.
-  constexpr int kAzimuthsPerPiece = 3;
-  constexpr int kFewestRadii = 10;
-  constexpr int kMostRadii = 40;
-  const int radial = std::clamp(count / (kAzimuthsPerPiece * static_cast<int>(pieces.size() - 1)), kFewestRadii, kMostRadii);
-  const std::vector<Node>& radii = gauss_legendre(radial);
-  const double azimuths_per_radian = count / (radial * 2.0 * std::numbers::pi);
-  std::vector<Correspondence> samples;
-  for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
-    const double span = pieces[piece + 1] - pieces[piece];
-    for (const Node& azimuth :
-         gauss_legendre(std::max(kAzimuthsPerPiece, static_cast<int>(std::lround(azimuths_per_radian * span))))) {
-      const double phi = pieces[piece] + azimuth.position * span;
-      const Pixel direction = {std::cos(phi), std::sin(phi)};
-      const double edge = reach(rays, centre, phi);
-      for (const Node& radius : radii) {
-        const double distance = radius.position * edge;
-        add_if_seen(rays, along(centre, direction, distance), azimuth.weight * span * radius.weight * edge * distance, samples);
+/// Polar around the principal point, a piece at a time.
+class PolarSampler {
+ public:
+  PolarSampler(const Rays& rays, const Pixel& centre, int count)
+      : rays_(rays), centre_(centre), pieces_(smooth_pieces(rays, centre)) {
+    // Errors change fast along the radius (tan^7 for radtan).
+    constexpr int kFewestRadii = 10;
+    constexpr int kMostRadii = 40;
+    const int pieces = static_cast<int>(pieces_.size()) - 1;
+    radial_ = std::clamp(count / (kFewestAzimuths * pieces), kFewestRadii, kMostRadii);
+    azimuths_per_radian_ = count / (radial_ * 2.0 * std::numbers::pi);
+  }
+
+  std::vector<Correspondence> run() {
+    for (std::size_t piece = 0; piece + 1 < pieces_.size(); ++piece) {
+      const double begin = pieces_[piece];
+      const double end = pieces_[piece + 1];
+      if (reaches_border(rays_, centre_, 0.5 * (begin + end))) {
+        add_triangle(begin, end);
+      } else {
+        add_sector(begin, end);
       }
     }
+    return std::move(samples_);
   }
-  return samples;
-}
+
+ private:
+  static constexpr int kFewestAzimuths = 3;
+
+  static Pixel direction(double azimuth) { return {std::cos(azimuth), std::sin(azimuth)}; }
+
+  /// Up to the lens's edge: there errors change slowly with the azimuth.
+  void add_sector(double begin, double end) {
+    const double span = end - begin;
+    const int azimuths = std::max(kFewestAzimuths, static_cast<int>(std::lround(azimuths_per_radian_ * span)));
+    for (const Node& azimuth : gauss_legendre(azimuths)) {
+      const double phi = begin + azimuth.position * span;
+      const double edge = reach(rays_, centre_, phi);
+      add_ray_of_samples(direction(phi), edge, azimuth.weight * span * edge * edge);
+    }
+  }
+
+  /// Up to a side of the image: the nodes lie evenly along that, so that a polynomial of the pixel stays one. Errors grow as fast
+  /// towards its corners as along the radius.
+  void add_triangle(double begin, double end) {
+    const auto border = [&](double azimuth) {
+      return along(centre_, direction(azimuth), distance_to_border(rays_.size(), centre_, direction(azimuth)));
+    };
+    const Pixel first = border(begin + 1e-12);
+    const Pixel last = border(end - 1e-12);
+    const double length = std::hypot(last[0] - first[0], last[1] - first[1]);
+    const double whole = std::max(rays_.size().width, rays_.size().height);
+    const double twice_area =
+        std::abs((first[0] - centre_[0]) * (last[1] - centre_[1]) - (first[1] - centre_[1]) * (last[0] - centre_[0]));
+    const int along_side = std::max(kFewestAzimuths, static_cast<int>(std::lround(radial_ * length / whole)));
+    for (const Node& node : gauss_legendre(along_side)) {
+      const Pixel to_border = {first[0] + node.position * (last[0] - first[0]) - centre_[0],
+                               first[1] + node.position * (last[1] - first[1]) - centre_[1]};
+      add_ray_of_samples(to_border, 1.0, node.weight * twice_area);
+    }
+  }
+
+  void add_ray_of_samples(const Pixel& direction, double edge, double weight) {
+    for (const Node& radius : gauss_legendre(radial_)) {
+      add_if_seen(rays_, along(centre_, direction, radius.position * edge), weight * radius.weight * radius.position, samples_);
+    }
+  }
+
+  const Rays& rays_;
+  Pixel centre_;
+  std::vector<double> pieces_;
+  int radial_ = 0;
+  double azimuths_per_radian_ = 0.0;
+  std::vector<Correspondence> samples_;
+};
 
 bool whole_image(const Rays& rays) {
   const double width = rays.size().width - 1.0;
@@ -242,7 +290,7 @@ std::vector<Correspondence> sample(const Lens& source, const Domain& domain, int
   const Rays rays(source, domain);
   std::vector<Correspondence> samples;
   if (centred && !whole_image(rays)) {
-    samples = sample_polar(rays, centre, count);
+    samples = PolarSampler(rays, centre, count).run();
   } else {
     // An image whose centre lies outside it is rare; a finer tensor grid makes up for the points that fall away.
     samples = sample_rectangle(rays, centred ? count : 4 * count);

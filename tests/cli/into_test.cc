@@ -159,6 +159,54 @@ TEST(Into, WhatIsComposedAnewListsWhatGoes) {
 }
 
 // Into a fork's file goes the fork's model.
+// What stands beside the cameras is the base's; where the input says otherwise, that is a loss.
+TEST(Into, OtherValuesOfTheInputAreSaidWhereTheBaseKeepsItsOwn) {
+  const TemporaryFolder folder;
+  const std::string results = testdata("formats/ocamcalib/good/toolbox.txt");
+  const std::string overlap = testdata("formats/kalibr/good/tumvi.yaml");
+  struct Case {
+    std::string base, from, to, lost;
+  };
+  for (const Case& c : {Case{results, "76.44743355669645", "76.5", "inverse polynomial"},
+                        Case{overlap, "cam_overlaps: [1]", "cam_overlaps: [1, 2]", "cam0 cam_overlaps [1, 2]"}}) {
+    const std::string bytes = read_file(c.base);
+    if (!contains(bytes, c.from)) {
+      ADD_FAILURE() << c.base << " has no " << c.from;
+      continue;
+    }
+    const std::string extension = c.base.substr(c.base.rfind('.'));
+    const std::string input = folder.write("input" + extension, with_replaced(bytes, c.from, c.to));
+    const RunResult run = run_program({"convert", input, "--into", c.base});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.out, bytes);
+    EXPECT_TRUE(contains(run.err, c.lost)) << run.err;
+    EXPECT_TRUE(contains(run.err, "the file that is written into keeps its own value")) << run.err;
+  }
+}
+
+// A baseline is as true beside a lens with distortion as it was without; before V1.0 it is stored times the focal length.
+TEST(Into, TheBasesBaselineStays) {
+  const TemporaryFolder folder;
+  const std::string rectified = read_file(testdata("formats/orbslam3/good/v1-rectified.yaml"));
+  const std::string old_style =
+      "%YAML:1.0\nCamera.type: \"PinHole\"\nCamera.fx: 700.0\nCamera.fy: 700.0\nCamera.cx: 600.0\nCamera.cy: 180.0\n"
+      "Camera.k1: 0.0\nCamera.k2: 0.0\nCamera.p1: 0.0\nCamera.p2: 0.0\nCamera.width: 1241\nCamera.height: 376\n"
+      "Camera.fps: 10.0\nCamera.bf: 350.0\nCamera.RGB: 1\nThDepth: 40\n";
+  const std::string input = folder.write("lens.yaml",
+                                         "cam0:\n  camera_model: pinhole\n  intrinsics: [800.0, 800.0, 600.0, 180.0]\n"
+                                         "  distortion_model: radtan\n  distortion_coeffs: [-0.1, 0.01, 0.0, 0.0]\n"
+                                         "  resolution: [1241, 376]\n  rostopic: /cam0\n");
+  const RunResult old_run = run_program({"convert", input, "--into", folder.write("old.yaml", old_style), "--no-verify"});
+  EXPECT_EQ(old_run.code, 0) << old_run.err;
+  EXPECT_TRUE(contains(old_run.out, "Camera.bf: 400.0")) << old_run.out;
+  EXPECT_TRUE(contains(old_run.out, "ThDepth: 40\n")) << old_run.out;
+  const RunResult run = run_program({"convert", input, "--into", folder.write("v1.yaml", rectified), "--no-verify"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const std::string& line : lines_of(rectified)) {
+    if (line.starts_with("Stereo.")) EXPECT_TRUE(contains(run.out, line + "\n")) << run.out;
+  }
+}
+
 TEST(Into, AForksFileKeepsItsModel) {
   const RunResult run = run_program({"convert", kTumvi, "--camera", "cam0", "--into", kFork, "--max-angle", "97.5"});
   EXPECT_EQ(run.code, 0) << run.err;

@@ -152,8 +152,10 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
       for (std::size_t p = 0; p < info.parameters.size(); ++p) {
         Rig rig = base.calibration.rig;
         double& value = parameter_values(rig.cameras[c].model)[p];
-        if (value == 0.0 || others_follow(base, info.parameters[p])) continue;
-        value = storable(base, value * factor(random));
+        if (others_follow(base, info.parameters[p])) continue;
+        // A coefficient that is 0 may be so small that no lens folds by it.
+        constexpr double kSmall = 1e-9;
+        value = storable(base, value == 0.0 ? kSmall : value * factor(random));
         SCOPED_TRACE(base.name + ": " + rig.cameras[c].name + " " + std::string(info.parameters[p].name));
         const std::string bytes = written_over(base, rig);
         if (bytes.empty()) continue;  // beyond what the format holds: refused, with a diagnostic

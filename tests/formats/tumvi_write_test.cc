@@ -70,13 +70,15 @@ TEST(TumViChain, ReadsBackBitEqualAndKalibrAgrees) {
   }
 }
 
-TEST(TumViChain, TheDatasetsModelsAreTheStockOnes) {
-  for (const auto& [model, stock] :
-       {std::pair{"kb4", true}, std::pair{"mei", true}, std::pair{"radtan", false}, std::pair{"fov", false}}) {
-    ASSERT_NE(find_stored_model(tumvi_format(), model, false), nullptr) << model;
-    EXPECT_EQ(find_stored_model(tumvi_format(), model, true) != nullptr, stock) << model;
+// FORMATS.md 7: as Kalibr. Where either would do, the dataset's own come first.
+TEST(TumViChain, HoldsWhatKalibrHolds) {
+  for (const StoredModel& stored : find_format("kalibr")->models) {
+    const StoredModel* here = find_stored_model(tumvi_format(), stored.model, true);
+    ASSERT_NE(here, nullptr) << stored.model;
+    EXPECT_EQ(here->file_name, stored.file_name);
   }
-  EXPECT_EQ(find_stored_model(tumvi_format(), "ds", false), nullptr);
+  EXPECT_EQ(tumvi_format().models[0].model, "kb4");
+  EXPECT_EQ(tumvi_format().models[1].model, "mei");
 }
 
 TEST(TumViChain, ATimeOffsetIsDroppedAndSaid) {

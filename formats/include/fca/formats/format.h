@@ -55,7 +55,8 @@ struct WriteOptions {
   std::optional<double> frame_rate_hz;
   std::string
       extension;      ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
-  bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
+  bool anew = false;     ///< Compose a file though there is a base: of that only what tunes the program is taken over.
+  bool adopted = false;  ///< The base was read as another format of the same layout: a camchain that is to become TUM-VI's.
 };
 
 /// What was written and what the user must know of it.
@@ -71,6 +72,7 @@ struct Written {
   std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
+  std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.
 };
 
 /// What speaks for a format, by its weight. Formats for which the same speaks tie, and the user is asked.
@@ -94,6 +96,7 @@ struct Format {
   std::string_view syntaxes;            ///< For people: "YAML".
   std::string_view extension;           ///< Of its files, with the point: ".yaml".
   std::string_view program;             ///< The stock program that reads it: "Kalibr".
+  std::string_view layout_of = {};      ///< Id of the format whose files its own are, with habits of their own; may be empty.
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool one_model = false;               ///< All its cameras are of one model.
@@ -129,6 +132,9 @@ struct Format {
 [[nodiscard]] std::span<const Format> all_formats();
 /// The format of that id or alias ("orb-slam3", "ORB_SLAM3"), in any case; null if there is none.
 [[nodiscard]] const Format* find_format(std::string_view name);
+
+/// Is a document that was read as `from` one that `to` can edit: of that very format, or of one with the same layout?
+[[nodiscard]] bool is_base_of(const Format& from, const text::Document& document, const Format& to);
 
 /// The row of `format` for a model; stock rows first. Null if it cannot store it.
 [[nodiscard]] const StoredModel* find_stored_model(const Format& format, std::string_view model, bool stock_only);

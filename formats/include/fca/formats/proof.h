@@ -6,6 +6,7 @@
 #include <fca/formats/consumers/consumer.h>
 #include <fca/rig/rig.h>
 
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,9 +21,11 @@ struct ProofResult {
   bool loads = false;
   double max_diff_px = 0.0;       ///< Between the program's pixels and ours, where both have one.
   double misread_px = 0.0;        ///< The same for cameras the program is known to misread; not held against the file.
+  bool without_cameras = false;   ///< A file that holds none (imu.yaml).
   bool all_misread = false;       ///< There was no other camera to compare.
-  double compared_share = 0.0;    ///< Of the rays asked, how many both answer.
-  double unanswered_share = 0.0;  ///< Of the rays asked, how many the program has no right pixel for.
+  double compared_share = 0.0;    ///< Of the image asked about, how much both answer.
+  double unanswered_share = 0.0;  ///< Of the image asked about, how much the program has no right pixel for.
+  double wrong_ray_share = 0.0;   ///< Of the image asked about, how much the program gives wrong rays though right pixels.
   double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
   bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
@@ -31,14 +34,16 @@ struct ProofResult {
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }
 };
 
-/// Compared are pixels and poses; numbers of the IMU, rates and sizes are only checked for what makes the program refuse them.
 /// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
-/// them? Rays: a lattice over each camera's image.
+/// them? Compared are pixels and poses; numbers of the IMU, rates and sizes are only checked for what makes the program refuse
+/// them. Rays: a lattice over each camera's image, up to `max_angle_rad` from the axis; what lies beyond is not asked about.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
-                                const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras);
+                                const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras,
+                                double max_angle_rad = std::numbers::pi);
 /// The same of all the rig's cameras.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
-                                const consumers::LoadOptions& options, const Rig& rig);
+                                const consumers::LoadOptions& options, const Rig& rig,
+                                double max_angle_rad = std::numbers::pi);
 
 /// Who reads a file, for people.
 struct Readers {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,9 @@ struct ConsumerCamera {
   bool misread = false;
   /// Where the program approximates its own formula: by how much, in pixels.
   double approximation_px = 0.0;
+  /// Half the field, in radians from the axis, from which the program's other direction, pixel to ray, is right; the pixels of
+  /// rays beyond get wrong ones, whatever `project` says. Where nothing is known of one: no limit.
+  double right_rays_rad = std::numbers::pi;
 };
 
 /// T_a_b as the program holds it: takes points in b to points in a. Row-major 4 x 4, metres.

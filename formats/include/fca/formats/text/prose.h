@@ -11,6 +11,9 @@ namespace fca::text {
 /// "a, b and c"
 [[nodiscard]] std::string enumerated(std::span<const std::string> parts, std::string_view last_word = "and");
 
+/// The text, or so much of its beginning that it fits into a line of a list, with "...".
+[[nodiscard]] std::string shortened(std::string_view text);
+
 /// Those of `names` that `typed` probably meant, by edit distance; at most three.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
 
