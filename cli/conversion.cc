@@ -55,7 +55,7 @@ void explain_no_camera(const ConvertArguments& arguments, const std::string& inp
   const std::string what = imu ? "an IMU and no camera" : calibration.rig.poses.empty() ? "no camera" : "a pose and no camera";
   const std::string main_file = calibration.format->id == "opencv" ? "intrinsics.yml" : "camchain.yaml";
   const std::string target = arguments.into.empty() ? " --to " + arguments.to : " --into " + arguments.into;
-  diagnostics.error("no-camera", input + " holds " + what, {input, 0, 0},
+  diagnostics.error("no-camera", "the file holds " + what, {input, 0, 0},
                     "did you mean: fca-io convert " + main_file + " --with " + input + target);
 }
 
@@ -170,8 +170,8 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
 /// The rig with the poses that the files say otherwise.
 Rig as_restated(Rig rig, const Written& written) {
   for (const PoseEdge& edge : written.restated) {
-    const auto stated = std::ranges::find_if(
-        rig.poses, [&edge](const PoseEdge& other) { return other.a == edge.a && other.b == edge.b; });
+    const auto stated =
+        std::ranges::find_if(rig.poses, [&edge](const PoseEdge& other) { return other.a == edge.a && other.b == edge.b; });
     if (stated != rig.poses.end()) stated->T_a_b = edge.T_a_b;
   }
   return rig;
@@ -203,6 +203,12 @@ std::optional<Calibration> read_into(const ConvertArguments& arguments, Console&
   reading.opencv_model = arguments.reading.opencv_model;
   reading.size = arguments.reading.size;
   std::optional<Calibration> into = read_input(arguments.into, reading, console, outcome.diagnostics);
+  if (into && into->rig.cameras.empty() && into->rig.poses.empty()) {
+    outcome.diagnostics.error("into-without-camera", "there is no camera here that the input's could take the place of",
+                              {arguments.into, 0, 0}, "--into wants the file that holds the cameras; -o FILE writes a new one");
+    outcome.code = ExitCode::kUsage;
+    return std::nullopt;
+  }
   if (!into || arguments.to.empty() || find_format(arguments.to) == into->format) return into;
   outcome.diagnostics.error("into-another-format",
                             "the file is " + std::string(into->format->title) + ", and --to says " + arguments.to,

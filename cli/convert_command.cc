@@ -63,8 +63,11 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (many && !arguments.into.empty()) return "--into wants one input, or several that are one rig (--join)";
   const bool one_path =
       !arguments.output.empty() && arguments.output.find('{') == std::string::npos && !names_folder(arguments.output);
-  if (many && one_path) return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'";
-  if (many && arguments.output.empty() && !arguments.json) return "several inputs need -o FOLDER/ (or --json)";
+  constexpr std::string_view kOneRig = "; parts of one calibration go behind --with, cameras of one rig want --join";
+  if (many && one_path)
+    return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'" + std::string(kOneRig);
+  if (many && arguments.output.empty() && !arguments.json)
+    return "several inputs need -o FOLDER/ (or --json)" + std::string(kOneRig);
   if (const std::optional<std::string> unknown = unknown_placeholder(arguments.output))
     return "-o: there is no placeholder " + *unknown + "; there are {stem}, {camera} and {format}";
   return std::nullopt;

@@ -43,7 +43,8 @@ std::string camera_text(const Camera& camera, std::span<const AsRead> extras, do
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
   if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";
   for (const AsRead& extra : extras) {
-    if (is_of(extra, camera)) text += "  " + extra.key.substr(camera.name.size() + 1) + ": " + text::shortened(extra.value) + "\n";
+    if (is_of(extra, camera))
+      text += "  " + extra.key.substr(camera.name.size() + 1) + ": " + text::shortened(extra.value) + "\n";
   }
   return text;
 }

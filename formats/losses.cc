@@ -56,7 +56,8 @@ void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::
     const std::string_view group = group_of(extra);
     const int members = sizes[group];
     if (group.empty() || members < kFewest) {
-      losses.push_back({"not-carried", extra.key + (extra.value.empty() ? "" : " " + text::shortened(extra.value)), std::string(why), ""});
+      losses.push_back(
+          {"not-carried", extra.key + (extra.value.empty() ? "" : " " + text::shortened(extra.value)), std::string(why), ""});
     } else if (told.insert(group).second) {
       losses.push_back({"not-carried", std::string(group) + "* (" + std::to_string(members) + " keys)", std::string(why), ""});
     }

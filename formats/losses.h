@@ -23,8 +23,8 @@ void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& l
 /// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
 [[nodiscard]] std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there);
 
-/// What the input states beside its rig and the edited file, which says `there`, does not: as losses. Keys that the file has keep
-/// its value; for the others `why` is said.
+/// What the input states beside its rig and the edited file, which says `there`, does not: as losses. Keys that the file has
+/// keep its value; for the others `why` is said.
 void add_beyond_base(std::span<const AsRead> extras, std::span<const AsRead> there, std::string_view why,
                      std::vector<Loss>& losses);
 

@@ -129,7 +129,8 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
   }
   std::vector<Loss> losses;
   losses.reserve(lost.size());
-  for (const auto& [groups, poses] : lost) losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written)));
+  for (const auto& [groups, poses] : lost)
+    losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written)));
   return losses;
 }
 

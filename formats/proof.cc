@@ -129,8 +129,7 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   constexpr double kPosePrecision = 1e-6;  // float formats
   for (const consumers::ConsumerPose& pose : view.poses)
     result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));
-  result.pixels_agree =
-comparison.agrees && (comparison.compared > 0.0 || comparison.asked == 0.0);
+  result.pixels_agree = comparison.agrees && (comparison.compared > 0.0 || comparison.asked == 0.0);
   if (view.cameras.size() < rig.cameras.size()) result.pixels_agree = false;  // it does not see a camera at all
   result.poses_agree = result.max_diff_pose <= kPosePrecision;
   return result;

@@ -136,13 +136,14 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
   return document;
 }
 
-/// An inverse polynomial that was read is no loss where one was fitted to the same lens again. One that differs from that of the
-/// file written into is: with the same direct polynomial, the file keeps its own.
+/// An inverse polynomial that was read is no loss where one was fitted to the same lens again. One that differs from that of
+/// the file written into is: with the same direct polynomial, the file keeps its own.
 void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written) {
   std::vector<AsRead> extras = rig.as_read;
   if (!old || old->cameras.front().model != rig.cameras.front().model)
     std::erase_if(extras, [](const AsRead& extra) { return extra.key.ends_with(kInverse); });
-  add_beyond_base(extras, old ? old->as_read : std::vector<AsRead>(), "a calib_results.txt has no place for it", written.losses);
+  add_beyond_base(extras, old ? old->as_read : std::vector<AsRead>(), "a calib_results.txt has no place for it",
+                  written.losses);
 }
 
 }  // namespace

@@ -131,8 +131,8 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
   for (std::size_t i = 1; i < rig.imus.size(); ++i)
     losses.push_back({"imu-dropped", rig.imus[i].name + " noise and rate", "the settings hold one IMU", ""});
   const bool said_by_mode = edited != nullptr && (edited->target.sensor.two_cameras || edited->target.sensor.depth);
-  const bool untouched_baseline = edited != nullptr && edited->rig.baseline_m == rig.baseline_m &&
-                                  (target.style == Style::kV1 || !said_by_mode);
+  const bool untouched_baseline =
+      edited != nullptr && edited->rig.baseline_m == rig.baseline_m && (target.style == Style::kV1 || !said_by_mode);
   if (rig.baseline_m && !target.sensor.two_cameras && !target.sensor.depth && !untouched_baseline) {
     losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",
                       mode + " settings hold none", "--sensor rgbd writes it"});

@@ -10,7 +10,8 @@ std::string in_one_line(const Node& node) {
     return "[" + line + "]";
   }
   if (node.is_mapping()) {
-    for (const Entry& entry : node.entries) line += (line.empty() ? "" : ", ") + entry.key.value + ": " + in_one_line(entry.value);
+    for (const Entry& entry : node.entries)
+      line += (line.empty() ? "" : ", ") + entry.key.value + ": " + in_one_line(entry.value);
     return "{" + line + "}";
   }
   return node.value;

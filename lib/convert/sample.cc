@@ -240,8 +240,8 @@ class PolarSampler {
     }
   }
 
-  /// Up to a side of the image: the nodes lie evenly along that, so that a polynomial of the pixel stays one. Errors grow as fast
-  /// towards its corners as along the radius.
+  /// Up to a side of the image: the nodes lie evenly along that, so that a polynomial of the pixel stays one. Errors grow as
+  /// fast towards its corners as along the radius.
   void add_triangle(double begin, double end) {
     const auto border = [&](double azimuth) {
       return along(centre_, direction(azimuth), distance_to_border(rays_.size(), centre_, direction(azimuth)));

@@ -78,7 +78,8 @@ struct RunResult {
   std::string err;
 };
 
-// The sanitizers' checks make the program this much slower (20 to 35 times in a fit); limits of time are for the program as users run it.
+// The sanitizers' checks make the program this much slower (20 to 35 times in a fit); limits of time are for the program as
+// users run it.
 #ifdef __SANITIZE_ADDRESS__
 inline constexpr double kSlowdown = 20.0;
 #else
@@ -86,9 +87,9 @@ inline constexpr double kSlowdown = 1.0;
 #endif
 
 struct RunOptions {
-  std::string input;        ///< Standard input.
-  std::string output_path;  ///< Where standard output goes instead of into RunResult::out ("/dev/full").
-  std::string folder;       ///< Working directory; empty: a fresh one.
+  std::string input;            ///< Standard input.
+  std::string output_path;      ///< Where standard output goes instead of into RunResult::out ("/dev/full").
+  std::string folder;           ///< Working directory; empty: a fresh one.
   double limit_seconds = 60.0;  ///< Of the release build.
 };
 

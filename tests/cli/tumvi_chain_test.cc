@@ -7,7 +7,8 @@ namespace {
 
 const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 
-// The dataset's own chain is detected as Kalibr's and nothing in it needs to change, keys that only Kalibr's tools read included.
+// The dataset's own chain is detected as Kalibr's and nothing in it needs to change, keys that only Kalibr's tools read
+// included.
 TEST(TumViChainByCommand, AChainOfTheDatasetKeepsItsBytes) {
   for (const std::string from : {"kalibr", "tumvi"}) {
     for (const std::string to : {"kalibr", "tumvi"}) {

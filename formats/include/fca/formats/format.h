@@ -55,7 +55,7 @@ struct WriteOptions {
   std::optional<double> frame_rate_hz;
   std::string
       extension;      ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
-  bool anew = false;     ///< Compose a file though there is a base: of that only what tunes the program is taken over.
+  bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
   bool adopted = false;  ///< The base was read as another format of the same layout: a camchain that is to become TUM-VI's.
 };
 

@@ -42,8 +42,7 @@ struct ProofResult {
                                 double max_angle_rad = std::numbers::pi);
 /// The same of all the rig's cameras.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
-                                const consumers::LoadOptions& options, const Rig& rig,
-                                double max_angle_rad = std::numbers::pi);
+                                const consumers::LoadOptions& options, const Rig& rig, double max_angle_rad = std::numbers::pi);
 
 /// Who reads a file, for people.
 struct Readers {
