@@ -132,7 +132,8 @@ std::string model_for(const ConvertArguments& arguments, const Base& base, const
   const std::string_view model = model_info(base.into->rig.cameras.front().model).id;
   if (base.document->syntax() == text::Syntax::kWords) {
     const std::string_view own = model_info(source.cameras.front().model).id;
-    return std::string(find_stored_model(to, own, false) != nullptr ? own : model);
+    const StoredModel* stored = find_stored_model(to, own, false);
+    return std::string(stored != nullptr && stored->in_words ? own : model);
   }
   return find_stored_model(to, model, true) == nullptr ? std::string(model) : "";
 }

@@ -20,14 +20,14 @@ namespace {
 
 /// What Kalibr holds. The dataset has two calibrations of its cameras, and their models stand first.
 constexpr std::array kModels = {
-    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg), DSO (camera.txt)", {}},
+    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg), DSO (camera.txt)", {}, {}, true},
     StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
-    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr, DSO (camera.txt)", kalibr::kNoK3, kalibr::kNoK3Reason},
+    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr, DSO (camera.txt)", kalibr::kNoK3, kalibr::kNoK3Reason, true},
     StoredModel{"eucm", "eucm-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
     StoredModel{"ds", "ds-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
     StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
-    StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}},
-    StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}},
+    StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}, {}, true},
+    StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}, {}, true},
 };
 
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};

@@ -54,10 +54,16 @@ TEST(CameraTxt, IsWrittenByItsName) {
   EXPECT_EQ(one.code, 0) << one.err;
   EXPECT_TRUE(read_file(folder / "camera.txt").starts_with("EquiDistant 190.9"));
   EXPECT_TRUE(contains(one.out, "proof: DSO")) << one.out;
+  // It holds one camera: a pair is two of them, and never YAML under its name.
   const RunResult two = run_program({"convert", kTumvi, "--to", "tumvi", "-o", folder / "two.txt"});
-  EXPECT_EQ(two.code, 0) << two.err;
-  EXPECT_TRUE(contains(two.err, "not-a-camera-txt")) << two.err;
-  EXPECT_TRUE(contains(two.err, "two.txt holds YAML")) << two.err;
+  EXPECT_EQ(two.code, 3) << two.err;
+  EXPECT_TRUE(contains(two.err, "one-camera-per-file")) << two.err;
+  const RunResult each = run_program({"convert", kTumvi, "--to", "tumvi", "-o", folder / "{camera}.txt"});
+  EXPECT_EQ(each.code, 0) << each.err;
+  EXPECT_TRUE(read_file(folder / "cam0.txt").starts_with("EquiDistant 190.9"));
+  EXPECT_TRUE(read_file(folder / "cam1.txt").starts_with("EquiDistant 190.4"));
+  EXPECT_TRUE(contains(each.out, "T_cam1_cam0")) << each.out;  // lost, and said
+  EXPECT_TRUE(contains(each.out, "what is written for DSO does not say it")) << each.out;
 }
 
 }  // namespace

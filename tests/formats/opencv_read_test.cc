@@ -256,7 +256,9 @@ TEST(OpenCvRead, LongBaselinesAreProbablyMillimetres) {
 
 TEST(OpenCvRead, ExtraKeysAreKept) {
   const Calibration calibration = calibration_of(read_file(testdata_dir() / "opencv/good/k1d1.yml"));
-  EXPECT_EQ(calibration.rig.as_read, (std::vector<AsRead>{{"XR", ""}, {"XT", ""}}));
+  ASSERT_EQ(calibration.rig.as_read.size(), 2U);
+  EXPECT_EQ(calibration.rig.as_read[0].key, "XR");
+  EXPECT_EQ(calibration.rig.as_read[0].value, "{rows: 3, cols: 3, dt: d, data: [0., 0., 1., -1., 0., 0., 0., -1., 0.]}");
 }
 
 TEST(OpenCvRead, MapsKeepTheirReferenceFrame) {
