@@ -285,6 +285,53 @@ TEST(OpenCvEdit, AnAmbiguousBaseStaysAsItIsUntilItsCoefficientsChange) {
   }
 }
 
+/// A camera's lens with further coefficients.
+Rig as_rational(Rig rig) {
+  for (Camera& camera : rig.cameras) {
+    CameraModel rational = *make_model("rational");
+    for (const Parameter& row : model_info(camera.model).parameters)
+      EXPECT_TRUE(set_parameter(rational, row.name, parameter(camera.model, row.name).value()));
+    EXPECT_TRUE(set_parameter(rational, "k6", 0.0625));
+    camera.model = rational;
+  }
+  return rig;
+}
+
+// A longer vector is the old one with more behind it: neither its spelling nor its layout changes.
+TEST(OpenCvEdit, AVectorGrowsAndShrinksInItsOwnLayout) {
+  const Base yaml = good("calibration.yml");
+  const std::string longer = with_replaced(with_replaced(yaml.bytes, "rows: 5", "rows: 8"), "-9.7656250000000000e-04 ]",
+                                           "-9.7656250000000000e-04, 0.0, 0.0, 0.0625 ]");
+  EXPECT_EQ(bytes_of(write(yaml, as_rational(yaml.rig()))), longer);
+  EXPECT_EQ(bytes_of(write(base_of(longer, "x.yml"), yaml.rig())), yaml.bytes);
+
+  const Base xml = good("calibration-old.xml");
+  const std::string grown = bytes_of(write(xml, as_rational(xml.rig())));
+  const std::size_t old_end = xml.bytes.find("</data></Distortion_Coefficients>");
+  ASSERT_NE(old_end, std::string::npos) << xml.bytes;
+  EXPECT_TRUE(grown.ends_with(" 0.0 0.0 0.0625" + xml.bytes.substr(old_end))) << grown;
+
+  const std::string kOneLine =
+      "{\n\"K\": {\"type_id\": \"opencv-matrix\", \"rows\": 3, \"cols\": 3, \"dt\": \"d\", \"data\": [500.50, 0, 320, 0, 501, "
+      "240, 0, 0, 1]},\n\"D\": {\"type_id\": \"opencv-matrix\", \"rows\": 1, \"cols\": 5, \"dt\": \"d\", \"data\": [-0.10, "
+      "0.20, "
+      "0, 0, 1e-3]}\n}\n";
+  const Base json = base_of(kOneLine, "x.json");
+  EXPECT_EQ(bytes_of(write(json, as_rational(json.rig()))),
+            with_replaced(with_replaced(kOneLine, "\"cols\": 5", "\"cols\": 8"), "1e-3]", "1e-3, 0.0, 0.0, 0.0625]"));
+}
+
+// New keys take the layout of those that are there.
+TEST(OpenCvEdit, ANewMatrixIsLaidOutAsItsNeighbours) {
+  Base base = good("k1d1.yml");
+  Rig rig = base.rig();
+  rig.poses.clear();
+  base = base_of(bytes_of(write(base, rig)), "x.yml");
+  rig.poses.push_back({"cam1", "cam0", T_cam1_cam0()});
+  const std::string bytes = bytes_of(write(base, rig));
+  EXPECT_NE(bytes.find("\nR: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: ["), std::string::npos) << bytes;
+}
+
 TEST(OpenCvEdit, APoseCanBeginAndEnd) {
   const Base base = good("k1d1.yml");
   Rig rig = base.rig();
