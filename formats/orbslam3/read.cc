@@ -67,7 +67,18 @@ class SettingsReader {
     }
   }
 
+  /// stella_vslam's settings have the keys of ORB-SLAM2's, and say which of its models the numbers are of. Only its pinhole is
+  /// ORB-SLAM2's.
+  bool check_stella_model() {
+    const Node* model = find_key(document_, "Camera.model");
+    if (model == nullptr || find_key(document_, "Camera.type") != nullptr || model->value == "perspective") return true;
+    reader_.error(*model, "unknown-model",
+                  "Camera.model '" + model->value + "' is a model of stella_vslam; of its settings only 'perspective' is read");
+    return false;
+  }
+
   const Layout* read_layout() {
+    if (!check_stella_model()) return nullptr;
     const Node* type = find("Camera.type");
     const std::string name = type != nullptr ? type->value : "";
     if (type == nullptr && style_ == Style::kV1) {
