@@ -236,7 +236,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (into) {
     base = {&into->documents.front(), &*into};
   } else if (calibration->format == outcome.to && inputs.size() == 1) {
-    base.document = &calibration->documents.front();
+    base.document = &calibration->documents[calibration->with_cameras];
   }
   const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
                               arguments.every_pixel, arguments.objective == "max" ? Objective::kMax : Objective::kRms,

@@ -264,6 +264,21 @@ std::string spell(const Field& field, std::size_t indentation, text::Syntax synt
   return blanks + indented(spell_entry(field, syntax, {}), blanks, "\n");
 }
 
+std::string value_text(const Node& value) {
+  if (value.is_scalar()) return value.value;
+  const auto inside = [](const Node& node) {
+    const std::optional<double> number =
+        node.is_scalar() && node.value.find_first_of(".eE") != std::string::npos ? text::parse_real(node.value) : std::nullopt;
+    return number ? text::format_real(*number) : value_text(node);
+  };
+  std::string text;
+  for (const Node& item : value.items) text += (text.empty() ? "" : ", ") + inside(item);
+  for (const text::Entry& entry : value.entries)
+    text += (text.empty() ? "" : ", ") + entry.key.value + ": " + inside(entry.value);
+  if (value.is_mapping()) return "{" + text + "}";
+  return value.is_sequence() ? "[" + text + "]" : text;
+}
+
 void set_scalar(text::Document& document, const Node& scalar, const std::string& token) {
   if (!says(scalar, token, document.syntax())) document.replace(scalar.span, spell_token(token, document.syntax()));
 }

@@ -18,6 +18,13 @@ std::string_view group_of(const AsRead& extra) {
   return point == std::string::npos ? std::string_view() : std::string_view(extra.key).substr(0, point + 1);
 }
 
+/// The key and, where that is short, what it says.
+std::string in_words(const AsRead& extra) {
+  constexpr std::size_t kLongestValue = 60;  // a matrix is longer
+  if (extra.value.empty() || extra.value.size() > kLongestValue) return extra.key;
+  return extra.key + " " + extra.value;
+}
+
 bool holds_comments(const text::Document& document) {
   const std::string& bytes = document.source().bytes;
   if (document.syntax() == text::Syntax::kXml) return bytes.find("<!--") != std::string::npos;
@@ -54,7 +61,7 @@ void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::
     const std::string_view group = group_of(extra);
     const int members = sizes[group];
     if (group.empty() || members < kFewest) {
-      losses.push_back({"not-carried", extra.key + (extra.value.empty() ? "" : " " + extra.value), std::string(why), ""});
+      losses.push_back({"not-carried", in_words(extra), std::string(why), ""});
     } else if (told.insert(group).second) {
       losses.push_back({"not-carried", std::string(group) + "* (" + std::to_string(members) + " keys)", std::string(why), ""});
     }

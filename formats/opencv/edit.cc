@@ -156,15 +156,17 @@ class Editor {
     return std::ranges::all_of(rig_.cameras, [kind](const Camera& camera) { return kind_of(camera.model) == kind; });
   }
 
-  [[nodiscard]] bool one_size() const {
-    return !base_.layout.size.stated() || std::ranges::all_of(rig_.cameras, [this](const Camera& camera) {
-      return camera.image_size == rig_.cameras.front().image_size;
-    });
+  [[nodiscard]] bool one_size() const { return !base_.layout.size.stated() || sizes_agree(); }
+
+  [[nodiscard]] bool sizes_agree() const {
+    return std::ranges::all_of(rig_.cameras,
+                               [this](const Camera& camera) { return camera.image_size == rig_.cameras.front().image_size; });
   }
 
   [[nodiscard]] bool pose_changes() const {
     const Transform* was = base_.rig.stated("cam1", "cam0");
-    const std::optional<Transform> is = rig_.resolve(rig_.cameras[1].name, rig_.cameras[0].name);
+    const Transform* stated = rig_.stated(rig_.cameras[1].name, rig_.cameras[0].name);
+    const std::optional<Transform> is = stated != nullptr ? *stated : rig_.resolve(rig_.cameras[1].name, rig_.cameras[0].name);
     return was == nullptr || !is || *was != *is;
   }
 
@@ -256,22 +258,36 @@ class Editor {
 
 }  // namespace
 
+namespace {
+
+/// A file as it reads. Where it does not say what its four numbers are, `fisheye` does, and `ambiguous` is set.
+std::optional<Rig> read_anyhow(const text::Document& document, bool fisheye, bool& ambiguous) {
+  Diagnostics ignored;
+  std::optional<Rig> rig = read(std::span(&document, 1), {}, ignored);
+  ambiguous = std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
+  if (rig || !ambiguous) return rig;
+  ReadOptions options;
+  options.opencv_model = fisheye ? "fisheye" : "pinhole";
+  return read(std::span(&document, 1), options, ignored);
+}
+
+}  // namespace
+
 std::optional<Base> read_base(const text::Document& document, const Rig& rig) {
   const std::optional<Layout> layout = find_layout(document);
   if (!layout || layout->cameras.empty()) return std::nullopt;
-  Diagnostics ignored;
-  std::optional<Rig> old = read(std::span(&document, 1), {}, ignored);
-  const bool ambiguous =
-      std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
-  if (!old && ambiguous) {
-    const bool fisheye =
-        std::ranges::any_of(rig.cameras, [](const Camera& camera) { return kind_of(camera.model) == Kind::kFisheye; });
-    ReadOptions options;
-    options.opencv_model = fisheye ? "fisheye" : "pinhole";
-    old = read(std::span(&document, 1), options, ignored);
-  }
+  const bool fisheye =
+      std::ranges::any_of(rig.cameras, [](const Camera& camera) { return kind_of(camera.model) == Kind::kFisheye; });
+  bool ambiguous = false;
+  std::optional<Rig> old = read_anyhow(document, fisheye, ambiguous);
   if (!old) return std::nullopt;
   return Base{document, *layout, *std::move(old), ambiguous};
+}
+
+std::vector<AsRead> extras_of(const text::Document& document) {
+  bool ambiguous = false;
+  const std::optional<Rig> rig = read_anyhow(document, false, ambiguous);
+  return rig ? rig->as_read : std::vector<AsRead>();
 }
 
 std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {

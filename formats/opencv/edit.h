@@ -21,6 +21,9 @@ struct Base {
 /// Reads a file that is to be edited. Where it does not say what its four numbers are, `rig` does: they are the same numbers.
 [[nodiscard]] std::optional<Base> read_base(const text::Document& document, const Rig& rig);
 
+/// What a file says beside cameras and poses.
+[[nodiscard]] std::vector<AsRead> extras_of(const text::Document& document);
+
 struct Edited {
   text::Document document;
   Rig old;

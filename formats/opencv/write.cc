@@ -11,7 +11,7 @@
 #include <fca/formats/text/prose.h>
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace fca::opencv {
 
@@ -29,6 +29,31 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   }
 }
 
+constexpr std::string_view kHolds = "only cameras, image sizes and poses are written into an OpenCV file";
+
+/// What was read elsewhere and stays there. A file that is edited keeps what it says itself.
+void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, std::vector<Loss>& losses) {
+  std::vector<AsRead> contradicting;
+  std::vector<AsRead> unknown;
+  for (const AsRead& extra : extras_beyond(extras, there)) {
+    const bool known = std::ranges::find(there, extra.key, &AsRead::key) != there.end();
+    (known ? contradicting : unknown).push_back(extra);
+  }
+  add_not_carried(contradicting, std::string(kHolds) + "; the one written into keeps its own", losses);
+  add_not_carried(unknown, kHolds, losses);
+}
+
+/// stereo_calib's extrinsics.yml: R and T without a camera.
+bool is_pose_alone(const text::Document* base) {
+  const std::optional<Layout> layout = base != nullptr ? find_layout(*base) : std::nullopt;
+  return layout && layout->cameras.empty();
+}
+
+/// Does another syntax than the base's follow from the name of the file to be written?
+bool wants_other_syntax(const text::Document& base, const WriteOptions& options) {
+  return !options.extension.empty() && !same_syntax(base.syntax(), syntax_for(options.extension));
+}
+
 /// The base's edit, if there is a base that can be edited; else `why` says what stands against it.
 std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const WriteOptions& options, std::string& why) {
   if (base == nullptr || options.anew) return std::nullopt;
@@ -38,23 +63,63 @@ std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const
     why = "another layout was asked for";
     return std::nullopt;
   }
-  if (!options.extension.empty() && !same_syntax(base->syntax(), syntax_for(options.extension))) {
+  if (wants_other_syntax(*base, options)) {
     why = "another syntax was asked for";
     return std::nullopt;
   }
   return edit(*read, rig, why);
 }
 
-/// stereo_calib's extrinsics.yml: R and T alone.
-text::Document edited_pose(const text::Document& base, const Rig& rig) {
-  text::Document document = base;
+/// What the rig says of its cameras and a file of R and T alone cannot. write_calibration() speaks of the poses of cameras that
+/// a file holds, and this one holds none.
+void list_losses_beside_pose(const Rig& rig, const PoseEdge& kept, std::vector<Loss>& losses) {
+  for (const Camera& camera : rig.cameras) {
+    losses.push_back({"camera-dropped", camera.name + " (" + std::string(model_info(camera.model).id) + ")",
+                      "the file written into holds R and T of a pair and no camera",
+                      "--to opencv -o OTHER.yml writes the cameras into a file of their own"});
+  }
+  Rig stated;
+  stated.poses = {kept};
+  std::vector<std::string> poses;
+  for (const PoseEdge& edge : rig.poses) {
+    const bool of_camera = rig.find_camera(edge.a) != nullptr || rig.find_camera(edge.b) != nullptr;
+    if (of_camera && !stated.resolve(edge.a, edge.b)) poses.push_back("T_" + edge.a + "_" + edge.b);
+  }
+  if (!poses.empty())
+    losses.push_back({"pose-dropped", text::enumerated(poses), "the file written into holds the pose of one pair", ""});
+}
+
+/// Which frames of the rig R and T of a file without cameras are about: those that reading it names, else the first two
+/// cameras.
+std::pair<std::string, std::string> pair_in(const Rig& rig) {
+  std::pair<std::string, std::string> pair = {"cam0", "cam1"};
+  if (rig.find_camera(pair.first) != nullptr || rig.find_camera(pair.second) != nullptr) return pair;
+  if (!rig.cameras.empty()) pair.first = rig.cameras[0].name;
+  if (rig.cameras.size() > 1) pair.second = rig.cameras[1].name;
+  return pair;
+}
+
+/// Takes R and T from saying what they say to the pose of the rig's pair; a rig without one leaves them alone.
+std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Layout> layout = find_layout(base);
   const std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);
-  if (!layout || !old) return document;
-  const auto fields_of = [&](const Rig& says) { return stereo_pose_fields(says, "cam0", "cam1", *layout, &base); };
-  fields::apply(document, document.root(), kDialect, fields_of(*old), fields_of(rig));
-  return document;
+  if (!layout || !old) {
+    diagnostics.error("no-calibration", "R and T of the file written into cannot be read", base.source().range({0, 1}));
+    return std::nullopt;
+  }
+  const auto [first, second] = pair_in(rig);
+  const std::vector<fields::Field> before = stereo_pose_fields(*old, "cam0", "cam1", *layout, &base);
+  const std::vector<fields::Field> after = stereo_pose_fields(rig, first, second, *layout, &base);
+  text::Document document = base;
+  if (!after.empty()) fields::apply(document, document.root(), kDialect, before, after);
+  Written written;
+  written.files.push_back({std::move(document), {}, {}});
+  written.headline = "the pose of a stereo pair";
+  list_losses_beside_pose(rig, {second, first, {}}, written.losses);
+  list_extras(rig.as_read, old->as_read, written.losses);
+  list_losses(rig, written.losses);
+  return written;
 }
 
 /// The layout asked for, the base's if that can hold the rig, else the samples'.
@@ -94,18 +159,11 @@ std::string headline(const std::string& layout, const Rig& rig) {
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   Written written;
-  const bool base_is_pose = [&] {
-    const std::optional<Layout> layout = base != nullptr ? find_layout(*base) : std::nullopt;
-    return layout && layout->cameras.empty();
-  }();
+  const bool anew = options.anew || !options.layout.empty() || (base != nullptr && wants_other_syntax(*base, options));
+  if (is_pose_alone(base) && (rig.cameras.empty() || !anew)) return write_pose(*base, rig, diagnostics);
   if (rig.cameras.empty()) {
-    if (!base_is_pose) {
-      diagnostics.error("no-camera", "an OpenCV calibration needs a camera and the input has none");
-      return std::nullopt;
-    }
-    written.files.push_back({edited_pose(*base, rig), {}, {}});
-    written.headline = "the pose of a stereo pair";
-    return written;
+    diagnostics.error("no-camera", "an OpenCV calibration needs a camera and the input has none");
+    return std::nullopt;
   }
   if (!options.layout.empty() && std::ranges::find(kLayoutNames, options.layout) == kLayoutNames.end()) {
     diagnostics.error("unknown-layout", "OpenCV files have no layout '" + options.layout + "'");
@@ -120,22 +178,18 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (samples_read(edited->layout, rig)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
     written.headline = headline(name_of_layout(edited->layout), rig);
-    // What the file itself says beside its cameras is still there.
-    std::vector<AsRead> elsewhere;
-    std::ranges::copy_if(rig.as_read, std::back_inserter(elsewhere), [&edited](const AsRead& extra) {
-      return std::ranges::find(edited->old.as_read, extra) == edited->old.as_read.end();
-    });
-    add_not_carried(elsewhere, "OpenCV's files have no key for it", written.losses);
+    list_extras(rig.as_read, edited->old.as_read, written.losses);
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
     if (!layout) return std::nullopt;
     const text::Syntax syntax = options.extension.empty() && base != nullptr ? base->syntax() : syntax_for(options.extension);
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
     written.headline = headline(*layout, rig);
-    add_not_carried(rig.as_read, "a new file has no place for it", written.losses);
-    if (base != nullptr) add_composed_anew(*base, written.files.front().document, why, written.losses);
-    if (const std::optional<Base> old = base != nullptr ? read_base(*base, rig) : std::nullopt)
-      add_not_carried(extras_beyond(old->rig.as_read, rig.as_read), "a new file has no place for it", written.losses);
+    list_extras(rig.as_read, {}, written.losses);
+    if (base != nullptr) {
+      add_composed_anew(*base, written.files.front().document, why, written.losses);
+      add_not_carried(extras_beyond(extras_of(*base), rig.as_read), "the file is composed anew", written.losses);
+    }
   }
   list_losses(rig, written.losses);
   return written;

@@ -42,6 +42,10 @@ bool has_loss(const Written& written, const std::string& code) {
   return std::ranges::any_of(written.losses, [&code](const Loss& loss) { return loss.code == code; });
 }
 
+bool loses(const Written& written, const std::string& part) {
+  return std::ranges::any_of(written.losses, [&part](const Loss& loss) { return loss.what.find(part) != std::string::npos; });
+}
+
 struct Case {
   const char* file;
   const char* spelling;  ///< The number as the file spells it; must stand there once.
@@ -343,6 +347,55 @@ TEST(OpenCvEdit, APoseCanBeginAndEnd) {
   EXPECT_TRUE(bare.rig().poses.empty());
   const Base again = base_of(bytes_of(write(bare, base.rig())), "x.yml");
   EXPECT_TRUE(again.rig().poses == base.rig().poses);
+}
+
+/// stereo_calib's second file, with what cv::stereoRectify adds.
+std::string extrinsics_bytes() {
+  return read_file(testdata_dir() / "opencv/good/extrinsics.yml") +
+         "P2: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 426.5, 0., 321.75, -1423.75, 0., 426.5, 241.25, "
+         "0., "
+         "0., 0., 1., 0. ]\nvalidRoi: [ 8, 8, 624, 464 ]\n";
+}
+
+// Such a file has a place for the pose of the pair: that is edited, and what it has no place for is said.
+TEST(OpenCvEdit, AFileOfThePoseAloneKeepsTheRest) {
+  const Base base = base_of(extrinsics_bytes(), "extrinsics.yml");
+  Rig rig = sample_rig("kb4", {true, true});
+  rig.poses[0].T_a_b = base.rig().poses.at(0).T_a_b;
+  rig.poses[0].T_a_b(0, 3) = -0.25;
+  rig.as_read.push_back({"baseline_mm", "250."});
+  for (const char* first : {"cam0", "left"}) {
+    SCOPED_TRACE(first);
+    Rig named = rig;
+    if (std::string(first) == "left") {
+      named.cameras[0].name = "left";
+      named.cameras[1].name = "right";
+      named.poses = {{"right", "left", rig.poses[0].T_a_b}, {"left", "imu0", T_cam0_imu()}};
+    }
+    const Written written = write(base, named);
+    EXPECT_EQ(bytes_of(written), with_replaced(base.bytes, "-1.2109375000000000e-01", "-0.25"));
+    for (const Camera& camera : named.cameras) EXPECT_TRUE(loses(written, camera.name + " (kb4)"));
+    EXPECT_TRUE(loses(written, "T_" + std::string(first) + "_imu0"));
+    EXPECT_FALSE(loses(written, "T_cam1_cam0") || loses(written, "T_right_left"));
+    EXPECT_TRUE(loses(written, "baseline_mm 250."));
+  }
+  // Without a pose in the rig there is nothing to say.
+  EXPECT_EQ(bytes_of(write(base, sample_rig("kb4", {false, false}))), base.bytes);
+}
+
+// What the input says beside its cameras is compared as a whole, matrices too.
+TEST(OpenCvEdit, WhatTheInputSaysOtherwiseIsSaid) {
+  const std::string changed =
+      with_replaced(read_file(testdata_dir() / "opencv/good/k1d1.yml"), "0.0, 0.0, 0.28", "0.0, 0.0, 0.5");
+  const Base base = good("k1d1.yml");
+  const Written written = write(base, base_of(changed, "x.yml").rig());
+  EXPECT_EQ(bytes_of(written), base.bytes);
+  ASSERT_EQ(written.losses.size(), 1U);
+  EXPECT_EQ(written.losses[0].what, "XT 3 x 1 [0.0, 0.0, 0.5]");
+  EXPECT_NE(written.losses[0].why.find("keeps its own"), std::string::npos);
+  // Other spellings of the same numbers are no other fact.
+  const std::string respelled = with_replaced(base.bytes, "0.0, 0.0, 0.28", "0., 0., 2.8e-1");
+  EXPECT_TRUE(write(base, base_of(respelled, "x.yml").rig()).losses.empty());
 }
 
 TEST(OpenCvEdit, CamerasComeAndGoInMaps) {

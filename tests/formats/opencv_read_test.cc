@@ -256,7 +256,8 @@ TEST(OpenCvRead, LongBaselinesAreProbablyMillimetres) {
 
 TEST(OpenCvRead, ExtraKeysAreKept) {
   const Calibration calibration = calibration_of(read_file(testdata_dir() / "opencv/good/k1d1.yml"));
-  EXPECT_EQ(calibration.rig.as_read, (std::vector<AsRead>{{"XR", ""}, {"XT", ""}}));
+  EXPECT_EQ(calibration.rig.as_read, (std::vector<AsRead>{{"XR", "3 x 3 [0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0]"},
+                                                          {"XT", "3 x 1 [0.0, 0.0, 0.28]"}}));
 }
 
 TEST(OpenCvRead, MapsKeepTheirReferenceFrame) {
