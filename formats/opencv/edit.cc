@@ -129,6 +129,26 @@ class Editor {
     return std::move(document_);
   }
 
+  /// What of the base no longer belongs to what the result says.
+  [[nodiscard]] StaleKeys stale() const {
+    StaleKeys stale;
+    Changes any;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i] == kNew) continue;
+      const Camera& before = base_.rig.cameras[places_[i]];
+      const bool other_size =
+          before.image_size && rig_.cameras[i].image_size && before.image_size != rig_.cameras[i].image_size;
+      const Changes changes = {other_size || !same_lens(before.model, rig_.cameras[i].model), false};
+      any.lens = any.lens || changes.lens;
+      const std::string& map = base_.layout.cameras[places_[i]].map;
+      if (!map.empty())
+        stale.add(mapping_of(base_.document, base_.layout.cameras[places_[i]]), keys_of(base_.layout, map), changes, map + " ");
+    }
+    any.pose = base_.rig.stated("cam1", "cam0") != nullptr && rig_.cameras.size() == 2 && pose_changes();
+    stale.add(base_.document.root(), keys_of(base_.layout, ""), any, "");
+    return stale;
+  }
+
   /// Of the result.
   [[nodiscard]] Layout layout() const {
     Layout result = after_;
@@ -299,7 +319,7 @@ std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {
   Editor editor(base, rig, *std::move(places));
   if (!editor.plan(why)) return std::nullopt;
   text::Document document = editor.edited();
-  return Edited{std::move(document), base.rig, editor.layout()};
+  return Edited{std::move(document), base.rig, editor.layout(), editor.stale()};
 }
 
 std::string name_of_layout(const Layout& layout) {

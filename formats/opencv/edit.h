@@ -2,6 +2,7 @@
 // An existing file says something new: the same keys, only the changed bytes.
 #pragma once
 
+#include "derived.h"
 #include "layout.h"
 
 #include <fca/formats/format.h>
@@ -28,6 +29,7 @@ struct Edited {
   text::Document document;
   Rig old;
   Layout layout;
+  StaleKeys stale;         ///< Of the base's; its document must live as long.
 };
 
 /// Nothing, and `why` says why, where its keys cannot hold the rig.

@@ -116,6 +116,11 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
   Written written;
   written.files.push_back({std::move(document), {}, {}});
   written.headline = "the pose of a stereo pair";
+  StaleKeys stale;
+  const Transform* was = old->stated("cam1", "cam0");
+  const bool moved = !after.empty() && was != nullptr && rig.resolve(second, first) != *was;
+  stale.add(base.root(), keys_of(*layout, ""), {false, moved}, "");
+  stale.tell(base, written.losses, diagnostics);
   list_losses_beside_pose(rig, {second, first, {}}, written.losses);
   list_extras(rig.as_read, old->as_read, written.losses);
   list_losses(rig, written.losses);
@@ -178,6 +183,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (samples_read(edited->layout, rig)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
     written.headline = headline(name_of_layout(edited->layout), rig);
+    edited->stale.tell(*base, written.losses, diagnostics);
     list_extras(rig.as_read, edited->old.as_read, written.losses);
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);

@@ -398,6 +398,58 @@ TEST(OpenCvEdit, WhatTheInputSaysOtherwiseIsSaid) {
   EXPECT_TRUE(write(base, base_of(respelled, "x.yml").rig()).losses.empty());
 }
 
+/// What the losses "stale-derived" name, and whether a warning says each of them.
+std::string stale_in(const Base& base, const Rig& rig) {
+  Diagnostics diagnostics;
+  const std::optional<Written> written =
+      find_format("opencv")->write(&base.calibration.documents.front(), rig, {}, diagnostics);
+  if (!written) return "not written";
+  std::string stale;
+  for (const Loss& loss : written->losses) {
+    if (loss.code != "stale-derived") continue;
+    stale += (stale.empty() ? "" : "; ") + loss.what;
+    EXPECT_FALSE(loss.remedy.empty());
+    EXPECT_TRUE(std::ranges::any_of(diagnostics.entries(), [&loss](const Diagnostic& entry) {
+      return entry.code == loss.code && entry.message.starts_with(loss.what) && entry.where.length > 0;
+    }));
+  }
+  return stale;
+}
+
+// What was computed from the old numbers stays in the file, and is said not to belong to the new ones.
+TEST(OpenCvEdit, ValuesThatDoNotFollowAreSaid) {
+  std::string bytes = read_file(testdata_dir() / "opencv/good/stereo-14.yml") + "Q: [ 1., 0. ]\nE: [ 1., 0. ]\nrms: 0.25\n";
+  const Base pair = base_of(bytes, "x.yml");
+  EXPECT_EQ(stale_in(pair, pair.rig()), "");
+  Rig moved = pair.rig();
+  moved.poses.at(0).T_a_b(0, 3) = -0.5;
+  EXPECT_EQ(stale_in(pair, moved), "P1, Q and E; rms");
+  Rig lens = pair.rig();
+  ASSERT_TRUE(set_parameter(lens.cameras[1].model, "fy", 530.0));
+  EXPECT_EQ(stale_in(pair, lens), "P1 and Q; rms");
+  // Stored with further coefficients of 0 it is the lens that it was.
+  const Base single = good("calibration.yml");
+  Rig more = single.rig();
+  CameraModel rational = *make_model("rational");
+  for (const Parameter& row : model_info(more.cameras[0].model).parameters)
+    ASSERT_TRUE(set_parameter(rational, row.name, parameter(more.cameras[0].model, row.name).value()));
+  more.cameras[0].model = rational;
+  EXPECT_EQ(stale_in(single, more), "");
+  more.cameras[0].model = sample_model("kb4");
+  EXPECT_EQ(stale_in(single, more), "fix_aspect_ratio, flags, avg_reprojection_error and per_view_reprojection_errors");
+  // In maps each camera's own keys are its own affair.
+  const std::string cameras = read_file(testdata_dir() / "opencv/good/cameras.yml");
+  const Base maps = base_of(with_replaced(cameras, "camera_1:\n", "camera_1:\n   mean_reprojection_error: 0.5\n"), "x.yml");
+  Rig first = maps.rig();
+  ASSERT_TRUE(set_parameter(first.cameras[0].model, "fx", 500.0));
+  EXPECT_EQ(stale_in(maps, first), "");
+  ASSERT_TRUE(set_parameter(first.cameras[1].model, "fx", 500.0));
+  EXPECT_EQ(stale_in(maps, first), "camera_1 mean_reprojection_error");
+  // stereo_calib's second file, by itself.
+  Rig pose = sample_rig("kb4", {true, false});
+  EXPECT_EQ(stale_in(base_of(extrinsics_bytes(), "x.yml"), pose), "P2 and validRoi");
+}
+
 TEST(OpenCvEdit, CamerasComeAndGoInMaps) {
   const Base base = good("cameras.yml");
   // The last one goes: its lines go, and the count.
