@@ -152,12 +152,12 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   WriteOptions options = write_options(arguments);
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
-  drop_byte_order_mark(*written, arguments, outcome.diagnostics);
+  drop_byte_order_mark(*written, outcome.diagnostics);
   const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.
   const text::Document* owners = base.into != nullptr ? base.document : nullptr;
-  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners, arguments) : std::nullopt;
+  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners) : std::nullopt;
   if (!refusal) return written;
   options.anew = true;
   outcome.diagnostics.note("layout-not-kept",

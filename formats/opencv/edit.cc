@@ -149,6 +149,16 @@ class Editor {
     return stale;
   }
 
+  /// Does a reader still have to be told what four numbers are?
+  [[nodiscard]] bool ambiguous() const {
+    if (!base_.ambiguous || !after_.model.key.empty()) return false;
+    for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
+      const CameraKeys& keys = after_.cameras[i];
+      if (keys.model.key.empty() && !keys.fisheye && kind_of(rig_.cameras[i].model) != Kind::kOmnidir) return true;
+    }
+    return false;
+  }
+
   /// Of the result.
   [[nodiscard]] Layout layout() const {
     Layout result = after_;
@@ -319,7 +329,7 @@ std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {
   Editor editor(base, rig, *std::move(places));
   if (!editor.plan(why)) return std::nullopt;
   text::Document document = editor.edited();
-  return Edited{std::move(document), base.rig, editor.layout(), editor.stale()};
+  return Edited{std::move(document), base.rig, editor.layout(), editor.stale(), editor.ambiguous()};
 }
 
 std::string name_of_layout(const Layout& layout) {
@@ -330,7 +340,7 @@ std::string name_of_layout(const Layout& layout) {
   return name_of(layout.cameras.front().matrix).side.starts_with("l") ? "left-right" : "stereo";
 }
 
-bool samples_read(const Layout& layout, const Rig& rig) {
+bool samples_read(const Layout& layout, const Rig& rig, bool told) {
   struct Known {
     std::string_view matrix;
     std::string_view distortion;
@@ -362,7 +372,7 @@ bool samples_read(const Layout& layout, const Rig& rig) {
     });
     if (!known || (!in_map && keys.distortion == "distortion_vector")) return false;
     const bool says_fisheye = in_map ? keys.model.key == "distortion_type" : layout.model.key == "fisheye_model";
-    if (kind_of(rig.cameras[i].model) == Kind::kFisheye && !says_fisheye) return false;
+    if (kind_of(rig.cameras[i].model) == Kind::kFisheye && !says_fisheye && !told) return false;
   }
   return !layout.cameras.empty();
 }

@@ -30,6 +30,7 @@ struct Edited {
   Rig old;
   Layout layout;
   StaleKeys stale;         ///< Of the base's; its document must live as long.
+  bool ambiguous = false;  ///< As the base was, and is yet.
 };
 
 /// Nothing, and `why` says why, where its keys cannot hold the rig.
@@ -38,7 +39,8 @@ struct Edited {
 /// Which of kLayoutNames a file's keys are nearest to.
 [[nodiscard]] std::string name_of_layout(const Layout& layout);
 
-/// Do programs around OpenCV's samples know these keys, and understand the cameras without being told what they are?
-[[nodiscard]] bool samples_read(const Layout& layout, const Rig& rig);
+/// Do programs around OpenCV's samples know these keys, and understand the cameras without being told what they are, or as
+/// they are `told`?
+[[nodiscard]] bool samples_read(const Layout& layout, const Rig& rig, bool told);
 
 }  // namespace fca::opencv

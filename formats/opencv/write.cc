@@ -159,6 +159,16 @@ std::string headline(const std::string& layout, const Rig& rig) {
   return "the keys of ccalib's omnidir samples";
 }
 
+/// The file was read as the caller said, and does not say it itself.
+void tell_ambiguous(const Rig& rig, Written& written, Diagnostics& diagnostics) {
+  const bool fisheye = kind_of(rig.cameras.front().model) == Kind::kFisheye;
+  written.opencv_model = fisheye ? "fisheye" : "pinhole";
+  diagnostics.note("ambiguous-model",
+                   "what is written does not say what its four coefficients are; they are meant as " + written.opencv_model +
+                       " (" + (fisheye ? "cv::fisheye" : "cv::projectPoints") + ")",
+                   {}, "--opencv-model " + written.opencv_model + " reads it so");
+}
+
 }  // namespace
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
@@ -180,9 +190,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (edited) {
     Written::File file{std::move(edited->document), {}, {}};
     for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
-    if (samples_read(edited->layout, rig)) file.programs = {"opencv"};
+    if (samples_read(edited->layout, rig, edited->ambiguous)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
     written.headline = headline(name_of_layout(edited->layout), rig);
+    if (edited->ambiguous) tell_ambiguous(rig, written, diagnostics);
     edited->stale.tell(*base, written.losses, diagnostics);
     list_extras(rig.as_read, edited->old.as_read, written.losses);
   } else {

@@ -277,12 +277,14 @@ TEST(OpenCvEdit, AnAmbiguousBaseStaysAsItIsUntilItsCoefficientsChange) {
     SCOPED_TRACE(told);
     const Base base = base_of(ambiguous_bytes(), "x.json", {std::nullopt, told});
     EXPECT_EQ(bytes_of(write(base, base.rig())), base.bytes);
+    EXPECT_EQ(write(base, base.rig()).opencv_model, told);
     Rig focal = base.rig();
     set_parameter(focal.cameras[0].model, "fx", 191.5);
     EXPECT_EQ(bytes_of(write(base, focal)), with_replaced(base.bytes, "190.875", "191.5"));
     Rig lens = base.rig();
     set_parameter(lens.cameras[0].model, "k2", 0.25);
     const std::string bytes = bytes_of(write(base, lens));
+    EXPECT_EQ(write(base, lens).opencv_model, "");
     EXPECT_NE(bytes.find("\"fisheye_model\": " + std::string(std::string(told) == "fisheye" ? "1" : "0")), std::string::npos)
         << bytes;
     EXPECT_TRUE(base_of(bytes, "x.json").rig().cameras == lens.cameras) << bytes;
