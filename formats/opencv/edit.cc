@@ -96,8 +96,10 @@ class Editor {
           keys.model = {"distortion_type", true, std::nullopt};
         }
       }
+      if (begins_to_say_size(i, keys)) keys.size = {"img_width", "img_height", "", false};
       after_.cameras.push_back(std::move(keys));
     }
+    if (begins_to_say_size()) after_.size = size_keys();
     if (!base_.layout.in_maps() && !one_kind()) {
       why = "its cameras must be of one kind";
       return false;
@@ -191,6 +193,20 @@ class Editor {
   [[nodiscard]] bool sizes_agree() const {
     return std::ranges::all_of(rig_.cameras,
                                [this](const Camera& camera) { return camera.image_size == rig_.cameras.front().image_size; });
+  }
+
+  /// The base does not say how large images are, and the rig knows it of all cameras, or of one that has a mapping.
+  [[nodiscard]] bool begins_to_say_size() const {
+    return !base_.layout.in_maps() && !base_.layout.size.stated() && rig_.cameras.front().image_size && sizes_agree();
+  }
+  [[nodiscard]] bool begins_to_say_size(std::size_t i, const CameraKeys& keys) const {
+    return base_.layout.in_maps() && !base_.layout.size.stated() && !keys.size.stated() && rig_.cameras[i].image_size;
+  }
+
+  /// In the spelling of the calibration sample that the base's other keys are of.
+  [[nodiscard]] SizeKeys size_keys() const {
+    if (base_.layout.cameras.front().matrix == "Camera_Matrix") return {"image_Width", "image_Height", "", false};
+    return {"image_width", "image_height", "", false};
   }
 
   [[nodiscard]] bool pose_changes() const {

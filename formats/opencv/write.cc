@@ -159,6 +159,19 @@ std::string headline(const std::string& layout, const Rig& rig) {
   return "the keys of ccalib's omnidir samples";
 }
 
+/// Sizes that the edited file has no keys for: it would have to begin to state one for both cameras.
+void list_lost_sizes(const Rig& rig, const Layout& layout, std::vector<Loss>& losses) {
+  if (layout.in_maps() || layout.size.stated()) return;
+  for (const Camera& camera : rig.cameras) {
+    if (!camera.image_size) continue;
+    losses.push_back(
+        {"image-size-dropped",
+         camera.name + " " + std::to_string(camera.image_size->width) + "x" + std::to_string(camera.image_size->height),
+         "the keys written into hold one image size for both cameras, and theirs differ",
+         "--opencv-layout cameras has a size for each"});
+  }
+}
+
 /// The file was read as the caller said, and does not say it itself.
 void tell_ambiguous(const Rig& rig, Written& written, Diagnostics& diagnostics) {
   const bool fisheye = kind_of(rig.cameras.front().model) == Kind::kFisheye;
@@ -196,6 +209,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (edited->ambiguous) tell_ambiguous(rig, written, diagnostics);
     edited->stale.tell(*base, written.losses, diagnostics);
     list_extras(rig.as_read, edited->old.as_read, written.losses);
+    list_lost_sizes(rig, edited->layout, written.losses);
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
     if (!layout) return std::nullopt;

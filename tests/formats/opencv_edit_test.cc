@@ -291,6 +291,28 @@ TEST(OpenCvEdit, AnAmbiguousBaseStaysAsItIsUntilItsCoefficientsChange) {
   }
 }
 
+// A size is a fact: a file that states none begins to, where its keys can.
+TEST(OpenCvEdit, ASizeThatTheBaseDoesNotStateIsAdded) {
+  const Base base = good("k1d1.yml");
+  Rig rig = base.rig();
+  for (Camera& camera : rig.cameras) camera.image_size = ImageSize{640, 400};
+  const Written written = write(base, rig);
+  EXPECT_EQ(bytes_of(written), base.bytes + "image_width: 640\nimage_height: 400\n");
+  EXPECT_TRUE(written.losses.empty());
+  EXPECT_EQ(base_of(bytes_of(written), "x.yml").rig().cameras, rig.cameras);
+  rig.cameras[1].image_size = ImageSize{320, 200};
+  const Written apart = write(base, rig);
+  EXPECT_EQ(bytes_of(apart), base.bytes);
+  EXPECT_TRUE(loses(apart, "cam0 640x400") && loses(apart, "cam1 320x200"));
+  std::string cameras = read_file(testdata_dir() / "opencv/good/cameras.yml");
+  const std::string size = "   img_width: 1824\n   img_height: 1376\n";
+  const Base maps = base_of(cameras.erase(cameras.find(size), size.size()), "x.yml");
+  ASSERT_FALSE(maps.rig().cameras[0].image_size);
+  Rig sized = maps.rig();
+  sized.cameras[0].image_size = ImageSize{1824, 1376};
+  EXPECT_EQ(base_of(bytes_of(write(maps, sized)), "x.yml").rig().cameras, sized.cameras);
+}
+
 /// A camera's lens with further coefficients.
 Rig as_rational(Rig rig) {
   for (Camera& camera : rig.cameras) {
