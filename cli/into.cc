@@ -96,16 +96,16 @@ void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
   }
 }
 
-/// A base of poses alone counts the cameras that it speaks of. Where none of them has the name of one of the rig's, they are
-/// the rig's in order.
+/// A base of poses alone counts the cameras that it speaks of. Where the rig does not call its own so, they are the rig's in
+/// order.
 Rig with_names_of(const Rig& rig, Rig base) {
-  if (!base.cameras.empty()) return base;
+  if (!base.cameras.empty() || rig.cameras.size() < 2) return base;
   const auto frames = [&base] {
     std::vector<std::string*> all;
     for (PoseEdge& edge : base.poses) all.insert(all.end(), {&edge.a, &edge.b});
     return all;
   }();
-  if (std::ranges::any_of(frames, [&rig](const std::string* frame) { return rig.find_camera(*frame) != nullptr; })) return base;
+  if (std::ranges::all_of(frames, [&rig](const std::string* frame) { return rig.find_camera(*frame) != nullptr; })) return base;
   for (std::string* frame : frames) {
     for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
       if (*frame != "cam" + std::to_string(i)) continue;

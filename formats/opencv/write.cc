@@ -92,11 +92,10 @@ void list_losses_beside_pose(const Rig& rig, const PoseEdge& kept, std::vector<L
 /// Which frames of the rig R and T of a file without cameras are about: those that reading it names, else the first two
 /// cameras.
 std::pair<std::string, std::string> pair_in(const Rig& rig) {
-  std::pair<std::string, std::string> pair = {"cam0", "cam1"};
-  if (rig.find_camera(pair.first) != nullptr || rig.find_camera(pair.second) != nullptr) return pair;
-  if (!rig.cameras.empty()) pair.first = rig.cameras[0].name;
-  if (rig.cameras.size() > 1) pair.second = rig.cameras[1].name;
-  return pair;
+  const std::pair<std::string, std::string> named = {"cam0", "cam1"};
+  const bool known = rig.find_camera(named.first) != nullptr && rig.find_camera(named.second) != nullptr;
+  if (known || rig.cameras.size() < 2) return named;
+  return {rig.cameras[0].name, rig.cameras[1].name};
 }
 
 /// Takes R and T from saying what they say to the pose of the rig's pair; a rig without one leaves them alone.
