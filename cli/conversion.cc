@@ -155,12 +155,12 @@ std::optional<Written> write_rig(const Rig& rig, const Base& base, const Convert
   WriteOptions options = write_options(arguments, base);
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
-  drop_byte_order_mark(*written, arguments, outcome.diagnostics);
+  drop_byte_order_mark(*written, outcome.diagnostics);
   const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.
   const text::Document* owners = base.into != nullptr ? base.document : nullptr;
-  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners, arguments) : std::nullopt;
+  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners) : std::nullopt;
   if (!refusal) return written;
   options.anew = true;
   outcome.diagnostics.note("layout-not-kept",
@@ -254,8 +254,9 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   Base base;
   if (into) {
     base = {&into->documents.front(), &*into};
-  } else if (inputs.size() == 1 && is_base_of(*calibration->format, calibration->documents.front(), *outcome.to)) {
-    base = {&calibration->documents.front(), nullptr, calibration->format != outcome.to};
+  } else if (const text::Document& main_file = calibration->documents[calibration->with_cameras];
+             inputs.size() == 1 && is_base_of(*calibration->format, main_file, *outcome.to)) {
+    base = {&main_file, nullptr, calibration->format != outcome.to};
   }
   const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
                               arguments.every_pixel, arguments.objective == "max" ? Objective::kMax : Objective::kRms,

@@ -126,7 +126,7 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   for (ConvertOutcome& outcome : outcomes) {
     write_outputs(arguments, outcome, console);
     if (!arguments.json) {
-      if (!outcome.cameras.empty() && !outcome.outputs.empty()) {
+      if (!outcome.outputs.empty()) {
         const std::string report = convert_text(outcome, !arguments.dry_run);
         file_on_stdout && !arguments.dry_run ? console.say_aside(report) : console.say(report);
       }

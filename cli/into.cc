@@ -96,9 +96,30 @@ void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
   }
 }
 
+/// A base of poses alone counts the cameras that it speaks of. Where the rig does not call its own so, they are the rig's in
+/// order.
+Rig with_names_of(const Rig& rig, Rig base) {
+  if (!base.cameras.empty() || rig.cameras.size() < 2) return base;
+  const auto frames = [&base] {
+    std::vector<std::string*> all;
+    for (PoseEdge& edge : base.poses) all.insert(all.end(), {&edge.a, &edge.b});
+    return all;
+  }();
+  if (std::ranges::all_of(frames, [&rig](const std::string* frame) { return rig.find_camera(*frame) != nullptr; })) return base;
+  for (std::string* frame : frames) {
+    for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+      if (*frame != "cam" + std::to_string(i)) continue;
+      *frame = rig.cameras[i].name;
+      break;
+    }
+  }
+  return base;
+}
+
 }  // namespace
 
-Rig put_into(const Rig& base, Rig rig, Diagnostics& diagnostics) {
+Rig put_into(const Rig& base_as_named, Rig rig, Diagnostics& diagnostics) {
+  const Rig base = with_names_of(rig, base_as_named);
   take_names(base, counterparts(base, rig), rig, diagnostics);
   for (Camera& camera : rig.cameras) {
     const Camera* before = base.find_camera(camera.name);

@@ -18,10 +18,11 @@ std::string disagreement(const ProofResult& proof) {
   return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
 }
 
-consumers::LoadOptions load_options(const Written& written, const ConvertArguments& arguments) {
+/// As the files were written to be read. --opencv-model is about the input.
+consumers::LoadOptions load_options(const Written& written) {
   consumers::LoadOptions options;
   if (!written.sensor.empty()) options.sensor = written.sensor;
-  options.opencv_model = arguments.reading.opencv_model;
+  options.opencv_model = written.opencv_model;
   return options;
 }
 
@@ -37,9 +38,8 @@ std::optional<std::string> first_refusal(const std::string& bytes, const std::st
 
 }  // namespace
 
-std::optional<std::string> newly_refused(const Written& written, const text::Document* base,
-                                         const ConvertArguments& arguments) {
-  const consumers::LoadOptions options = load_options(written, arguments);
+std::optional<std::string> newly_refused(const Written& written, const text::Document* base) {
+  const consumers::LoadOptions options = load_options(written);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
       const std::optional<std::string> now = first_refusal(file.document.bytes(), id, options);
@@ -49,12 +49,12 @@ std::optional<std::string> newly_refused(const Written& written, const text::Doc
   return std::nullopt;
 }
 
-void drop_byte_order_mark(Written& written, const ConvertArguments& arguments, Diagnostics& diagnostics) {
+void drop_byte_order_mark(Written& written, Diagnostics& diagnostics) {
   const text::Source& source = written.files.front().document.source();
-  if (source.byte_order_mark() == 0 || !newly_refused(written, nullptr, arguments)) return;
+  if (source.byte_order_mark() == 0 || !newly_refused(written, nullptr)) return;
   Written without = written;
   without.files.front().document.replace({0, source.byte_order_mark()}, "");
-  if (newly_refused(without, nullptr, arguments)) return;
+  if (newly_refused(without, nullptr)) return;
   diagnostics.note("byte-order-mark-dropped",
                    "the byte order mark is left out: the program that reads the file refuses it with one");
   written = std::move(without);
@@ -67,7 +67,7 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
-    const consumers::LoadOptions options = load_options(outcome.written, arguments);
+    const consumers::LoadOptions options = load_options(outcome.written);
     ProofResult proof = prove(*consumer, output.bytes, options, rig, output.cameras,
                               max_angle_rad(arguments.reading).value_or(std::numbers::pi));
     const std::string program(consumer->program);

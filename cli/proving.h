@@ -10,11 +10,10 @@
 namespace fca::cli {
 
 /// Why a program would not load what is written for it, and did load `base` (null: none); nothing if there is no such program.
-[[nodiscard]] std::optional<std::string> newly_refused(const Written& written, const text::Document* base,
-                                                       const ConvertArguments& arguments);
+[[nodiscard]] std::optional<std::string> newly_refused(const Written& written, const text::Document* base);
 
 /// A byte order mark that came from the base and that a program stumbles over goes, where it is all that the program minds.
-void drop_byte_order_mark(Written& written, const ConvertArguments& arguments, Diagnostics& diagnostics);
+void drop_byte_order_mark(Written& written, Diagnostics& diagnostics);
 
 /// Adds to the outcome what the programs of one output make of it. Where the output is an edit of a file that the program
 /// refuses itself, that is the file's own defect: told, not held against us. An output without a program is told, too. `base`:

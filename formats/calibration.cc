@@ -125,7 +125,8 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
                                             const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.empty()) return std::nullopt;
   Calibration result;
-  for (const text::Document& document : documents) {
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    const text::Document& document = documents[i];
     const bool main_file = result.format == nullptr;
     DetectedFormat detected{format, "--from"};
     if (format == nullptr || (!main_file && !options.join)) {
@@ -140,6 +141,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       result.why = detected.why;
       result.rig = *std::move(rig);
     } else {
+      if (result.rig.cameras.empty() && !rig->cameras.empty() && detected.format == result.format) result.with_cameras = i;
       if (options.join) rename_apart(result.rig, *rig);
       result.one_format = result.one_format && (rig->cameras.empty() || detected.format == result.format);
       if (!join(*rig, document, result.rig, diagnostics)) return std::nullopt;

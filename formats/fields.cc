@@ -40,18 +40,46 @@ Field matrix(std::string key, std::span<const double> values, int columns, std::
 
 namespace {
 
-/// Edits the numbers of a sequence in place; false if the layout does not allow it. What the field before says as well is not
-/// touched, whatever its spelling: the int in a list of reals was there before, and the program had its chance to refuse it.
-bool edit_items(text::Document& document, std::span<const Node* const> items, const Field* before, const Field& field) {
+/// Are they numbers or words that can be edited one by one?
+bool are_scalars(std::span<const Node* const> items) {
+  return std::ranges::all_of(items, [](const Node* item) { return item->is_scalar() && item->span.length > 0; });
+}
+
+/// Makes as many items as there are tokens say those. What the field before says as well is not touched, whatever its spelling:
+/// the int in a list of reals was there before, and the program had its chance to refuse it.
+void edit_common_items(text::Document& document, std::span<const Node* const> items, const Field* before, const Field& field) {
   const std::span<const std::string> tokens = field.tokens;
-  if (items.size() != tokens.size()) return false;
-  for (const Node* item : items) {
-    if (!item->is_scalar() || item->span.length == 0) return false;
-  }
-  const bool comparable = before != nullptr && before->shape == field.shape && before->tokens.size() == tokens.size();
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  const bool comparable = before != nullptr && before->shape == field.shape && before->tokens.size() == items.size();
+  for (std::size_t i = 0; i < std::min(items.size(), tokens.size()); ++i) {
     if (!comparable || before->tokens[i] != tokens[i]) set_scalar(document, *items[i], tokens[i]);
   }
+}
+
+/// Edits the numbers of a sequence in place; false if the layout does not allow it.
+bool edit_items(text::Document& document, std::span<const Node* const> items, const Field* before, const Field& field) {
+  if (items.size() != field.tokens.size() || !are_scalars(items)) return false;
+  edit_common_items(document, items, before, field);
+  return true;
+}
+
+/// The same of a sequence that is to be longer or shorter: what it has too many go from its end, and new ones follow each
+/// other as its first two do.
+bool resize_items(text::Document& document, std::span<const Node* const> items, const Field* before, const Field& field) {
+  const std::span<const std::string> tokens = field.tokens;
+  if (items.size() < 2 || tokens.empty() || !are_scalars(items)) return false;
+  const auto between = [&](std::size_t from, std::size_t to) { return text::Span{from, to - from}; };
+  const text::Span separator = between(items[0]->span.end(), items[1]->span.offset);
+  const text::Span beyond = tokens.size() < items.size()
+                                ? between(items[tokens.size() - 1]->span.end(), items.back()->span.end())
+                                : text::Span{items.back()->span.end(), 0};
+  const std::string separating = document.source().bytes.substr(separator.offset, separator.length);
+  const std::string going = document.source().bytes.substr(beyond.offset, beyond.length);
+  // A comment belongs to its line.
+  if ((separating + going).find_first_of("#<") != std::string::npos) return false;
+  edit_common_items(document, items.first(std::min(items.size(), tokens.size())), before, field);
+  std::string more;
+  for (std::size_t i = items.size(); i < tokens.size(); ++i) more += separating + spell_token(tokens[i], document.syntax());
+  document.replace(beyond, more);
   return true;
 }
 
@@ -70,6 +98,15 @@ bool is_list(const text::Document& document, const Node& node) {
   return node.is_sequence() || (node.is_scalar() && document.syntax() == text::Syntax::kXml);
 }
 
+/// Is a matrix of `count` numbers a vector that lies as the field's and is of another length?
+bool is_longer_or_shorter(const Node& rows, const Node& cols, std::size_t count, const Field& field) {
+  if (count == field.tokens.size()) return false;
+  const bool column = field.columns == 1;
+  const bool row = static_cast<std::size_t>(field.columns) == field.tokens.size();
+  return (column && cols.value == "1" && rows.value == std::to_string(count)) ||
+         (row && rows.value == "1" && cols.value == std::to_string(count));
+}
+
 bool edit_in_place(text::Document& document, const Node& value, text::Dialect dialect, const Field* before,
                    const Field& field) {
   switch (field.shape) {
@@ -84,11 +121,17 @@ bool edit_in_place(text::Document& document, const Node& value, text::Dialect di
       const Node* data = value.is_mapping() ? text::find(value, "data", dialect) : nullptr;
       const Node* cols = value.is_mapping() ? text::find(value, "cols", dialect) : nullptr;
       const Node* type = value.is_mapping() ? text::find(value, "dt", dialect) : nullptr;
-      if (data == nullptr || cols == nullptr || type == nullptr || !is_list(document, *data)) return false;
-      if (cols->value != std::to_string(field.columns)) return false;
+      const Node* rows = value.is_mapping() ? text::find(value, "rows", dialect) : nullptr;
+      if (data == nullptr || rows == nullptr || cols == nullptr || type == nullptr || !is_list(document, *data)) return false;
       // The same digits are another number in a matrix of another type.
       const bool same_type = type->value == field.element_type;
-      if (!edit_items(document, leaves(*data), same_type ? before : nullptr, field)) return false;
+      const Field* comparable = same_type ? before : nullptr;
+      if (is_longer_or_shorter(*rows, *cols, leaves(*data).size(), field)) {
+        if (!resize_items(document, leaves(*data), comparable, field)) return false;
+        set_scalar(document, field.columns == 1 ? *rows : *cols, std::to_string(field.tokens.size()));
+      } else if (cols->value != std::to_string(field.columns) || !edit_items(document, leaves(*data), comparable, field)) {
+        return false;
+      }
       if (!same_type) set_scalar(document, *type, field.element_type);
       return true;
     }
@@ -110,19 +153,37 @@ std::string indented(std::string_view text, std::string_view indentation, std::s
   return result;
 }
 
-/// Must a new value beside `entry` do without line breaks?
-bool on_one_line(const text::Document& document, const Node& mapping, const text::Entry& entry) {
-  switch (document.syntax()) {
-    case text::Syntax::kJson:
-    case text::Syntax::kXml:
-      return !document.begins_line(entry);
-    default:
-      return mapping.flow;
-  }
-}
-
 bool is_yaml(const text::Document& document) {
   return document.syntax() == text::Syntax::kYaml || document.syntax() == text::Syntax::kOpenCvYaml;
+}
+
+/// Must a new value beside `entry` do without line breaks?
+bool on_one_line(const text::Document& document, const Node& mapping, const text::Entry& entry) {
+  return is_yaml(document) ? mapping.flow : !document.begins_line(entry);
+}
+
+/// How the mapping that `entry` holds is laid out.
+Style style_of(const text::Document& document, const text::Entry& entry) {
+  const text::Span extent = document.extent(entry);
+  const std::string_view bytes = std::string_view(document.source().bytes).substr(extent.offset, extent.length);
+  if (is_yaml(document) ? entry.value.flow : bytes.find('\n') == std::string_view::npos) return {true, 0};
+  const auto column = [&document](const Node& key) { return document.indentation_at(key.span.offset).size(); };
+  const std::size_t inner = column(entry.value.entries.front().key);
+  const std::size_t outer = column(entry.key);
+  return {false, inner > outer ? inner - outer : 0};
+}
+
+/// How a field is laid out in a mapping: a matrix as the one that is replaced (the value of `entry`), else as the first one of
+/// the mapping.
+Style style_for(const text::Document& document, const Node& mapping, const text::Entry& entry, const Field& field) {
+  if (on_one_line(document, mapping, entry)) return {true, 0};
+  if (field.shape != Shape::kMatrix) return {};
+  const auto is_matrix = [](const text::Entry& other) {
+    return std::ranges::any_of(other.value.entries, [](const text::Entry& inner) { return inner.key.value == "data"; });
+  };
+  if (entry.key.value == field.key && is_matrix(entry)) return style_of(document, entry);
+  const auto first = std::ranges::find_if(mapping.entries, is_matrix);
+  return first == mapping.entries.end() ? Style{} : style_of(document, *first);
 }
 
 /// A list of another length in a YAML block list's own style: "\n" and its dash before every number. Nothing of other lists.
@@ -146,7 +207,7 @@ void replace_value(text::Document& document, const Node& mapping, const text::En
     document.replace({start, entry.value.span.end() - start}, *items);
     return;
   }
-  const std::string value = spell_value(field, document.syntax(), on_one_line(document, mapping, entry));
+  const std::string value = spell_value(field, document.syntax(), style_for(document, mapping, entry, field));
   text::Span span = entry.value.span;
   std::string indentation(document.indentation_at(entry.key.span.offset));
   if (document.syntax() == text::Syntax::kXml) {
@@ -200,7 +261,22 @@ std::string unindented(std::string_view text, std::string_view indentation) {
 
 std::string spell(const Field& field, std::size_t indentation, text::Syntax syntax) {
   const std::string blanks(indentation, ' ');
-  return blanks + indented(spell_entry(field, syntax, false), blanks, "\n");
+  return blanks + indented(spell_entry(field, syntax, {}), blanks, "\n");
+}
+
+std::string value_text(const Node& value) {
+  if (value.is_scalar()) return value.value;
+  const auto inside = [](const Node& node) {
+    const std::optional<double> number =
+        node.is_scalar() && node.value.find_first_of(".eE") != std::string::npos ? text::parse_real(node.value) : std::nullopt;
+    return number ? text::format_real(*number) : value_text(node);
+  };
+  std::string text;
+  for (const Node& item : value.items) text += (text.empty() ? "" : ", ") + inside(item);
+  for (const text::Entry& entry : value.entries)
+    text += (text.empty() ? "" : ", ") + entry.key.value + ": " + inside(entry.value);
+  if (value.is_mapping()) return "{" + text + "}";
+  return value.is_sequence() ? "[" + text + "]" : text;
 }
 
 void set_scalar(text::Document& document, const Node& scalar, const std::string& token) {
@@ -219,9 +295,9 @@ void apply(text::Document& document, const Node& mapping, text::Dialect dialect,
       const text::Entry* anchor = predecessor;
       if (anchor == nullptr && !mapping.entries.empty()) anchor = &mapping.entries.back();
       if (anchor != nullptr) {
-        const bool one_line = on_one_line(document, mapping, *anchor);
+        const Style style = style_for(document, mapping, *anchor, field);
         const std::optional<std::string> alike = like_neighbour(document, mapping, field);
-        document.insert_after(mapping, *anchor, alike ? *alike : spell_entry(field, document.syntax(), one_line));
+        document.insert_after(mapping, *anchor, alike ? *alike : spell_entry(field, document.syntax(), style));
       }
       continue;
     }

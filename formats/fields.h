@@ -114,6 +114,9 @@ struct Field {
 /// The lines of a field behind `indentation` blanks, without a last line break (and, in JSON, without a comma).
 [[nodiscard]] std::string spell(const Field& field, std::size_t indentation = 0, text::Syntax syntax = text::Syntax::kYaml);
 
+/// What a value says, for Rig::as_read: a scalar as spelled; lists and mappings on one line, their reals in one spelling.
+[[nodiscard]] std::string value_text(const text::Node& value);
+
 /// Makes a scalar say what the token says, in the document's syntax. A scalar that says so already is not touched, whatever its
 /// spelling. For documents of words, which have no keys for apply().
 void set_scalar(text::Document& document, const text::Node& scalar, const std::string& token);

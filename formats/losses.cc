@@ -20,6 +20,10 @@ std::string_view group_of(const AsRead& extra) {
   return point == std::string::npos ? std::string_view() : std::string_view(extra.key).substr(0, point + 1);
 }
 
+std::string in_words(const AsRead& extra) {
+  return extra.value.empty() ? extra.key : extra.key + " " + text::shortened(extra.value);
+}
+
 bool holds_comments(const text::Document& document) {
   const std::string& bytes = document.source().bytes;
   if (document.syntax() == text::Syntax::kXml) return bytes.find("<!--") != std::string::npos;
@@ -56,8 +60,7 @@ void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::
     const std::string_view group = group_of(extra);
     const int members = sizes[group];
     if (group.empty() || members < kFewest) {
-      losses.push_back(
-          {"not-carried", extra.key + (extra.value.empty() ? "" : " " + text::shortened(extra.value)), std::string(why), ""});
+      losses.push_back({"not-carried", in_words(extra), std::string(why), ""});
     } else if (told.insert(group).second) {
       losses.push_back({"not-carried", std::string(group) + "* (" + std::to_string(members) + " keys)", std::string(why), ""});
     }

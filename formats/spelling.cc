@@ -115,7 +115,12 @@ std::string row_count(const Field& field) {
   return std::to_string(static_cast<int>(field.tokens.size()) / std::max(1, field.columns));
 }
 
-std::string yaml_value(const Field& field, Syntax syntax) {
+/// The line break before a key of a matrix.
+std::string break_before_key(const Style& style, std::size_t usual) {
+  return "\n" + std::string(style.indentation > 0 ? style.indentation : usual, ' ');
+}
+
+std::string yaml_value(const Field& field, Syntax syntax, const Style& style) {
   switch (field.shape) {
     case Shape::kScalar:
       return " " + field.tokens.front();
@@ -123,9 +128,11 @@ std::string yaml_value(const Field& field, Syntax syntax) {
       return " [" + joined(field.tokens, syntax) + "]";
     case Shape::kRows:
       return in_rows(field, syntax, "", [](const std::string& row) { return "\n  - [" + row + "]"; });
-    case Shape::kMatrix:
-      return " !!opencv-matrix\n  rows: " + row_count(field) + "\n  cols: " + std::to_string(field.columns) +
-             "\n  dt: " + field.element_type + "\n  data: [" + in_rows(field, syntax, ",\n         ", as_is) + "]";
+    case Shape::kMatrix: {
+      const std::string next = break_before_key(style, 2);
+      return " !!opencv-matrix" + next + "rows: " + row_count(field) + next + "cols: " + std::to_string(field.columns) + next +
+             "dt: " + field.element_type + next + "data: [" + in_rows(field, syntax, "," + next + "       ", as_is) + "]";
+    }
   }
   return "";
 }
@@ -134,7 +141,7 @@ std::string yaml_flow_value(const Field& field, Syntax syntax) {
   switch (field.shape) {
     case Shape::kScalar:
     case Shape::kList:
-      return yaml_value(field, syntax);
+      return yaml_value(field, syntax, {});
     case Shape::kRows:
       return " [" + in_rows(field, syntax, ", ", in_brackets) + "]";
     case Shape::kMatrix:
@@ -144,7 +151,8 @@ std::string yaml_flow_value(const Field& field, Syntax syntax) {
   return "";
 }
 
-std::string json_value(const Field& field, bool one_line) {
+std::string json_value(const Field& field, const Style& style) {
+  const bool one_line = style.one_line;
   const Syntax json = Syntax::kJson;
   switch (field.shape) {
     case Shape::kScalar:
@@ -155,21 +163,23 @@ std::string json_value(const Field& field, bool one_line) {
       if (one_line) return "[" + in_rows(field, json, ", ", in_brackets) + "]";
       return "[\n    " + in_rows(field, json, ",\n    ", in_brackets) + "\n]";
     case Shape::kMatrix: {
-      const std::string next = one_line ? ", " : ",\n    ";
-      return std::string("{") + (one_line ? "" : "\n    ") + "\"type_id\": \"opencv-matrix\"" + next +
+      const std::string line = one_line ? " " : break_before_key(style, 4);
+      const std::string next = "," + line;
+      return std::string("{") + (one_line ? "" : line) + "\"type_id\": \"opencv-matrix\"" + next +
              "\"rows\": " + row_count(field) + next + "\"cols\": " + std::to_string(field.columns) + next +
              "\"dt\": " + json_string(field.element_type) + next + "\"data\": [" +
-             in_rows(field, json, one_line ? ", " : ",\n             ", as_is) + "]" + (one_line ? "}" : "\n}");
+             in_rows(field, json, one_line ? ", " : next + "         ", as_is) + "]" + (one_line ? "}" : "\n}");
     }
   }
   return "";
 }
 
-std::string xml_element(const Field& field, bool one_line) {
+std::string xml_element(const Field& field, const Style& style) {
+  const bool one_line = style.one_line;
   const Syntax xml = Syntax::kXml;
   const std::string open = "<" + field.key + ">";
   const std::string close = "</" + field.key + ">";
-  const std::string next = one_line ? "" : "\n  ";
+  const std::string next = one_line ? "" : break_before_key(style, 2);
   const std::string last = one_line ? "" : "\n";
   switch (field.shape) {
     case Shape::kScalar:
@@ -181,8 +191,8 @@ std::string xml_element(const Field& field, bool one_line) {
     case Shape::kMatrix:
       return "<" + field.key + " type_id=\"opencv-matrix\">" + next + "<rows>" + row_count(field) + "</rows>" + next +
              "<cols>" + std::to_string(field.columns) + "</cols>" + next + "<dt>" + field.element_type + "</dt>" + next +
-             "<data>" + (one_line ? "" : "\n    ") + in_rows(field, xml, one_line ? " " : "\n    ", as_is) + "</data>" + last +
-             close;
+             "<data>" + (one_line ? "" : next + "  ") + in_rows(field, xml, one_line ? " " : next + "  ", as_is) + "</data>" +
+             last + close;
   }
   return "";
 }
@@ -220,23 +230,23 @@ std::string spell_token(const std::string& token, Syntax syntax) {
   return syntax == Syntax::kWords ? text_of(token) : token;
 }
 
-std::string spell_value(const Field& field, Syntax syntax, bool one_line) {
+std::string spell_value(const Field& field, Syntax syntax, const Style& style) {
   switch (syntax) {
     case Syntax::kYaml:
     case Syntax::kOpenCvYaml:
-      return one_line ? yaml_flow_value(field, syntax) : yaml_value(field, syntax);
+      return style.one_line ? yaml_flow_value(field, syntax) : yaml_value(field, syntax, style);
     case Syntax::kJson:
-      return json_value(field, one_line);
+      return json_value(field, style);
     case Syntax::kXml:
-      return xml_element(field, one_line);
+      return xml_element(field, style);
     case Syntax::kWords:
       return joined(field.tokens, syntax);
   }
   return "";
 }
 
-std::string spell_entry(const Field& field, Syntax syntax, bool one_line) {
-  const std::string value = spell_value(field, syntax, one_line);
+std::string spell_entry(const Field& field, Syntax syntax, const Style& style) {
+  const std::string value = spell_value(field, syntax, style);
   if (is_yaml(syntax)) return field.key + ":" + value;
   return syntax == Syntax::kJson ? json_string(field.key) + ": " + value : value;
 }

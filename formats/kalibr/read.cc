@@ -41,7 +41,7 @@ class ChainReader {
       } else if (index_in(entry.key.value, "imu") && entry.value.is_mapping()) {
         read_imu(entry.value, entry.key.value, rig);
       } else if (!read_named_pose(entry, rig) && !bare_imu) {
-        rig.as_read.push_back({entry.key.value, text::in_one_line(entry.value)});
+        rig.as_read.push_back({entry.key.value, fields::value_text(entry.value)});
       }
     }
     // Kalibr counts cam0, cam1, ... wherever they stand.
@@ -74,7 +74,7 @@ class ChainReader {
   void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
     for (const text::Entry& entry : node.entries) {
       if (std::ranges::find(known, entry.key.value) != known.end()) continue;
-      rig.as_read.push_back({owner + " " + entry.key.value, text::in_one_line(entry.value)});
+      rig.as_read.push_back({owner + " " + entry.key.value, fields::value_text(entry.value)});
     }
   }
 

@@ -42,8 +42,8 @@ std::string_view value_at(const Node* node, std::string_view key) {
 /// Numbers that the base says already keep its spelling: "500" in a matrix of doubles, "0.1" in one of floats.
 void keep_spellings(std::span<const double> values, bool floats, const Node* node, Field& field) {
   const Node* data = node != nullptr && node->is_mapping() ? text::find(*node, "data", kDialect) : node;
-  if (data == nullptr || data->items.size() != values.size()) return;
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  if (data == nullptr) return;
+  for (std::size_t i = 0; i < std::min(values.size(), data->items.size()); ++i) {
     const Node& item = data->items[i];
     const std::optional<double> there = item.is_scalar() ? text::parse_real(item.value) : std::nullopt;
     if (!there) continue;

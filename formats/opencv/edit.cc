@@ -96,8 +96,10 @@ class Editor {
           keys.model = {"distortion_type", true, std::nullopt};
         }
       }
+      if (begins_to_say_size(i, keys)) keys.size = {"img_width", "img_height", "", false};
       after_.cameras.push_back(std::move(keys));
     }
+    if (begins_to_say_size()) after_.size = size_keys();
     if (!base_.layout.in_maps() && !one_kind()) {
       why = "its cameras must be of one kind";
       return false;
@@ -129,6 +131,36 @@ class Editor {
     return std::move(document_);
   }
 
+  /// What of the base no longer belongs to what the result says.
+  [[nodiscard]] StaleKeys stale() const {
+    StaleKeys stale;
+    Changes any;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (places_[i] == kNew) continue;
+      const Camera& before = base_.rig.cameras[places_[i]];
+      const bool other_size =
+          before.image_size && rig_.cameras[i].image_size && before.image_size != rig_.cameras[i].image_size;
+      const Changes changes = {other_size || !same_lens(before.model, rig_.cameras[i].model), false};
+      any.lens = any.lens || changes.lens;
+      const std::string& map = base_.layout.cameras[places_[i]].map;
+      if (!map.empty())
+        stale.add(mapping_of(base_.document, base_.layout.cameras[places_[i]]), keys_of(base_.layout, map), changes, map + " ");
+    }
+    any.pose = base_.rig.stated("cam1", "cam0") != nullptr && rig_.cameras.size() == 2 && pose_changes();
+    stale.add(base_.document.root(), keys_of(base_.layout, ""), any, "");
+    return stale;
+  }
+
+  /// Does a reader still have to be told what four numbers are?
+  [[nodiscard]] bool ambiguous() const {
+    if (!base_.ambiguous || !after_.model.key.empty()) return false;
+    for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
+      const CameraKeys& keys = after_.cameras[i];
+      if (keys.model.key.empty() && !keys.fisheye && kind_of(rig_.cameras[i].model) != Kind::kOmnidir) return true;
+    }
+    return false;
+  }
+
   /// Of the result.
   [[nodiscard]] Layout layout() const {
     Layout result = after_;
@@ -156,15 +188,31 @@ class Editor {
     return std::ranges::all_of(rig_.cameras, [kind](const Camera& camera) { return kind_of(camera.model) == kind; });
   }
 
-  [[nodiscard]] bool one_size() const {
-    return !base_.layout.size.stated() || std::ranges::all_of(rig_.cameras, [this](const Camera& camera) {
-      return camera.image_size == rig_.cameras.front().image_size;
-    });
+  [[nodiscard]] bool one_size() const { return !base_.layout.size.stated() || sizes_agree(); }
+
+  [[nodiscard]] bool sizes_agree() const {
+    return std::ranges::all_of(rig_.cameras,
+                               [this](const Camera& camera) { return camera.image_size == rig_.cameras.front().image_size; });
+  }
+
+  /// The base does not say how large images are, and the rig knows it of all cameras, or of one that has a mapping.
+  [[nodiscard]] bool begins_to_say_size() const {
+    return !base_.layout.in_maps() && !base_.layout.size.stated() && rig_.cameras.front().image_size && sizes_agree();
+  }
+  [[nodiscard]] bool begins_to_say_size(std::size_t i, const CameraKeys& keys) const {
+    return base_.layout.in_maps() && !base_.layout.size.stated() && !keys.size.stated() && rig_.cameras[i].image_size;
+  }
+
+  /// In the spelling of the calibration sample that the base's other keys are of.
+  [[nodiscard]] SizeKeys size_keys() const {
+    if (base_.layout.cameras.front().matrix == "Camera_Matrix") return {"image_Width", "image_Height", "", false};
+    return {"image_width", "image_height", "", false};
   }
 
   [[nodiscard]] bool pose_changes() const {
     const Transform* was = base_.rig.stated("cam1", "cam0");
-    const std::optional<Transform> is = rig_.resolve(rig_.cameras[1].name, rig_.cameras[0].name);
+    const Transform* stated = rig_.stated(rig_.cameras[1].name, rig_.cameras[0].name);
+    const std::optional<Transform> is = stated != nullptr ? *stated : rig_.resolve(rig_.cameras[1].name, rig_.cameras[0].name);
     return was == nullptr || !is || *was != *is;
   }
 
@@ -256,22 +304,36 @@ class Editor {
 
 }  // namespace
 
+namespace {
+
+/// A file as it reads. Where it does not say what its four numbers are, `fisheye` does, and `ambiguous` is set.
+std::optional<Rig> read_anyhow(const text::Document& document, bool fisheye, bool& ambiguous) {
+  Diagnostics ignored;
+  std::optional<Rig> rig = read(std::span(&document, 1), {}, ignored);
+  ambiguous = std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
+  if (rig || !ambiguous) return rig;
+  ReadOptions options;
+  options.opencv_model = fisheye ? "fisheye" : "pinhole";
+  return read(std::span(&document, 1), options, ignored);
+}
+
+}  // namespace
+
 std::optional<Base> read_base(const text::Document& document, const Rig& rig) {
   const std::optional<Layout> layout = find_layout(document);
   if (!layout || layout->cameras.empty()) return std::nullopt;
-  Diagnostics ignored;
-  std::optional<Rig> old = read(std::span(&document, 1), {}, ignored);
-  const bool ambiguous =
-      std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
-  if (!old && ambiguous) {
-    const bool fisheye =
-        std::ranges::any_of(rig.cameras, [](const Camera& camera) { return kind_of(camera.model) == Kind::kFisheye; });
-    ReadOptions options;
-    options.opencv_model = fisheye ? "fisheye" : "pinhole";
-    old = read(std::span(&document, 1), options, ignored);
-  }
+  const bool fisheye =
+      std::ranges::any_of(rig.cameras, [](const Camera& camera) { return kind_of(camera.model) == Kind::kFisheye; });
+  bool ambiguous = false;
+  std::optional<Rig> old = read_anyhow(document, fisheye, ambiguous);
   if (!old) return std::nullopt;
   return Base{document, *layout, *std::move(old), ambiguous};
+}
+
+std::vector<AsRead> extras_of(const text::Document& document) {
+  bool ambiguous = false;
+  const std::optional<Rig> rig = read_anyhow(document, false, ambiguous);
+  return rig ? rig->as_read : std::vector<AsRead>();
 }
 
 std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {
@@ -283,7 +345,7 @@ std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {
   Editor editor(base, rig, *std::move(places));
   if (!editor.plan(why)) return std::nullopt;
   text::Document document = editor.edited();
-  return Edited{std::move(document), base.rig, editor.layout()};
+  return Edited{std::move(document), base.rig, editor.layout(), editor.stale(), editor.ambiguous()};
 }
 
 std::string name_of_layout(const Layout& layout) {
@@ -294,7 +356,7 @@ std::string name_of_layout(const Layout& layout) {
   return name_of(layout.cameras.front().matrix).side.starts_with("l") ? "left-right" : "stereo";
 }
 
-bool samples_read(const Layout& layout, const Rig& rig) {
+bool samples_read(const Layout& layout, const Rig& rig, bool told) {
   struct Known {
     std::string_view matrix;
     std::string_view distortion;
@@ -326,7 +388,7 @@ bool samples_read(const Layout& layout, const Rig& rig) {
     });
     if (!known || (!in_map && keys.distortion == "distortion_vector")) return false;
     const bool says_fisheye = in_map ? keys.model.key == "distortion_type" : layout.model.key == "fisheye_model";
-    if (kind_of(rig.cameras[i].model) == Kind::kFisheye && !says_fisheye) return false;
+    if (kind_of(rig.cameras[i].model) == Kind::kFisheye && !says_fisheye && !told) return false;
   }
   return !layout.cameras.empty();
 }

@@ -2,6 +2,7 @@
 // An existing file says something new: the same keys, only the changed bytes.
 #pragma once
 
+#include "derived.h"
 #include "layout.h"
 
 #include <fca/formats/format.h>
@@ -21,10 +22,15 @@ struct Base {
 /// Reads a file that is to be edited. Where it does not say what its four numbers are, `rig` does: they are the same numbers.
 [[nodiscard]] std::optional<Base> read_base(const text::Document& document, const Rig& rig);
 
+/// What a file says beside cameras and poses.
+[[nodiscard]] std::vector<AsRead> extras_of(const text::Document& document);
+
 struct Edited {
   text::Document document;
   Rig old;
   Layout layout;
+  StaleKeys stale;         ///< Of the base's; its document must live as long.
+  bool ambiguous = false;  ///< As the base was, and is yet.
 };
 
 /// Nothing, and `why` says why, where its keys cannot hold the rig.
@@ -33,7 +39,8 @@ struct Edited {
 /// Which of kLayoutNames a file's keys are nearest to.
 [[nodiscard]] std::string name_of_layout(const Layout& layout);
 
-/// Do programs around OpenCV's samples know these keys, and understand the cameras without being told what they are?
-[[nodiscard]] bool samples_read(const Layout& layout, const Rig& rig);
+/// Do programs around OpenCV's samples know these keys, and understand the cameras without being told what they are, or as
+/// they are `told`?
+[[nodiscard]] bool samples_read(const Layout& layout, const Rig& rig, bool told);
 
 }  // namespace fca::opencv

@@ -250,12 +250,21 @@ class CalibrationReader {
                         " cameras; MC-Calib's reader stops");
   }
 
+  /// A matrix says the same in every syntax.
+  [[nodiscard]] std::string value_text(const Node& value) const {
+    const Node* data = is_matrix(value) ? reader_.find(value, "data") : nullptr;
+    const Node* rows = reader_.find(value, "rows");
+    const Node* cols = reader_.find(value, "cols");
+    if (data == nullptr || rows == nullptr || cols == nullptr) return fields::value_text(value);
+    return rows->value + " x " + cols->value + " " + fields::value_text(*data);
+  }
+
   /// What the file says and a Rig has no place for.
   void keep_unread(Rig& rig) const {
-    const auto keep = [&rig](const Node& mapping, const std::vector<std::string>& known, const std::string& owner) {
+    const auto keep = [this, &rig](const Node& mapping, const std::vector<std::string>& known, const std::string& owner) {
       for (const text::Entry& entry : mapping.entries) {
         if (std::ranges::find(known, entry.key.value) == known.end())
-          rig.as_read.push_back({owner + entry.key.value, text::in_one_line(entry.value)});
+          rig.as_read.push_back({owner + entry.key.value, value_text(entry.value)});
       }
     };
     keep(document_.root(), keys_of(layout_, ""), "");

@@ -11,7 +11,7 @@
 #include <fca/formats/text/prose.h>
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace fca::opencv {
 
@@ -29,6 +29,31 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   }
 }
 
+constexpr std::string_view kHolds = "only cameras, image sizes and poses are written into an OpenCV file";
+
+/// What was read elsewhere and stays there. A file that is edited keeps what it says itself.
+void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, std::vector<Loss>& losses) {
+  std::vector<AsRead> contradicting;
+  std::vector<AsRead> unknown;
+  for (const AsRead& extra : extras_beyond(extras, there)) {
+    const bool known = std::ranges::find(there, extra.key, &AsRead::key) != there.end();
+    (known ? contradicting : unknown).push_back(extra);
+  }
+  add_not_carried(contradicting, std::string(kHolds) + "; the one written into keeps its own", losses);
+  add_not_carried(unknown, kHolds, losses);
+}
+
+/// stereo_calib's extrinsics.yml: R and T without a camera.
+bool is_pose_alone(const text::Document* base) {
+  const std::optional<Layout> layout = base != nullptr ? find_layout(*base) : std::nullopt;
+  return layout && layout->cameras.empty();
+}
+
+/// Does another syntax than the base's follow from the name of the file to be written?
+bool wants_other_syntax(const text::Document& base, const WriteOptions& options) {
+  return !options.extension.empty() && !same_syntax(base.syntax(), syntax_for(options.extension));
+}
+
 /// The base's edit, if there is a base that can be edited; else `why` says what stands against it.
 std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const WriteOptions& options, std::string& why) {
   if (base == nullptr || options.anew) return std::nullopt;
@@ -38,23 +63,67 @@ std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const
     why = "another layout was asked for";
     return std::nullopt;
   }
-  if (!options.extension.empty() && !same_syntax(base->syntax(), syntax_for(options.extension))) {
+  if (wants_other_syntax(*base, options)) {
     why = "another syntax was asked for";
     return std::nullopt;
   }
   return edit(*read, rig, why);
 }
 
-/// stereo_calib's extrinsics.yml: R and T alone.
-text::Document edited_pose(const text::Document& base, const Rig& rig) {
-  text::Document document = base;
+/// What the rig says of its cameras and a file of R and T alone cannot. write_calibration() speaks of the poses of cameras that
+/// a file holds, and this one holds none.
+void list_losses_beside_pose(const Rig& rig, const PoseEdge& kept, std::vector<Loss>& losses) {
+  for (const Camera& camera : rig.cameras) {
+    losses.push_back({"camera-dropped", camera.name + " (" + std::string(model_info(camera.model).id) + ")",
+                      "the file written into holds R and T of a pair and no camera",
+                      "--to opencv -o OTHER.yml writes the cameras into a file of their own"});
+  }
+  Rig stated;
+  stated.poses = {kept};
+  std::vector<std::string> poses;
+  for (const PoseEdge& edge : rig.poses) {
+    const bool of_camera = rig.find_camera(edge.a) != nullptr || rig.find_camera(edge.b) != nullptr;
+    if (of_camera && !stated.resolve(edge.a, edge.b)) poses.push_back("T_" + edge.a + "_" + edge.b);
+  }
+  if (!poses.empty())
+    losses.push_back({"pose-dropped", text::enumerated(poses), "the file written into holds the pose of one pair", ""});
+}
+
+/// Which frames of the rig R and T of a file without cameras are about: those that reading it names, else the first two
+/// cameras.
+std::pair<std::string, std::string> pair_in(const Rig& rig) {
+  const std::pair<std::string, std::string> named = {"cam0", "cam1"};
+  const bool known = rig.find_camera(named.first) != nullptr && rig.find_camera(named.second) != nullptr;
+  if (known || rig.cameras.size() < 2) return named;
+  return {rig.cameras[0].name, rig.cameras[1].name};
+}
+
+/// Takes R and T from saying what they say to the pose of the rig's pair; a rig without one leaves them alone.
+std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
   Diagnostics ignored;
   const std::optional<Layout> layout = find_layout(base);
   const std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);
-  if (!layout || !old) return document;
-  const auto fields_of = [&](const Rig& says) { return stereo_pose_fields(says, "cam0", "cam1", *layout, &base); };
-  fields::apply(document, document.root(), kDialect, fields_of(*old), fields_of(rig));
-  return document;
+  if (!layout || !old) {
+    diagnostics.error("no-calibration", "R and T of the file written into cannot be read", base.source().range({0, 1}));
+    return std::nullopt;
+  }
+  const auto [first, second] = pair_in(rig);
+  const std::vector<fields::Field> before = stereo_pose_fields(*old, "cam0", "cam1", *layout, &base);
+  const std::vector<fields::Field> after = stereo_pose_fields(rig, first, second, *layout, &base);
+  text::Document document = base;
+  if (!after.empty()) fields::apply(document, document.root(), kDialect, before, after);
+  Written written;
+  written.files.push_back({std::move(document), {}, {}});
+  written.headline = "the pose of a stereo pair";
+  StaleKeys stale;
+  const Transform* was = old->stated("cam1", "cam0");
+  const bool moved = !after.empty() && was != nullptr && rig.resolve(second, first) != *was;
+  stale.add(base.root(), keys_of(*layout, ""), {false, moved}, "");
+  stale.tell(base, written.losses, diagnostics);
+  list_losses_beside_pose(rig, {second, first, {}}, written.losses);
+  list_extras(rig.as_read, old->as_read, written.losses);
+  list_losses(rig, written.losses);
+  return written;
 }
 
 /// The layout asked for, the base's if that can hold the rig, else the samples'.
@@ -89,23 +158,39 @@ std::string headline(const std::string& layout, const Rig& rig) {
   return "the keys of ccalib's omnidir samples";
 }
 
+/// Sizes that the edited file has no keys for: it would have to begin to state one for both cameras.
+void list_lost_sizes(const Rig& rig, const Layout& layout, std::vector<Loss>& losses) {
+  if (layout.in_maps() || layout.size.stated()) return;
+  for (const Camera& camera : rig.cameras) {
+    if (!camera.image_size) continue;
+    losses.push_back(
+        {"image-size-dropped",
+         camera.name + " " + std::to_string(camera.image_size->width) + "x" + std::to_string(camera.image_size->height),
+         "the keys written into hold one image size for both cameras, and theirs differ",
+         "--opencv-layout cameras has a size for each"});
+  }
+}
+
+/// The file was read as the caller said, and does not say it itself.
+void tell_ambiguous(const Rig& rig, Written& written, Diagnostics& diagnostics) {
+  const bool fisheye = kind_of(rig.cameras.front().model) == Kind::kFisheye;
+  written.opencv_model = fisheye ? "fisheye" : "pinhole";
+  diagnostics.note("ambiguous-model",
+                   "what is written does not say what its four coefficients are; they are meant as " + written.opencv_model +
+                       " (" + (fisheye ? "cv::fisheye" : "cv::projectPoints") + ")",
+                   {}, "--opencv-model " + written.opencv_model + " reads it so");
+}
+
 }  // namespace
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   Written written;
-  const bool base_is_pose = [&] {
-    const std::optional<Layout> layout = base != nullptr ? find_layout(*base) : std::nullopt;
-    return layout && layout->cameras.empty();
-  }();
+  const bool anew = options.anew || !options.layout.empty() || (base != nullptr && wants_other_syntax(*base, options));
+  if (is_pose_alone(base) && (rig.cameras.empty() || !anew)) return write_pose(*base, rig, diagnostics);
   if (rig.cameras.empty()) {
-    if (!base_is_pose) {
-      diagnostics.error("no-camera", "an OpenCV calibration needs a camera and the input has none");
-      return std::nullopt;
-    }
-    written.files.push_back({edited_pose(*base, rig), {}, {}});
-    written.headline = "the pose of a stereo pair";
-    return written;
+    diagnostics.error("no-camera", "an OpenCV calibration needs a camera and the input has none");
+    return std::nullopt;
   }
   if (!options.layout.empty() && std::ranges::find(kLayoutNames, options.layout) == kLayoutNames.end()) {
     diagnostics.error("unknown-layout", "OpenCV files have no layout '" + options.layout + "'");
@@ -117,25 +202,24 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (edited) {
     Written::File file{std::move(edited->document), {}, {}};
     for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
-    if (samples_read(edited->layout, rig)) file.programs = {"opencv"};
+    if (samples_read(edited->layout, rig, edited->ambiguous)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
     written.headline = headline(name_of_layout(edited->layout), rig);
-    // What the file itself says beside its cameras is still there.
-    std::vector<AsRead> elsewhere;
-    std::ranges::copy_if(rig.as_read, std::back_inserter(elsewhere), [&edited](const AsRead& extra) {
-      return std::ranges::find(edited->old.as_read, extra) == edited->old.as_read.end();
-    });
-    add_not_carried(elsewhere, "OpenCV's files have no key for it", written.losses);
+    if (edited->ambiguous) tell_ambiguous(rig, written, diagnostics);
+    edited->stale.tell(*base, written.losses, diagnostics);
+    list_extras(rig.as_read, edited->old.as_read, written.losses);
+    list_lost_sizes(rig, edited->layout, written.losses);
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
     if (!layout) return std::nullopt;
     const text::Syntax syntax = options.extension.empty() && base != nullptr ? base->syntax() : syntax_for(options.extension);
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
     written.headline = headline(*layout, rig);
-    add_not_carried(rig.as_read, "a new file has no place for it", written.losses);
-    if (base != nullptr) add_composed_anew(*base, written.files.front().document, why, written.losses);
-    if (const std::optional<Base> old = base != nullptr ? read_base(*base, rig) : std::nullopt)
-      add_not_carried(extras_beyond(old->rig.as_read, rig.as_read), "a new file has no place for it", written.losses);
+    list_extras(rig.as_read, {}, written.losses);
+    if (base != nullptr) {
+      add_composed_anew(*base, written.files.front().document, why, written.losses);
+      add_not_carried(extras_beyond(extras_of(*base), rig.as_read), "the file is composed anew", written.losses);
+    }
   }
   list_losses(rig, written.losses);
   return written;

@@ -63,11 +63,22 @@ class SettingsReader {
   /// What the file says and a Rig has no place for.
   void keep_unread(Rig& rig) const {
     for (const text::Entry& entry : document_.root().entries) {
-      if (!read_.contains(entry.key.value)) rig.as_read.push_back({entry.key.value, text::in_one_line(entry.value)});
+      if (!read_.contains(entry.key.value)) rig.as_read.push_back({entry.key.value, fields::value_text(entry.value)});
     }
   }
 
+  /// stella_vslam's settings have the keys of ORB-SLAM2's, and say which of its models the numbers are of. Only its pinhole is
+  /// ORB-SLAM2's.
+  bool check_stella_model() {
+    const Node* model = find_key(document_, "Camera.model");
+    if (model == nullptr || find_key(document_, "Camera.type") != nullptr || model->value == "perspective") return true;
+    reader_.error(*model, "unknown-model",
+                  "Camera.model '" + model->value + "' is a model of stella_vslam; of its settings only 'perspective' is read");
+    return false;
+  }
+
   const Layout* read_layout() {
+    if (!check_stella_model()) return nullptr;
     const Node* type = find("Camera.type");
     const std::string name = type != nullptr ? type->value : "";
     if (type == nullptr && style_ == Style::kV1) {
@@ -108,7 +119,7 @@ class SettingsReader {
         good = false;
       }
       if (node != nullptr && slot.parameter.empty() && text::parse_real(node->value) != 0.0)
-        rig.as_read.push_back({key, text::in_one_line(*node)});
+        rig.as_read.push_back({key, fields::value_text(*node)});
       if (node == nullptr || slot.parameter.empty()) continue;
       good = reader_.parameter(*node, key, slot.parameter, camera.model) && good;
     }

@@ -232,7 +232,9 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     std::size_t last_start = builder.document_start();
     while (parser.HandleNextDocument(further)) {
       if (further.has_content()) {
-        throw Refusal{"yaml-documents", "several YAML documents in one file; the programs read the first only",
+        throw Refusal{"yaml-documents",
+                      "several YAML documents in one file, which programs read differently: cv::FileStorage looks keys up "
+                      "in all of them, PyYAML (Kalibr) refuses the file",
                       "keep one document", further.take_root().span.offset};
       }
       // On a token that begins nothing yaml-cpp reports empty documents without end.

@@ -135,10 +135,17 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
 std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
-  const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  const std::optional<Rig> old = options.anew ? std::nullopt : there;
+  const auto list_replaced = [&there](const Rig& said, Written& written) {
+    add_not_carried(extras_beyond(there->as_read, said.as_read), "the file is composed anew", written.losses);
+  };
   if (wants_camera_txt(base, options)) {
     std::string why;
-    if (std::optional<Written> written = write_camera_txt(base, old, rig_as_named, why, diagnostics)) return written;
+    if (std::optional<Written> written = write_camera_txt(base, old, rig_as_named, why, diagnostics)) {
+      if (there && !(old && is_camera_txt(*base))) list_replaced(rig_as_named, *written);
+      return written;
+    }
     diagnostics.note("not-a-camera-txt", "a camchain, not DSO's camera.txt: " + why);
   }
   const text::Document* chain = base != nullptr && !is_camera_txt(*base) ? base : nullptr;
@@ -152,8 +159,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   if (!written) return std::nullopt;
   written->losses.insert(written->losses.begin(), losses.begin(), losses.end());
   written->restated = std::move(restated);
-  if (old && chain == nullptr)
-    add_not_carried(extras_beyond(old->as_read, rig.as_read), "the file is composed anew", written->losses);
+  if (there && chain == nullptr) list_replaced(rig, *written);
   written->headline = "a camchain as TUM-VI's, for Kalibr";
   return written;
 }

@@ -204,7 +204,7 @@ class CameraReader {
   void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
     for (const text::Entry& entry : node.entries) {
       if (std::ranges::find(known, entry.key.value) != known.end()) continue;
-      rig.as_read.push_back({owner + entry.key.value, text::in_one_line(entry.value)});
+      rig.as_read.push_back({owner + entry.key.value, fields::value_text(entry.value)});
     }
   }
 

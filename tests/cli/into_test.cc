@@ -226,6 +226,53 @@ TEST(Into, AForksFileKeepsItsModel) {
   EXPECT_EQ(model_info(rig_in(run.out).cameras.at(0).model).id, "eucm");
 }
 
+// stereo_calib's extrinsics.yml, with what cv::stereoRectify puts behind R and T.
+TEST(Into, AFileOfThePoseAloneIsEditedInPlace) {
+  const TemporaryFolder folder;
+  const std::string bytes = read_file(testdata("formats/opencv/good/extrinsics.yml")) +
+                            "Q: !!opencv-matrix\n   rows: 1\n   cols: 1\n   dt: d\n   data: [ 1. ]\n";
+  const std::string base = folder.write("extrinsics.yml", bytes);
+  const RunResult run = run_program({"convert", kTumvi, "--into", base, "--in-place"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out + run.err, "cam1 (kb4)")) << run.out << run.err;
+  const std::string after = read_file(base);
+  EXPECT_TRUE(after.ends_with(bytes.substr(bytes.find("Q:")))) << after;
+  EXPECT_FALSE(contains(after, "M1")) << after;
+  EXPECT_LE(largest_difference(rig_in(after).resolve("cam1", "cam0").value(),
+                               rig_in(read_file(kTumvi)).resolve("cam1", "cam0").value()),
+            1e-12);
+  EXPECT_NE(run_program({"convert", kTumvi, "--into", base, "--strict"}).code, 0);
+}
+
+// It counts the cameras of its pair: the input's, whatever those are called.
+TEST(Into, APoseAloneIsThatOfTheFirstTwoCameras) {
+  const TemporaryFolder folder;
+  const std::string front = read_file(testdata("formats/woodscape/good/front.json"));
+  for (const char* name : {"\"MVL\"", "\"FV\""}) {
+    SCOPED_TRACE(name);  // of the same name it becomes cam1
+    std::string behind = front;
+    behind.replace(behind.find("3.7125"), 6, "2.7125");  // m
+    behind.replace(behind.rfind("\"FV\""), 4, name);
+    const RunResult run = run_program({"convert", folder.write("front.json", front), folder.write("behind.json", behind),
+                                       "--join", "--into", testdata("formats/opencv/good/extrinsics.yml")});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_FALSE(contains(run.err, "T_cam0")) << run.err;
+    const Transform T = rig_in(run.out).resolve("cam1", "cam0").value();
+    EXPECT_NEAR(std::hypot(T(0, 3), T(1, 3), T(2, 3)), 1.0, 1e-3) << run.out;
+    EXPECT_NEAR(T(0, 0), 1.0, 1e-3) << run.out;
+  }
+}
+
+// As the first file of an input it is a part: the file that holds the cameras is the one whose keys stay.
+TEST(Into, AnInputIsEditedWhereItsCamerasStand) {
+  const TemporaryFolder folder;
+  const std::string intrinsics = folder.write("intrinsics.yml", read_file(testdata("formats/opencv/good/stereo-14.yml")));
+  const RunResult run =
+      run_program({"convert", testdata("formats/opencv/good/extrinsics.yml"), "--with", intrinsics, "--to", "opencv"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, read_file(intrinsics));
+}
+
 TEST(Into, TheBaseChangesOnlyInPlace) {
   const TemporaryFolder folder;
   const std::string base = folder.write("settings.yaml", read_file(kSettings));

@@ -46,6 +46,29 @@ TEST(Proof, AByteOrderMarkIsNoFileOfOpenCvs) {
   EXPECT_TRUE(contains(read_file(folder / "out.yml"), "# As OpenCV's camera_calibration sample")) << "comments stay";
 }
 
+// --opencv-model says how the input is meant; the output says itself what it is, or is told as what it was written.
+TEST(Proof, HowTheInputIsMeantIsNoReadingOfTheOutput) {
+  const TemporaryFolder folder;
+  std::string four = read_file(testdata("formats/opencv/good/fisheye.json"));
+  const std::string says = "    \"fisheye_model\": 1,\n";
+  four.erase(four.find(says), says.size());
+  const std::string input = folder.write("four.json", four);
+  for (const char* meant : {"pinhole", "fisheye"}) {
+    for (const char* model : {"kb4", "radtan", "pinhole"}) {
+      const RunResult run = run_program(
+          {"convert", input, "--to", "opencv", "--opencv-model", meant, "--model", model, "-o", folder / "out.json", "--force"});
+      EXPECT_EQ(run.code, 0) << meant << " " << model << ": " << run.err;
+      EXPECT_FALSE(contains(run.err, "proof-failed")) << run.err;
+    }
+    // Unchanged, it does not say what it is.
+    const RunResult run = run_program({"convert", input, "--to", "opencv", "--opencv-model", meant, "-o", folder / "o.json", "--force"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(read_file(folder / "o.json"), four);
+    EXPECT_TRUE(contains(run.err, std::string("--opencv-model ") + meant)) << run.err;
+    EXPECT_FALSE(contains(run.err, "not-proven")) << run.err;
+  }
+}
+
 TEST(Proof, SettingsLoseTheirByteOrderMark) {
   const TemporaryFolder folder;
   const std::string base = folder.write("settings.yaml", kBom + read_file(kSettings));

@@ -6,6 +6,7 @@
 #include <fca/formats/proof.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 
@@ -171,6 +172,76 @@ TEST(Base, NoKeyOfSettingsGoesSilently) {
       EXPECT_TRUE(loses(*written, "ORBextractor.*")) << path;
     }
   }
+}
+
+/// The file with two keys that no program knows, one of them a list.
+std::string with_own_keys(const text::Document& document) {
+  const text::Syntax syntax = document.syntax();
+  std::string text = document.source().bytes;
+  if (syntax != text::Syntax::kJson && document.root().flow) return text;
+  if (syntax == text::Syntax::kXml)
+    return text.insert(text.rfind("</opencv_storage>"), "<my_own_key>5</my_own_key>\n<my_list>6 7</my_list>\n");
+  if (syntax == text::Syntax::kJson) return text.insert(text.find('{') + 1, "\"my_own_key\": 5, \"my_list\": [6, 7],");
+  if (syntax == text::Syntax::kWords) return text;
+  return text + (text.ends_with('\n') ? "" : "\n") + "my_own_key: 5\nmy_list: [6, 7]\n";
+}
+
+/// Is the key said somewhere in the files, with that value? Settings say some under a group's name: "Stereo.ThDepth".
+bool still_says(std::span<const AsRead> files, const AsRead& extra) {
+  const std::string last = extra.key.substr(extra.key.find('.') + 1);  // all of it, where there is no point
+  return std::ranges::any_of(files, [&](const AsRead& now) {
+    const bool same_key = now.key == extra.key || now.key.ends_with("." + last);
+    const std::optional<double> was = text::parse_real(extra.value);
+    return same_key && (now.value == extra.value || (was && text::parse_real(now.value) == was));
+  });
+}
+
+/// Is the key, or its group, among the losses, or among what is made up anew (OCamCalib's inverse polynomial)?
+bool is_listed(const Written& written, const std::string& key) {
+  if (std::ranges::find(written.defaults, key, &DefaultedValue::key) != written.defaults.end()) return true;
+  return std::ranges::any_of(written.losses, [&key](const Loss& loss) {
+    const bool group = loss.what.find("* (") != std::string::npos && key.starts_with(loss.what.substr(0, loss.what.find('*')));
+    return group || loss.what == key || loss.what.starts_with(key + " ");
+  });
+}
+
+// Whatever the format: where a base gives way to a file that is composed anew, each of its keys is carried or listed.
+TEST(Base, ABaseComposedAnewGoesWithNoKeyUnsaid) {
+  int bases = 0;
+  for (const Format& format : all_formats()) {
+    for (const fs::path& path : files_in(testdata_dir() / std::string(format.id) / "good")) {
+      SCOPED_TRACE(path.string());
+      Diagnostics diagnostics;
+      const std::optional<text::Document> plain =
+          text::parse_document({path.filename().string(), read_file(path)}, diagnostics);
+      ASSERT_TRUE(plain);
+      const std::string bytes = with_own_keys(*plain);
+      const std::optional<text::Document> document = text::parse_document({path.filename().string(), bytes}, diagnostics);
+      ASSERT_TRUE(document) << bytes;
+      const std::optional<Rig> base = format.read(std::span(&*document, 1), {}, diagnostics);
+      ASSERT_TRUE(base) << bytes;
+      // A rig from elsewhere, that knows nothing of the base's own keys.
+      Rig rig = sample_rig("kb4", {false, false});
+      if (!base->cameras.empty()) rig.cameras.front().model = base->cameras.front().model;
+      WriteOptions anew;
+      anew.anew = true;
+      const std::optional<Written> written = write_calibration(format, &*document, rig, anew, diagnostics);
+      ASSERT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().back().message);
+      ++bases;
+      std::vector<AsRead> said;
+      for (const Written::File& file : written->files) {
+        const std::optional<text::Document> now =
+            text::parse_document({file.document.source().name, file.document.bytes()}, diagnostics);
+        ASSERT_TRUE(now);
+        const std::optional<Rig> back = format.read(std::span(&*now, 1), {}, diagnostics);
+        ASSERT_TRUE(back);
+        said.insert(said.end(), back->as_read.begin(), back->as_read.end());
+      }
+      for (const AsRead& extra : base->as_read)
+        EXPECT_TRUE(still_says(said, extra) || is_listed(*written, extra.key)) << extra.key << " " << extra.value;
+    }
+  }
+  EXPECT_GE(bases, 30);
 }
 
 /// A chain with comments, an odd spelling and a key of Kalibr's that Rig has no member for.

@@ -42,6 +42,10 @@ bool has_loss(const Written& written, const std::string& code) {
   return std::ranges::any_of(written.losses, [&code](const Loss& loss) { return loss.code == code; });
 }
 
+bool loses(const Written& written, const std::string& part) {
+  return std::ranges::any_of(written.losses, [&part](const Loss& loss) { return loss.what.find(part) != std::string::npos; });
+}
+
 struct Case {
   const char* file;
   const char* spelling;  ///< The number as the file spells it; must stand there once.
@@ -273,16 +277,87 @@ TEST(OpenCvEdit, AnAmbiguousBaseStaysAsItIsUntilItsCoefficientsChange) {
     SCOPED_TRACE(told);
     const Base base = base_of(ambiguous_bytes(), "x.json", {std::nullopt, told});
     EXPECT_EQ(bytes_of(write(base, base.rig())), base.bytes);
+    EXPECT_EQ(write(base, base.rig()).opencv_model, told);
     Rig focal = base.rig();
     set_parameter(focal.cameras[0].model, "fx", 191.5);
     EXPECT_EQ(bytes_of(write(base, focal)), with_replaced(base.bytes, "190.875", "191.5"));
     Rig lens = base.rig();
     set_parameter(lens.cameras[0].model, "k2", 0.25);
     const std::string bytes = bytes_of(write(base, lens));
+    EXPECT_EQ(write(base, lens).opencv_model, "");
     EXPECT_NE(bytes.find("\"fisheye_model\": " + std::string(std::string(told) == "fisheye" ? "1" : "0")), std::string::npos)
         << bytes;
     EXPECT_TRUE(base_of(bytes, "x.json").rig().cameras == lens.cameras) << bytes;
   }
+}
+
+// A size is a fact: a file that states none begins to, where its keys can.
+TEST(OpenCvEdit, ASizeThatTheBaseDoesNotStateIsAdded) {
+  const Base base = good("k1d1.yml");
+  Rig rig = base.rig();
+  for (Camera& camera : rig.cameras) camera.image_size = ImageSize{640, 400};
+  const Written written = write(base, rig);
+  EXPECT_EQ(bytes_of(written), base.bytes + "image_width: 640\nimage_height: 400\n");
+  EXPECT_TRUE(written.losses.empty());
+  EXPECT_EQ(base_of(bytes_of(written), "x.yml").rig().cameras, rig.cameras);
+  rig.cameras[1].image_size = ImageSize{320, 200};
+  const Written apart = write(base, rig);
+  EXPECT_EQ(bytes_of(apart), base.bytes);
+  EXPECT_TRUE(loses(apart, "cam0 640x400") && loses(apart, "cam1 320x200"));
+  std::string cameras = read_file(testdata_dir() / "opencv/good/cameras.yml");
+  const std::string size = "   img_width: 1824\n   img_height: 1376\n";
+  const Base maps = base_of(cameras.erase(cameras.find(size), size.size()), "x.yml");
+  ASSERT_FALSE(maps.rig().cameras[0].image_size);
+  Rig sized = maps.rig();
+  sized.cameras[0].image_size = ImageSize{1824, 1376};
+  EXPECT_EQ(base_of(bytes_of(write(maps, sized)), "x.yml").rig().cameras, sized.cameras);
+}
+
+/// A camera's lens with further coefficients.
+Rig as_rational(Rig rig) {
+  for (Camera& camera : rig.cameras) {
+    CameraModel rational = *make_model("rational");
+    for (const Parameter& row : model_info(camera.model).parameters)
+      EXPECT_TRUE(set_parameter(rational, row.name, parameter(camera.model, row.name).value()));
+    EXPECT_TRUE(set_parameter(rational, "k6", 0.0625));
+    camera.model = rational;
+  }
+  return rig;
+}
+
+// A longer vector is the old one with more behind it: neither its spelling nor its layout changes.
+TEST(OpenCvEdit, AVectorGrowsAndShrinksInItsOwnLayout) {
+  const Base yaml = good("calibration.yml");
+  const std::string longer = with_replaced(with_replaced(yaml.bytes, "rows: 5", "rows: 8"), "-9.7656250000000000e-04 ]",
+                                           "-9.7656250000000000e-04, 0.0, 0.0, 0.0625 ]");
+  EXPECT_EQ(bytes_of(write(yaml, as_rational(yaml.rig()))), longer);
+  EXPECT_EQ(bytes_of(write(base_of(longer, "x.yml"), yaml.rig())), yaml.bytes);
+
+  const Base xml = good("calibration-old.xml");
+  const std::string grown = bytes_of(write(xml, as_rational(xml.rig())));
+  const std::size_t old_end = xml.bytes.find("</data></Distortion_Coefficients>");
+  ASSERT_NE(old_end, std::string::npos) << xml.bytes;
+  EXPECT_TRUE(grown.ends_with(" 0.0 0.0 0.0625" + xml.bytes.substr(old_end))) << grown;
+
+  const std::string kOneLine =
+      "{\n\"K\": {\"type_id\": \"opencv-matrix\", \"rows\": 3, \"cols\": 3, \"dt\": \"d\", \"data\": [500.50, 0, 320, 0, 501, "
+      "240, 0, 0, 1]},\n\"D\": {\"type_id\": \"opencv-matrix\", \"rows\": 1, \"cols\": 5, \"dt\": \"d\", \"data\": [-0.10, "
+      "0.20, "
+      "0, 0, 1e-3]}\n}\n";
+  const Base json = base_of(kOneLine, "x.json");
+  EXPECT_EQ(bytes_of(write(json, as_rational(json.rig()))),
+            with_replaced(with_replaced(kOneLine, "\"cols\": 5", "\"cols\": 8"), "1e-3]", "1e-3, 0.0, 0.0, 0.0625]"));
+}
+
+// New keys take the layout of those that are there.
+TEST(OpenCvEdit, ANewMatrixIsLaidOutAsItsNeighbours) {
+  Base base = good("k1d1.yml");
+  Rig rig = base.rig();
+  rig.poses.clear();
+  base = base_of(bytes_of(write(base, rig)), "x.yml");
+  rig.poses.push_back({"cam1", "cam0", T_cam1_cam0()});
+  const std::string bytes = bytes_of(write(base, rig));
+  EXPECT_NE(bytes.find("\nR: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: ["), std::string::npos) << bytes;
 }
 
 TEST(OpenCvEdit, APoseCanBeginAndEnd) {
@@ -296,6 +371,107 @@ TEST(OpenCvEdit, APoseCanBeginAndEnd) {
   EXPECT_TRUE(bare.rig().poses.empty());
   const Base again = base_of(bytes_of(write(bare, base.rig())), "x.yml");
   EXPECT_TRUE(again.rig().poses == base.rig().poses);
+}
+
+/// stereo_calib's second file, with what cv::stereoRectify adds.
+std::string extrinsics_bytes() {
+  return read_file(testdata_dir() / "opencv/good/extrinsics.yml") +
+         "P2: !!opencv-matrix\n   rows: 3\n   cols: 4\n   dt: d\n   data: [ 426.5, 0., 321.75, -1423.75, 0., 426.5, 241.25, "
+         "0., "
+         "0., 0., 1., 0. ]\nvalidRoi: [ 8, 8, 624, 464 ]\n";
+}
+
+// Such a file has a place for the pose of the pair: that is edited, and what it has no place for is said.
+TEST(OpenCvEdit, AFileOfThePoseAloneKeepsTheRest) {
+  const Base base = base_of(extrinsics_bytes(), "extrinsics.yml");
+  Rig rig = sample_rig("kb4", {true, true});
+  rig.poses[0].T_a_b = base.rig().poses.at(0).T_a_b;
+  rig.poses[0].T_a_b(0, 3) = -0.25;
+  rig.as_read.push_back({"baseline_mm", "250."});
+  for (const char* first : {"cam0", "left"}) {
+    SCOPED_TRACE(first);
+    Rig named = rig;
+    if (std::string(first) == "left") {
+      named.cameras[0].name = "left";
+      named.cameras[1].name = "right";
+      named.poses = {{"right", "left", rig.poses[0].T_a_b}, {"left", "imu0", T_cam0_imu()}};
+    }
+    const Written written = write(base, named);
+    EXPECT_EQ(bytes_of(written), with_replaced(base.bytes, "-1.2109375000000000e-01", "-0.25"));
+    for (const Camera& camera : named.cameras) EXPECT_TRUE(loses(written, camera.name + " (kb4)"));
+    EXPECT_TRUE(loses(written, "T_" + std::string(first) + "_imu0"));
+    EXPECT_FALSE(loses(written, "T_cam1_cam0") || loses(written, "T_right_left"));
+    EXPECT_TRUE(loses(written, "baseline_mm 250."));
+  }
+  // Without a pose in the rig there is nothing to say.
+  EXPECT_EQ(bytes_of(write(base, sample_rig("kb4", {false, false}))), base.bytes);
+}
+
+// What the input says beside its cameras is compared as a whole, matrices too.
+TEST(OpenCvEdit, WhatTheInputSaysOtherwiseIsSaid) {
+  const std::string changed =
+      with_replaced(read_file(testdata_dir() / "opencv/good/k1d1.yml"), "0.0, 0.0, 0.28", "0.0, 0.0, 0.5");
+  const Base base = good("k1d1.yml");
+  const Written written = write(base, base_of(changed, "x.yml").rig());
+  EXPECT_EQ(bytes_of(written), base.bytes);
+  ASSERT_EQ(written.losses.size(), 1U);
+  EXPECT_EQ(written.losses[0].what, "XT 3 x 1 [0.0, 0.0, 0.5]");
+  EXPECT_NE(written.losses[0].why.find("keeps its own"), std::string::npos);
+  // Other spellings of the same numbers are no other fact.
+  const std::string respelled = with_replaced(base.bytes, "0.0, 0.0, 0.28", "0., 0., 2.8e-1");
+  EXPECT_TRUE(write(base, base_of(respelled, "x.yml").rig()).losses.empty());
+}
+
+/// What the losses "stale-derived" name, and whether a warning says each of them.
+std::string stale_in(const Base& base, const Rig& rig) {
+  Diagnostics diagnostics;
+  const std::optional<Written> written =
+      find_format("opencv")->write(&base.calibration.documents.front(), rig, {}, diagnostics);
+  if (!written) return "not written";
+  std::string stale;
+  for (const Loss& loss : written->losses) {
+    if (loss.code != "stale-derived") continue;
+    stale += (stale.empty() ? "" : "; ") + loss.what;
+    EXPECT_FALSE(loss.remedy.empty());
+    EXPECT_TRUE(std::ranges::any_of(diagnostics.entries(), [&loss](const Diagnostic& entry) {
+      return entry.code == loss.code && entry.message.starts_with(loss.what) && entry.where.length > 0;
+    }));
+  }
+  return stale;
+}
+
+// What was computed from the old numbers stays in the file, and is said not to belong to the new ones.
+TEST(OpenCvEdit, ValuesThatDoNotFollowAreSaid) {
+  std::string bytes = read_file(testdata_dir() / "opencv/good/stereo-14.yml") + "Q: [ 1., 0. ]\nE: [ 1., 0. ]\nrms: 0.25\n";
+  const Base pair = base_of(bytes, "x.yml");
+  EXPECT_EQ(stale_in(pair, pair.rig()), "");
+  Rig moved = pair.rig();
+  moved.poses.at(0).T_a_b(0, 3) = -0.5;
+  EXPECT_EQ(stale_in(pair, moved), "P1, Q and E; rms");
+  Rig lens = pair.rig();
+  ASSERT_TRUE(set_parameter(lens.cameras[1].model, "fy", 530.0));
+  EXPECT_EQ(stale_in(pair, lens), "P1 and Q; rms");
+  // Stored with further coefficients of 0 it is the lens that it was.
+  const Base single = good("calibration.yml");
+  Rig more = single.rig();
+  CameraModel rational = *make_model("rational");
+  for (const Parameter& row : model_info(more.cameras[0].model).parameters)
+    ASSERT_TRUE(set_parameter(rational, row.name, parameter(more.cameras[0].model, row.name).value()));
+  more.cameras[0].model = rational;
+  EXPECT_EQ(stale_in(single, more), "");
+  more.cameras[0].model = sample_model("kb4");
+  EXPECT_EQ(stale_in(single, more), "fix_aspect_ratio, flags, avg_reprojection_error and per_view_reprojection_errors");
+  // In maps each camera's own keys are its own affair.
+  const std::string cameras = read_file(testdata_dir() / "opencv/good/cameras.yml");
+  const Base maps = base_of(with_replaced(cameras, "camera_1:\n", "camera_1:\n   mean_reprojection_error: 0.5\n"), "x.yml");
+  Rig first = maps.rig();
+  ASSERT_TRUE(set_parameter(first.cameras[0].model, "fx", 500.0));
+  EXPECT_EQ(stale_in(maps, first), "");
+  ASSERT_TRUE(set_parameter(first.cameras[1].model, "fx", 500.0));
+  EXPECT_EQ(stale_in(maps, first), "camera_1 mean_reprojection_error");
+  // stereo_calib's second file, by itself.
+  Rig pose = sample_rig("kb4", {true, false});
+  EXPECT_EQ(stale_in(base_of(extrinsics_bytes(), "x.yml"), pose), "P2 and validRoi");
 }
 
 TEST(OpenCvEdit, CamerasComeAndGoInMaps) {

@@ -198,7 +198,8 @@ TEST(TextYaml, RefusalsNameTheDefectAndItsPlace) {
        "file.yaml:1:4: error: a YAML anchor (&name); calibration files have none [yaml-anchor]"},
       {"alias", "%YAML:1.0\na: 1\nb:  *x\n", "file.yaml:3:5: error: "},
       {"documents", "a: 1\n---\nb: 2\n",
-       "file.yaml:3:1: error: several YAML documents in one file; the programs read the first only [yaml-documents]"},
+       "file.yaml:3:1: error: several YAML documents in one file, which programs read differently: cv::FileStorage looks "
+       "keys up in all of them, PyYAML (Kalibr) refuses the file [yaml-documents]"},
       {"depth 65", "a: " + repeated("[", 64) + repeated("]", 64) + "\n",
        "file.yaml:1:67: error: nested deeper than 64 levels [too-deep]"},
       {"conflict", "a: 1\n<<<<<<< HEAD\nb: 2\n=======\nb: 3\n>>>>>>> x\n",

@@ -17,6 +17,7 @@ struct Calibration {
   std::string why;                        ///< Why that format.
   bool one_format = true;                 ///< False: joined from files with cameras in more than one.
   std::vector<text::Document> documents;  ///< The main file first, then those of --with.
+  std::size_t with_cameras = 0;           ///< Which of them states the cameras (the first that does, of `format`).
   Rig rig;
 };
 

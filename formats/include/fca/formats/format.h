@@ -70,6 +70,7 @@ struct Written {
   std::vector<File> files;
   std::string headline;        ///< First line for people: mode, who reads it, who does not.
   std::string sensor;          ///< orbslam3: the mode written for.
+  std::string opencv_model;    ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
   std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;

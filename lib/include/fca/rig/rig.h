@@ -44,7 +44,7 @@ struct Imu {
 /// Something a file states that Rig has no member for (rolling shutter, a program's tuning).
 struct AsRead {
   std::string key;    ///< With its owner: "cam0 line_delay", "Viewer.PointSize".
-  std::string value;  ///< In one line; a number as spelled.
+  std::string value;  ///< A scalar as spelled; of lists and matrices what they say ("[1.0, 2.0]").
   bool operator==(const AsRead&) const = default;
 };
 

@@ -40,7 +40,4 @@ struct Entry {
   Node value;
 };
 
-/// The value in one line, whatever its layout: "1.5", "[1, 2]", "{a: 1, b: [2]}". For people, and to compare values by.
-[[nodiscard]] std::string in_one_line(const Node& node);
-
 }  // namespace fca::text
