@@ -6,6 +6,9 @@
 #include "judge_stages.h"
 #include "judge_summary.h"
 
+#include <array>
+#include <span>
+
 namespace fca {
 
 namespace internal {
@@ -22,15 +25,17 @@ Score score_every_pixel(const Scorer& scorer) {
   constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
   Summary summary(kBinsPerOctave);
   const ImageSize& size = scorer.domain().size;
-  std::vector<Point> row(static_cast<std::size_t>(size.width));
+  std::array<Point, Batch::kSize> part;  // of a row, short enough for the fastest memory
+  for (Point& point : part) point.weight = 1.0;
   for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      Point& point = row[static_cast<std::size_t>(x)];
-      point.pixel = {static_cast<double>(x), static_cast<double>(y)};
-      point.weight = 1.0;
+    for (int x = 0; x < size.width;) {
+      std::size_t count = 0;
+      for (; count < part.size() && x < size.width; ++count, ++x)
+        part[count].pixel = {static_cast<double>(x), static_cast<double>(y)};
+      const std::span<Point> points = std::span(part).first(count);
+      scorer.score(points);
+      summary.add(points);
     }
-    scorer.score(row);
-    summary.add(row);
   }
   Score score{summary.judgement(scorer.domain()), summary.worst()};
   Coverage& coverage = score.judgement.coverage;

@@ -2,9 +2,12 @@
 // The error of a pair of models at given pixels, many at a time.
 #pragma once
 
+#include "batch.h"
+
 #include <fca/convert/judge.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace fca::internal {
@@ -16,7 +19,7 @@ struct Point {
   Pixel pixel{};
   double weight = 0.0;  ///< pixels
   double error = 0.0;   ///< px
-  double cosine = 0.0;  ///< of the ray's angle from the axis
+  double cosine = 0.0;  ///< of the ray's angle from the axis, if scored
   Verdict verdict = Verdict::kOutsideLens;
 };
 
@@ -43,7 +46,16 @@ class Scorer {
     double cosine;
     explicit Limit(double angle_rad);
     [[nodiscard]] bool admits(const Ray& unit_ray) const;
+    /// By the cosine alone: true only where that is not close.
+    [[nodiscard]] bool surely_admits(double ray_cosine) const { return ray_cosine - cosine > kClose; }
+    static constexpr double kClose = 1e-9;
   };
+
+  /// Rays and cosines of a batch, and which of the pixels the lens sees.
+  void see(Batch& batch, std::span<Point> points) const;
+  /// Errors of those seen.
+  void compare(Batch& batch, std::span<Point> points) const;
+  [[nodiscard]] std::optional<Pixel> image_of(const Ray& ray) const;
 
   Lens source_;
   const CameraModel* model_;
@@ -51,6 +63,9 @@ class Scorer {
   const Domain& domain_;
   Limit lens_;
   Limit reach_;
+  Limit surely_reached_;               ///< Within it, a batch needs not ask the model for its domain.
+  std::optional<BatchRays> rays_;      ///< Of a source of the list.
+  std::optional<BatchErrors> errors_;  ///< Of a target of the list.
 };
 
 }  // namespace fca::internal

@@ -21,7 +21,9 @@ constexpr int kExponentBias = 1023;
 }  // namespace
 
 Summary::Summary(int bins_per_octave)
-    : bins_per_octave_(bins_per_octave), bins_(static_cast<std::size_t>(kOctaves * bins_per_octave), 0.0) {
+    : bins_per_octave_(bins_per_octave),
+      bin_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(bins_per_octave))) - 1),
+      bins_(static_cast<std::size_t>(kOctaves * bins_per_octave), 0.0) {
   for (std::size_t i = 0; i < kBands; ++i)
     band_cosine_[i] = std::cos(kBandDegrees * kRadiansPerDegree * static_cast<double>(i + 1));
   band_cosine_.back() = -2.0;
@@ -30,9 +32,8 @@ Summary::Summary(int bins_per_octave)
 /// The leading bits of a double, exponent and first bits of the mantissa, count bins of equal ratio (nearly), without a
 /// logarithm.
 std::size_t Summary::bin_of(double error) const {
-  const int bits = static_cast<int>(std::bit_width(static_cast<unsigned>(bins_per_octave_))) - 1;
-  const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bits));
-  const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bits;
+  const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bin_bits_));
+  const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bin_bits_;
   return static_cast<std::size_t>(std::clamp(leading - first, 0LL, static_cast<long long>(bins_.size()) - 1));
 }
 
@@ -42,24 +43,49 @@ void Summary::keep_if_bad(const Point& point) {
   if (worst_.size() > kWorst) worst_.pop_back();
 }
 
+std::size_t Summary::band_of(double cosine) const {
+  std::size_t i = 0;
+  while (cosine <= band_cosine_[i]) ++i;
+  return i;
+}
+
+/// Neighbours are mostly of one band: its sums are kept at hand until another one's turn comes.
 void Summary::add(std::span<const Point> points) {
+  std::size_t at = 0;
+  Band band = bands_[at];
+  double from = 1.0;  // cosines of this band: from >= cosine > to
+  double to = band_cosine_[at];
+  std::array<double, 3> weight = weight_;
+  std::array<long long, 3> count = count_;
+  double sum = sum_;
+  double bad = worst_.size() == kWorst ? worst_.back().error : -1.0;
   for (const Point& p : points) {
     const auto verdict = static_cast<std::size_t>(p.verdict);
-    weight_[verdict] += p.weight;
-    ++count_[verdict];
+    weight[verdict] += p.weight;
+    ++count[verdict];
     if (p.verdict != Verdict::kScored) continue;
-    keep_if_bad(p);
+    if (p.error > bad) {
+      keep_if_bad(p);
+      bad = worst_.size() == kWorst ? worst_.back().error : -1.0;
+    }
     const double weighted = p.weight * p.error;
-    sum_ += weighted;
-    square_sum_ += weighted * p.error;
+    sum += weighted;
     bins_[bin_of(p.error)] += p.weight;
-    std::size_t i = 0;
-    while (p.cosine <= band_cosine_[i]) ++i;
-    Band& band = bands_[i];
+    if (!(p.cosine <= from && p.cosine > to)) {
+      bands_[at] = band;
+      at = band_of(p.cosine);
+      band = bands_[at];
+      from = at > 0 ? band_cosine_[at - 1] : 2.0;
+      to = band_cosine_[at];
+    }
     band.weight += p.weight;
     band.square += weighted * p.error;
     band.max = std::max(band.max, p.error);
   }
+  bands_[at] = band;
+  weight_ = weight;
+  count_ = count;
+  sum_ = sum;
 }
 
 /// The bins first, then the points in them.
@@ -113,7 +139,9 @@ Judgement Summary::judgement(const Domain& domain, std::span<const Point> points
   result.coverage.unrepresentable = weight_[static_cast<std::size_t>(Verdict::kUnrepresentable)] / total;
   if (!(scored > 0.0)) return result;
   ErrorSummary& error = result.error;
-  error.rms = std::sqrt(square_sum_ / scored);
+  double square_sum = 0.0;
+  for (const Band& band : bands_) square_sum += band.square;
+  error.rms = std::sqrt(square_sum / scored);
   error.mean = sum_ / scored;
   const auto [p50, p95, p99] = percentiles({0.50, 0.95, 0.99}, points);
   error.p50 = p50;

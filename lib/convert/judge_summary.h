@@ -26,6 +26,7 @@ class Summary {
   static constexpr std::size_t kBands = 18;  ///< of 10 degrees
   static constexpr std::size_t kWorst = 12;
   [[nodiscard]] std::size_t bin_of(double error) const;
+  [[nodiscard]] std::size_t band_of(double cosine) const;
   /// The errors below which these shares of the scored weight lie.
   [[nodiscard]] std::array<double, 3> percentiles(const std::array<double, 3>& fractions, std::span<const Point> points) const;
   void keep_if_bad(const Point& point);
@@ -36,13 +37,13 @@ class Summary {
     double max = 0.0;
   };
   int bins_per_octave_;
+  int bin_bits_;  ///< Their binary logarithm.
   std::vector<double> bins_;
   std::array<double, kBands> band_cosine_{};  ///< of the angle at which the band ends
   std::array<Band, kBands> bands_{};
   std::array<double, 3> weight_{};  ///< by verdict
   std::array<long long, 3> count_{};
   double sum_ = 0.0;
-  double square_sum_ = 0.0;
   std::vector<Point> worst_;
 };
 
