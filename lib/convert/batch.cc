@@ -51,7 +51,22 @@ FCA_MULTIVERSIONED void all_errors(const KernelsOf<ModelList>::Pixels& kernel, B
   with_kernel(kernel, [&](const auto& k) { errors_of(k, batch, count); });
 }
 
+/// How often one of the three conditions fails.
+FCA_MULTIVERSIONED long long count_doubts(const Batch& batch, std::size_t count, double cosine) {
+  constexpr double kAnyCosine = 2.0;
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  long long doubts = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    doubts += batch.z[i] > cosine ? 0 : 1;
+    doubts += batch.z[i] < kAnyCosine ? 0 : 1;
+    doubts += batch.error[i] <= kLargest ? 0 : 1;
+  }
+  return doubts;
+}
+
 }  // namespace
+
+bool all_within(const Batch& batch, std::size_t count, double cosine) { return count_doubts(batch, count, cosine) == 0; }
 
 BatchRays::BatchRays(const CameraModel& model, double lens)
     : kernel_(std::visit(

@@ -15,6 +15,9 @@ namespace {
 /// polynomials. What is closer, rounding included, is left to project().
 constexpr double kLastAngleSlack = 1e-7;
 
+/// A cosine that no ray exceeds.
+constexpr double kNowhere = 2.0;
+
 }  // namespace
 
 Scorer::Limit::Limit(double angle_rad) : angle(angle_rad), cosine(angle_rad < std::numbers::pi ? std::cos(angle_rad) : -2.0) {}
@@ -31,72 +34,74 @@ Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program,
       domain_(domain),
       lens_(domain.max_angle_rad),
       reach_(target_reach_rad),
-      surely_reached_(0.0) {
+      surely_reached_(0.0),
+      surely_scored_(kNowhere) {
   if (source_.model() != nullptr && validate(*source_.model()).empty()) rays_.emplace(*source_.model(), lens_.angle);
   if (model_ == nullptr) return;
   const double last = max_angle(*model_);
   reach_ = Limit(std::min(target_reach_rad, last + kLastAngleSlack));
   surely_reached_ = Limit(std::min(target_reach_rad, last - kLastAngleSlack));
   if (validate(*model_).empty()) errors_.emplace(*model_, std::min(lens_.angle, surely_reached_.angle));
+  surely_scored_ = std::max(lens_.cosine, surely_reached_.cosine) + Limit::kClose;
+}
+
+void Scorer::score(Batch& batch, std::size_t count) const {
+  if (rays_) {
+    (*rays_)(batch, count);
+  } else {
+    std::fill_n(batch.x.begin(), count, 0.0);
+    std::fill_n(batch.y.begin(), count, 0.0);
+    std::fill_n(batch.z.begin(), count, kAskModel);
+  }
+  if (errors_) {
+    (*errors_)(batch, count);
+  } else {
+    std::fill_n(batch.error.begin(), count, kAskModel);
+  }
+  if (all_within(batch, count, surely_scored_)) {
+    std::fill_n(batch.verdict.begin(), count, Verdict::kScored);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) batch.verdict[i] = look_closer(batch, i);
+  }
+}
+
+Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
+  const Pixel pixel = {batch.u[i], batch.v[i]};
+  if (batch.z[i] == kNoRay) return Verdict::kOutsideLens;
+  const bool computed = std::isfinite(batch.z[i]);
+  if (!computed) {
+    const std::optional<Ray> ray = source_.ray(pixel);
+    if (!ray) return Verdict::kOutsideLens;
+    batch.x[i] = (*ray)[0];
+    batch.y[i] = (*ray)[1];
+    batch.z[i] = (*ray)[2];
+  }
+  const Ray ray = {batch.x[i], batch.y[i], batch.z[i]};
+  if (!lens_.admits(ray)) return Verdict::kOutsideLens;
+  if (computed && surely_reached_.surely_admits(ray[2]) && std::isfinite(batch.error[i])) return Verdict::kScored;
+  if (!reach_.admits(ray)) return Verdict::kUnrepresentable;
+  const std::optional<Pixel> image = model_ != nullptr ? project(*model_, ray) : (*program_)(ray);
+  if (!image) return Verdict::kUnrepresentable;
+  const double du = (*image)[0] - pixel[0];
+  const double dv = (*image)[1] - pixel[1];
+  batch.error[i] = std::sqrt(du * du + dv * dv);
+  return std::isfinite(batch.error[i]) ? Verdict::kScored : Verdict::kUnrepresentable;
 }
 
 void Scorer::score(std::span<Point> points) const {
   Batch batch;
   for (; !points.empty(); points = points.subspan(std::min(Batch::kSize, points.size()))) {
     const std::span<Point> some = points.first(std::min(Batch::kSize, points.size()));
-    see(batch, some);
-    compare(batch, some);
-  }
-}
-
-void Scorer::see(Batch& batch, std::span<Point> points) const {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    batch.u[i] = points[i].pixel[0];
-    batch.v[i] = points[i].pixel[1];
-    batch.x[i] = batch.y[i] = 0.0;
-    batch.z[i] = kAskModel;
-  }
-  if (rays_) (*rays_)(batch, points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Point& point = points[i];
-    point.verdict = Verdict::kOutsideLens;
-    if (batch.z[i] == kNoRay) continue;
-    if (!std::isfinite(batch.z[i])) {
-      const std::optional<Ray> ray = source_.ray(point.pixel);
-      if (!ray) continue;
-      batch.x[i] = (*ray)[0];
-      batch.y[i] = (*ray)[1];
-      batch.z[i] = (*ray)[2];
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      batch.u[i] = some[i].pixel[0];
+      batch.v[i] = some[i].pixel[1];
     }
-    point.cosine = batch.z[i];
-    if (lens_.admits({batch.x[i], batch.y[i], batch.z[i]})) point.verdict = Verdict::kUnrepresentable;
-  }
-}
-
-std::optional<Pixel> Scorer::image_of(const Ray& ray) const {
-  return model_ != nullptr ? project(*model_, ray) : (*program_)(ray);
-}
-
-void Scorer::compare(Batch& batch, std::span<Point> points) const {
-  if (errors_) (*errors_)(batch, points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    Point& point = points[i];
-    if (point.verdict == Verdict::kOutsideLens) continue;
-    if (errors_ && surely_reached_.surely_admits(batch.z[i]) && std::isfinite(batch.error[i])) {
-      point.error = batch.error[i];
-      point.verdict = Verdict::kScored;
-      continue;
+    score(batch, some.size());
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      some[i].error = batch.error[i];
+      some[i].cosine = batch.z[i];
+      some[i].verdict = batch.verdict[i];
     }
-    const Ray ray = {batch.x[i], batch.y[i], batch.z[i]};
-    if (!reach_.admits(ray)) continue;
-    const std::optional<Pixel> image = image_of(ray);
-    if (!image) continue;
-    const double du = (*image)[0] - point.pixel[0];
-    const double dv = (*image)[1] - point.pixel[1];
-    const double square = du * du + dv * dv;
-    if (!std::isfinite(square)) continue;
-    point.error = std::sqrt(square);
-    point.verdict = Verdict::kScored;
   }
 }
 

@@ -6,22 +6,10 @@
 
 #include <fca/convert/judge.h>
 
-#include <cstdint>
 #include <optional>
 #include <span>
 
 namespace fca::internal {
-
-/// What the pair of models makes of a pixel.
-enum class Verdict : std::uint8_t { kOutsideLens, kUnrepresentable, kScored };
-
-struct Point {
-  Pixel pixel{};
-  double weight = 0.0;  ///< pixels
-  double error = 0.0;   ///< px
-  double cosine = 0.0;  ///< of the ray's angle from the axis, if scored
-  Verdict verdict = Verdict::kOutsideLens;
-};
 
 /// Source, target and domain of a judgement.
 class Scorer {
@@ -30,6 +18,7 @@ class Scorer {
   Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad);
 
   /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time.
+  void score(Batch& batch, std::size_t count) const;
   void score(std::span<Point> points) const;
   [[nodiscard]] Point at(const Pixel& pixel) const;
 
@@ -51,10 +40,8 @@ class Scorer {
     static constexpr double kClose = 1e-9;
   };
 
-  /// Rays and cosines of a batch, and which of the pixels the lens sees.
-  void see(Batch& batch, std::span<Point> points) const;
-  /// Errors of those seen.
-  void compare(Batch& batch, std::span<Point> points) const;
+  /// Asks the models for what the batch has not found, and decides.
+  [[nodiscard]] Verdict look_closer(Batch& batch, std::size_t i) const;
   [[nodiscard]] std::optional<Pixel> image_of(const Ray& ray) const;
 
   Lens source_;
@@ -64,6 +51,7 @@ class Scorer {
   Limit lens_;
   Limit reach_;
   Limit surely_reached_;               ///< Within it, a batch needs not ask the model for its domain.
+  double surely_scored_;               ///< The cosine above which both limits hold.
   std::optional<BatchRays> rays_;      ///< Of a source of the list.
   std::optional<BatchErrors> errors_;  ///< Of a target of the list.
 };
