@@ -99,7 +99,7 @@ class Interpolant {
   }
 
  private:
-  static constexpr std::size_t kPoints = 8;
+  static constexpr std::size_t kPoints = 12;
   std::array<double, kPoints> points_{};
   std::array<double, kPoints> differences_{};
 };

@@ -129,7 +129,7 @@ struct PixelKernel<Ocamcalib> {
     });
   }
   PixelOfRay operator()(const UnitRay& ray) const {
-    constexpr int kSteps = 2;
+    constexpr int kSteps = 3;
     const double r = std::sqrt(ray.x * ray.x + ray.y * ray.y + kTiny);
     const double angle = angle_of(ray.z, r);
     double rho = angle * start(angle);

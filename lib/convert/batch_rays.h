@@ -23,7 +23,7 @@ inline constexpr double kAskModel = std::numeric_limits<double>::infinity();
 /// The last step of Newton's method, relatively: the next would be about its square.
 inline constexpr double kLastStep = 1e-8;
 /// Kernels leave to the model what is closer than this to its limit; and further: there no polynomial is near its inverse.
-inline constexpr double kSurelyInside = 1.0 - 1e-6;
+inline constexpr double kSurelyInside = 0.999;
 inline constexpr double kSurelyOutside = 1.0 + 1e-9;
 inline constexpr double kSmooth = 0.97;
 /// Added to squares, so that a radius is never 0 and (x, y) / radius is 0 on the axis.
@@ -170,7 +170,7 @@ class PolynomialAngle {
   }
 
  private:
-  static constexpr int kSteps = 2;
+  static constexpr int kSteps = 3;
   static double power(double angle) { return kPower == 2 ? angle * angle : angle; }
   [[nodiscard]] double radius(double angle) const { return angle * horner(c_, power(angle)); }
 

@@ -12,7 +12,7 @@ namespace fca::internal {
 
 /// Along eight directions, with steps down to a thousandth of a pixel.
 Point climb(const Scorer& scorer, const Pixel& start) {
-  constexpr double kFinestStep = 1e-3;  // px
+  constexpr double kFinestStep = 1e-3;      // px
   constexpr std::size_t kMostPoints = 600;  // along a ring of nearly equal errors it would never end
   constexpr double kDiagonal = 0.7071067811865476;
   constexpr std::array<Pixel, 8> kDirections = {{{1, 0},

@@ -137,6 +137,7 @@ std::array<double, 3> Summary::percentiles(const std::array<double, 3>& fraction
     w.to = start_of(w.bin + 1);
   }
   for (const Weighted& p : scored) {
+    if (p.error < wanted.front().from) continue;  // half of them: fractions ascend
     for (Wanted& w : wanted) {
       if (p.error >= w.from && p.error < w.to) w.errors.emplace_back(p.error, p.weight);
     }

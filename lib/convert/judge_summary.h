@@ -33,7 +33,8 @@ class Summary {
   [[nodiscard]] std::size_t bin_of(double error) const;
   [[nodiscard]] std::size_t band_of(double cosine) const;
   /// The errors below which these shares of the scored weight lie.
-  [[nodiscard]] std::array<double, 3> percentiles(const std::array<double, 3>& fractions, std::span<const Weighted> scored) const;
+  [[nodiscard]] std::array<double, 3> percentiles(const std::array<double, 3>& fractions,
+                                                  std::span<const Weighted> scored) const;
   [[nodiscard]] double start_of(std::size_t bin) const;
   /// What a point's error must exceed to be one of the worst.
   [[nodiscard]] double smallest_bad() const;
