@@ -19,7 +19,7 @@ constexpr int kLargestImageSide = 100'000;
 /// image.
 class RayLattice {
  public:
-  RayLattice(const Lens& lens, const ImageSize& size) {
+  RayLattice(const Lens& lens, const ImageSize& size) : lens_(lens) {
     std::optional<internal::BatchRays> rays;
     if (lens.model() != nullptr && validate(*lens.model()).empty()) rays.emplace(*lens.model(), std::numbers::pi);
     internal::Batch batch;
@@ -27,7 +27,7 @@ class RayLattice {
     const auto look = [&] {
       std::fill_n(batch.z.begin(), count, internal::kAskModel);
       if (rays) (*rays)(batch, count);
-      for (std::size_t i = 0; i < count; ++i) keep(lens, batch, i);
+      for (std::size_t i = 0; i < count; ++i) keep(batch, i);
       count = 0;
     };
     for (int i = 0; i <= kSteps; ++i) {
@@ -44,27 +44,35 @@ class RayLattice {
   [[nodiscard]] double largest_angle(double limit) const {
     constexpr double kClose = 1e-9;
     const double limit_cosine = std::cos(limit);
-    const Ray* furthest = nullptr;
-    for (const Ray& ray : rays_) {
-      if (furthest != nullptr && ray[2] >= (*furthest)[2]) continue;
-      const double difference = ray[2] - limit_cosine;
-      if (std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(ray) <= limit) furthest = &ray;
+    const Seen* furthest = nullptr;
+    for (const Seen& seen : seen_) {
+      if (furthest != nullptr && seen.ray[2] >= furthest->ray[2]) continue;
+      const double difference = seen.ray[2] - limit_cosine;
+      if (std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(seen.ray) <= limit) furthest = &seen;
     }
-    return furthest != nullptr ? angle_from_axis(*furthest) : -1.0;
+    if (furthest == nullptr) return -1.0;
+    return angle_from_axis(lens_.ray(furthest->pixel).value_or(furthest->ray));  // the lens's own, to the last bit
   }
 
  private:
   static constexpr int kSteps = 48;
 
-  void keep(const Lens& lens, const internal::Batch& batch, std::size_t i) {
+  struct Seen {
+    Pixel pixel;
+    Ray ray;
+  };
+
+  void keep(const internal::Batch& batch, std::size_t i) {
+    const Pixel pixel = {batch.u[i], batch.v[i]};
     if (std::isfinite(batch.z[i])) {
-      rays_.push_back({batch.x[i], batch.y[i], batch.z[i]});
+      seen_.push_back({pixel, {batch.x[i], batch.y[i], batch.z[i]}});
     } else if (batch.z[i] != internal::kNoRay) {
-      if (const std::optional<Ray> ray = lens.ray({batch.u[i], batch.v[i]})) rays_.push_back(*ray);
+      if (const std::optional<Ray> ray = lens_.ray(pixel)) seen_.push_back({pixel, *ray});
     }
   }
 
-  std::vector<Ray> rays_;
+  const Lens& lens_;
+  std::vector<Seen> seen_;
 };
 
 /// Does every pixel of the border have a ray? If not, the lens ends inside the image.
