@@ -7,6 +7,8 @@
 #include "xml.h"
 #include "yaml.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -19,9 +21,12 @@ namespace {
 
 /// Reads one byte more than allowed, so that "too large" is seen without reading all of a huge or endless file.
 std::string read_limited(std::istream& stream) {
-  std::string bytes(kMaxFileBytes + 1, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  std::string bytes;
+  std::array<char, 16384> part;  // not all of the limit at once: clearing 2 MiB takes longer than reading a calibration
+  while (stream && bytes.size() <= kMaxFileBytes) {
+    stream.read(part.data(), static_cast<std::streamsize>(std::min(part.size(), kMaxFileBytes + 1 - bytes.size())));
+    bytes.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   return bytes;
 }
 

@@ -21,6 +21,9 @@ constexpr double kNegligibleRemainder = 5e-11;
 
 using Vector = std::array<double, 2>;
 
+/// Of what is far from overflow, or infinite. Shorter by rounding than the widenings below allow for.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 /// A pixel as a function of the angle, t from the centre of a strip, and the azimuth: polynomials in t, exact as they stand
 /// here, and how far each component can be from them anywhere in the strip.
 struct Field {
@@ -80,7 +83,7 @@ struct Strip {
   double half = 0.0;
   Field source;
   Field error;  ///< target - source
-  [[nodiscard]] double remainder() const { return std::hypot(error.remainder[0], error.remainder[1]); }
+  [[nodiscard]] double remainder() const { return length(error.remainder[0], error.remainder[1]); }
   [[nodiscard]] bool finite() const {
     return std::isfinite(remainder()) && std::isfinite(source.remainder[0]) && std::isfinite(source.remainder[1]);
   }
@@ -129,11 +132,41 @@ struct Plane {
 
   /// How fast the pixel moves with the angle, at most, in the cell.
   [[nodiscard]] double steepest(double dt) const {
-    return std::hypot(std::abs(by_angle[0]) + 2.0 * angle_rest[0] / dt, std::abs(by_angle[1]) + 2.0 * angle_rest[1] / dt);
+    return length(std::abs(by_angle[0]) + 2.0 * angle_rest[0] / dt, std::abs(by_angle[1]) + 2.0 * angle_rest[1] / dt);
   }
 };
 
-Plane plane_of(const Field& field, const Cell& cell, const Harmonics& harmonics) {
+/// A field's coefficients around the centre of a range of angles, t +- dt from that of the strip: what the cells of all
+/// azimuths there have in common.
+struct Radial {
+  using PerHarmonic = std::array<std::array<double, kHarmonics>, 2>;
+  PerHarmonic value{};
+  PerHarmonic first{};
+  // The largest in the range:
+  PerHarmonic value_max{};
+  PerHarmonic first_max{};
+  PerHarmonic second_max{};
+
+  Radial(const Field& field, double t, double dt) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t j = 0; j < kHarmonics; ++j) {
+        if (!field.used[i][j]) continue;
+        const Field::Polynomial& c = field.of[i][j];
+        double half_second = 0.0;
+        for (std::size_t k = kOrder; k-- > 0;) {
+          half_second = half_second * t + first[i][j];
+          first[i][j] = first[i][j] * t + value[i][j];
+          value[i][j] = value[i][j] * t + c[k];
+        }
+        second_max[i][j] = 2.0 * std::abs(half_second) + field.third[i][j] * dt;
+        first_max[i][j] = std::abs(first[i][j]) + second_max[i][j] * dt;
+        value_max[i][j] = std::abs(value[i][j]) + first_max[i][j] * dt;
+      }
+    }
+  }
+};
+
+Plane plane_of(const Field& field, const Radial& radial, const Cell& cell, const Harmonics& harmonics) {
   Plane plane;
   const double dt = cell.dt;
   const double dphi = cell.dphi;
@@ -143,31 +176,26 @@ Plane plane_of(const Field& field, const Cell& cell, const Harmonics& harmonics)
     double mixed_rest = 0.0;
     for (std::size_t j = 0; j < kHarmonics; ++j) {
       if (!field.used[i][j]) continue;
-      const Field::Polynomial& c = field.of[i][j];
-      double value = 0.0;
-      double first = 0.0;
-      double half_second = 0.0;
-      for (std::size_t k = kOrder; k-- > 0;) {
-        half_second = half_second * cell.t + first;
-        first = first * cell.t + value;
-        value = value * cell.t + c[k];
-      }
       const double n = Harmonics::kFrequency[j];
-      const double second_max = 2.0 * std::abs(half_second) + field.third[i][j] * dt;
-      const double first_max = std::abs(first) + second_max * dt;
-      const double value_max = std::abs(value) + first_max * dt;
-      plane.value[i] += value * harmonics.value[j];
-      plane.by_angle[i] += first * harmonics.value[j];
-      plane.by_azimuth[i] += value * harmonics.first[j];
-      angle_rest += second_max * harmonics.value_max[j];
-      mixed_rest += first_max * harmonics.first_max[j];
-      azimuth_rest += n * n * value_max * harmonics.value_max[j];
+      plane.value[i] += radial.value[i][j] * harmonics.value[j];
+      plane.by_angle[i] += radial.first[i][j] * harmonics.value[j];
+      plane.by_azimuth[i] += radial.value[i][j] * harmonics.first[j];
+      angle_rest += radial.second_max[i][j] * harmonics.value_max[j];
+      mixed_rest += radial.first_max[i][j] * harmonics.first_max[j];
+      azimuth_rest += n * n * radial.value_max[i][j] * harmonics.value_max[j];
     }
     plane.angle_rest[i] = 0.5 * angle_rest * dt * dt;
     plane.rest[i] = plane.angle_rest[i] + mixed_rest * dt * dphi + 0.5 * azimuth_rest * dphi * dphi + field.remainder[i];
   }
   return plane;
 }
+
+/// Both fields of a strip.
+struct RadialPair {
+  Radial source;
+  Radial error;
+  RadialPair(const Strip& strip, double t, double dt) : source(strip.source, t, dt), error(strip.error, t, dt) {}
+};
 
 class Bounder {
  public:
@@ -179,6 +207,10 @@ class Bounder {
                             std::min({domain.max_angle_rad, reach, max_angle(source), max_angle(target)}) + kAngleSlack)),
         budget_(budget) {
     result_.seen = seen;
+    for (int i = 0; i < kAzimuths; ++i) {
+      const double phi = std::numbers::pi * (2 * i + 1) / kAzimuths;
+      first_cells_.push_back({phi, Harmonics(phi, kFirstWidth)});
+    }
   }
 
   ErrorBound bound() {
@@ -201,6 +233,7 @@ class Bounder {
   static constexpr double kWidestStrip = 0.12;  // rad
   static constexpr int kMaxHalvings = 12;
   static constexpr int kAzimuths = 16;
+  static constexpr double kFirstWidth = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
   /// unproject() may give a ray for a pixel on the border whose pixel is, by rounding, outside.
   static constexpr double kBorderSlack = 1e-6;  // px
   /// A ray in doubles is a little beside the one that is meant. Near a fold of ocamcalib's, where the angle hardly grows with
@@ -223,10 +256,11 @@ class Bounder {
     Cell cell;
     cell.strip = strips_.size() - 1;
     cell.dt = strip.half;
-    cell.dphi = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
-    for (int i = 0; i < kAzimuths; ++i) {
-      cell.phi = std::numbers::pi * (2 * i + 1) / kAzimuths;
-      add(cell);
+    cell.dphi = kFirstWidth;
+    const RadialPair radial(strip, cell.t, cell.dt);
+    for (const FirstCell& first : first_cells_) {
+      cell.phi = first.phi;
+      add(cell, radial, first.harmonics);
     }
   }
   /// An evaluation of a strip takes as long as that many of cells.
@@ -278,23 +312,27 @@ class Bounder {
       done_ = std::max(done_, cell.bound);
       return;
     }
-    for (const double side : {-1.0, 1.0}) {
-      Cell part = half;
-      if (cell.split_angle) {
-        part.t = cell.t + side * half.dt;
-      } else {
-        part.phi = cell.phi + side * half.dphi;
+    const Strip& strip = strips_[cell.strip];
+    if (cell.split_angle) {
+      const Harmonics harmonics(cell.phi, cell.dphi);
+      for (const double side : {-1.0, 1.0}) {
+        half.t = cell.t + side * half.dt;
+        add(half, RadialPair(strip, half.t, half.dt), harmonics);
       }
-      add(part);
+    } else {
+      const RadialPair radial(strip, cell.t, cell.dt);
+      for (const double side : {-1.0, 1.0}) {
+        half.phi = cell.phi + side * half.dphi;
+        add(half, radial, Harmonics(half.phi, half.dphi));
+      }
     }
   }
 
   /// Bounds a cell and keeps it, unless it lies outside the image or is good enough already.
-  void add(Cell cell) {
+  void add(Cell cell, const RadialPair& radial, const Harmonics& harmonics) {
     ++result_.evaluations;
     const Strip& strip = strips_[cell.strip];
-    const Harmonics harmonics(cell.phi, cell.dphi);
-    const Plane source = plane_of(strip.source, cell, harmonics);
+    const Plane source = plane_of(strip.source, radial.source, cell, harmonics);
     bool centre_inside = true;
     for (std::size_t i = 0; i < 2; ++i) {
       const double spread =
@@ -302,7 +340,7 @@ class Bounder {
       if (source.value[i] + spread < -kBorderSlack || source.value[i] - spread > last_[i] + kBorderSlack) return;
       centre_inside = centre_inside && source.value[i] >= 0.0 && source.value[i] <= last_[i];
     }
-    const Plane error = plane_of(strip.error, cell, harmonics);
+    const Plane error = plane_of(strip.error, radial.error, cell, harmonics);
     double corner = 0.0;
     for (const double side : {-1.0, 1.0}) {
       double square = 0.0;
@@ -316,13 +354,13 @@ class Bounder {
       corner = std::max({corner, square, other});
     }
     const double rounding = kRayRounding * (source.steepest(cell.dt) + error.steepest(cell.dt));
-    cell.bound = (std::sqrt(corner) + std::hypot(error.rest[0], error.rest[1]) + rounding) * (1.0 + 1e-12);
+    cell.bound = (std::sqrt(corner) + length(error.rest[0], error.rest[1]) + rounding) * (1.0 + 1e-12);
     // An infinite plane is no plane.
     if (!std::isfinite(cell.bound)) cell.bound = std::numeric_limits<double>::infinity();
     if (centre_inside) {
       // Some part of every division of this cell lies in the image, and none is better known than its strip.
       hopeless_ = hopeless_ || !strip.finite();
-      const double surely = std::hypot(error.value[0], error.value[1]) - strip.remainder();
+      const double surely = length(error.value[0], error.value[1]) - strip.remainder();
       if (surely > result_.seen) {
         result_.seen = surely;
         result_.seen_at = source.value;
@@ -335,9 +373,9 @@ class Bounder {
       return;
     }
     const double by_angle =
-        std::hypot(error.by_angle[0], error.by_angle[1]) * cell.dt + 2.0 * std::hypot(error.angle_rest[0], error.angle_rest[1]);
-    const double by_azimuth = std::hypot(error.by_azimuth[0], error.by_azimuth[1]) * cell.dphi +
-                              2.0 * std::hypot(error.rest[0] - error.angle_rest[0], error.rest[1] - error.angle_rest[1]);
+        length(error.by_angle[0], error.by_angle[1]) * cell.dt + 2.0 * length(error.angle_rest[0], error.angle_rest[1]);
+    const double by_azimuth = length(error.by_azimuth[0], error.by_azimuth[1]) * cell.dphi +
+                              2.0 * length(error.rest[0] - error.angle_rest[0], error.rest[1] - error.angle_rest[1]);
     cell.split_angle = std::isfinite(by_angle) && std::isfinite(by_azimuth) ? by_angle > by_azimuth : cell.dt > cell.dphi;
     cells_.push_back(cell);
     std::ranges::push_heap(cells_, {}, &Cell::bound);
@@ -348,6 +386,12 @@ class Bounder {
   Vector last_;
   double max_angle_;
   int budget_;
+  /// The azimuths into which every strip is cut at first.
+  struct FirstCell {
+    double phi;
+    Harmonics harmonics;
+  };
+  std::vector<FirstCell> first_cells_;
   std::vector<Strip> strips_;
   std::vector<Cell> cells_;  ///< A heap, the worst in front.
   double done_ = 0.0;        ///< The largest bound of the cells that were good enough.

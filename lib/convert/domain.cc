@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/domain.h>
 
+#include "batch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace fca {
 
@@ -12,22 +15,65 @@ namespace {
 // Larger than any sensor; keeps w * h and the lattices far from overflow.
 constexpr int kLargestImageSide = 100'000;
 
-/// The largest angle among the rays of the image's border and of a coarse lattice: the border alone would miss a lens that ends
-/// inside the image.
-double largest_angle(const Lens& lens, const ImageSize& size, double limit) {
-  constexpr int kSteps = 48;
-  double largest = -1.0;
-  for (int i = 0; i <= kSteps; ++i) {
-    for (int j = 0; j <= kSteps; ++j) {
-      const Pixel pixel = {(size.width - 1.0) * i / kSteps, (size.height - 1.0) * j / kSteps};
-      const std::optional<Ray> ray = lens.ray(pixel);
-      if (!ray) continue;
-      const double angle = angle_from_axis(*ray);
-      if (angle <= limit) largest = std::max(largest, angle);
+/// The rays of a coarse lattice of the image, its border included: the border alone would miss a lens that ends inside the
+/// image.
+class RayLattice {
+ public:
+  RayLattice(const Lens& lens, const ImageSize& size) : lens_(lens) {
+    std::optional<internal::BatchRays> rays;
+    if (lens.model() != nullptr && validate(*lens.model()).empty()) rays.emplace(*lens.model(), std::numbers::pi);
+    internal::Batch batch;
+    std::size_t count = 0;
+    const auto look = [&] {
+      std::fill_n(batch.z.begin(), count, internal::kAskModel);
+      if (rays) (*rays)(batch, count);
+      for (std::size_t i = 0; i < count; ++i) keep(batch, i);
+      count = 0;
+    };
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        batch.u[count] = (size.width - 1.0) * i / kSteps;
+        batch.v[count] = (size.height - 1.0) * j / kSteps;
+        if (++count == internal::Batch::kSize) look();
+      }
+    }
+    look();
+  }
+
+  /// The largest angle that does not exceed the limit; negative if there is none.
+  [[nodiscard]] double largest_angle(double limit) const {
+    constexpr double kClose = 1e-9;
+    const double limit_cosine = std::cos(limit);
+    const Seen* furthest = nullptr;
+    for (const Seen& seen : seen_) {
+      if (furthest != nullptr && seen.ray[2] >= furthest->ray[2]) continue;
+      const double difference = seen.ray[2] - limit_cosine;
+      if (std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(seen.ray) <= limit) furthest = &seen;
+    }
+    if (furthest == nullptr) return -1.0;
+    return angle_from_axis(lens_.ray(furthest->pixel).value_or(furthest->ray));  // the lens's own, to the last bit
+  }
+
+ private:
+  static constexpr int kSteps = 48;
+
+  struct Seen {
+    Pixel pixel;
+    Ray ray;
+  };
+
+  void keep(const internal::Batch& batch, std::size_t i) {
+    const Pixel pixel = {batch.u[i], batch.v[i]};
+    if (std::isfinite(batch.z[i])) {
+      seen_.push_back({pixel, {batch.x[i], batch.y[i], batch.z[i]}});
+    } else if (batch.z[i] != internal::kNoRay) {
+      if (const std::optional<Ray> ray = lens_.ray(pixel)) seen_.push_back({pixel, *ray});
     }
   }
-  return largest;
-}
+
+  const Lens& lens_;
+  std::vector<Seen> seen_;
+};
 
 /// Does every pixel of the border have a ray? If not, the lens ends inside the image.
 bool border_is_covered(const Lens& lens, const ImageSize& size) {
@@ -81,8 +127,9 @@ std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::op
   }
 
   const double limit = limit_rad.value_or(std::numbers::pi);
-  const double largest = largest_angle(lens, size, limit);
-  if (largest < 0.0 && limit_rad && largest_angle(lens, size, std::numbers::pi) >= 0.0) {
+  const RayLattice rays(lens, size);
+  const double largest = rays.largest_angle(limit);
+  if (largest < 0.0 && limit_rad && rays.largest_angle(std::numbers::pi) >= 0.0) {
     diagnostics.error("no-pixel-in-the-lens", name + ": no pixel of the image lies within that angle of the axis", {},
                       "a larger --max-angle");
     return std::nullopt;
@@ -96,7 +143,7 @@ std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::op
   Domain domain;
   domain.size = size;
   const double model_limit = lens.max_angle_rad();
-  if (limit_rad && largest_angle(lens, size, std::numbers::pi) > limit) {
+  if (limit_rad && rays.largest_angle(std::numbers::pi) > limit) {
     domain.max_angle_rad = limit;
     domain.why = "given (--max-angle)";
   } else if (!border_is_covered(lens, size)) {

@@ -12,25 +12,35 @@ namespace internal {
 
 Score score_on_lattice(const Scorer& scorer) {
   constexpr int kBinsPerOctave = 16;
-  const std::vector<Point> points = score_lattice(scorer);
   Summary summary(kBinsPerOctave);
-  summary.add(points);
-  return {summary.judgement(scorer.domain(), points), summary.worst()};
+  std::vector<Summary::Weighted> errors;
+  constexpr std::size_t kWithoutParts = 5200;
+  errors.reserve(kWithoutParts);
+  score_lattice(scorer, [&](const Batch& batch, std::size_t count) {
+    summary.add(batch, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (batch.verdict[i] == Verdict::kScored) errors.push_back({batch.error[i], batch.weight[i]});
+    }
+  });
+  return {summary.judgement(scorer.domain(), errors), summary.worst()};
 }
 
 Score score_every_pixel(const Scorer& scorer) {
   constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
   Summary summary(kBinsPerOctave);
   const ImageSize& size = scorer.domain().size;
-  std::vector<Point> row(static_cast<std::size_t>(size.width));
+  Batch batch;
+  batch.weight.fill(1.0);
   for (int y = 0; y < size.height; ++y) {
-    for (int x = 0; x < size.width; ++x) {
-      Point& point = row[static_cast<std::size_t>(x)];
-      point.pixel = {static_cast<double>(x), static_cast<double>(y)};
-      point.weight = 1.0;
+    for (int x = 0; x < size.width;) {
+      std::size_t count = 0;
+      for (; count < Batch::kSize && x < size.width; ++count, ++x) {
+        batch.u[count] = static_cast<double>(x);
+        batch.v[count] = static_cast<double>(y);
+      }
+      scorer.score(batch, count);
+      summary.add(batch, count);
     }
-    scorer.score(row);
-    summary.add(row);
   }
   Score score{summary.judgement(scorer.domain()), summary.worst()};
   Coverage& coverage = score.judgement.coverage;

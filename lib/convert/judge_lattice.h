@@ -3,11 +3,17 @@
 
 #include "judge_scorer.h"
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace fca::internal {
 
+/// Takes the first `count` points of a batch.
+using LatticeSink = std::function<void(const Batch& batch, std::size_t count)>;
+
 /// About 5,000 scored points of the image, border included, whose weights sum to the number of its pixels.
+void score_lattice(const Scorer& scorer, const LatticeSink& sink);
 [[nodiscard]] std::vector<Point> score_lattice(const Scorer& scorer);
 
 }  // namespace fca::internal

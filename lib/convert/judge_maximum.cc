@@ -12,8 +12,8 @@ namespace fca::internal {
 
 /// Along eight directions, with steps down to a thousandth of a pixel.
 Point climb(const Scorer& scorer, const Pixel& start) {
-  constexpr double kFinestStep = 1e-3;  // px
-  constexpr int kMostPoints = 600;      // along a ring of nearly equal errors it would never end
+  constexpr double kFinestStep = 1e-3;      // px
+  constexpr std::size_t kMostPoints = 600;  // along a ring of nearly equal errors it would never end
   constexpr double kDiagonal = 0.7071067811865476;
   constexpr std::array<Pixel, 8> kDirections = {{{1, 0},
                                                  {-1, 0},
@@ -26,17 +26,19 @@ Point climb(const Scorer& scorer, const Pixel& start) {
   const ImageSize& size = scorer.domain().size;
   const Pixel last = {size.width - 1.0, size.height - 1.0};
   Point best = scorer.at(start);
-  int points = 0;
-  for (double step = std::max(last[0], last[1]) / 64.0; step > kFinestStep && points < kMostPoints;) {
+  std::size_t points = 0;
+  std::array<Point, kDirections.size()> around;
+  for (double step = std::max(last[0], last[1]) / 64.0; step > kFinestStep && points < kMostPoints; points += around.size()) {
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      around[i].pixel = {std::clamp(best.pixel[0] + step * kDirections[i][0], 0.0, last[0]),
+                         std::clamp(best.pixel[1] + step * kDirections[i][1], 0.0, last[1])};
+    }
+    scorer.score(around);
     bool moved = false;
-    for (const Pixel& direction : kDirections) {
-      ++points;
-      const Point next = scorer.at({std::clamp(best.pixel[0] + step * direction[0], 0.0, last[0]),
-                                    std::clamp(best.pixel[1] + step * direction[1], 0.0, last[1])});
-      if (next.verdict == Verdict::kScored && next.error > best.error) {
-        best = next;
-        moved = true;
-      }
+    for (const Point& next : around) {
+      if (next.verdict != Verdict::kScored || !(next.error > best.error)) continue;
+      best = next;
+      moved = true;
     }
     if (!moved) step *= 0.5;
   }

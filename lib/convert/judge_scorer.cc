@@ -2,28 +2,27 @@
 #include "judge_scorer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace fca::internal {
 
 namespace {
 
-/// Past a model's last angle project() would say no, too, but only after looking for it: slow for polynomials. What is closer
-/// than this, rounding included, is left to project().
-double just_beyond(double angle) {
-  constexpr double kSlack = 1e-7;
-  return angle + kSlack;
-}
+/// How well a model's last angle is known. Past it project() would say no, too, but only after looking for it: slow for
+/// polynomials. What is closer, rounding included, is left to project().
+constexpr double kLastAngleSlack = 1e-7;
+
+/// A cosine that no ray exceeds.
+constexpr double kNowhere = 2.0;
 
 }  // namespace
 
 Scorer::Limit::Limit(double angle_rad) : angle(angle_rad), cosine(angle_rad < std::numbers::pi ? std::cos(angle_rad) : -2.0) {}
 
 bool Scorer::Limit::admits(const Ray& unit_ray) const {
-  constexpr double kClose = 1e-9;
   const double difference = unit_ray[2] - cosine;
   return std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(unit_ray) <= angle;
 }
@@ -34,59 +33,74 @@ Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program,
       program_(program),
       domain_(domain),
       lens_(domain.max_angle_rad),
-      reach_(model != nullptr ? std::min(target_reach_rad, just_beyond(max_angle(*model))) : target_reach_rad) {}
+      reach_(target_reach_rad),
+      surely_reached_(0.0),
+      surely_scored_(kNowhere) {
+  if (source_.model() != nullptr && validate(*source_.model()).empty()) rays_.emplace(*source_.model(), lens_.angle);
+  if (model_ == nullptr) return;
+  const double last = max_angle(*model_);
+  reach_ = Limit(std::min(target_reach_rad, last + kLastAngleSlack));
+  surely_reached_ = Limit(std::min(target_reach_rad, last - kLastAngleSlack));
+  if (validate(*model_).empty()) errors_.emplace(*model_, std::min(lens_.angle, surely_reached_.angle));
+  surely_scored_ = std::max(lens_.cosine, surely_reached_.cosine) + Limit::kClose;
+}
+
+void Scorer::score(Batch& batch, std::size_t count) const {
+  if (rays_) {
+    (*rays_)(batch, count);
+  } else {
+    std::fill_n(batch.x.begin(), count, 0.0);
+    std::fill_n(batch.y.begin(), count, 0.0);
+    std::fill_n(batch.z.begin(), count, kAskModel);
+  }
+  if (errors_) {
+    (*errors_)(batch, count);
+  } else {
+    std::fill_n(batch.error.begin(), count, kAskModel);
+  }
+  if (all_within(batch, count, surely_scored_)) {
+    std::fill_n(batch.verdict.begin(), count, Verdict::kScored);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) batch.verdict[i] = look_closer(batch, i);
+  }
+}
+
+Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
+  const Pixel pixel = {batch.u[i], batch.v[i]};
+  if (batch.z[i] == kNoRay) return Verdict::kOutsideLens;
+  const bool computed = std::isfinite(batch.z[i]);
+  if (!computed) {
+    const std::optional<Ray> ray = source_.ray(pixel);
+    if (!ray) return Verdict::kOutsideLens;
+    batch.x[i] = (*ray)[0];
+    batch.y[i] = (*ray)[1];
+    batch.z[i] = (*ray)[2];
+  }
+  const Ray ray = {batch.x[i], batch.y[i], batch.z[i]};
+  if (!lens_.admits(ray)) return Verdict::kOutsideLens;
+  if (computed && surely_reached_.surely_admits(ray[2]) && std::isfinite(batch.error[i])) return Verdict::kScored;
+  if (!reach_.admits(ray)) return Verdict::kUnrepresentable;
+  const std::optional<Pixel> image = model_ != nullptr ? project(*model_, ray) : (*program_)(ray);
+  if (!image) return Verdict::kUnrepresentable;
+  const double du = (*image)[0] - pixel[0];
+  const double dv = (*image)[1] - pixel[1];
+  batch.error[i] = std::sqrt(du * du + dv * dv);
+  return std::isfinite(batch.error[i]) ? Verdict::kScored : Verdict::kUnrepresentable;
+}
 
 void Scorer::score(std::span<Point> points) const {
-  constexpr std::size_t kBatch = 256;
-  std::array<Ray, kBatch> rays;
-  for (; !points.empty(); points = points.subspan(std::min(kBatch, points.size()))) {
-    const std::span<Point> batch = points.first(std::min(kBatch, points.size()));
-    const auto see = [&](const auto& ray_of) {
-      for (std::size_t i = 0; i < batch.size(); ++i) {
-        Point& point = batch[i];
-        const bool seen = ray_of(point.pixel, rays[i]) && lens_.admits(rays[i]);
-        point.verdict = seen ? Verdict::kUnrepresentable : Verdict::kOutsideLens;
-        point.cosine = rays[i][2];
-      }
-    };
-    if (source_.model() != nullptr) {
-      std::visit(
-          [&]<class M>(const Intrinsics<M>& source) {
-            see([&](const Pixel& pixel, Ray& ray) { return M::unproject(source.values.data(), pixel.data(), ray.data()); });
-          },
-          *source_.model());
-    } else {
-      see([&](const Pixel& pixel, Ray& ray) {
-        const std::optional<Ray> seen = source_.ray(pixel);
-        if (seen) ray = *seen;
-        return seen.has_value();
-      });
+  Batch batch;
+  for (; !points.empty(); points = points.subspan(std::min(Batch::kSize, points.size()))) {
+    const std::span<Point> some = points.first(std::min(Batch::kSize, points.size()));
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      batch.u[i] = some[i].pixel[0];
+      batch.v[i] = some[i].pixel[1];
     }
-    const auto compare = [&](const auto& project_ray) {
-      for (std::size_t i = 0; i < batch.size(); ++i) {
-        Point& point = batch[i];
-        Pixel image{};
-        if (point.verdict == Verdict::kOutsideLens || !reach_.admits(rays[i]) || !project_ray(rays[i], image)) continue;
-        const double du = image[0] - point.pixel[0];
-        const double dv = image[1] - point.pixel[1];
-        const double square = du * du + dv * dv;
-        if (!std::isfinite(square)) continue;
-        point.error = std::sqrt(square);
-        point.verdict = Verdict::kScored;
-      }
-    };
-    if (model_ != nullptr) {
-      std::visit(
-          [&]<class M>(const Intrinsics<M>& target) {
-            compare([&](const Ray& ray, Pixel& image) { return M::project(target.values.data(), ray.data(), image.data()); });
-          },
-          *model_);
-    } else {
-      compare([&](const Ray& ray, Pixel& image) {
-        const std::optional<Pixel> pixel = (*program_)(ray);
-        if (pixel) image = *pixel;
-        return pixel.has_value();
-      });
+    score(batch, some.size());
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      some[i].error = batch.error[i];
+      some[i].cosine = batch.z[i];
+      some[i].verdict = batch.verdict[i];
     }
   }
 }

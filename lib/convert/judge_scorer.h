@@ -2,23 +2,14 @@
 // The error of a pair of models at given pixels, many at a time.
 #pragma once
 
+#include "batch.h"
+
 #include <fca/convert/judge.h>
 
-#include <cstdint>
+#include <optional>
 #include <span>
 
 namespace fca::internal {
-
-/// What the pair of models makes of a pixel.
-enum class Verdict : std::uint8_t { kOutsideLens, kUnrepresentable, kScored };
-
-struct Point {
-  Pixel pixel{};
-  double weight = 0.0;  ///< pixels
-  double error = 0.0;   ///< px
-  double cosine = 0.0;  ///< of the ray's angle from the axis
-  Verdict verdict = Verdict::kOutsideLens;
-};
 
 /// Source, target and domain of a judgement.
 class Scorer {
@@ -27,6 +18,7 @@ class Scorer {
   Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad);
 
   /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time.
+  void score(Batch& batch, std::size_t count) const;
   void score(std::span<Point> points) const;
   [[nodiscard]] Point at(const Pixel& pixel) const;
 
@@ -43,7 +35,14 @@ class Scorer {
     double cosine;
     explicit Limit(double angle_rad);
     [[nodiscard]] bool admits(const Ray& unit_ray) const;
+    /// By the cosine alone: true only where that is not close.
+    [[nodiscard]] bool surely_admits(double ray_cosine) const { return ray_cosine - cosine > kClose; }
+    static constexpr double kClose = 1e-9;
   };
+
+  /// Asks the models for what the batch has not found, and decides.
+  [[nodiscard]] Verdict look_closer(Batch& batch, std::size_t i) const;
+  [[nodiscard]] std::optional<Pixel> image_of(const Ray& ray) const;
 
   Lens source_;
   const CameraModel* model_;
@@ -51,6 +50,10 @@ class Scorer {
   const Domain& domain_;
   Limit lens_;
   Limit reach_;
+  Limit surely_reached_;               ///< Within it, a batch needs not ask the model for its domain.
+  double surely_scored_;               ///< The cosine above which both limits hold.
+  std::optional<BatchRays> rays_;      ///< Of a source of the list.
+  std::optional<BatchErrors> errors_;  ///< Of a target of the list.
 };
 
 }  // namespace fca::internal

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace fca::internal {
 
@@ -21,7 +24,9 @@ constexpr int kExponentBias = 1023;
 }  // namespace
 
 Summary::Summary(int bins_per_octave)
-    : bins_per_octave_(bins_per_octave), bins_(static_cast<std::size_t>(kOctaves * bins_per_octave), 0.0) {
+    : bins_per_octave_(bins_per_octave),
+      bin_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(bins_per_octave))) - 1),
+      bins_(static_cast<std::size_t>(kOctaves * bins_per_octave), 0.0) {
   for (std::size_t i = 0; i < kBands; ++i)
     band_cosine_[i] = std::cos(kBandDegrees * kRadiansPerDegree * static_cast<double>(i + 1));
   band_cosine_.back() = -2.0;
@@ -30,63 +35,111 @@ Summary::Summary(int bins_per_octave)
 /// The leading bits of a double, exponent and first bits of the mantissa, count bins of equal ratio (nearly), without a
 /// logarithm.
 std::size_t Summary::bin_of(double error) const {
-  const int bits = static_cast<int>(std::bit_width(static_cast<unsigned>(bins_per_octave_))) - 1;
-  const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bits));
-  const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bits;
+  const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bin_bits_));
+  const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bin_bits_;
   return static_cast<std::size_t>(std::clamp(leading - first, 0LL, static_cast<long long>(bins_.size()) - 1));
 }
 
-void Summary::keep_if_bad(const Point& point) {
-  if (worst_.size() == kWorst && !(point.error > worst_.back().error)) return;
+/// The smallest error of a bin, 0 of the first; infinite for the bin after the last.
+double Summary::start_of(std::size_t bin) const {
+  if (bin == 0) return 0.0;
+  if (bin >= bins_.size()) return std::numeric_limits<double>::infinity();
+  const auto first = static_cast<std::uint64_t>(kExponentBias + kSmallestOctave) << bin_bits_;
+  return std::bit_cast<double>((first + bin) << (kMantissaBits - bin_bits_));
+}
+
+double Summary::smallest_bad() const { return worst_.size() == kWorst ? worst_.back().error : -1.0; }
+
+void Summary::keep_bad(const Point& point) {
   worst_.insert(std::ranges::upper_bound(worst_, point.error, std::ranges::greater{}, &Point::error), point);
   if (worst_.size() > kWorst) worst_.pop_back();
 }
 
-void Summary::add(std::span<const Point> points) {
-  for (const Point& p : points) {
-    const auto verdict = static_cast<std::size_t>(p.verdict);
-    weight_[verdict] += p.weight;
-    ++count_[verdict];
-    if (p.verdict != Verdict::kScored) continue;
-    keep_if_bad(p);
-    const double weighted = p.weight * p.error;
-    sum_ += weighted;
-    square_sum_ += weighted * p.error;
-    bins_[bin_of(p.error)] += p.weight;
-    std::size_t i = 0;
-    while (p.cosine <= band_cosine_[i]) ++i;
-    Band& band = bands_[i];
-    band.weight += p.weight;
-    band.square += weighted * p.error;
-    band.max = std::max(band.max, p.error);
+std::size_t Summary::band_of(double cosine) const {
+  std::size_t i = 0;
+  while (cosine <= band_cosine_[i]) ++i;
+  return i;
+}
+
+/// Neighbours are mostly of one band: its sums are kept at hand until another one's turn comes.
+void Summary::add(const Batch& batch, std::size_t count) {
+  std::size_t at = 0;
+  Band band = bands_[at];
+  double from = 2.0;  // cosines of this band: from >= cosine > to
+  double to = band_cosine_[at];
+  double sum = sum_;
+  double bad = smallest_bad();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double weight = batch.weight[i];
+    if (batch.verdict[i] != Verdict::kScored) {
+      const auto verdict = static_cast<std::size_t>(batch.verdict[i]);
+      weight_[verdict] += weight;
+      ++count_[verdict];
+      continue;
+    }
+    const double error = batch.error[i];
+    if (error > bad) {
+      keep_bad(batch.point(i));
+      bad = smallest_bad();
+    }
+    bins_[bin_of(error)] += weight;
+    const double cosine = batch.z[i];
+    if (!(cosine <= from && cosine > to)) {
+      bands_[at] = band;
+      at = band_of(cosine);
+      band = bands_[at];
+      from = at > 0 ? band_cosine_[at - 1] : 2.0;
+      to = band_cosine_[at];
+    }
+    const double weighted = weight * error;
+    sum += weighted;
+    band.weight += weight;
+    ++band.count;
+    band.square += weighted * error;
+    band.max = std::max(band.max, error);
   }
+  bands_[at] = band;
+  sum_ = sum;
+}
+
+double Summary::weight(Verdict verdict) const {
+  if (verdict != Verdict::kScored) return weight_[static_cast<std::size_t>(verdict)];
+  return std::transform_reduce(bands_.begin(), bands_.end(), 0.0, std::plus{}, [](const Band& band) { return band.weight; });
+}
+
+long long Summary::count(Verdict verdict) const {
+  if (verdict != Verdict::kScored) return count_[static_cast<std::size_t>(verdict)];
+  return std::transform_reduce(bands_.begin(), bands_.end(), 0LL, std::plus{}, [](const Band& band) { return band.count; });
 }
 
 /// The bins first, then the points in them.
-std::array<double, 3> Summary::percentiles(const std::array<double, 3>& fractions, std::span<const Point> points) const {
+std::array<double, 3> Summary::percentiles(const std::array<double, 3>& fractions, std::span<const Weighted> scored) const {
   struct Wanted {
     double weight = 0.0;
     double below = 0.0;  ///< weight of the bins before
     std::size_t bin = 0;
+    double from = 0.0;  ///< The bin's errors: from <= error < to
+    double to = 0.0;
     std::vector<std::pair<double, double>> errors;
   };
   std::array<Wanted, 3> wanted;
   std::array<double, 3> result{};
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Wanted& w = wanted[i];
-    w.weight = fractions[i] * weight_[static_cast<std::size_t>(Verdict::kScored)];
+    w.weight = fractions[i] * weight(Verdict::kScored);
     while (w.bin + 1 < bins_.size() && w.below + bins_[w.bin] < w.weight) w.below += bins_[w.bin++];
     // Without points: where the bin ends.
     const double octaves = static_cast<double>(w.bin + 1) / bins_per_octave_;
     const double edge =
         std::ldexp(1.0 + octaves - std::floor(octaves), kSmallestOctave + static_cast<int>(std::floor(octaves)));
     result[i] = std::min(edge, worst_.front().error);
+    w.from = start_of(w.bin);
+    w.to = start_of(w.bin + 1);
   }
-  for (const Point& p : points) {
-    if (p.verdict != Verdict::kScored) continue;
-    const std::size_t bin = bin_of(p.error);
+  for (const Weighted& p : scored) {
+    if (p.error < wanted.front().from) continue;  // half of them: fractions ascend
     for (Wanted& w : wanted) {
-      if (bin == w.bin) w.errors.emplace_back(p.error, p.weight);
+      if (p.error >= w.from && p.error < w.to) w.errors.emplace_back(p.error, p.weight);
     }
   }
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -101,21 +154,25 @@ std::array<double, 3> Summary::percentiles(const std::array<double, 3>& fraction
   return result;
 }
 
-Judgement Summary::judgement(const Domain& domain, std::span<const Point> points) const {
+Judgement Summary::judgement(const Domain& domain, std::span<const Weighted> errors) const {
   Judgement result;
   result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
   result.coverage.why = domain.why;
   // From pixels to shares of the image, which sum to 1.
-  const double total = weight_[0] + weight_[1] + weight_[2];
-  const double scored = weight_[static_cast<std::size_t>(Verdict::kScored)];
+  const double scored = weight(Verdict::kScored);
+  const double outside = weight(Verdict::kOutsideLens);
+  const double unrepresentable = weight(Verdict::kUnrepresentable);
+  const double total = scored + outside + unrepresentable;
   result.coverage.scored = scored / total;
-  result.coverage.outside_lens = weight_[static_cast<std::size_t>(Verdict::kOutsideLens)] / total;
-  result.coverage.unrepresentable = weight_[static_cast<std::size_t>(Verdict::kUnrepresentable)] / total;
+  result.coverage.outside_lens = outside / total;
+  result.coverage.unrepresentable = unrepresentable / total;
   if (!(scored > 0.0)) return result;
   ErrorSummary& error = result.error;
-  error.rms = std::sqrt(square_sum_ / scored);
+  double square_sum = 0.0;
+  for (const Band& band : bands_) square_sum += band.square;
+  error.rms = std::sqrt(square_sum / scored);
   error.mean = sum_ / scored;
-  const auto [p50, p95, p99] = percentiles({0.50, 0.95, 0.99}, points);
+  const auto [p50, p95, p99] = percentiles({0.50, 0.95, 0.99}, errors);
   error.p50 = p50;
   error.p95 = p95;
   error.p99 = p99;

@@ -15,34 +15,46 @@ class Summary {
   /// `bins_per_octave`: how finely errors are sorted; percentiles are exact to a factor 2^(1 / bins_per_octave), from above.
   explicit Summary(int bins_per_octave);
 
-  void add(std::span<const Point> points);
-  /// All but bound; the maximum is the worst point's. `points`, if they are all that was added, make the percentiles exact.
-  [[nodiscard]] Judgement judgement(const Domain& domain, std::span<const Point> points = {}) const;
+  void add(const Batch& batch, std::size_t count);
+  /// An error and its weight in pixels.
+  struct Weighted {
+    double error;
+    double weight;
+  };
+  /// All but bound; the maximum is the worst point's. `errors`, if they are all that was scored, make the percentiles exact.
+  [[nodiscard]] Judgement judgement(const Domain& domain, std::span<const Weighted> errors = {}) const;
   /// Sorted, the worst first.
   [[nodiscard]] const std::vector<Point>& worst() const { return worst_; }
-  [[nodiscard]] long long count(Verdict verdict) const { return count_[static_cast<std::size_t>(verdict)]; }
+  [[nodiscard]] long long count(Verdict verdict) const;
 
  private:
   static constexpr std::size_t kBands = 18;  ///< of 10 degrees
   static constexpr std::size_t kWorst = 12;
   [[nodiscard]] std::size_t bin_of(double error) const;
+  [[nodiscard]] std::size_t band_of(double cosine) const;
   /// The errors below which these shares of the scored weight lie.
-  [[nodiscard]] std::array<double, 3> percentiles(const std::array<double, 3>& fractions, std::span<const Point> points) const;
-  void keep_if_bad(const Point& point);
+  [[nodiscard]] std::array<double, 3> percentiles(const std::array<double, 3>& fractions,
+                                                  std::span<const Weighted> scored) const;
+  [[nodiscard]] double start_of(std::size_t bin) const;
+  /// What a point's error must exceed to be one of the worst.
+  [[nodiscard]] double smallest_bad() const;
+  void keep_bad(const Point& point);
+  [[nodiscard]] double weight(Verdict verdict) const;
 
   struct Band {
     double weight = 0.0;
     double square = 0.0;
     double max = 0.0;
+    long long count = 0;
   };
   int bins_per_octave_;
+  int bin_bits_;  ///< Their binary logarithm.
   std::vector<double> bins_;
   std::array<double, kBands> band_cosine_{};  ///< of the angle at which the band ends
   std::array<Band, kBands> bands_{};
-  std::array<double, 3> weight_{};  ///< by verdict
-  std::array<long long, 3> count_{};
+  std::array<double, 2> weight_{};  ///< By verdict of what is not scored.
+  std::array<long long, 2> count_{};
   double sum_ = 0.0;
-  double square_sum_ = 0.0;
   std::vector<Point> worst_;
 };
 

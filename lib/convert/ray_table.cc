@@ -34,23 +34,33 @@ std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
 }
 
 ErrorSummary judge(std::span<const Correspondence> table, const Projection& target) {
-  std::vector<internal::Point> points;
-  for (const Correspondence& c : table) {
-    internal::Point point;
-    point.pixel = c.pixel;
-    point.weight = c.weight;
-    point.cosine = std::cos(angle_from_axis(c.ray));
-    point.verdict = internal::Verdict::kUnrepresentable;
-    if (const std::optional<Pixel> image = target(c.ray)) {
-      point.error = std::hypot((*image)[0] - c.pixel[0], (*image)[1] - c.pixel[1]);
-      if (std::isfinite(point.error)) point.verdict = internal::Verdict::kScored;
-    }
-    points.push_back(point);
-  }
   constexpr int kBinsPerOctave = 16;
   internal::Summary summary(kBinsPerOctave);
-  summary.add(points);
-  return summary.judgement({}, points).error;
+  std::vector<internal::Summary::Weighted> errors;
+  internal::Batch batch;
+  std::size_t count = 0;
+  const auto add = [&] {
+    summary.add(batch, count);
+    count = 0;
+  };
+  for (const Correspondence& c : table) {
+    batch.u[count] = c.pixel[0];
+    batch.v[count] = c.pixel[1];
+    batch.weight[count] = c.weight;
+    batch.z[count] = std::cos(angle_from_axis(c.ray));
+    batch.verdict[count] = internal::Verdict::kUnrepresentable;
+    if (const std::optional<Pixel> image = target(c.ray)) {
+      const double error = std::hypot((*image)[0] - c.pixel[0], (*image)[1] - c.pixel[1]);
+      if (std::isfinite(error)) {
+        batch.error[count] = error;
+        batch.verdict[count] = internal::Verdict::kScored;
+        errors.push_back({error, c.weight});
+      }
+    }
+    if (++count == internal::Batch::kSize) add();
+  }
+  add();
+  return summary.judgement({}, errors).error;
 }
 
 }  // namespace fca

@@ -5,10 +5,12 @@
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
 
+#include <convert/batch.h>
 #include <convert/fit_model.h>
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -49,11 +51,42 @@ void unprojection(benchmark::State& state, const CameraModel& model) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
 
+/// The same as the judge does it.
+void batches(benchmark::State& state, const CameraModel& model, bool rays) {
+  const std::vector<Correspondence> points = points_of(model);
+  internal::Batch batch;
+  double reach = 0.0;
+  for (std::size_t i = 0; i < internal::Batch::kSize; ++i) {
+    const Correspondence& point = points[i * points.size() / internal::Batch::kSize];
+    batch.u[i] = point.pixel[0];
+    batch.v[i] = point.pixel[1];
+    batch.x[i] = point.ray[0];
+    batch.y[i] = point.ray[1];
+    batch.z[i] = point.ray[2];
+    reach = std::max(reach, angle_from_axis(point.ray));
+  }
+  const internal::BatchRays to_rays(model, reach);
+  const internal::BatchErrors to_errors(model, reach);
+  for (auto _ : state) {
+    if (rays) {
+      to_rays(batch, internal::Batch::kSize);
+    } else {
+      to_errors(batch, internal::Batch::kSize);
+    }
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(internal::Batch::kSize));
+}
+
 const bool kRegistered = [] {
   for (const ModelInfo& info : all_models()) {
     const CameraModel model = model_of(info);
     const std::string id(info.id);
     benchmark::RegisterBenchmark(("project/" + id).c_str(), [=](benchmark::State& state) { projection(state, model); });
+    benchmark::RegisterBenchmark(("batch-project/" + id).c_str(),
+                                 [=](benchmark::State& state) { batches(state, model, false); });
+    benchmark::RegisterBenchmark(("batch-unproject/" + id).c_str(),
+                                 [=](benchmark::State& state) { batches(state, model, true); });
     benchmark::RegisterBenchmark(("unproject/" + id).c_str(), [=](benchmark::State& state) { unprojection(state, model); });
   }
   return true;

@@ -2,6 +2,7 @@
 // The bound of an error must never be below an error that occurs, and is worth something only if it is close to the largest.
 #include "convert/bound.h"
 #include "known_cameras.h"
+#include "random_model.h"
 
 #include <fca/convert/convert.h>
 #include <fca/convert/judge.h>
@@ -156,51 +157,10 @@ TEST(Bound, OfAProgramIsNotProven) {
   EXPECT_TRUE(std::isinf(judge(camera.model, program, *domain).error.bound));
 }
 
-/// A model of the list with plausible parameters: a camera of the table's kinds, each lens parameter moved.
-CameraModel random_model(std::size_t kind) {
-  const auto uniform = [](double low, double high) { return low + (high - low) * (*rc::gen::inRange(0, 1'000'001)) * 1e-6; };
-  const double f = uniform(150.0, 500.0);
-  const double g = f * uniform(0.95, 1.05);
-  const double cx = uniform(200.0, 440.0);
-  const double cy = uniform(180.0, 300.0);
-  switch (kind) {
-    case 0:
-      return Intrinsics<Pinhole>{{f, g, cx, cy}};
-    case 1:
-      return Intrinsics<Radtan>{{f, g, cx, cy, uniform(-0.35, 0.1), uniform(-0.05, 0.12), uniform(-0.004, 0.004),
-                                 uniform(-0.004, 0.004), uniform(-0.02, 0.02)}};
-    case 2:
-      return Intrinsics<Rational>{{f, g, cx, cy, uniform(0.0, 0.6), uniform(-0.1, 0.1), uniform(-0.004, 0.004),
-                                   uniform(-0.004, 0.004), uniform(-0.01, 0.01), uniform(0.2, 0.9), uniform(0.0, 0.2),
-                                   uniform(0.0, 0.05)}};
-    case 3:
-      return Intrinsics<Kb4>{
-          {f, g, cx, cy, uniform(-0.1, 0.1), uniform(-0.05, 0.05), uniform(-0.03, 0.03), uniform(-0.01, 0.01)}};
-    case 4:
-      return Intrinsics<Ucm>{{f, g, cx, cy, uniform(0.0, 1.0)}};
-    case 5:
-      return Intrinsics<Eucm>{{f, g, cx, cy, uniform(0.0, 1.0), uniform(0.3, 3.0)}};
-    case 6:
-      return Intrinsics<Ds>{{f, g, cx, cy, uniform(0.0, 1.0), uniform(-0.9, 0.9)}};
-    case 7:
-      return Intrinsics<Mei>{{2.0 * f, 2.0 * g, cx, cy, uniform(0.0, 2.0), uniform(-0.3, 0.1), uniform(-0.1, 0.3),
-                              uniform(-0.004, 0.004), uniform(-0.004, 0.004)}};
-    case 8:
-      return Intrinsics<Fov>{{f, g, cx, cy, uniform(0.3, 2.5)}};
-    case 9:
-      return Intrinsics<Ocamcalib>{{cx, cy, uniform(0.98, 1.02), uniform(-0.01, 0.01), uniform(-0.01, 0.01), -f, 0.0,
-                                    uniform(0.2, 0.6) / f, uniform(-0.2, 0.2) / (f * f), uniform(-0.2, 0.2) / (f * f * f), 0, 0,
-                                    0, 0}};
-    default:
-      return Intrinsics<Woodscape>{
-          {f, uniform(-0.1, 0.1) * f, uniform(-0.1, 0.1) * f, uniform(-0.03, 0.03) * f, uniform(0.95, 1.05), cx, cy}};
-  }
-}
-
 RC_GTEST_PROP(BoundProperty, IsNeverBelowAnErrorThatOccurs, ()) {
-  const Camera camera = test::make_camera(random_model(*rc::gen::inRange<std::size_t>(0, 11)), {640, 480});
+  const Camera camera = test::make_camera(test::random_model(*rc::gen::inRange<std::size_t>(0, 11)), {640, 480});
   // Unrelated models, mostly: errors of any size and shape, at the limits of both.
-  const CameraModel target = random_model(*rc::gen::inRange<std::size_t>(0, 11));
+  const CameraModel target = test::random_model(*rc::gen::inRange<std::size_t>(0, 11));
   std::optional<double> limit;
   if (*rc::gen::arbitrary<bool>()) limit = *rc::gen::inRange(20, 120) * test::kRadians;
   Diagnostics diagnostics;
@@ -214,7 +174,7 @@ RC_GTEST_PROP(BoundProperty, IsNeverBelowAnErrorThatOccurs, ()) {
 }
 
 RC_GTEST_PROP(BoundProperty, IsNeverBelowTheErrorOfAFit, ()) {
-  const Camera camera = test::make_camera(random_model(*rc::gen::inRange<std::size_t>(0, 11)), {640, 480});
+  const Camera camera = test::make_camera(test::random_model(*rc::gen::inRange<std::size_t>(0, 11)), {640, 480});
   ConvertOptions options;
   options.model = all_models()[*rc::gen::inRange<std::size_t>(0, 11)].id;
   options.bound = false;

@@ -117,7 +117,8 @@ TEST(OwnModel, IsASourceLikeAnyOther) {
     ASSERT_EQ(theirs.size(), samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_EQ(theirs[i].ray, samples[i].ray);
     const Judgement judged = judge(*source, CameraModel(kb4->model), *same);
-    EXPECT_EQ(judged.error.rms, expected.error.rms);
+    // The listed model's pixels are computed many at a time: the same to 1e-12 of the image's width, not to the last bit.
+    EXPECT_NEAR(judged.error.rms, expected.error.rms, 1e-12 * 752);
     EXPECT_NEAR(judged.error.max, expected.error.max, 1e-6 * expected.error.max);
   }
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Judging a conversion: the certificate (lattice, polished maximum, bound) and every pixel, by source and target. The targets
+// are fits, as those of a conversion are.
+#include "lib/convert/known_cameras.h"
+
+#include <convert/bound.h>
+#include <convert/judge_stages.h>
+#include <fca/convert/convert.h>
+#include <fca/convert/domain.h>
+#include <fca/convert/judge.h>
+
+#include <benchmark/benchmark.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+namespace {
+
+struct Source {
+  const char* name;
+  Camera camera;
+  std::optional<double> max_angle_deg;
+};
+
+/// A conversion to be judged.
+struct Pair {
+  Domain domain;
+  CameraModel target;
+};
+
+Pair make_pair(const Source& source, const std::string& target) {
+  ConvertOptions options;
+  options.model = target;
+  options.bound = false;
+  if (source.max_angle_deg) options.max_angle_rad = *source.max_angle_deg * test::kRadians;
+  Diagnostics diagnostics;
+  return {domain_of(source.camera, options.max_angle_rad, diagnostics).value(),
+          convert(source.camera, options, diagnostics).value().camera.model};
+}
+
+void certificate(benchmark::State& state, const Source& source, const std::string& target) {
+  const Pair pair = make_pair(source, target);
+  Judgement judgement;
+  for (auto _ : state) judgement = judge(source.camera.model, pair.target, pair.domain);
+  state.counters["bound_over_max"] = judgement.error.bound / judgement.error.max;
+}
+
+void every_pixel(benchmark::State& state, const Source& source, const std::string& target) {
+  const Pair pair = make_pair(source, target);
+  JudgeOptions options;
+  options.every_pixel = true;
+  options.bound = false;
+  const internal::Scorer scorer(source.camera.model, &pair.target, nullptr, pair.domain, options.target_reach_rad);
+  for (auto _ : state) benchmark::DoNotOptimize(internal::score_every_pixel(scorer));
+  const ImageSize& size = pair.domain.size;
+  state.SetItemsProcessed(state.iterations() * size.width * size.height);
+}
+
+/// The two halves of a certificate, each alone.
+void lattice(benchmark::State& state, const Source& source, const std::string& target) {
+  const Pair pair = make_pair(source, target);
+  const internal::Scorer scorer(source.camera.model, &pair.target, nullptr, pair.domain, 4.0);
+  for (auto _ : state) benchmark::DoNotOptimize(internal::score_on_lattice(scorer));
+}
+
+void bound(benchmark::State& state, const Source& source, const std::string& target) {
+  const Pair pair = make_pair(source, target);
+  const double seen = judge(source.camera.model, pair.target, pair.domain).error.max;
+  internal::ErrorBound proof;
+  for (auto _ : state) proof = internal::bound_error(source.camera.model, pair.target, pair.domain, 4.0, seen);
+  state.counters["evaluations"] = proof.evaluations;
+}
+
+const bool kRegistered = [] {
+  const std::vector<Source> sources = {{"kalibr-ds", test::kalibr_ds(), {}},    {"kalibr-eucm", test::kalibr_eucm(), {}},
+                                       {"kalibr-kb4", test::kalibr_kb4(), {}},  {"kalibr-radtan", test::kalibr_radtan(), {}},
+                                       {"rational", test::rational_lens(), {}}, {"ocamcalib", test::ocamcalib_sample(), 95.0},
+                                       {"tumvi", test::tumvi(), 97.5},          {"woodscape", test::woodscape_front(), 95.0},
+                                       {"220-degree", test::lens_220(), 110.0}};
+  for (const Source& source : sources) {
+    for (const char* target : {"ucm", "eucm", "ds", "kb4", "ocamcalib", "radtan", "rational"}) {
+      const bool perspective = std::string(target) == "radtan" || std::string(target) == "rational";
+      if (model_info(source.camera.model).id == target || (perspective && source.max_angle_deg)) continue;
+      const std::string name = std::string(source.name) + "/" + target;
+      const auto add = [&](const char* group, auto measure) {
+        benchmark::RegisterBenchmark((std::string(group) + "/" + name).c_str(),
+                                     [=](benchmark::State& state) { measure(state, source, target); });
+      };
+      add("certificate", certificate);
+      add("lattice", lattice);
+      add("bound", bound);
+      add("every-pixel", every_pixel);
+    }
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace fca
