@@ -3,6 +3,7 @@
 
 #include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
+#include <fca/convert/judge.h>
 
 #include <gtest/gtest.h>
 
@@ -95,6 +96,49 @@ TEST(Convert, ATargetThatCannotReachTheLensIsFittedToACone) {
   EXPECT_LE(conversion->report.judgement.error.rms, 1.0);
   EXPECT_GT(conversion->report.judgement.coverage.unrepresentable, 0.3);
   EXPECT_GE(max_angle(conversion->camera.model), 60.0 * test::kRadians);
+}
+
+TEST(Convert, APlaneGetsAConeWhereverTheLensEndsBeyond) {
+  // Close to 90 degrees a plane is so large that a camera may be near all samples and a thousand pixels off between the last
+  // one and the edge; and a pinhole reaches all, but describes nothing.
+  struct Target {
+    const char* model;
+    double reaches_deg;
+  };
+  for (const Camera& camera : {test::tumvi(), test::lens_220(), test::woodscape_front(), test::t265_like()}) {
+    for (const auto& [model, reaches_deg] : {Target{"radtan", 60.0}, Target{"rational", 85.0}}) {
+      for (const double deg : {180.0, 110.0, 90.0, 89.9, 89.0, 86.0}) {
+        Diagnostics diagnostics;
+        const std::optional<Conversion> conversion = to(camera, model, diagnostics, deg);
+        ASSERT_TRUE(conversion) << model << " " << deg;
+        const ConversionReport& report = conversion->report;
+        EXPECT_LE(report.judgement.error.rms, 1.0) << model << " " << deg;
+        EXPECT_GE(report.scored_to_deg, reaches_deg - 1e-9) << model << " " << deg;
+        EXPECT_GE(max_angle(conversion->camera.model), report.scored_to_deg * test::kRadians * (1.0 - 1e-9));
+      }
+    }
+  }
+}
+
+TEST(Convert, ScoredToIsTheDomainOrTheCone) {
+  Diagnostics diagnostics;
+  const std::optional<Conversion> whole = to(test::tumvi(), "eucm", diagnostics, 97.5);
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(whole->report.scored_to_deg, 97.5, 1e-9);
+  const std::optional<Conversion> copy = to(test::tumvi(), "kb4", diagnostics, 97.5);
+  ASSERT_TRUE(copy);
+  EXPECT_NEAR(copy->report.scored_to_deg, 97.5, 1e-9);
+  EXPECT_TRUE(diagnostics.entries().empty());
+  const std::optional<Conversion> cone = to(test::tumvi(), "radtan", diagnostics, 97.5);
+  ASSERT_TRUE(cone);
+  const double end = cone->report.scored_to_deg;
+  for (const ErrorBand& band : cone->report.judgement.bands) EXPECT_EQ(band.share > 0.0, band.from_deg < end) << band.from_deg;
+  // Beyond, nothing was scored: judged without a cone there is more.
+  const std::optional<Domain> inside = domain_of(test::tumvi(), end * test::kRadians, diagnostics);
+  ASSERT_TRUE(inside);
+  const Judgement judged = judge(test::tumvi().model, cone->camera.model, *inside);
+  EXPECT_NEAR(judged.coverage.scored, cone->report.judgement.coverage.scored, 1e-3);
+  EXPECT_NEAR(judged.error.rms, cone->report.judgement.error.rms, 1e-3 * judged.error.rms);
 }
 
 TEST(Convert, RangesOfTheTargetAreKept) {

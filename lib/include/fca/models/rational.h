@@ -117,6 +117,8 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
                                              common_parameter::coefficient("k5"),
                                              common_parameter::coefficient("k6")};
 
+  static constexpr bool kAheadOnly = true;
+
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     if (!(ray[2] > 0.0)) return false;
     const double x = ray[0] / ray[2];
