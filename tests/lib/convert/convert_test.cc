@@ -342,7 +342,7 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
        test::make_camera(Intrinsics<Kb4>{{300, 300, 0, 0, 0.01, 0, 0, 0}}, {1, 1}),
        {},
        {},
-       {"radtan", "rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib", "woodscape"},
+       {"rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib", "woodscape"},
        "domain-too-small"},
       {"fx / fy = 100",
        test::make_camera(Intrinsics<Pinhole>{{30000, 300, 320, 240}}, {640, 480}),

@@ -181,6 +181,7 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
   /// is the residual in pixels (Sanathanan & Koerner 1963). Poles among the samples can trap the fit: the other start has none,
   /// it is radtan's.
   static constexpr int kStarts = 2;
+  static constexpr bool kStartsFindCentre = true;
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {
     begin(centre, p);
     std::fill_n(p + 4, internal::RationalFactor::kCount, 0.0);
