@@ -224,7 +224,7 @@ void add_reach(const Format& to, const ModelChoice& choice, std::vector<CameraOu
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
     if (!camera.report || camera.report->exact || stored == nullptr) continue;
     Diagnostics told_already;
-    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), told_already);
+    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, told_already);
   }
 }
 

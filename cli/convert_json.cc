@@ -17,6 +17,7 @@ void put_report(Json& json, const ConversionReport& report) {
   json.object("domain", [&] {
     json.put("max_angle_deg", coverage.max_angle_deg);
     json.put("why", coverage.why);
+    json.put("scored_to_deg", report.scored_to_deg);
     json.put("scored_share", coverage.scored);
     json.put("outside_lens_share", coverage.outside_lens);
     json.put("unrepresentable_share", coverage.unrepresentable);

@@ -18,12 +18,16 @@ std::string camera_line(const CameraOutcome& camera) {
   return from + " -> " + to + (camera.report && camera.report->exact ? ", exact" : ", fitted");
 }
 
-/// The parts of the image that were not scored, largest first.
-std::string coverage_text(const Coverage& coverage) {
-  std::string text = percent(coverage.scored) + " of the image scored";
-  if (coverage.outside_lens > 0.0005) text += ", " + percent(coverage.outside_lens) + " outside the lens";
-  if (coverage.unrepresentable > 0.0005) text += ", " + percent(coverage.unrepresentable) + " beyond what was scored";
-  return text;
+/// What was scored, and the parts of the image that were not.
+std::string coverage_text(const ConversionReport& report) {
+  const Coverage& coverage = report.judgement.coverage;
+  std::string result = percent(coverage.scored) + " of the image scored";
+  constexpr double kNoticeable = 0.01;  // deg
+  if (report.scored_to_deg < coverage.max_angle_deg - kNoticeable)
+    result += " (up to " + text::format_short(report.scored_to_deg, 4) + " deg from the axis)";
+  if (coverage.outside_lens > 0.0005) result += ", " + percent(coverage.outside_lens) + " outside the lens";
+  if (coverage.unrepresentable > 0.0005) result += ", " + percent(coverage.unrepresentable) + " beyond what was scored";
+  return result;
 }
 
 std::string band_table(const std::vector<ErrorBand>& bands) {
@@ -81,7 +85,7 @@ std::string objective_text(const ConversionReport& report) {
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const Judgement& j = report.judgement;
   std::string text = domain_text(j);
-  text += "          " + coverage_text(j.coverage) + "\n";
+  text += "          " + coverage_text(report) + "\n";
   text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" +
           fixed(j.error.max_at[0], 1) + ", " + fixed(j.error.max_at[1], 1) + ")" +
           (std::isfinite(j.error.bound) ? ", proven below " + pixels(j.error.bound) + " everywhere" : "") + "\n";

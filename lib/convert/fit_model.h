@@ -20,6 +20,7 @@ struct FittedModel {
   int iterations = 0;
   bool reaches_all = true;  ///< Every sample projects.
   std::vector<std::string> at_bound;
+  bool second_best = false;  ///< Reaches all, which the model's own least-squares fit does not.
 };
 
 /// Fits the listed model of that id to the samples of a lens with that centre; nothing if no start leads to a camera.
@@ -29,6 +30,9 @@ struct FittedModel {
 /// fitted, too, and what it finds is one more start.
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
                                                    const LensCentre& centre, std::span<const ParameterRange> ranges);
+
+/// Has no camera of that model a pixel for rays at 90 degrees from the axis and beyond?
+[[nodiscard]] bool sees_ahead_only(std::string_view id);
 
 /// What a fit asks of that model.
 [[nodiscard]] std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model);

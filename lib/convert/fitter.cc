@@ -12,8 +12,10 @@ namespace fca::internal {
 
 namespace {
 
-/// Whoever looks at a thousandth of the error looks at a millionth of its square.
+/// Whoever looks at a thousandth of the error looks at a millionth of its square. The last steps of a model with many
+/// parameters lead along valleys in which nobody sees a difference.
 constexpr Effort kFull{200, 1e-9};
+constexpr Effort kFullOfMany{200, 1e-6};
 
 /// How many of the samples a start is polished on, and how far. Which basin is deeper shows late, and only on many points,
 /// where parameters are as many as rational's.
@@ -25,7 +27,9 @@ constexpr Coarse kCoarse{{30, 1e-4}, 32};
 constexpr Coarse kCoarseOfMany{{60, 1e-6}, 100};
 constexpr std::size_t kManyParameters = 11;
 
-const Coarse& coarse_for(std::size_t parameters) { return parameters < kManyParameters ? kCoarse : kCoarseOfMany; }
+bool has_many_parameters(const FitTarget& target) { return target.parameters().size() >= kManyParameters; }
+
+const Coarse& coarse_for(const FitTarget& target) { return has_many_parameters(target) ? kCoarseOfMany : kCoarse; }
 
 /// Below this, in px^2, what is left is worth a second look; below that, there is nothing.
 constexpr double kSmallCost = 1e-6;
@@ -66,13 +70,18 @@ std::vector<Correspondence> spread(std::span<const Correspondence> samples, std:
 }
 
 Fitter::Fitter(const FitTarget& target, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges)
-    : target_(target), count_(target.parameters().size()), samples_(samples), linearised_(target), limits_(target, ranges) {}
+    : target_(target),
+      count_(target.parameters().size()),
+      full_(has_many_parameters(target) ? kFullOfMany : kFull),
+      samples_(samples),
+      linearised_(target),
+      limits_(target, ranges) {}
 
 std::optional<FoundFit> Fitter::fit_from(const ParameterValues& start) {
   Candidate candidate;
   candidate.values = start;
   hold_fixed(candidate);
-  if (!polish(candidate, kFull)) return std::nullopt;
+  if (!polish(candidate, full_)) return std::nullopt;
   respect_bounds(candidate);
   return finish(candidate);
 }
@@ -94,11 +103,13 @@ std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
   // Two more reasons to begin from longer and shorter lenses: the optimum's radius may turn back before the edge of this one,
   // and many parameters have many bottoms.
   constexpr double kNobodySees = 1e-3;  // px
-  const bool may_be_beaten = count_ >= kManyParameters && best && best->rms_px > kNobodySees;
+  const bool may_be_beaten = has_many_parameters(target_) && best && best->rms_px > kNobodySees;
   if (best && best->reaches_all && !may_be_beaten) return best;
   for (const double scale : {0.8, 0.9, 1.1, 1.25}) {
     const LensCentre other = {{scale * centre.focal[0], scale * centre.focal[1]}, centre.point};
+    const std::size_t tried = tried_.size();
     if (std::optional<FoundFit> fit = fit_starts(other)) keep_better(*std::move(fit), best);
+    if (tried_.size() == tried) break;
   }
   return best;
 }
@@ -117,7 +128,7 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
     found.values = best->parameters;
     found.cost = best->rms_px * best->rms_px;
     std::vector<Candidate> beyond = {found};
-    look_beyond_fold(*folded, beyond, kFull);
+    look_beyond_fold(*folded, beyond, full_);
     std::ranges::sort(beyond, {}, &Candidate::cost);
     polish_all(beyond, best);
   }
@@ -137,12 +148,12 @@ void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundF
   for (Candidate& candidate : candidates) {
     if (best && settled(*best) && !is_rival(candidate, polished)) continue;
     const Candidate coarse = candidate;
-    if (!polish(candidate, kFull)) continue;
+    if (!polish(candidate, full_)) continue;
     respect_bounds(candidate);
     keep_better(finish(candidate), best);
     polished.push_back(coarse);
     polished.push_back(candidate);
-    if (move_inside(candidate) && polish(candidate, kFull)) {
+    if (move_inside(candidate) && polish(candidate, full_)) {
       respect_bounds(candidate);
       keep_better(finish(candidate), best);
     }
@@ -177,7 +188,7 @@ bool Fitter::move_inside(Candidate& candidate) const {
 
 /// The model's starts, polished on a few of the samples, best first.
 std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
-  const Coarse& coarse = coarse_for(count_);
+  const Coarse& coarse = coarse_for(target_);
   const std::span<const Correspondence> all = samples_;
   const std::vector<Correspondence> few = spread(all, coarse.samples);
   samples_ = few;
@@ -187,13 +198,24 @@ std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
     target_.initialise(few, centre, i, start.values.data());
     hold_fixed(start);
     start.cost = cost_of_start(start.values);
+    if (is_known(start.cost)) starts.pop_back();
+  }
+  if (starts.empty()) {
+    samples_ = all;
+    return {};
   }
   std::ranges::sort(starts, {}, &Candidate::cost);
   std::vector<Candidate> polished;
+  // Far worse than the best start: not even the right basin's edge.
+  constexpr double kHopeless = 400.0;
   const double first_cost = starts.front().cost;
+  if (has_many_parameters(target_) && (starts.size() == 1 || starts[1].cost > kHopeless * first_cost)) {
+    // Nothing to choose from, and a polish on so many samples is half of the fit.
+    starts.resize(1);
+    samples_ = all;
+    return starts;
+  }
   for (Candidate& start : starts) {
-    // Far worse than the best start: not even the right basin's edge.
-    constexpr double kHopeless = 400.0;
     // On one side of a fold a start may look hopeless beside one on the other.
     const std::size_t fewest = target_.folded() ? 2 : 1;
     if (polished.size() >= fewest && start.cost > kHopeless * first_cost) break;
@@ -208,6 +230,15 @@ std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   }
   samples_ = all;
   return polished;
+}
+
+/// Has a start of that cost been tried? Not every model's starts depend on the focal length of the centre.
+bool Fitter::is_known(double cost) {
+  constexpr double kSame = 1e-6;
+  const auto same = [cost](double other) { return std::abs(cost - other) <= kSame * other; };
+  if (std::ranges::any_of(tried_, same)) return true;
+  tried_.push_back(cost);
+  return false;
 }
 
 /// A model with a fold has two bottoms that differ by little, one on each side of it. Along the valley, where the folded
@@ -355,7 +386,13 @@ bool Fitter::minimise_active(Candidate& candidate, const Effort& effort) {
   const Evaluate evaluate_at = [this, &candidate](const double* p, NormalEquations& sums) {
     return linearised_.evaluate(merged(candidate, p), sums);
   };
-  const Minimum minimum = minimise(evaluate_at, effort, std::span(free).first(count));
+  // So close to an optimum that J'J leads nowhere: refine() goes on from the start itself.
+  constexpr double kTinyCost = 1e-9;
+  NormalEquations at_start;
+  if (!evaluate_at(free.data(), at_start)) return false;
+  Minimum minimum{true, at_start.cost, 0};
+  if (!has_many_parameters(target_) || !(at_start.cost < kTinyCost))
+    minimum = minimise(evaluate_at, effort, std::span(free).first(count));
   if (!minimum.usable) return false;
   candidate.cost = minimum.cost;
   candidate.iterations += minimum.iterations;
@@ -427,7 +464,7 @@ void Fitter::respect_bounds(Candidate& candidate) {
     if (!worst) return;
     candidate.values[*worst] = std::clamp(candidate.values[*worst], limits_.lower[*worst], limits_.upper[*worst]);
     candidate.fixed[*worst] = true;
-    if (!polish(candidate, kFull)) return;
+    if (!polish(candidate, full_)) return;
   }
 }
 

@@ -50,6 +50,7 @@ class Fitter {
   std::vector<Candidate> coarse_fits(const LensCentre& centre);
   void look_beyond_fold(std::size_t folded, std::vector<Candidate>& polished, const Effort& effort);
   double cost_of_start(const ParameterValues& values);
+  bool is_known(double cost);
   [[nodiscard]] std::optional<Candidate> fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
                                                    double shape) const;
   [[nodiscard]] std::vector<Candidate> search_shapes(const LensCentre& centre) const;
@@ -62,7 +63,9 @@ class Fitter {
   [[nodiscard]] FoundFit finish(const Candidate& candidate) const;
 
   const FitTarget& target_;
-  std::size_t count_;  ///< Of parameters.
+  std::size_t count_;          ///< Of parameters.
+  Effort full_;                ///< Of a fit to all samples.
+  std::vector<double> tried_;  ///< The costs of the starts.
   std::span<const Correspondence> samples_;
   Linearised linearised_;
   std::vector<std::array<double, 2>> pixels_;

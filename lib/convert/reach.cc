@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/reach.h>
 
+#include "fit_model.h"
+#include "judge_stages.h"
+
 #include <fca/convert/domain.h>
 
 #include <numbers>
@@ -10,8 +13,23 @@ namespace fca {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+constexpr double kFirstDeg = 90.0;
+constexpr double kStepDeg = 5.0;
 
-std::optional<ReachRow> reach_row(const Camera& camera, ConvertOptions options, double angle_rad) {
+/// The domain in which there is a choice.
+std::optional<Domain> wide_domain(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
+  if (options.max_angle_rad) return std::nullopt;
+  std::optional<Domain> domain = domain_of(camera, std::nullopt, diagnostics);
+  if (!domain || domain->max_angle_rad <= kFirstDeg * kRadiansPerDegree) return std::nullopt;
+  return domain;
+}
+
+ReachRow row_of(double angle_rad, const Judgement& judgement) {
+  return {angle_rad / kRadiansPerDegree, judgement.coverage.scored, judgement.coverage.unrepresentable, judgement.error.rms,
+          judgement.error.max};
+}
+
+std::optional<ReachRow> fitted_row(const Camera& camera, ConvertOptions options, double angle_rad) {
   options.max_angle_rad = angle_rad;
   options.reach = false;
   options.bound = false;
@@ -19,27 +37,54 @@ std::optional<ReachRow> reach_row(const Camera& camera, ConvertOptions options, 
   Diagnostics unheard;
   const std::optional<Conversion> conversion = convert(camera, options, unheard);
   if (!conversion) return std::nullopt;
-  const Judgement& judgement = conversion->report.judgement;
-  return ReachRow{angle_rad / kRadiansPerDegree, judgement.coverage.scored, judgement.coverage.unrepresentable,
-                  judgement.error.rms, judgement.error.max};
+  return row_of(angle_rad, conversion->report.judgement);
+}
+
+/// The row of a fit that ends before that angle: it would be made there, too, and only more of the lens be out of its reach.
+ReachRow row_beyond(const Camera& camera, Domain domain, double angle_rad, const Judgement& judgement) {
+  domain.max_angle_rad = angle_rad;
+  const internal::Scorer lens(camera.model, &camera.model, nullptr, domain, std::numbers::pi);
+  ReachRow row = row_of(angle_rad, judgement);
+  row.unrepresentable = internal::score_on_lattice(lens).judgement.coverage.scored - row.scored;
+  return row;
+}
+
+/// `whole` is null where the whole domain led to no conversion.
+std::vector<ReachRow> rows(const Camera& camera, const ConvertOptions& options, const Domain& domain,
+                           const ConversionReport* whole) {
+  // Such a target is fitted to a cone inside 90 degrees wherever the lens ends beyond.
+  const bool same_fit = whole != nullptr && !whole->exact && internal::sees_ahead_only(whole->to_model);
+  std::vector<ReachRow> table;
+  for (int i = 0; (kFirstDeg + i * kStepDeg) * kRadiansPerDegree < domain.max_angle_rad; ++i) {
+    const double angle_rad = (kFirstDeg + i * kStepDeg) * kRadiansPerDegree;
+    if (same_fit) {
+      table.push_back(row_beyond(camera, domain, angle_rad, whole->judgement));
+    } else if (const std::optional<ReachRow> row = fitted_row(camera, options, angle_rad)) {
+      table.push_back(*row);
+    }
+  }
+  if (whole != nullptr) table.push_back(row_of(domain.max_angle_rad, whole->judgement));
+  return table;
 }
 
 }  // namespace
 
 std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
-  constexpr double kFirstDeg = 90.0;
-  constexpr double kStepDeg = 5.0;
-  if (options.max_angle_rad) return {};
-  const std::optional<Domain> domain = domain_of(camera, std::nullopt, diagnostics);
-  if (!domain || domain->max_angle_rad <= kFirstDeg * kRadiansPerDegree) return {};
-  std::vector<ReachRow> table;
-  const auto add = [&](double angle_rad) {
-    if (const std::optional<ReachRow> row = reach_row(camera, options, angle_rad)) table.push_back(*row);
-  };
-  for (int i = 0; (kFirstDeg + i * kStepDeg) * kRadiansPerDegree < domain->max_angle_rad; ++i)
-    add((kFirstDeg + i * kStepDeg) * kRadiansPerDegree);
-  add(domain->max_angle_rad);
-  return table;
+  const std::optional<Domain> domain = wide_domain(camera, options, diagnostics);
+  if (!domain) return {};
+  ConvertOptions for_whole = options;
+  for_whole.reach = false;
+  for_whole.bound = false;
+  for_whole.every_pixel = false;
+  Diagnostics unheard;
+  const std::optional<Conversion> whole = convert(camera, for_whole, unheard);
+  return rows(camera, options, *domain, whole ? &whole->report : nullptr);
+}
+
+std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options, const ConversionReport& report,
+                                  Diagnostics& diagnostics) {
+  const std::optional<Domain> domain = wide_domain(camera, options, diagnostics);
+  return domain ? rows(camera, options, *domain, &report) : std::vector<ReachRow>();
 }
 
 }  // namespace fca

@@ -287,6 +287,30 @@ TEST(Convert, MaxAngleIsTheDomain) {
   EXPECT_TRUE(contains(cut["domain"]["why"].GetString(), "max-angle")) << cut["domain"]["why"].GetString();
 }
 
+TEST(Convert, TheConeOfATargetThatReachesLessIsSaid) {
+  const std::vector<std::string> command = {"convert", kTumvi, "--camera", "0", "--to", "opencv", "--model", "radtan"};
+  std::vector<std::string> with_json = command;
+  with_json.emplace_back("--json");
+  const Json json = json_of(run_program(with_json));
+  const Value& camera = json["cameras"][0];
+  const double end = camera["domain"]["scored_to_deg"].GetDouble();
+  EXPECT_LT(end, 70.0);
+  EXPECT_GT(camera["domain"]["max_angle_deg"].GetDouble(), 100.0);
+  for (const Value& band : camera["bands"].GetArray())
+    EXPECT_EQ(band["share"].GetDouble() > 0.0, band["from_deg"].GetDouble() < end);
+  // Whether the lens ends at 90 degrees or further out is the same to it.
+  ASSERT_GE(camera["reach"].Size(), 3U);
+  for (const Value& row : camera["reach"].GetArray()) {
+    EXPECT_EQ(row["rms_px"].GetDouble(), camera["error_px"]["rms"].GetDouble());
+    EXPECT_EQ(row["scored_share"].GetDouble(), camera["domain"]["scored_share"].GetDouble());
+  }
+  std::vector<std::string> as_text = command;
+  as_text.insert(as_text.end(), {"--dry-run"});
+  const std::string degrees = std::to_string(static_cast<int>(std::lround(end)));
+  const RunResult text = run_program(as_text);
+  EXPECT_TRUE(contains(text.out, "(up to " + degrees + " deg from the axis)")) << text.out;
+}
+
 void expect_numbers(const Value& object, std::initializer_list<const char*> keys) {
   for (const char* key : keys) {
     ASSERT_TRUE(object.HasMember(key)) << key;
@@ -318,7 +342,7 @@ TEST(Convert, JsonHasTheContractsKeysAndTypes) {
     expect_numbers(camera["parameters"], {"fx", "fy", "cx", "cy", "alpha", "beta"});
     EXPECT_TRUE(camera["at_bound"].IsArray());
     const Value& domain = camera["domain"];
-    expect_numbers(domain, {"max_angle_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
+    expect_numbers(domain, {"max_angle_deg", "scored_to_deg", "scored_share", "outside_lens_share", "unrepresentable_share"});
     EXPECT_TRUE(domain["why"].IsString());
     EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() +
                     domain["unrepresentable_share"].GetDouble(),

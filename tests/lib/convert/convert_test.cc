@@ -3,10 +3,13 @@
 
 #include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
+#include <fca/convert/judge.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace fca {
@@ -95,6 +98,49 @@ TEST(Convert, ATargetThatCannotReachTheLensIsFittedToACone) {
   EXPECT_LE(conversion->report.judgement.error.rms, 1.0);
   EXPECT_GT(conversion->report.judgement.coverage.unrepresentable, 0.3);
   EXPECT_GE(max_angle(conversion->camera.model), 60.0 * test::kRadians);
+}
+
+TEST(Convert, APlaneGetsAConeWhereverTheLensEndsBeyond) {
+  // Close to 90 degrees a plane is so large that a camera may be near all samples and a thousand pixels off between the last
+  // one and the edge; and a pinhole reaches all, but describes nothing.
+  struct Target {
+    const char* model;
+    double reaches_deg;
+  };
+  for (const Camera& camera : {test::tumvi(), test::lens_220(), test::woodscape_front(), test::t265_like()}) {
+    for (const auto& [model, reaches_deg] : {Target{"radtan", 60.0}, Target{"rational", 85.0}}) {
+      for (const double deg : {180.0, 110.0, 90.0, 89.9, 89.0, 86.0}) {
+        Diagnostics diagnostics;
+        const std::optional<Conversion> conversion = to(camera, model, diagnostics, deg);
+        ASSERT_TRUE(conversion) << model << " " << deg;
+        const ConversionReport& report = conversion->report;
+        EXPECT_LE(report.judgement.error.rms, 1.0) << model << " " << deg;
+        EXPECT_GE(report.scored_to_deg, reaches_deg - 1e-9) << model << " " << deg;
+        EXPECT_GE(max_angle(conversion->camera.model), report.scored_to_deg * test::kRadians * (1.0 - 1e-9));
+      }
+    }
+  }
+}
+
+TEST(Convert, ScoredToIsTheDomainOrTheCone) {
+  Diagnostics diagnostics;
+  const std::optional<Conversion> whole = to(test::tumvi(), "eucm", diagnostics, 97.5);
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(whole->report.scored_to_deg, 97.5, 1e-9);
+  const std::optional<Conversion> copy = to(test::tumvi(), "kb4", diagnostics, 97.5);
+  ASSERT_TRUE(copy);
+  EXPECT_NEAR(copy->report.scored_to_deg, 97.5, 1e-9);
+  EXPECT_TRUE(diagnostics.entries().empty());
+  const std::optional<Conversion> cone = to(test::tumvi(), "radtan", diagnostics, 97.5);
+  ASSERT_TRUE(cone);
+  const double end = cone->report.scored_to_deg;
+  for (const ErrorBand& band : cone->report.judgement.bands) EXPECT_EQ(band.share > 0.0, band.from_deg < end) << band.from_deg;
+  // Beyond, nothing was scored: judged without a cone there is more.
+  const std::optional<Domain> inside = domain_of(test::tumvi(), end * test::kRadians, diagnostics);
+  ASSERT_TRUE(inside);
+  const Judgement judged = judge(test::tumvi().model, cone->camera.model, *inside);
+  EXPECT_NEAR(judged.coverage.scored, cone->report.judgement.coverage.scored, 1e-3);
+  EXPECT_NEAR(judged.error.rms, cone->report.judgement.error.rms, 1e-3 * judged.error.rms);
 }
 
 TEST(Convert, RangesOfTheTargetAreKept) {
@@ -251,6 +297,116 @@ TEST(Convert, DegenerateCamerasEndWithoutGarbage) {
       EXPECT_TRUE(std::isfinite(conversion->report.judgement.error.max)) << model.id;
     }
   }
+}
+
+/// The largest distance between source and target over pixels of our own, as far from the axis as the conversion is scored.
+double largest_error(const Camera& source, const Conversion& conversion) {
+  constexpr int kSteps = 40;
+  double largest = 0.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const Pixel pixel = {(source.image_size->width - 1.0) * i / kSteps, (source.image_size->height - 1.0) * j / kSteps};
+      const std::optional<Ray> ray = unproject(source.model, pixel);
+      if (!ray || angle_from_axis(*ray) > conversion.report.scored_to_deg * test::kRadians) continue;
+      const std::optional<Pixel> other = project(conversion.camera.model, *ray);
+      if (other) largest = std::max(largest, std::hypot((*other)[0] - pixel[0], (*other)[1] - pixel[1]));
+    }
+  }
+  return largest;
+}
+
+TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
+  struct Case {
+    const char* what;
+    Camera camera;
+    std::vector<const char*> exact;    ///< Targets that hold it.
+    std::vector<const char*> good;     ///< Targets that describe all that it sees of its image, to half a pixel rms.
+    std::vector<const char*> refused;  ///< Targets, or "all".
+    const char* code;                  ///< Of the refusal.
+  };
+  const std::vector<Case> cases = {
+      {"folded",
+       test::make_camera(Intrinsics<Radtan>{{300, 300, 320, 240, -0.4, 0, 0, 0, 0}}, {640, 480}),
+       {"rational"},
+       {},
+       {},
+       ""},
+      {"alpha 0",
+       test::make_camera(Intrinsics<Ucm>{{300, 300, 320, 240, 0.0}}, {640, 480}),
+       {"pinhole", "radtan", "rational", "eucm", "ds", "mei"},
+       {},
+       {},
+       ""},
+      {"alpha 1", test::make_camera(Intrinsics<Ucm>{{300, 300, 320, 240, 1.0}}, {640, 480}), {"eucm", "ds"}, {"kb4"}, {}, ""},
+      {"one pixel", test::make_camera(Intrinsics<Kb4>{{300, 300, 0, 0, 0.01, 0, 0, 0}}, {1, 1}), {"kb4"}, {}, {}, ""},
+      {"fx / fy = 100",
+       test::make_camera(Intrinsics<Pinhole>{{30000, 300, 320, 240}}, {640, 480}),
+       {"radtan", "rational", "ucm", "eucm", "ds", "mei"},
+       {"kb4", "fov"},
+       {},
+       ""},
+      {"principal point 10,000 px away",
+       test::make_camera(Intrinsics<Kb4>{{300, 300, -4000, 9000, 0, 0, 0, 0}}, {640, 480}),
+       {},
+       {},
+       {"pinhole", "radtan", "rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib", "woodscape"},
+       "no-pixel-has-a-ray"},
+      {"principal point beside the image",
+       test::make_camera(Intrinsics<Kb4>{{300, 300, -200, 240, 0.01, 0, 0, 0}}, {640, 480}),
+       {},
+       {"woodscape"},
+       {},
+       ""},
+  };
+  const auto among = [](const std::vector<const char*>& list, std::string_view id) {
+    return std::ranges::any_of(list, [id](const char* name) { return name == id; });
+  };
+  for (const Case& c : cases) {
+    for (const ModelInfo& model : all_models()) {
+      SCOPED_TRACE(std::string(c.what) + " -> " + std::string(model.id));
+      Diagnostics diagnostics;
+      const std::optional<Conversion> conversion = to(c.camera, std::string(model.id), diagnostics);
+      if (among(c.refused, model.id)) {
+        EXPECT_FALSE(conversion);
+        ASSERT_TRUE(diagnostics.has_errors());
+        EXPECT_EQ(diagnostics.entries().front().code, c.code);
+      }
+      if (!conversion) {
+        EXPECT_TRUE(diagnostics.has_errors());
+        EXPECT_FALSE(among(c.exact, model.id) || among(c.good, model.id));
+        continue;
+      }
+      const Judgement& judgement = conversion->report.judgement;
+      const Coverage& coverage = judgement.coverage;
+      EXPECT_NEAR(coverage.scored + coverage.outside_lens + coverage.unrepresentable, 1.0, 1e-9);
+      EXPECT_TRUE(validate(conversion->camera.model).empty());
+      constexpr double kNobodySees = 1e-6;  // px
+      EXPECT_LE(largest_error(c.camera, *conversion), 1.001 * judgement.error.max + kNobodySees) << "what is said is true";
+      if (among(c.exact, model.id)) {
+        EXPECT_TRUE(conversion->report.exact);
+        EXPECT_LE(judgement.error.max, 1e-9);
+      }
+      if (among(c.good, model.id)) {
+        EXPECT_LE(judgement.error.rms, 0.5);
+        EXPECT_EQ(coverage.unrepresentable, 0.0);
+      }
+    }
+  }
+}
+
+TEST(Convert, ALensFoldedInsideTheImageIsItsPartBeforeTheFold) {
+  // r (1 - 0.4 r^2) grows until r = sqrt(1 / 1.2): 42.4 degrees, 182.6 px from the centre.
+  const Camera camera = test::make_camera(Intrinsics<Radtan>{{300, 300, 320, 240, -0.4, 0, 0, 0, 0}}, {640, 480});
+  const double fold = std::atan(std::sqrt(1.0 / 1.2)) / test::kRadians;
+  Diagnostics diagnostics;
+  const std::optional<Conversion> conversion = to(camera, "kb4", diagnostics);
+  ASSERT_TRUE(conversion);
+  const Coverage& coverage = conversion->report.judgement.coverage;
+  EXPECT_NEAR(coverage.max_angle_deg, fold, 1e-6);
+  EXPECT_NE(coverage.why.find("inside the image"), std::string::npos) << coverage.why;
+  const double radius = 300.0 * std::sqrt(1.0 / 1.2) * (1.0 - 0.4 / 1.2);
+  EXPECT_NEAR(coverage.scored + coverage.unrepresentable, std::numbers::pi * radius * radius / (640.0 * 480.0), 2e-3);
+  EXPECT_LE(conversion->report.scored_to_deg, fold + 1e-9);
 }
 
 }  // namespace

@@ -109,10 +109,22 @@ TEST(Initialise, StartsAreCamerasWithTheGivenCentre) {
         Intrinsics<M> found;
         M::initialise(samples, centre, start, found.values.data());
         EXPECT_TRUE(validate(found).empty()) << lens.name << ": " << validate(found)[0];
-        for (const std::size_t axis : {0U, 1U}) {
-          EXPECT_NEAR(central_focal_lengths(found)[axis], centre.focal[axis], 1e-9 * centre.focal[axis]) << lens.name;
+        if constexpr (requires { M::kStartsFindCentre; }) {
+          // What it finds does not depend on the focal length that it is given.
+          LensCentre longer = centre;
+          for (double& focal : longer.focal) focal *= 1.25;
+          Intrinsics<M> again;
+          M::initialise(samples, longer, start, again.values.data());
+          for (const std::size_t axis : {0U, 1U}) {
+            EXPECT_NEAR(central_focal_lengths(found)[axis], central_focal_lengths(again)[axis], 1e-3 * centre.focal[axis]);
+            EXPECT_NEAR(principal_point(found)[axis], principal_point(again)[axis], 1e-3 * centre.focal[axis]);
+          }
+        } else {
+          for (const std::size_t axis : {0U, 1U}) {
+            EXPECT_NEAR(central_focal_lengths(found)[axis], centre.focal[axis], 1e-9 * centre.focal[axis]) << lens.name;
+          }
+          EXPECT_EQ(principal_point(found), centre.point);
         }
-        EXPECT_EQ(principal_point(found), centre.point);
       }
     });
   }

@@ -49,7 +49,7 @@ TEST(Slopes, AgreeWithAutomaticDifferentiation) {
       }
     }
   });
-  EXPECT_GE(models, 7);
+  EXPECT_GE(models, 8);
 }
 
 TEST(Terms, MakeTheModelOfTheirCoefficients) {

@@ -19,4 +19,9 @@ namespace fca {
 /// A row whose conversion fails is left out; its diagnostics are not repeated. Errors of the camera itself are.
 [[nodiscard]] std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics);
 
+/// The same where that conversion has been made: `report` is what convert() says of that camera with these options. Saves the
+/// fits that it made already.
+[[nodiscard]] std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options,
+                                                const ConversionReport& report, Diagnostics& diagnostics);
+
 }  // namespace fca

@@ -92,6 +92,9 @@ struct ConversionReport {
   std::string to_model;
   bool exact = false;  ///< The target contains the source: same pixels by construction, no fit.
   Judgement judgement;
+  /// Nothing further from the axis was scored: the domain's largest angle, or where the target ends, by itself or because it
+  /// was fitted to a cone.
+  double scored_to_deg = 0.0;
   FitSummary fit;
   Objective objective = Objective::kRms;
   std::optional<RmsFit> rms_fit;      ///< Of a fit for the largest error.

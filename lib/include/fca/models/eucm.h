@@ -13,6 +13,7 @@
 // Called: Kalibr eucm-none; slam_no_opt and fisheye-ORB-SLAM: Camera.k1 = alpha, Camera.k2 = beta.
 #pragma once
 
+#include <fca/models/linear_fit.h>
 #include <fca/models/model_traits.h>
 
 #include <algorithm>
@@ -109,11 +110,36 @@ struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
   static constexpr int kStarts = 1;
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int /*start*/, double* p) {
     begin(centre, p);
-    p[5] = 1.0;  // beta is not linear: start as UCM
+    if (linear_start(samples, p)) return;
+    p[5] = 1.0;  // as UCM
     p[4] = internal::UnifiedPlane::linear_alpha(samples, p, p[5]);
   }
 
  private:
+  /// With m the point on the normalised plane, r = |(x, y)| and w = r / |m| - z = alpha (d - z), the definition of d squared is
+  /// linear in alpha beta and 1 / alpha: alpha beta r^2 - w^2 / alpha = 2 z w. Weighted so that the residual is about that of
+  /// the pixel. False where the answer is no camera: a lens without barrel distortion.
+  static bool linear_start(std::span<const Correspondence> samples, double* p) {
+    internal::LinearFit<2> fit;
+    for (const Correspondence& s : samples) {
+      const double mx = (s.pixel[0] - p[2]) / p[0];
+      const double my = (s.pixel[1] - p[3]) / p[1];
+      const double m2 = mx * mx + my * my;
+      const double r2 = s.ray[0] * s.ray[0] + s.ray[1] * s.ray[1];
+      if (!(m2 > 0.0 && r2 > 0.0)) continue;
+      const double w = std::sqrt(r2 / m2) - s.ray[2];
+      fit.add({r2, -w * w}, 2.0 * s.ray[2] * w, s.weight * m2 * m2 / r2);
+    }
+    double solution[2];
+    fit.solve(solution);
+    const double alpha = 1.0 / solution[1];
+    const double beta = solution[0] / alpha;
+    if (!(alpha > 0.0 && alpha < 1.0 && beta > 0.0 && std::isfinite(beta))) return false;
+    p[4] = alpha;
+    p[5] = beta;
+    return true;
+  }
+
   friend struct internal::RayMap<Eucm>;
   template <bool kWithinDomain, class T>
   static bool map(const T* p, const T* ray, T* pixel) {

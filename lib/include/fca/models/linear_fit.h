@@ -20,20 +20,24 @@ class LinearFit {
   void add(const std::array<double, N>& row, double target, double weight) {
     for (std::size_t i = 0; i < N; ++i) {
       const double weighted = weight * row[i];
-      for (std::size_t j = 0; j < N; ++j) normal_[N * i + j] += weighted * row[j];
+      for (std::size_t j = i; j < N; ++j) normal_[N * i + j] += weighted * row[j];
       right_[i] += weighted * target;
     }
   }
 
   /// Writes the N unknowns.
   void solve(double* x) const {
+    std::array<double, N* N> normal = normal_;
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t j = 0; j < i; ++j) normal[N * i + j] = normal[N * j + i];
+    }
     std::array<double, N> solution = right_;
-    solve_symmetric(normal_, solution);
+    solve_symmetric(normal, solution);
     for (std::size_t i = 0; i < N; ++i) x[i] = solution[i];
   }
 
  private:
-  std::array<double, N * N> normal_{};
+  std::array<double, N * N> normal_{};  ///< The upper triangle.
   std::array<double, N> right_{};
 };
 

@@ -17,6 +17,8 @@
 #include <fca/models/model_traits.h>
 #include <fca/models/radial_tangential.h>
 
+#include <algorithm>
+
 namespace fca {
 
 struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
@@ -34,7 +36,30 @@ struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
                                              common_parameter::coefficient("p2"),
                                              common_parameter::coefficient("k3")};
 
+  static constexpr bool kAheadOnly = true;
   static constexpr std::string_view kBendsBack = "k3";
+
+  static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
+    if (!(ray[2] > 0.0)) return false;
+    const double x = ray[0] / ray[2];
+    const double y = ray[1] / ray[2];
+    const double r2 = x * x + y * y;
+    const double radial = 1.0 + r2 * (p[4] + r2 * (p[5] + r2 * p[8]));
+    const double xy2 = 2.0 * x * y;
+    const double x_term = r2 + 2.0 * x * x;
+    const double y_term = r2 + 2.0 * y * y;
+    const double mx = x * radial + p[6] * xy2 + p[7] * x_term;
+    const double my = y * radial + p[6] * y_term + p[7] * xy2;
+    pixel[0] = p[0] * mx + p[2];
+    pixel[1] = p[1] * my + p[3];
+    const double u1 = p[0] * x * r2;
+    const double v1 = p[1] * y * r2;
+    const std::array<double, 9> u = {mx, 0.0, 1.0, 0.0, u1, u1 * r2, p[0] * xy2, p[0] * x_term, u1 * r2 * r2};
+    const std::array<double, 9> v = {0.0, my, 0.0, 1.0, v1, v1 * r2, p[1] * y_term, p[1] * xy2, v1 * r2 * r2};
+    std::copy(u.begin(), u.end(), du);
+    std::copy(v.begin(), v.end(), dv);
+    return true;
+  }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
     double m[2];

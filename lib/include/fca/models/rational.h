@@ -117,6 +117,8 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
                                              common_parameter::coefficient("k5"),
                                              common_parameter::coefficient("k6")};
 
+  static constexpr bool kAheadOnly = true;
+
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     if (!(ray[2] > 0.0)) return false;
     const double x = ray[0] / ray[2];
@@ -174,16 +176,20 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
 
   static double max_angle(const double* p) { return std::atan(Distortion::max_radius(p + 4)); }
 
-  /// Multiplied by D, m D = (x, y) N + ..., all coefficients are linear; weighted by 1 / D^2 of the solution before, it is the
-  /// residual in pixels (Sanathanan & Koerner 1963). Poles among the samples can trap the fit: the other start has none, it is
-  /// radtan's.
+  /// Multiplied by D, (pixel - c) D = f ((x, y) N + tangential terms D), all is linear in f, f k1 ..., c and the coefficients
+  /// of D, if the D beside c and the tangential terms is that of the solution before; weighted by 1 / D^2 of that solution, it
+  /// is the residual in pixels (Sanathanan & Koerner 1963). Poles among the samples can trap the fit: the other start has none,
+  /// it is radtan's.
   static constexpr int kStarts = 2;
+  static constexpr bool kStartsFindCentre = true;
   static void initialise(std::span<const Correspondence> samples, const LensCentre& centre, int start, double* p) {
     begin(centre, p);
-    constexpr int kRounds = 3;
     std::fill_n(p + 4, internal::RationalFactor::kCount, 0.0);
+    const double aspect = centre.focal[1] / centre.focal[0];
+    constexpr int kRounds = 4;
     for (int round = 0; round < (start == 0 ? kRounds : 1); ++round) {
-      internal::LinearFit<8> fit;
+      // Unknown: fx, fx k1, fx k2, fx k3, fx p1, fx p2, cx, cy, k4, k5, k6; pixels in units of the source's focal length.
+      internal::LinearFit<11> fit;
       for (const Correspondence& s : samples) {
         if (!(s.ray[2] > 0.0)) continue;
         const double x = s.ray[0] / s.ray[2];
@@ -192,17 +198,27 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
         const double t2 = t * t;
         const double t3 = t2 * t;
         constexpr double kSmallest = 0.01;
-        const double d = std::max(kSmallest, 1.0 + p[9] * t + p[10] * t2 + p[11] * t3);
+        const double d = round == 0 ? std::sqrt(1.0 + t) : std::max(kSmallest, 1.0 + p[9] * t + p[10] * t2 + p[11] * t3);
         const double weight = s.weight / (d * d);
-        const double mx = (s.pixel[0] - p[2]) / p[0];
-        const double my = (s.pixel[1] - p[3]) / p[1];
+        const double mx = (s.pixel[0] - centre.point[0]) / centre.focal[0];
+        const double my = (s.pixel[1] - centre.point[1]) / centre.focal[1];
         // radtan's start: the last three unknowns stay 0, as nothing depends on them.
         const double ux = start == 0 ? mx : 0.0;
         const double uy = start == 0 ? my : 0.0;
-        fit.add({x * t, x * t2, 2.0 * x * y * d, (t + 2.0 * x * x) * d, x * t3, -ux * t, -ux * t2, -ux * t3}, mx - x, weight);
-        fit.add({y * t, y * t2, (t + 2.0 * y * y) * d, 2.0 * x * y * d, y * t3, -uy * t, -uy * t2, -uy * t3}, my - y, weight);
+        const double xy2 = 2.0 * x * y * d;
+        fit.add({x, x * t, x * t2, x * t3, xy2, (t + 2.0 * x * x) * d, d, 0.0, -ux * t, -ux * t2, -ux * t3}, mx, weight);
+        fit.add({y, y * t, y * t2, y * t3, (t + 2.0 * y * y) * d, xy2, 0.0, d, -uy * t, -uy * t2, -uy * t3}, my, weight);
       }
-      fit.solve(p + 4);
+      double solution[11];
+      fit.solve(solution);
+      const auto& [f, fk1, fk2, fk3, fp1, fp2, cx, cy, k4, k5, k6] = solution;
+      if (!(f > 0.0)) return;
+      p[0] = f * centre.focal[0];
+      p[1] = aspect * p[0];
+      p[2] = centre.point[0] + cx * centre.focal[0];
+      p[3] = centre.point[1] + cy * centre.focal[1];
+      const double coefficients[] = {fk1 / f, fk2 / f, fp1 / f, fp2 / f, fk3 / f, k4, k5, k6};
+      std::copy(std::begin(coefficients), std::end(coefficients), p + 4);
     }
   }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One camera fitted as another model over a domain: the whole of it or, where the target cannot describe that, the largest cone
+// around the axis on which it can.
+#pragma once
+
+#include "fit_model.h"
+#include "judge_stages.h"
+
+#include <fca/convert/convert.h>
+#include <fca/convert/domain.h>
+
+#include <chrono>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+namespace fca::internal {
+
+/// What is fitted to what.
+struct FitTask {
+  const Camera& camera;
+  const ModelInfo& target;
+  const ConvertOptions& options;
+  const Domain& domain;
+  LensCentre centre;  ///< Of the camera.
+};
+
+/// A fit, the number of samples it was made on, and the angle up to which it counts.
+struct SampledFit {
+  std::optional<FittedModel> model;  ///< Nothing where no start led to a camera, or the samples are too few for one.
+  std::size_t samples = 0;
+  double reach_rad = std::numbers::pi;  ///< A cone's angle; pi where the whole domain was fitted.
+};
+
+/// The fit that a conversion reports, what the judge's lattice says of it, and how long the search took.
+struct DomainFit {
+  SampledFit fitted;
+  Score score;  ///< Empty without a model.
+  std::chrono::duration<double, std::micro> time{};
+};
+
+/// Are there too few samples to fit that model?
+[[nodiscard]] bool too_few(std::size_t samples, const ModelInfo& target);
+
+/// Fits on options.samples samples, and on twice as many while the model is worse between them and that helps.
+[[nodiscard]] DomainFit fit_domain(const FitTask& task);
+
+}  // namespace fca::internal
