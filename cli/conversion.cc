@@ -6,6 +6,7 @@
 #include "option_use.h"
 #include "output_name.h"
 #include "proving.h"
+#include "stale_facts.h"
 #include "words.h"
 
 #include <fca/convert/reach.h>
@@ -255,6 +256,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   std::optional<Written> written = write_rig(rig, base, arguments, outcome);
   if (!written || !keeps_syntax(arguments, base, *written, outcome.diagnostics)) return false;
   list_assumed_units(*calibration, *outcome.to, *written);
+  if (!into && base.document != nullptr && changes_images(arguments.reading))
+    warn_of_stale_facts(calibration->rig, *written, outcome.diagnostics);
   if (needs_folder(arguments, *written)) {
     outcome.diagnostics.error(
         "one-camera-per-file",
