@@ -2,10 +2,12 @@
 #include "settings.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/overlap.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace fca::orbslam3 {
 
@@ -80,14 +82,19 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
   fields.push_back(
       fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
   if ((layout.type != "KannalaBrandt8" && layout.type != "DoubleSphere") || !rig.cameras[0].image_size) return;
-  const double last_column = rig.cameras[0].image_size->width - 1.0;
-  const auto add_column = [&](const TuningKey& key, double otherwise) {
-    fields.push_back(target.tuning.field(key, target.style, otherwise));
+  const auto add_columns = [&](std::size_t from, std::size_t to, const TuningKey& begin, const TuningKey& end) {
+    // Where they share nothing, or the poses do not tell, no column is left out.
+    const Camera& camera = rig.cameras[from];
+    ColumnRange columns{0, camera.image_size->width - 1};
+    if (const std::optional<Transform> T_other_camera = rig.resolve(rig.cameras[to].name, camera.name)) {
+      columns = columns_shared(camera, rig.cameras[to], *T_other_camera, target.max_angle_rad.value_or(std::numbers::pi))
+                    .value_or(columns);
+    }
+    fields.push_back(target.tuning.field(begin, target.style, columns.first));
+    fields.push_back(target.tuning.field(end, target.style, columns.last));
   };
-  add_column(tuning_key::kOverlapBegin1, 0.0);
-  add_column(tuning_key::kOverlapEnd1, last_column);
-  add_column(tuning_key::kOverlapBegin2, 0.0);
-  add_column(tuning_key::kOverlapEnd2, last_column);
+  add_columns(0, 1, tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1);
+  add_columns(1, 0, tuning_key::kOverlapBegin2, tuning_key::kOverlapEnd2);
 }
 
 void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -161,9 +168,10 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   std::vector<std::string> missing;
   const Camera& first = rig.cameras.front();
   const bool second = rig.cameras.size() > 1;
-  if (sensor.two_cameras && !second && !is_rectified_pair(rig)) missing.emplace_back("a second camera");
+  if (sensor.two_cameras && !second && !is_rectified_pair(rig))
+    missing.emplace_back("a second camera (--join CAM0 CAM1, or --baseline METRES for one of a rectified pair)");
   if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name)) {
-    missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name);
+    missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name + " (--with extrinsics.yml)");
   }
   if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras)
     missing.emplace_back("one image size for both cameras");

@@ -40,6 +40,7 @@ struct Target {
   double frame_rate_hz = 0.0;
   bool frame_rate_known = false;
   Tuning tuning = {};
+  std::optional<double> max_angle_rad = {};  ///< What counts as lens, from the axis.
   std::string_view imu_pose_key = {};  ///< Under which the base states the first camera's pose, also where no mode asks for it.
 };
 

@@ -62,6 +62,7 @@ std::optional<Base> read_base(const text::Document* document) {
                 rate.value_or(kUpstreamFrameRate),
                 rate.has_value(),
                 Tuning(*document),
+                {},
                 imu_pose_key(*document)};
   return Base{*document, *std::move(rig), std::move(target)};
 }
@@ -302,7 +303,9 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   const std::optional<double> rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
   target.frame_rate_known = rate.has_value();
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
+  target.max_angle_rad = options.max_angle_rad;
   if (base != nullptr) target.tuning = base->target.tuning;
+  if (base != nullptr && base->rig.cameras.front().image_size != rig.cameras.front().image_size) target.tuning.forget_overlap();
   if (base != nullptr && !options.anew && base->target.style == target.style) {
     // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
