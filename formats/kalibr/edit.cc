@@ -72,6 +72,14 @@ std::string_view Editor::imu_pose_key() const {
   return states("T_imu_cam") && !states("T_cam_imu") ? "T_imu_cam" : "T_cam_imu";
 }
 
+bool Editor::needs_chain(const PoseKey& pose) const {
+  if (!other_cameras() || pose.key != "T_cn_cnm1") return false;
+  return std::ranges::any_of(old_.cameras, [this](const Camera& camera) {
+    const Node* block = text::find(base_.root(), camera.name, dialect_);
+    return block != nullptr && text::find(*block, "T_cn_cnm1", dialect_) != nullptr;
+  });
+}
+
 std::vector<fields::Field> Editor::fields_before(const Node& block, std::size_t index) const {
   std::vector<fields::Field> result;
   for (const PoseKey& pose : pose_keys(old_.cameras[index].name)) {
@@ -89,7 +97,8 @@ std::vector<fields::Field> Editor::fields_after(const Node& block, std::size_t i
     const bool there = text::find(block, pose.key, dialect_) != nullptr;
     const bool may_come = pose.key == imu_pose_key() || pose.key == "T_cn_cnm1";
     const std::optional<Transform> T = pose_in(rig_, pose.a, pose.b);
-    if (T && (there || (may_come && lacks_pose(said_, rig_, pose.a, pose.b)))) result.push_back(fields::rows(pose.key, *T));
+    if (T && (there || needs_chain(pose) || (may_come && lacks_pose(said_, rig_, pose.a, pose.b))))
+      result.push_back(fields::rows(pose.key, *T));
   }
   std::ranges::sort(result, {}, &fields::Field::key);
   const std::vector<fields::Field> lens = lens_fields(rig_.cameras[index]);

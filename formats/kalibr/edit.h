@@ -2,6 +2,8 @@
 // An existing camchain says something new: its own statements, only the changed bytes.
 #pragma once
 
+#include "poses.h"
+
 #include "../fields.h"
 
 #include <fca/formats/format.h>
@@ -36,6 +38,8 @@ class Editor {
   /// What the file's own statements are to say. Poses that follow from them need not be stated.
   [[nodiscard]] Rig said_by(std::span<const Kept> cameras) const;
   void edit_named_poses();
+  /// In a chain whose cameras change places each must state T_cn_cnm1 where one did: Kalibr takes baselines from nowhere else.
+  [[nodiscard]] bool needs_chain(const PoseKey& pose) const;
   /// The fields of a block that states poses under the keys of `block`, and those that the file lacks.
   [[nodiscard]] std::vector<fields::Field> fields_after(const text::Node& block, std::size_t index) const;
   [[nodiscard]] std::vector<fields::Field> fields_before(const text::Node& block, std::size_t index) const;
