@@ -269,6 +269,13 @@ std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteO
   return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
 }
 
+/// Are the columns of the base's images those of the rig's: the same camera first, of the same size?
+bool same_images(const Rig& base, const Rig& rig) {
+  const Camera& before = base.cameras.front();
+  const Camera& now = rig.cameras.front();
+  return before.name == now.name && before.image_size == now.image_size;
+}
+
 bool check_rates(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   constexpr double kLargestRate = 1e6;
   constexpr double kRoundsToOne = 0.5;
@@ -305,7 +312,7 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
   target.max_angle_rad = options.max_angle_rad;
   if (base != nullptr) target.tuning = base->target.tuning;
-  if (base != nullptr && base->rig.cameras.front().image_size != rig.cameras.front().image_size) target.tuning.forget_overlap();
+  if (base != nullptr && !same_images(base->rig, rig)) target.tuning.forget_overlap();
   if (base != nullptr && !options.anew && base->target.style == target.style) {
     // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;

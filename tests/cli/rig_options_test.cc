@@ -57,6 +57,17 @@ TEST(RigOptions, EveryPoseIsThatOfTheNewFirstCamera) {
   expect_close(*settings.stated("imu0", "cam0"), inverse(*kalibr.stated("cam1", "imu0")).value());
 }
 
+// The same in the file's own text.
+TEST(RigOptions, SettingsInAnotherOrder) {
+  const Rig before = rig_in(read_file(kSettings));
+  const RunResult run = run_program({"convert", kSettings, "--camera", "1,0", "--to", "orbslam3"});
+  const Rig after = rig_in(run.out);
+  ASSERT_EQ(after.cameras.size(), 2U) << run.err;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) EXPECT_EQ(after.cameras[i].model, before.cameras[1 - i].model);
+  expect_close(after.resolve("cam0", "cam1").value(), before.resolve("cam1", "cam0").value());
+  expect_close(after.resolve("imu0", "cam0").value(), before.resolve("imu0", "cam1").value());
+}
+
 TEST(RigOptions, ASecondCameraOnTheLeftIsWarnedOfWithTheCommand) {
   const RunResult right = run_program({"convert", kTumvi, "--to", "orbslam3"});
   EXPECT_FALSE(contains(right.err, "stereo-order")) << right.err;
@@ -111,6 +122,9 @@ TEST(RigOptions, OverlappingColumnsFollowTheImages) {
   EXPECT_EQ(columns(run_program({"convert", path, "--to", "orbslam3"}).out), columns(settings));
   const RunResult half = run_program({"convert", path, "--to", "orbslam3", "--binning", "2"});
   EXPECT_EQ(columns(half.out), (std::vector<std::string>{"0", "255", "0", "255"})) << half.err;
+  // Swapped cameras have each other's columns.
+  const RunResult swapped = run_program({"convert", path, "--to", "orbslam3", "--camera", "1,0"});
+  EXPECT_EQ(columns(swapped.out), (std::vector<std::string>{"0", "511", "0", "511"})) << swapped.err;
   // A cone of 40 degrees around axes that lie 2.7 degrees apart: both see its middle.
   const RunResult narrow = run_program({"convert", kTumvi, "--to", "orbslam3", "--max-angle", "40"});
   const int begin = std::stoi(columns(narrow.out).at(0));
