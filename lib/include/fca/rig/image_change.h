@@ -35,9 +35,9 @@ struct ImageRegion {
 
 /// What was done to the images, in this order, as sensors do it.
 struct ImageChange {
-  std::optional<ImageRegion> crop;  ///< In pixels of the calibrated image.
-  int binning = 1;                  ///< N x N pixels become one; columns and rows beyond a multiple of N are left out.
-  std::optional<ImageSize> resize;
+  std::optional<ImageRegion> crop = {};  ///< In pixels of the calibrated image.
+  int binning = 1;                       ///< N x N pixels become one; columns and rows beyond a multiple of N are left out.
+  std::optional<ImageSize> resize = {};
 
   [[nodiscard]] bool changes_nothing() const { return !crop && binning == 1 && !resize; }
 };
