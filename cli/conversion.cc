@@ -289,9 +289,10 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     return false;
   }
   outcome.written = *std::move(written);
+  // Before --set: what that makes of a file is no edit of the input any more.
+  add_provenance(arguments, *calibration, outcome);
   if (!apply_settings(arguments, *outcome.to, outcome.written, outcome.diagnostics)) return false;
   warn_of_wrong_side(rig, arguments, outcome.written, outcome.diagnostics);
-  add_provenance(arguments, *calibration, outcome);
   place_outputs(arguments, outcome);
   if (!arguments.no_verify) {
     for (const ConvertOutcome::Output& output : outcome.outputs) verify(rig, output, arguments, base.document, outcome);

@@ -43,6 +43,8 @@ TEST(Provenance, IsTheSameInEveryRunAndCanBeLeftOut) {
 TEST(Provenance, EditsHaveItOnlyWhenAsked) {
   const std::vector<std::string> words = {"convert", kTumvi, "--to", "kalibr", "--camera", "0"};
   EXPECT_FALSE(contains(run_program(words).out, "SHA-256"));
+  const RunResult set = run_program({"convert", kTumvi, "--to", "kalibr", "--set", "cam1/rostopic=/right"});
+  EXPECT_FALSE(contains(set.out, "SHA-256")) << set.out;
   std::vector<std::string> asked = words;
   asked.emplace_back("--provenance");
   EXPECT_TRUE(contains(run_program(asked).out, "SHA-256"));
@@ -51,28 +53,29 @@ TEST(Provenance, EditsHaveItOnlyWhenAsked) {
 // cv::FileStorage's XML and YAML, and formats without comments.
 TEST(Provenance, EverySyntaxIsReadAsWithoutIt) {
   const TemporaryFolder folder;
-  for (const auto& [format, name, comment] : {std::tuple("opencv", "c.xml", true),
-                                              {"opencv", "c.yml", true},
-                                              {"opencv", "c.json", false},
-                                              {"kalibr", "c.yaml", true},
-                                              {"orbslam3", "s.yaml", true},
-                                              {"ocamcalib", "o.txt", false},
-                                              {"woodscape", "w.json", false},
-                                              {"tumvi", "t.yaml", true}}) {
+  struct Syntax {
+    const char* format;
+    const char* file;
+    bool comments;
+  };
+  for (const Syntax& syntax :
+       {Syntax{"opencv", "c.xml", true}, Syntax{"opencv", "c.yml", true}, Syntax{"opencv", "c.json", false},
+        Syntax{"kalibr", "c.yaml", true}, Syntax{"orbslam3", "s.yaml", true}, Syntax{"ocamcalib", "o.txt", false},
+        Syntax{"woodscape", "w.json", false}, Syntax{"tumvi", "t.yaml", true}}) {
     const auto written = [&](const char* option) {
-      const std::string path = folder / name;
-      const RunResult run = run_program(
-          {"convert", kTumvi, "--camera", "0", "--to", format, "--anew", "--max-angle", "60", "-o", path, "--force", option});
-      EXPECT_EQ(run.code, 0) << format << run.err;  // proven by the program that reads it
+      const std::string path = folder / syntax.file;
+      const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--to", syntax.format, "--anew", "--max-angle",
+                                         "60", "-o", path, "--force", option});
+      EXPECT_EQ(run.code, 0) << syntax.format << run.err;  // proven by the program that reads it
       return read_file(path);
     };
     const std::string with = written("--provenance");
-    EXPECT_EQ(contains(with, "SHA-256"), comment) << with;
+    EXPECT_EQ(contains(with, "SHA-256"), syntax.comments) << with;
     const std::string without = written("--no-provenance");
     Diagnostics diagnostics;
     const auto rig = [&](const std::string& bytes) {
-      std::optional<text::Document> document = text::parse_document({name, bytes}, diagnostics);
-      return document ? read_calibration({*document}, find_format(format), {}, diagnostics) : std::nullopt;
+      std::optional<text::Document> document = text::parse_document({syntax.file, bytes}, diagnostics);
+      return document ? read_calibration({*document}, find_format(syntax.format), {}, diagnostics) : std::nullopt;
     };
     ASSERT_TRUE(rig(with) && rig(without)) << with;
     EXPECT_EQ(rig(with)->rig, rig(without)->rig) << with;
