@@ -66,6 +66,17 @@ void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& 
   fields.push_back(fields::matrix("CAMERA.T", std::array{T(0, 3), T(1, 3), T(2, 3)}, 3, "d"));
 }
 
+bool has_overlap(const Layout& layout) { return layout.type == "KannalaBrandt8" || layout.type == "DoubleSphere"; }
+
+/// The columns of one camera that another sees, too.
+std::optional<ColumnRange> columns_of(const Rig& rig, const Target& target, std::size_t from, std::size_t to) {
+  const Camera& camera = rig.cameras[from];
+  const Camera& other = rig.cameras[to];
+  const std::optional<Transform> T_other_camera = rig.resolve(other.name, camera.name);
+  if (!T_other_camera) return std::nullopt;
+  return columns_shared(camera, other, *T_other_camera, target.max_angle_rad.value_or(std::numbers::pi));
+}
+
 void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
   const Camera& second = rig.cameras[1];
@@ -81,15 +92,11 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
   // Tlr is read as 3 x 4 (Tracking.cc), T_c1_c2 as 4 x 4.
   fields.push_back(
       fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
-  if ((layout.type != "KannalaBrandt8" && layout.type != "DoubleSphere") || !rig.cameras[0].image_size) return;
+  if (!has_overlap(layout) || !rig.cameras[0].image_size) return;
   const auto add_columns = [&](std::size_t from, std::size_t to, const TuningKey& begin, const TuningKey& end) {
-    // Where they share nothing, or the poses do not tell, no column is left out.
-    const Camera& camera = rig.cameras[from];
-    ColumnRange columns{0, camera.image_size->width - 1};
-    if (const std::optional<Transform> T_other_camera = rig.resolve(rig.cameras[to].name, camera.name)) {
-      columns = columns_shared(camera, rig.cameras[to], *T_other_camera, target.max_angle_rad.value_or(std::numbers::pi))
-                    .value_or(columns);
-    }
+    // Where they share nothing no column is left out.
+    const ColumnRange all = {0, rig.cameras[from].image_size->width - 1};
+    const ColumnRange columns = columns_of(rig, target, from, to).value_or(all);
     fields.push_back(target.tuning.field(begin, target.style, columns.first));
     fields.push_back(target.tuning.field(end, target.style, columns.last));
   };
@@ -157,6 +164,13 @@ bool is_rectified_pair(const Rig& rig) {
   if (model_info(model).id == "pinhole") return true;
   const std::span<const double> lens = parameter_values(model).subspan(kFocalAndCentre);
   return model_info(model).id == "radtan" && std::ranges::all_of(lens, [](double value) { return value == 0.0; });
+}
+
+bool shares_no_columns(const Rig& rig, const Target& target) {
+  if (!target.sensor.two_cameras || rig.cameras.size() < 2 || !rig.cameras[0].image_size || !rig.cameras[1].image_size)
+    return false;
+  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
+  return layout != nullptr && has_overlap(*layout) && !columns_of(rig, target, 0, 1);
 }
 
 const Sensor* find_sensor(std::string_view id) {

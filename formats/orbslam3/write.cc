@@ -361,6 +361,12 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   const Base* edited = base && !options.anew && base->target.style == target->style ? &*base : nullptr;
   if (!check_cameras(rig, *target, edited, diagnostics) || !check_pair(rig, *target, diagnostics)) return std::nullopt;
 
+  if (shares_no_columns(rig, *target)) {
+    diagnostics.warning("nothing-shared",
+                        rig.cameras[0].name + " and " + rig.cameras[1].name +
+                            " see nothing in common, and ORB-SLAM3 matches a fisheye pair only where both see",
+                        {}, "is their pose right (show says it in words)? --sensor mono takes one camera");
+  }
   const Audience& audience = audience_of(target->style, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;

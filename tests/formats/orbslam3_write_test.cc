@@ -295,6 +295,22 @@ TEST(OrbSlam3Write, DefaultsAreMarkedInTheFile) {
   }
 }
 
+// Back to back, and lenses of 60 degrees from the axis.
+TEST(OrbSlam3Write, CamerasThatSeeNothingInCommonAreWarnedOf) {
+  Rig rig = sample_rig("kb4", {true, false});
+  const auto warned = [&rig](double max_angle_rad) {
+    WriteOptions options;
+    options.max_angle_rad = max_angle_rad;
+    Diagnostics diagnostics;
+    EXPECT_TRUE(write_calibration(*find_format("orbslam3"), nullptr, rig, options, diagnostics));
+    return std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) { return entry.code == "nothing-shared"; });
+  };
+  EXPECT_FALSE(warned(1.0));
+  rig.poses.front().T_a_b = {{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1}};
+  EXPECT_TRUE(warned(1.0));
+  EXPECT_FALSE(warned(1.9)) << "with wider lenses they share a ring";
+}
+
 struct Dialect {
   const char* model;
   const char* program;
