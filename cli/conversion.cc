@@ -5,7 +5,11 @@
 #include "into.h"
 #include "option_use.h"
 #include "output_name.h"
+#include "provenance.h"
 #include "proving.h"
+#include "settings.h"
+#include "stale_facts.h"
+#include "stereo_order.h"
 #include "words.h"
 
 #include <fca/convert/reach.h>
@@ -143,6 +147,7 @@ WriteOptions write_options(const ConvertArguments& arguments, const Base& base) 
   options.sensor = arguments.sensor;
   options.layout = arguments.orbslam3_layout.empty() ? arguments.opencv_layout : arguments.orbslam3_layout;
   options.frame_rate_hz = arguments.fps;
+  options.max_angle_rad = max_angle_rad(arguments.reading);
   options.anew = arguments.anew;
   options.adopted = base.adopted;
   const std::string extension = std::filesystem::path(arguments.output).extension().string();
@@ -228,6 +233,21 @@ void add_reach(const Format& to, const ModelChoice& choice, std::vector<CameraOu
   }
 }
 
+/// A base tuned for images of one size is not silently made one for images of another.
+void warn_of_other_size(const Rig& base, const Rig& rig, const ConvertArguments& arguments, Diagnostics& diagnostics) {
+  if (changes_images(arguments.reading)) return;  // the size was asked for
+  for (const Camera& camera : rig.cameras) {
+    const Camera* before = base.find_camera(camera.name);
+    if (before == nullptr || !before->image_size || !camera.image_size || before->image_size == camera.image_size) continue;
+    diagnostics.warning("size-replaced",
+                        camera.name + ": the base is for images of " + size_in_words(*before->image_size) +
+                            " px, what is written is for the input's, " + size_in_words(*camera.image_size) + " px",
+                        {arguments.into, 0, 0},
+                        "if the images are scaled to the base's size: --resize " + std::to_string(before->image_size->width) +
+                            "x" + std::to_string(before->image_size->height));
+  }
+}
+
 /// The steps of one conversion; false with errors.
 bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
                   ConvertOutcome& outcome) {
@@ -269,12 +289,15 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
   if (into) {
     rig = put_into(into->rig, std::move(rig), outcome.diagnostics);
+    warn_of_other_size(into->rig, rig, arguments, outcome.diagnostics);
     for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
   }
 
   std::optional<Written> written = write_rig(rig, base, arguments, outcome);
   if (!written || !keeps_syntax(arguments, base, *written, outcome.diagnostics)) return false;
   list_assumed_units(*calibration, *outcome.to, *written);
+  if (!into && base.document != nullptr && changes_images(arguments.reading))
+    warn_of_stale_facts(calibration->rig, *written, outcome.diagnostics);
   if (needs_folder(arguments, *written)) {
     outcome.diagnostics.error(
         "one-camera-per-file",
@@ -286,6 +309,10 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     return false;
   }
   outcome.written = *std::move(written);
+  // Before --set: what that makes of a file is no edit of the input any more.
+  add_provenance(arguments, *calibration, outcome);
+  if (!apply_settings(arguments, *outcome.to, outcome.written, outcome.diagnostics)) return false;
+  warn_of_wrong_side(rig, arguments, outcome.written, outcome.diagnostics);
   place_outputs(arguments, outcome);
   if (!arguments.no_verify) {
     const Rig meant = as_restated(rig, outcome.written);

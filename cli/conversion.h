@@ -16,6 +16,7 @@
 namespace fca::cli {
 
 struct ConvertArguments {
+  std::vector<std::string> words;  ///< The command line, without the program's name.
   std::vector<std::string> inputs;
   ReadingOptions reading;
   std::string to;
@@ -32,6 +33,9 @@ struct ConvertArguments {
   std::optional<double> fps;
   std::optional<double> max_error_px;
   std::optional<double> baseline_m;
+  std::vector<std::string> settings;  ///< "KEY=VALUE"
+  bool provenance = false;            ///< In edited files, too.
+  bool no_provenance = false;
   bool strict = false;
   bool no_verify = false;
   bool force = false;

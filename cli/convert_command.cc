@@ -44,6 +44,7 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   }
   if (arguments.into.empty() && arguments.to.empty()) return "--to FORMAT is missing: " + format_names();
   if (!arguments.to.empty() && find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
+  if (arguments.provenance && arguments.no_provenance) return "--provenance and --no-provenance contradict each other";
   if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
   if (!arguments.model.empty() && find_model(arguments.model) == nullptr) return unknown_model(arguments.model);
   if (arguments.objective != "rms" && arguments.objective != "max")
@@ -52,6 +53,10 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
     return "--fps wants a rate in Hz, more than 0 and below 1e6";
   if (arguments.baseline_m && problem_with_baseline(*arguments.baseline_m))
     return "--baseline wants a positive number of metres";
+  for (const std::string& setting : arguments.settings) {
+    if (setting.find('=') == std::string::npos || setting.starts_with('='))
+      return "--set wants KEY=VALUE, such as Viewer.PointSize=3.0; got '" + setting + "'";
+  }
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
   if (const Format* to = find_format(arguments.to)) {
     if (const auto error = option_without_use(arguments, *to)) return error;
@@ -179,6 +184,15 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
   command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")
       ->type_name("METRES")
       ->check(decimal_number());
+  command
+      .add_option("--set", arguments.settings,
+                  "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+  command.add_flag("--provenance", arguments.provenance,
+                   "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)");
+  command.add_flag("--no-provenance", arguments.no_provenance, "Leave out that comment");
   command.add_option("--max-error", arguments.max_error_px, "Fail (exit 1, nothing written) if the worst pixel is off by more")
       ->type_name("PX")
       ->check(decimal_number());

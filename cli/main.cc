@@ -80,6 +80,7 @@ int run(int argc, char** argv) {
 
   refuse_empty_values(app);
   std::vector<std::string> words(argv + 1, argv + argc);
+  convert_arguments.words = words;
   if (std::ranges::find(words, "--json") != words.end()) console.promise_json();
   bool mistyped = false;
   insert_show(words, app, mistyped);

@@ -5,6 +5,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/rig/image_change.h>
 #include <fca/rig/leave_out.h>
 
 #include <algorithm>
@@ -23,6 +24,12 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command.add_flag("--join", options.join, "All inputs are the cameras of one rig, in the order given");
   command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");
   command.add_option("--size", options.size, "Image size for files that do not state one: 640x480")->type_name("WxH");
+  command.add_option("--crop", options.crop, "The images are this part of the calibrated ones; before --binning and --resize")
+      ->type_name("X,Y,W,H");
+  command.add_option("--binning", options.binning, "N x N pixels of the calibrated images are one; before --resize")
+      ->type_name("N")
+      ->check(decimal_number());
+  command.add_option("--resize", options.resize, "The images are the calibrated ones, scaled to this size")->type_name("WxH");
   command
       .add_option("--opencv-model", options.opencv_model,
                   "pinhole or fisheye, for OpenCV files whose four coefficients could be either")
@@ -47,6 +54,62 @@ std::string unknown(std::string_view kind, std::string_view typed, const std::ve
   std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'";
   const std::vector<std::string> near = nearest(typed, names);
   return text + (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
+}
+
+/// "64,0,512,512"
+std::optional<ImageRegion> parse_region(const std::string& text) {
+  std::vector<int> numbers;
+  for (const std::string& item : CLI::detail::split(text, ',')) {
+    const std::optional<int> number = text::parse_int(item);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 4) return std::nullopt;
+  return ImageRegion{numbers[0], numbers[1], {numbers[2], numbers[3]}};
+}
+
+/// "crop 512 x 512 px at (64, 0), binning 2, resize to 640 x 480 px"
+std::string in_words(const ImageChange& change) {
+  std::vector<std::string> steps;
+  if (change.crop) {
+    steps.push_back("crop " + size_in_words(change.crop->size) + " px at (" + std::to_string(change.crop->x) + ", " +
+                    std::to_string(change.crop->y) + ")");
+  }
+  if (change.binning != 1) steps.push_back("binning " + std::to_string(change.binning));
+  if (change.resize) steps.push_back("resize to " + size_in_words(*change.resize) + " px");
+  return enumerated(steps, "then");
+}
+
+/// "u' = 0.5 u - 0.25"
+std::string in_words(const PixelMap& map, std::size_t axis) {
+  const std::string name = axis == 0 ? "u" : "v";
+  const double shift = map.shift.at(axis);
+  return name + "' = " + text::format_short(map.scale.at(axis)) + " " + name + (shift < 0.0 ? " - " : " + ") +
+         text::format_short(std::abs(shift));
+}
+
+ImageChange image_change(const ReadingOptions& options) {
+  return {options.crop.empty() ? std::nullopt : parse_region(options.crop), options.binning, parse_size(options.resize)};
+}
+
+/// The cameras of the images that were made from the calibrated ones, as the options say.
+bool change_images(const ReadingOptions& options, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
+  const ImageChange change = image_change(options);
+  if (change.changes_nothing()) return true;
+  for (Camera& camera : rig.cameras) {
+    Diagnostics found;
+    const std::optional<Camera> changed = with_changed_images(camera, change, found);
+    for (Diagnostic diagnostic : found.entries()) {
+      diagnostic.where = {input, 0, 0};
+      diagnostics.add(diagnostic);
+    }
+    if (!changed) return false;
+    const PixelMap map = changed_image(*camera.image_size, change, found)->map;
+    diagnostics.note("images-changed", camera.name + ": " + in_words(change) + ", from " + size_in_words(*camera.image_size) +
+                                           " px: " + in_words(map, 0) + ", " + in_words(map, 1));
+    camera = *changed;
+  }
+  return true;
 }
 
 /// "1,0" or "cam1,cam0" -> indices into the rig; nothing with an error for one that is not there.
@@ -110,6 +173,11 @@ std::optional<std::string> check(const ReadingOptions& options) {
   if (!options.from.empty() && find_format(options.from) == nullptr) return unknown_format(options.from);
   if (!options.size.empty() && !parse_size(options.size))
     return "--size wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.size + "'";
+  if (!options.crop.empty() && !parse_region(options.crop))
+    return "--crop wants X,Y,WIDTH,HEIGHT in whole pixels, such as 64,0,512,512; got '" + options.crop + "'";
+  if (options.binning < 1) return "--binning wants a whole number from 1";
+  if (!options.resize.empty() && !parse_size(options.resize))
+    return "--resize wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.resize + "'";
   if (!options.opencv_model.empty() && options.opencv_model != "pinhole" && options.opencv_model != "fisheye")
     return "--opencv-model is pinhole or fisheye, not '" + options.opencv_model + "'";
   if (options.max_angle_deg && !(*options.max_angle_deg > 0.0 && *options.max_angle_deg <= 180.0)) {
@@ -117,6 +185,8 @@ std::optional<std::string> check(const ReadingOptions& options) {
   }
   return std::nullopt;
 }
+
+bool changes_images(const ReadingOptions& options) { return !image_change(options).changes_nothing(); }
 
 std::optional<double> max_angle_rad(const ReadingOptions& options) {
   if (!options.max_angle_deg) return std::nullopt;
@@ -163,10 +233,12 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
       return std::nullopt;
     }
   }
-  if (!options.cameras) return calibration;
-  const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, *options.cameras, diagnostics);
-  if (!indices) return std::nullopt;
-  keep_only(*indices, calibration->rig);
+  if (options.cameras) {
+    const std::optional<std::vector<std::size_t>> indices = chosen_cameras(calibration->rig, *options.cameras, diagnostics);
+    if (!indices) return std::nullopt;
+    keep_only(*indices, calibration->rig);
+  }
+  if (!change_images(options, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
   return calibration;
 }
 

@@ -25,18 +25,21 @@ struct ReadingOptions {
   std::optional<std::string> cameras;  ///< "1,0" or "cam1"
   std::string size;                    ///< "640x480"
   std::string opencv_model;            ///< "pinhole" or "fisheye"
+  std::string crop;                    ///< "64,0,512,512"
+  int binning = 1;
+  std::string resize;  ///< "640x480"
   std::optional<double> max_angle_deg;
 };
 
-/// --from, --with, --join, --camera, --size, --opencv-model, --max-angle
+/// --from, --with, --join, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle
 void add_reading_options(CLI::App& command, ReadingOptions& options);
 
 /// The inputs as calibrations are read from them: each by itself, or all together under --join.
 [[nodiscard]] std::vector<std::vector<std::string>> grouped(const std::vector<std::string>& inputs,
                                                             const ReadingOptions& options);
 
-/// The calibration of one group of inputs with its further parts, reduced to the chosen cameras. Diagnostics are added, not
-/// shown.
+/// The calibration of one group of inputs with its further parts, reduced to the chosen cameras, for the images that were asked
+/// for. Diagnostics are added, not shown.
 [[nodiscard]] std::optional<Calibration> read_input(std::span<const std::string> paths, const ReadingOptions& options,
                                                     Console& console, Diagnostics& diagnostics);
 [[nodiscard]] std::optional<Calibration> read_input(const std::string& path, const ReadingOptions& options, Console& console,
@@ -47,6 +50,9 @@ void add_reading_options(CLI::App& command, ReadingOptions& options);
 
 /// For options: a plain decimal number ("0x61" and "" are none).
 [[nodiscard]] CLI::Validator decimal_number();
+
+/// Are the images others than those that were calibrated (--crop, --binning, --resize)?
+[[nodiscard]] bool changes_images(const ReadingOptions& options);
 
 [[nodiscard]] std::optional<double> max_angle_rad(const ReadingOptions& options);
 

@@ -2,6 +2,7 @@
 #include "diagnostics_json.h"
 #include "json.h"
 #include "parameters_json.h"
+#include "pose_words.h"
 #include "show_command.h"
 #include "words.h"
 
@@ -56,6 +57,7 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
         json.put("a", edge.a);
         json.put("b", edge.b);
         json.put("T_a_b", std::span<const double>(edge.T_a_b.values));
+        json.put("in_words", pose_in_words(edge, calibration.rig));
       });
     });
     json.put("baseline_m", calibration.rig.baseline_m);

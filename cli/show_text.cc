@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pose_words.h"
 #include "show_command.h"
 #include "words.h"
 
@@ -49,29 +50,44 @@ std::string camera_text(const Camera& camera, std::span<const AsRead> extras, do
   return text;
 }
 
+/// A density of the IMU, and what it is for one sample: white noise grows with the root of the rate, the step of a random walk
+/// shrinks with it.
+std::string noise_line(std::string_view name, const std::optional<double>& density, std::string_view unit,
+                       const std::optional<double>& per_sample, std::string_view sample_unit) {
+  std::string text = "  " + padded(name, 26);
+  if (!density) return text + "not stated\n";
+  text += text::format_short(*density) + " " + std::string(unit);
+  if (per_sample) text += " (" + text::format_short(*per_sample, 3) + " " + std::string(sample_unit) + " per sample)";
+  return text + "\n";
+}
+
 std::string imu_text(const Imu& imu) {
-  const auto line = [](std::string_view name, const std::optional<double>& value, std::string_view unit) {
-    return "  " + padded(name, 26) +
-           (value ? text::format_short(*value) + " " + std::string(unit) : std::string("not stated")) + "\n";
+  const auto white = [&imu](const std::optional<double>& density) {
+    return density && imu.rate_hz ? std::optional(*density * std::sqrt(*imu.rate_hz)) : std::nullopt;
   };
-  return "\n" + imu.name + ": noise as continuous-time densities\n" +
-         line("gyroscope noise", imu.gyroscope_noise_density, "rad/s/sqrt(Hz)") +
-         line("gyroscope random walk", imu.gyroscope_random_walk, "rad/s^2/sqrt(Hz)") +
-         line("accelerometer noise", imu.accelerometer_noise_density, "m/s^2/sqrt(Hz)") +
-         line("accelerometer random walk", imu.accelerometer_random_walk, "m/s^3/sqrt(Hz)") + line("rate", imu.rate_hz, "Hz") +
+  const auto walk = [&imu](const std::optional<double>& density) {
+    return density && imu.rate_hz ? std::optional(*density / std::sqrt(*imu.rate_hz)) : std::nullopt;
+  };
+  const Imu& i = imu;
+  return "\n" + imu.name + ": noise as continuous-time densities (standard deviations, not variances)\n" +
+         noise_line("gyroscope noise", i.gyroscope_noise_density, "rad/s/sqrt(Hz)", white(i.gyroscope_noise_density), "rad/s") +
+         noise_line("gyroscope random walk", i.gyroscope_random_walk, "rad/s^2/sqrt(Hz)", walk(i.gyroscope_random_walk),
+                    "rad/s") +
+         noise_line("accelerometer noise", i.accelerometer_noise_density, "m/s^2/sqrt(Hz)",
+                    white(i.accelerometer_noise_density), "m/s^2") +
+         noise_line("accelerometer random walk", i.accelerometer_random_walk, "m/s^3/sqrt(Hz)",
+                    walk(i.accelerometer_random_walk), "m/s^2") +
+         "  " + padded("rate", 26) + (imu.rate_hz ? text::format_short(*imu.rate_hz) + " Hz" : "not stated") + "\n" +
          (imu.topic.empty() ? "" : "  " + padded("topic", 26) + imu.topic + "\n");
 }
 
-/// "T_cam0_imu0 takes points in imu0 to points in cam0; cam0 sits at (x, y, z) cm in imu0"
-std::string pose_text(const PoseEdge& edge) {
-  std::string text = "  T_" + edge.a + "_" + edge.b + ": takes points in " + edge.b + " to points in " + edge.a;
-  const std::optional<Transform> T_b_a = inverse(edge.T_a_b);
-  if (!T_b_a) return text + "; its 3 x 3 part is singular\n";
-  const auto centimetres = [&](int row) { return fixed(100.0 * (*T_b_a)(row, 3), 2); };
-  text +=
-      ";\n    " + edge.a + " sits at (" + centimetres(0) + ", " + centimetres(1) + ", " + centimetres(2) + ") cm in " + edge.b;
-  const double cosine = std::clamp((edge.T_a_b(0, 0) + edge.T_a_b(1, 1) + edge.T_a_b(2, 2) - 1.0) / 2.0, -1.0, 1.0);
-  text += ", turned by " + fixed(std::acos(cosine) * kDegreesPerRadian, 2) + " deg";
+/// "T_cam0_imu0: imu0 -> cam0, takes points in imu0 to points in cam0" and what that means.
+std::string pose_text(const PoseEdge& edge, const Rig& rig) {
+  std::string text = "  T_" + edge.a + "_" + edge.b + ": " + edge.b + " -> " + edge.a + ", takes points in " + edge.b +
+                     " to points in " + edge.a;
+  const std::string meaning = pose_in_words(edge, rig);
+  if (meaning.empty()) return text + "; its 3 x 3 part is singular\n";
+  text += "\n    " + meaning;
   const double defect = rotation_defect(edge.T_a_b);
   constexpr double kPrintedRotation = 1e-3;
   if (defect > kPrintedRotation || rotation_determinant(edge.T_a_b) < 0.0)
@@ -120,7 +136,7 @@ std::string show_text(const ShownFile& shown) {
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
-  for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge);
+  for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge, calibration.rig);
   text += others_text(calibration.rig);
   return text + readers_text(shown.readers);
 }

@@ -3,6 +3,7 @@
 
 #include "known_formats.h"
 #include "lost_poses.h"
+#include "remedies.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
@@ -158,6 +159,7 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   if (!written) return std::nullopt;
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
+  add_remedies(written->losses);
   return written;
 }
 

@@ -2,6 +2,8 @@
 // An existing camchain says something new: its own statements, only the changed bytes.
 #pragma once
 
+#include "poses.h"
+
 #include "../fields.h"
 
 #include <fca/formats/format.h>

@@ -13,7 +13,7 @@
 namespace fca::opencv {
 
 struct Origin {
-  std::string_view why;     ///< For people: why such values are stale.
+  std::string_view why;  ///< For people: why such values are stale.
   std::string_view remedy;
 };
 

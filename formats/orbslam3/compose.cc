@@ -17,8 +17,9 @@ struct Note {
   bool look_at_it = false;
 };
 
-constexpr Note kFrameRateNote = {"Frames per second: not in the input, upstream's example value. Set your camera's.", true};
-constexpr Note kPoseNote = {"Identity: not in the input, and slam_no_opt does not start without it.", true};
+constexpr Note kFrameRateNote = {"Default. Frames per second: not in the input, upstream's example value. Set your camera's.",
+                                 true};
+constexpr Note kPoseNote = {"Default. Identity: not in the input, and slam_no_opt does not start without it.", true};
 
 /// The note on a field; nothing on a value that an input states, or that is told with its group.
 std::optional<Note> note_on(const Field& field, const Target& target, const Rig& rig) {
@@ -93,7 +94,7 @@ std::string compose(const std::vector<Field>& fields, const Target& target, cons
       if (heading.key != field.key) continue;
       text += "\n# " + std::string(heading.comment) + (upstreams(field, target) ? ", upstream's values" : "") + "\n";
     }
-    if (const std::optional<Note> note = note_on(field, target, rig)) text += "# Default. " + std::string(note->comment) + "\n";
+    if (const std::optional<Note> note = note_on(field, target, rig)) text += "# " + std::string(note->comment) + "\n";
     text += fields::spell(field) + "\n";
     if (field.key == "Camera.type" || field.key == "File.version") text += "\n";
   }

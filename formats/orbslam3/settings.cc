@@ -2,10 +2,12 @@
 #include "settings.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/overlap.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace fca::orbslam3 {
 
@@ -64,6 +66,17 @@ void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& 
   fields.push_back(fields::matrix("CAMERA.T", std::array{T(0, 3), T(1, 3), T(2, 3)}, 3, "d"));
 }
 
+bool has_overlap(const Layout& layout) { return layout.type == "KannalaBrandt8" || layout.type == "DoubleSphere"; }
+
+/// The columns of one camera that another sees, too.
+std::optional<ColumnRange> columns_of(const Rig& rig, const Target& target, std::size_t from, std::size_t to) {
+  const Camera& camera = rig.cameras[from];
+  const Camera& other = rig.cameras[to];
+  const std::optional<Transform> T_other_camera = rig.resolve(other.name, camera.name);
+  if (!T_other_camera) return std::nullopt;
+  return columns_shared(camera, other, *T_other_camera, target.max_angle_rad.value_or(std::numbers::pi));
+}
+
 void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
   const Camera& second = rig.cameras[1];
@@ -79,15 +92,16 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
   // Tlr is read as 3 x 4 (Tracking.cc), T_c1_c2 as 4 x 4.
   fields.push_back(
       fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
-  if ((layout.type != "KannalaBrandt8" && layout.type != "DoubleSphere") || !rig.cameras[0].image_size) return;
-  const double last_column = rig.cameras[0].image_size->width - 1.0;
-  const auto add_column = [&](const TuningKey& key, double otherwise) {
-    fields.push_back(target.tuning.field(key, target.style, otherwise));
+  if (!has_overlap(layout) || !rig.cameras[0].image_size) return;
+  const auto add_columns = [&](std::size_t from, std::size_t to, const TuningKey& begin, const TuningKey& end) {
+    // Where they share nothing no column is left out.
+    const ColumnRange all = {0, rig.cameras[from].image_size->width - 1};
+    const ColumnRange columns = columns_of(rig, target, from, to).value_or(all);
+    fields.push_back(target.tuning.field(begin, target.style, columns.first));
+    fields.push_back(target.tuning.field(end, target.style, columns.last));
   };
-  add_column(tuning_key::kOverlapBegin1, 0.0);
-  add_column(tuning_key::kOverlapEnd1, last_column);
-  add_column(tuning_key::kOverlapBegin2, 0.0);
-  add_column(tuning_key::kOverlapEnd2, last_column);
+  add_columns(0, 1, tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1);
+  add_columns(1, 0, tuning_key::kOverlapBegin2, tuning_key::kOverlapEnd2);
 }
 
 void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -152,6 +166,13 @@ bool is_rectified_pair(const Rig& rig) {
   return model_info(model).id == "radtan" && std::ranges::all_of(lens, [](double value) { return value == 0.0; });
 }
 
+bool shares_no_columns(const Rig& rig, const Target& target) {
+  if (!target.sensor.two_cameras || rig.cameras.size() < 2 || !rig.cameras[0].image_size || !rig.cameras[1].image_size)
+    return false;
+  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
+  return layout != nullptr && has_overlap(*layout) && !columns_of(rig, target, 0, 1);
+}
+
 const Sensor* find_sensor(std::string_view id) {
   const auto* const found = std::ranges::find(kSensors, id, &Sensor::id);
   return found == kSensors.end() ? nullptr : found;
@@ -161,9 +182,10 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   std::vector<std::string> missing;
   const Camera& first = rig.cameras.front();
   const bool second = rig.cameras.size() > 1;
-  if (sensor.two_cameras && !second && !is_rectified_pair(rig)) missing.emplace_back("a second camera");
+  if (sensor.two_cameras && !second && !is_rectified_pair(rig))
+    missing.emplace_back("a second camera (--join CAM0 CAM1, or --baseline METRES for one of a rectified pair)");
   if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name)) {
-    missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name);
+    missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name + " (--with extrinsics.yml)");
   }
   if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras)
     missing.emplace_back("one image size for both cameras");

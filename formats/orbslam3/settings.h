@@ -40,6 +40,7 @@ struct Target {
   double frame_rate_hz = 0.0;
   bool frame_rate_known = false;
   Tuning tuning = {};
+  std::optional<double> max_angle_rad = {};  ///< What counts as lens, from the axis.
   std::string_view imu_pose_key = {};  ///< Under which the base states the first camera's pose, also where no mode asks for it.
 };
 
@@ -49,6 +50,9 @@ struct Target {
 /// All fields of the file, in the order of upstream's examples. Precondition: missing_for() found
 /// nothing, and the style can store the models.
 [[nodiscard]] std::vector<fields::Field> settings_fields(const Rig& rig, const Target& target);
+
+/// Is the target a fisheye pair, between whose cameras ORB-SLAM3 matches only in columns that both see, and there are none?
+[[nodiscard]] bool shares_no_columns(const Rig& rig, const Target& target);
 
 /// What the rig lacks for a sensor mode, in words with the option that would give it; empty: it serves.
 [[nodiscard]] std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style);

@@ -72,6 +72,12 @@ Tuning::Tuning(const text::Document& document) {
   }
 }
 
+void Tuning::forget_overlap() {
+  for (const TuningKey& key :
+       {tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1, tuning_key::kOverlapBegin2, tuning_key::kOverlapEnd2})
+    stated_.erase(key.key);
+}
+
 fields::Field Tuning::field(const TuningKey& key, Style style, std::optional<double> otherwise) const {
   const auto found = stated_.find(key.key);
   const double value = found != stated_.end() ? found->second : otherwise.value_or(key.upstream);

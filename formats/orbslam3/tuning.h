@@ -21,25 +21,26 @@ struct TuningKey {
   bool whole = false;          ///< An int to the parsers; else a real.
   double upstream = 0.0;       ///< Value in upstream's Examples/*/*.yaml; none for optional keys.
   bool optional = false;       ///< Upstream's value is not written where the input states none.
-  std::string_view note = {};  ///< What to tell people beside a value that no input states.
+  std::string_view note = {};  ///< What to tell people, in a comment, beside a value that no input states.
   bool look_at_it = false;     ///< They must check it; the others are tuning.
 };
 
 namespace tuning_key {
 inline constexpr TuningKey kColourOrder{
-    "Camera.RGB", "Camera.RGB", true, 1.0, false, "Colour order (0: BGR, 1: RGB; no matter for grey images): not in the input.",
+    "Camera.RGB", "Camera.RGB", true,
+    1.0,          false,        "Default. Colour order (0: BGR, 1: RGB; no matter for grey images): not in the input.",
     true};
 inline constexpr TuningKey kThDepth{
-    "Stereo.ThDepth", "ThDepth", false, 40.0, false, "Close/far threshold in baselines: tuning, upstream's value."};
+    "Stereo.ThDepth", "ThDepth", false, 40.0, false, "Default. Close/far threshold in baselines: tuning, upstream's value."};
 inline constexpr TuningKey kDepthMapFactor{"RGBD.DepthMapFactor",
                                            "DepthMapFactor",
                                            false,
                                            1000.0,
                                            false,
-                                           "Depth image units per metre: not in the input. Set your sensor's.",
+                                           "Default. Depth image units per metre: not in the input. Set your sensor's.",
                                            true};
 /// Columns of each image that both cameras see.
-inline constexpr std::string_view kOverlapNote = "Column range that both cameras see: not in the input, the whole width.";
+inline constexpr std::string_view kOverlapNote = "Column range that both cameras see, from their poses and fields of view.";
 inline constexpr TuningKey kOverlapBegin1{"Camera1.overlappingBegin", "Camera.lappingBegin", true, 0.0, true, kOverlapNote};
 inline constexpr TuningKey kOverlapEnd1{"Camera1.overlappingEnd", "Camera.lappingEnd", true, 0.0, true, kOverlapNote};
 inline constexpr TuningKey kOverlapBegin2{"Camera2.overlappingBegin", "Camera2.lappingBegin", true, 0.0, true, kOverlapNote};
@@ -58,6 +59,8 @@ class Tuning {
 
   /// Does the input state it?
   [[nodiscard]] bool states(const TuningKey& key) const { return stated_.contains(key.key); }
+  /// What the input states of the columns that both cameras see: true of its images alone.
+  void forget_overlap();
   /// The key as that style spells it, with the input's value, else with `otherwise`, else with upstream's.
   [[nodiscard]] fields::Field field(const TuningKey& key, Style style, std::optional<double> otherwise = {}) const;
 

@@ -64,6 +64,7 @@ std::optional<Base> read_base(const text::Document* document) {
                 rate.value_or(kUpstreamFrameRate),
                 rate.has_value(),
                 Tuning(*document),
+                {},
                 imu_pose_key(*document)};
   return Base{*document, *std::move(rig), std::move(target)};
 }
@@ -271,6 +272,13 @@ std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteO
   return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
 }
 
+/// Are the columns of the base's images those of the rig's: the same camera first, of the same size?
+bool same_images(const Rig& base, const Rig& rig) {
+  const Camera& before = base.cameras.front();
+  const Camera& now = rig.cameras.front();
+  return before.name == now.name && before.image_size == now.image_size;
+}
+
 bool check_rates(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   constexpr double kLargestRate = 1e6;
   constexpr double kRoundsToOne = 0.5;
@@ -305,7 +313,9 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   const std::optional<double> rate = options.frame_rate_hz ? options.frame_rate_hz : rig.cameras.front().frame_rate_hz;
   target.frame_rate_known = rate.has_value();
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
+  target.max_angle_rad = options.max_angle_rad;
   if (base != nullptr) target.tuning = base->target.tuning;
+  if (base != nullptr && !same_images(base->rig, rig)) target.tuning.forget_overlap();
   if (base != nullptr && !options.anew && base->target.style == target.style) {
     // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
@@ -365,6 +375,12 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   const Base* edited = base && !options.anew && base->target.style == target->style ? &*base : nullptr;
   if (!check_cameras(rig, *target, edited, diagnostics) || !check_pair(rig, *target, diagnostics)) return std::nullopt;
 
+  if (shares_no_columns(rig, *target)) {
+    diagnostics.warning("nothing-shared",
+                        rig.cameras[0].name + " and " + rig.cameras[1].name +
+                            " see nothing in common, and ORB-SLAM3 matches a fisheye pair only where both see",
+                        {}, "is their pose right (show says it in words)? --sensor mono takes one camera");
+  }
   const Audience& audience = audience_of(target->style, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;

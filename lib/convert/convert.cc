@@ -26,13 +26,14 @@ using internal::FitTask;
 
 void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
   const auto degrees = std::to_string(std::lround(cone_rad / kRadiansPerDegree));
-  diagnostics.warning("target-cannot-reach",
-                      task.camera.name + ": " + std::string(task.target.id) +
-                          " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
-                          " deg from the axis, is scored there, and gives wrong pixels or none beyond",
-                      {},
-                      "models that reach further: " + std::string(task.target.id == "kb4" ? "" : "kb4, ") +
-                          "ocamcalib, woodscape; fca-io models FILE compares all");
+  diagnostics.warning(
+      "target-cannot-reach",
+      task.camera.name + ": " + std::string(task.target.id) +
+          " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
+          " deg from the axis, is scored there, and gives wrong pixels or none beyond",
+      {},
+      (internal::sees_ahead_only(task.target.id) ? "eucm, ds, kb4, ocamcalib and woodscape have no limit at 90 deg; " : "") +
+          std::string("fca-io models FILE compares how far each model reaches"));
 }
 
 /// Everything the report says of a model that counts up to that angle, from what the lattice says of it.

@@ -211,6 +211,9 @@ TEST(Convert, ChosenCamerasComeInTheirOrderWithTheirPoses) {
     EXPECT_NEAR(rig.resolve("cam1", "cam0").value().values[i], start.resolve("cam0", "cam1").value().values[i], 1e-12);
     EXPECT_NEAR(rig.resolve("cam0", "imu0").value().values[i], start.resolve("cam1", "imu0").value().values[i], 1e-12);
   }
+  // Kalibr takes baselines from T_cn_cnm1 alone, though T_cam_imu implies them.
+  EXPECT_NE(rig.stated("cam1", "cam0"), nullptr) << swapped.out;
+  EXPECT_FALSE(contains(swapped.err, "no baseline")) << swapped.err;
   const RunResult one = run_program({"convert", kTumvi, "--camera", "cam1", "--to", "orbslam3", "--with", kImu});
   ASSERT_EQ(one.code, 0) << one.err;
   const Rig mono = rig_in(one.out);

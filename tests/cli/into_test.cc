@@ -70,6 +70,25 @@ double largest_difference(const Transform& a, const Transform& b) {
   return worst;
 }
 
+// Thresholds are tuned for images of one size.
+TEST(Into, ABaseForOtherImagesIsWarnedOf) {
+  const TemporaryFolder folder;
+  const std::string base = testdata("formats/orbslam3/good/v1-pinhole.yaml");
+  const ImageSize size = rig_in(read_file(base)).cameras.at(0).image_size.value();
+  const std::string resize = std::to_string(size.width) + "x" + std::to_string(size.height);
+  const std::vector<std::string> words = {"convert", folder.write("ds.yaml", kBareDs), "--into", base, "--max-angle", "60"};
+  const RunResult other = run_program(words);
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_TRUE(contains(other.err, "[size-replaced]")) << other.err;
+  EXPECT_TRUE(contains(other.err, "--resize " + resize)) << other.err;
+  std::vector<std::string> proposed = words;
+  proposed.insert(proposed.end(), {"--resize", resize});
+  const RunResult resized = run_program(proposed);
+  EXPECT_EQ(resized.code, 0) << resized.err;
+  EXPECT_FALSE(contains(resized.err, "size-replaced")) << resized.err;
+  EXPECT_EQ(rig_in(resized.out).cameras.at(0).image_size, size);
+}
+
 TEST(Into, OnlyTheCamerasNumbersChange) {
   const TemporaryFolder folder;
   const RunResult run = run_program({"convert", folder.write("ds.yaml", kBareDs), "--into", kSettings, "--max-angle", "97.5"});

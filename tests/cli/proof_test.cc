@@ -55,13 +55,14 @@ TEST(Proof, HowTheInputIsMeantIsNoReadingOfTheOutput) {
   const std::string input = folder.write("four.json", four);
   for (const char* meant : {"pinhole", "fisheye"}) {
     for (const char* model : {"kb4", "radtan", "pinhole"}) {
-      const RunResult run = run_program(
-          {"convert", input, "--to", "opencv", "--opencv-model", meant, "--model", model, "-o", folder / "out.json", "--force"});
+      const RunResult run = run_program({"convert", input, "--to", "opencv", "--opencv-model", meant, "--model", model, "-o",
+                                         folder / "out.json", "--force"});
       EXPECT_EQ(run.code, 0) << meant << " " << model << ": " << run.err;
       EXPECT_FALSE(contains(run.err, "proof-failed")) << run.err;
     }
     // Unchanged, it does not say what it is.
-    const RunResult run = run_program({"convert", input, "--to", "opencv", "--opencv-model", meant, "-o", folder / "o.json", "--force"});
+    const RunResult run =
+        run_program({"convert", input, "--to", "opencv", "--opencv-model", meant, "-o", folder / "o.json", "--force"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(read_file(folder / "o.json"), four);
     EXPECT_TRUE(contains(run.err, std::string("--opencv-model ") + meant)) << run.err;

@@ -282,7 +282,7 @@ TEST(OrbSlam3Write, TheFrameRateIsTheInputsElseADefaultToLookAt) {
 TEST(OrbSlam3Write, DefaultsAreMarkedInTheFile) {
   const std::string bytes = bytes_of(write(sample_rig("kb4", {true, true})));
   const std::vector<std::string> lines = split(bytes, '\n');
-  for (const char* key : {"Camera.fps:", "Camera.RGB:", "Stereo.ThDepth:", "Camera1.overlappingBegin:"}) {
+  for (const char* key : {"Camera.fps:", "Camera.RGB:", "Stereo.ThDepth:"}) {
     const auto line = std::ranges::find_if(lines, [key](const std::string& l) { return l.starts_with(key); });
     ASSERT_NE(line, lines.end()) << key;
     ASSERT_NE(line, lines.begin());
@@ -293,6 +293,22 @@ TEST(OrbSlam3Write, DefaultsAreMarkedInTheFile) {
     const std::size_t comment = bytes.rfind('#', at);
     EXPECT_NE(bytes.substr(comment, at - comment).find("upstream"), std::string::npos) << key;
   }
+}
+
+// Back to back, and lenses of 60 degrees from the axis.
+TEST(OrbSlam3Write, CamerasThatSeeNothingInCommonAreWarnedOf) {
+  Rig rig = sample_rig("kb4", {true, false});
+  const auto warned = [&rig](double max_angle_rad) {
+    WriteOptions options;
+    options.max_angle_rad = max_angle_rad;
+    Diagnostics diagnostics;
+    EXPECT_TRUE(write_calibration(*find_format("orbslam3"), nullptr, rig, options, diagnostics));
+    return std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) { return entry.code == "nothing-shared"; });
+  };
+  EXPECT_FALSE(warned(1.0));
+  rig.poses.front().T_a_b = {{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1}};
+  EXPECT_TRUE(warned(1.0));
+  EXPECT_FALSE(warned(1.9)) << "with wider lenses they share a ring";
 }
 
 struct Dialect {

@@ -68,11 +68,12 @@ struct Shape {
   bool topics = false;
   bool time_offsets = false;
   bool frame_rate = false;
+  int fewest_cameras = 1;
 };
 
 Rig random_rig(const Shape& shape) {
   Rig rig;
-  const int count = *rc::gen::inRange(1, shape.most_cameras + 1);
+  const int count = *rc::gen::inRange(shape.fewest_cameras, shape.most_cameras + 1);
   std::string model = *rc::gen::elementOf(shape.models);
   for (int i = 0; i < count; ++i) {
     if (!shape.one_model) model = *rc::gen::elementOf(shape.models);
@@ -157,6 +158,62 @@ RC_GTEST_PROP(RandomRigs, ThroughOrbSlam3, ()) {
     rig.poses.push_back({"imu0", "cam0", random_pose()});
   }
   reads_back_bit_equal(shape, rig);
+}
+
+/// The rig as a format says it; its losses are added.
+Rig through(const Rig& rig, const char* id, std::vector<Loss>& losses) {
+  const Format& format = *find_format(id);
+  Diagnostics diagnostics;
+  const std::optional<Written> written = write_calibration(format, nullptr, rig, {}, diagnostics);
+  RC_ASSERT(written.has_value());
+  losses.insert(losses.end(), written->losses.begin(), written->losses.end());
+  std::string said;
+  const std::optional<Calibration> back = read_back(*written, format, said);
+  RC_LOG(said);
+  RC_ASSERT(back.has_value());
+  return back->rig;
+}
+
+bool loses(const std::vector<Loss>& losses, const std::string& code) {
+  return std::ranges::any_of(losses, [&code](const Loss& loss) { return loss.code == code; });
+}
+
+void same_poses(const Rig& a, const Rig& b, double tolerance) {
+  for (const PoseEdge& edge : a.poses) {
+    const std::optional<Transform> T = b.resolve(edge.a, edge.b);
+    RC_ASSERT(T.has_value());
+    RC_ASSERT(largest_difference(*T, edge.T_a_b) <= tolerance);
+  }
+}
+
+// Two cameras and an IMU come home from settings; time offsets do not, and that is said.
+RC_GTEST_PROP(RandomRigs, KalibrToOrbSlam3AndBack, ()) {
+  const Shape shape = {"kalibr", {"radtan", "kb4"}, 2, true, true, true, false, 2};
+  Rig rig = random_rig(shape);
+  add_random_imu(rig, true);
+  chain(rig);
+  std::vector<Loss> losses;
+  const Rig back = through(through(rig, "orbslam3", losses), "kalibr", losses);
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) RC_ASSERT(back.cameras[i].model == rig.cameras[i].model);
+  Imu imu = rig.imus.front();
+  imu.topic = back.imus.at(0).topic;
+  RC_ASSERT(back.imus.front() == imu);
+  same_poses(rig, back, 1e-6);
+  RC_ASSERT(loses(losses, "time-offset-dropped"));
+  RC_ASSERT(loses(losses, "topic-dropped"));
+}
+
+// A chain has no IMU in OpenCV's files, and all else.
+RC_GTEST_PROP(RandomRigs, KalibrToOpenCvAndBack, ()) {
+  const Shape shape = {"kalibr", {"radtan", "kb4"}, 4, true, false, false, false};
+  Rig rig = random_rig(shape);
+  chain(rig);
+  std::vector<Loss> losses;
+  const Rig back = through(through(rig, "opencv", losses), "kalibr", losses);
+  RC_ASSERT(back.cameras.size() == rig.cameras.size());
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) RC_ASSERT(back.cameras[i].model == rig.cameras[i].model);
+  same_poses(rig, back, 1e-12);
+  RC_ASSERT(losses.empty());
 }
 
 }  // namespace

@@ -106,10 +106,9 @@ struct KnownLens {
 
 std::vector<KnownLens> known_lenses() {
   using namespace test;
-  std::vector<KnownLens> lenses = {{kalibr_ds(), {}},     {kalibr_eucm(), {}},        {kalibr_kb4(), {}},
-                                   {kalibr_radtan(), {}}, {rational_lens(), {}},      {tumvi(), 97.5},
-                                   {t265_like(), 83.0},   {ocamcalib_sample(), 95.0}, {woodscape_front(), 95.0},
-                                   {lens_220(), 110.0}};
+  std::vector<KnownLens> lenses = {
+      {kalibr_ds(), {}}, {kalibr_eucm(), {}}, {kalibr_kb4(), {}},         {kalibr_radtan(), {}},     {rational_lens(), {}},
+      {tumvi(), 97.5},   {t265_like(), 83.0}, {ocamcalib_sample(), 95.0}, {woodscape_front(), 95.0}, {lens_220(), 110.0}};
   // The models that none of these has, and some that they have: EuRoC's lens.
   for (const ModelInfo& info : all_models()) {
     ConvertOptions options;

@@ -54,6 +54,7 @@ struct WriteOptions {
   std::string sensor;  ///< orbslam3: "mono", "stereo", ...; empty: the richest the rig serves.
   std::string layout;  ///< One of Format::layouts; empty: the base file's, else the stock program's.
   std::optional<double> frame_rate_hz;
+  std::optional<double> max_angle_rad;  ///< What counts as lens, from the axis; nothing: as far as the model goes.
   std::string
       extension;      ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
   bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.

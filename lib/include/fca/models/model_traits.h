@@ -81,7 +81,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              its shape, are given. kShapes: values to begin a search with, ascending.
 ///   kFolded                    (optional) the index of a parameter along which a fit has two bottoms with nearly the same
 ///                              pixels.
-///   kStartsFindCentre          (optional) true: initialise finds focal lengths and principal point, too, and takes the given ones
+///   kStartsFindCentre          (optional) true: initialise finds focal lengths and principal point, too, and takes the given
+///   ones
 ///                              as a unit and an origin only.
 ///   kAheadOnly                 (optional) true: whatever the parameters, no ray at 90 degrees from the axis or beyond has a
 ///                              pixel. Nobody then tries to fit it to such rays.

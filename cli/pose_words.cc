@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pose_words.h"
+
+#include "words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace fca::cli {
+
+namespace {
+
+/// What the ends of an axis are called.
+struct AxisNames {
+  std::string_view negative;
+  std::string_view positive;
+};
+
+constexpr std::array kOfAnyFrame = {AxisNames{"towards -x", "towards +x"}, AxisNames{"towards -y", "towards +y"},
+                                    AxisNames{"towards -z", "towards +z"}};
+/// x right, y down, z forward.
+constexpr std::array kOfACamera = {AxisNames{"to the left", "to the right"}, AxisNames{"above", "below"},
+                                   AxisNames{"behind", "ahead"}};
+constexpr std::array kViewInAnyFrame = {AxisNames{"looks along -x", "looks along +x"},
+                                        AxisNames{"looks along -y", "looks along +y"},
+                                        AxisNames{"looks along -z", "looks along +z"}};
+constexpr std::array kViewInACamera = {AxisNames{"looks to its left", "looks to its right"},
+                                       AxisNames{"looks up", "looks down"}, AxisNames{"looks backwards", "looks the same way"}};
+
+/// Half of the last digit that is printed.
+constexpr double kNoticeableCm = 0.005;
+constexpr double kNoticeableDeg = 0.005;
+
+std::string position_in_words(const Placement& placement) {
+  const auto& names = placement.frame_is_camera ? kOfACamera : kOfAnyFrame;
+  std::vector<std::string> parts;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double centimetres = 100.0 * placement.T_frame_thing(axis, 3);
+    if (std::abs(centimetres) < kNoticeableCm) continue;
+    const AxisNames& name = names.at(static_cast<std::size_t>(axis));
+    parts.push_back(fixed(std::abs(centimetres), 2) + " cm " + std::string(centimetres < 0.0 ? name.negative : name.positive));
+  }
+  if (parts.empty()) return "sits where " + placement.frame + " is";
+  return "sits " + enumerated(parts, "and") + " of " + placement.frame;
+}
+
+/// The optical axis is the thing's z.
+std::string view_in_words(const Placement& placement) {
+  std::array<double, 3> view{};
+  for (int row = 0; row < 3; ++row) view.at(static_cast<std::size_t>(row)) = placement.T_frame_thing(row, 2);
+  const auto along = static_cast<std::size_t>(
+      std::ranges::max_element(view, {}, [](double component) { return std::abs(component); }) - view.begin());
+  const AxisNames& name = (placement.frame_is_camera ? kViewInACamera : kViewInAnyFrame).at(along);
+  const double main = std::abs(view.at(along));
+  const double across = std::sqrt(std::max(0.0, std::inner_product(view.begin(), view.end(), view.begin(), 0.0) - main * main));
+  const double off = std::atan2(across, main) * kDegreesPerRadian;
+  const std::string words(view.at(along) < 0.0 ? name.negative : name.positive);
+  return off < kNoticeableDeg ? words : words + " (" + fixed(off, 2) + " deg off)";
+}
+
+}  // namespace
+
+std::string placement_in_words(const Placement& placement) {
+  const std::string text = placement.thing + " " + position_in_words(placement);
+  return placement.thing_is_camera ? text + "; it " + view_in_words(placement) : text;
+}
+
+std::string pose_in_words(const PoseEdge& edge, const Rig& rig) {
+  const bool a_sees = rig.find_camera(edge.a) != nullptr;
+  const bool b_sees = rig.find_camera(edge.b) != nullptr;
+  if (b_sees && !a_sees) return placement_in_words({edge.b, edge.a, true, false, edge.T_a_b});
+  const std::optional<Transform> T_b_a = inverse(edge.T_a_b);
+  return T_b_a ? placement_in_words({edge.a, edge.b, a_sees, b_sees, *T_b_a}) : "";
+}
+
+}  // namespace fca::cli

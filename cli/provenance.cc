@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "provenance.h"
+
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/top_comment.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <sys/types.h>
+
+#include <sha2.h>
+
+namespace fca::cli {
+
+namespace {
+
+std::string sha256(const std::string& bytes) {
+  std::array<std::uint8_t, SHA256_DIGEST_LENGTH> digest{};
+  SHA2_CTX context;
+  SHA256Init(&context);
+  SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  SHA256Final(digest.data(), &context);
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const unsigned byte : digest) {
+    text += kDigits[byte >> 4u];
+    text += kDigits[byte & 15u];
+  }
+  return text;
+}
+
+/// "cam0: ds -> kb4, rms 0.000232 px, max 0.00129 px up to 97.5 deg from the axis"
+std::string camera_line(const CameraOutcome& camera) {
+  const std::string from(model_info(camera.source.model).id);
+  const std::string to(model_info(camera.target.model).id);
+  std::string text = camera.source.name + ": ";
+  if (camera.source.model == camera.target.model) return text + to + ", the input's parameters";
+  if (!camera.report) return text + from + " -> " + to;
+  const Judgement& j = camera.report->judgement;
+  return text + from + " -> " + to + (camera.report->exact ? ", exact" : "") + ", rms " + pixels(j.error.rms) + " px, max " +
+         pixels(j.error.max) + " px up to " + text::format_short(j.coverage.max_angle_deg, 4) + " deg from the axis";
+}
+
+/// As a shell would take it.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kSafe = "_-./=,:+@%{}";
+  const bool plain = !word.empty() && std::ranges::all_of(word, [kSafe](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           kSafe.find(c) != std::string_view::npos;
+  });
+  if (plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// The command without what says only where the file goes and how it is told: the same conversion gives the same file.
+std::string command(const std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 5> kOfNoMatter = {"--json", "--force", "--fsync", "--dry-run", "--provenance"};
+  std::string text = "fca-io";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "-o" || word == "--output") {
+      ++i;
+    } else if (!(word.starts_with("-o") || word.starts_with("--output=")) &&
+               std::ranges::find(kOfNoMatter, word) == kOfNoMatter.end()) {
+      text += " " + quoted(word);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> lines_for(const Written::File& file, const ConvertArguments& arguments, const Calibration& calibration,
+                                   const ConvertOutcome& outcome) {
+  std::vector<std::string> lines = {"Written by fca-io " FCA_VERSION " from"};
+  for (const text::Document& document : calibration.documents) {
+    const text::Source& source = document.source();
+    const std::string name = source.name == "-" ? "standard input" : std::filesystem::path(source.name).filename().string();
+    lines.push_back("  " + name + ", SHA-256 " + sha256(source.bytes));
+  }
+  lines.push_back("by " + command(arguments.words));
+  for (const CameraOutcome& camera : outcome.cameras) {
+    if (std::ranges::find(file.cameras, camera.source.name) != file.cameras.end()) lines.push_back(camera_line(camera));
+  }
+  return lines;
+}
+
+bool is_input(const text::Document& document, const Calibration& calibration) {
+  return std::ranges::any_of(calibration.documents, [&document](const text::Document& input) {
+    return input.source().bytes == document.source().bytes;
+  });
+}
+
+}  // namespace
+
+void add_provenance(const ConvertArguments& arguments, const Calibration& calibration, ConvertOutcome& outcome) {
+  if (arguments.no_provenance) return;
+  for (Written::File& file : outcome.written.files) {
+    const bool edited = !arguments.into.empty() || is_input(file.document, calibration);
+    if (edited && !arguments.provenance) continue;
+    text::add_top_comment(file.document, lines_for(file, arguments, calibration, outcome));
+  }
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "settings.h"
+
+#include "words.h"
+
+#include <fca/formats/set_value.h>
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+bool apply(const KeyValue& setting, const Format& format, const ReadOptions& options, Written& written,
+           Diagnostics& diagnostics) {
+  const auto has_key = [&setting](const Written::File& file) { return has_value(file.document, setting.key); };
+  const bool nowhere = std::ranges::none_of(written.files, has_key);
+  for (Written::File& file : written.files) {
+    if (!nowhere && !has_key(file)) continue;
+    std::optional<text::Document> document = set_value(format, file.document, setting, options, diagnostics);
+    if (!document) return false;
+    file.document = *std::move(document);
+  }
+  std::erase_if(written.defaults, [&setting](const DefaultedValue& value) { return value.key == setting.key; });
+  return true;
+}
+
+}  // namespace
+
+bool apply_settings(const ConvertArguments& arguments, const Format& format, Written& written, Diagnostics& diagnostics) {
+  const ReadOptions options = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
+  return std::ranges::all_of(arguments.settings, [&](const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    return apply({setting.substr(0, equals), setting.substr(equals + 1)}, format, options, written, diagnostics);
+  });
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stereo_order.h"
+
+#include "words.h"
+
+#include <cmath>
+
+namespace fca::cli {
+
+namespace {
+
+/// The command as it was given, but with these cameras.
+std::string command_with_cameras(const std::vector<std::string>& words, const std::string& cameras) {
+  std::string command = "fca-io";
+  bool skip = false;
+  for (const std::string& word : words) {
+    if (!skip && word != "--camera" && !word.starts_with("--camera=")) command += " " + word;
+    skip = word == "--camera";
+  }
+  return command + " --camera " + cameras;
+}
+
+/// The two cameras the other way round, as --camera named them ("cam0,cam1").
+std::string swapped(const std::optional<std::string>& cameras) {
+  if (!cameras) return "1,0";
+  const std::size_t comma = cameras->find(',');
+  return cameras->substr(comma + 1) + "," + cameras->substr(0, comma);
+}
+
+}  // namespace
+
+void warn_of_wrong_side(const Rig& rig, const ConvertArguments& arguments, const Written& written, Diagnostics& diagnostics) {
+  if (!written.sensor.starts_with("stereo") || rig.cameras.size() < 2) return;
+  const std::optional<Transform> T_c1_c2 = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
+  if (!T_c1_c2) return;
+  const double right = (*T_c1_c2)(0, 3);
+  // Cameras one above the other have no left one.
+  if (right >= 0.0 || std::abs(right) < std::abs((*T_c1_c2)(1, 3))) return;
+  diagnostics.warning("stereo-order",
+                      rig.cameras[1].name + " sits " + fixed(-100.0 * right, 2) + " cm to the left of " + rig.cameras[0].name +
+                          "; ORB-SLAM3 takes the first camera of a stereo pair for the left one",
+                      {}, command_with_cameras(arguments.words, swapped(arguments.reading.cameras)));
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Single values of a written file that no calibration states: a program's tuning, a topic, a frame rate.
+#pragma once
+
+#include <fca/formats/format.h>
+
+#include <optional>
+#include <string>
+
+namespace fca {
+
+/// A key, with '/' between the levels of nested ones ("cam0/rostopic"), and what it is to say.
+struct KeyValue {
+  std::string key;
+  std::string value;
+};
+
+/// Is there such a scalar in the document?
+[[nodiscard]] bool has_value(const text::Document& document, const std::string& key);
+
+/// The document of that format with the scalar of a key saying something else, in the spelling of what stands there: quotes
+/// stay, a real stays a real ("30" becomes "30.0"), and our comment that the value is a default goes. Nothing with an error
+/// where there is no such key, where a word would replace a number or a number of another type an int, and where the rig that
+/// the file states would be another: calibrations are not corrected here.
+[[nodiscard]] std::optional<text::Document> set_value(const Format& format, const text::Document& document,
+                                                      const KeyValue& setting, const ReadOptions& options,
+                                                      Diagnostics& diagnostics);
+
+/// The names a key may have in a document, for messages.
+[[nodiscard]] std::vector<std::string> scalar_keys(const text::Document& document);
+
+}  // namespace fca

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/formats/text/document.h>
+
+#include <span>
+#include <string>
+
+namespace fca::text {
+
+/// Adds comment lines at the top of a document, behind its directives, its declaration and what comments stand there already.
+/// False, and nothing is done, where the syntax has none (JSON, lines of words).
+bool add_top_comment(Document& document, std::span<const std::string> lines);
+
+}  // namespace fca::text

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/rig/image_change.h>
+
+#include <concepts>
+#include <string>
+#include <type_traits>
+
+namespace fca {
+
+namespace {
+
+template <class M>
+using Values = std::array<double, kParameterCount<M>>;
+
+/// Models whose pixels are (fx m_x + cx, fy m_y + cy), whatever m is.
+template <std::derived_from<internal::FocalLengthsFirst> M>
+Values<M> mapped(std::type_identity<M> /*model*/, Values<M> p, const PixelMap& map) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    p[axis] *= map.scale[axis];
+    p[2 + axis] = map.scale[axis] * p[2 + axis] + map.shift[axis];
+  }
+  return p;
+}
+
+/// rho grows with u, so that f(rho) / rho, the angle, stays: a'_k = a_k s^(1 - k), s along u. v takes the rest: c and d.
+Values<Ocamcalib> mapped(std::type_identity<Ocamcalib> /*model*/, const Values<Ocamcalib>& before, const PixelMap& map) {
+  Intrinsics<Ocamcalib> intrinsics{before};
+  CameraModel model = intrinsics;
+  const auto scale_parameter = [&model](std::string_view name, double factor) {
+    set_parameter(model, name, factor * *parameter(model, name));
+  };
+  const auto [scale_u, scale_v] = map.scale;
+  const Pixel centre = map(principal_point(model));
+  set_parameter(model, "cx", centre[0]);
+  set_parameter(model, "cy", centre[1]);
+  scale_parameter("c", scale_v / scale_u);
+  scale_parameter("d", scale_v / scale_u);
+  double factor = scale_u;
+  for (const std::string_view name : {"a0", "a1", "a2", "a3", "a4", "a5", "a6", "a7", "a8"}) {
+    scale_parameter(name, factor);
+    factor /= scale_u;
+  }
+  return std::get<Intrinsics<Ocamcalib>>(model).values;
+}
+
+/// rho is in pixels of u; the ratio of v to u has a parameter of its own.
+Values<Woodscape> mapped(std::type_identity<Woodscape> /*model*/, const Values<Woodscape>& before, const PixelMap& map) {
+  CameraModel model = Intrinsics<Woodscape>{before};
+  const Pixel centre = map(principal_point(model));
+  for (const std::string_view name : {"k1", "k2", "k3", "k4"})
+    set_parameter(model, name, map.scale[0] * *parameter(model, name));
+  set_parameter(model, "aspect_ratio", map.scale[1] / map.scale[0] * *parameter(model, "aspect_ratio"));
+  set_parameter(model, "cx", centre[0]);
+  set_parameter(model, "cy", centre[1]);
+  return std::get<Intrinsics<Woodscape>>(model).values;
+}
+
+std::string in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
+/// Whole images scaled from one size to another: edges stay edges.
+void scale_to(const std::array<double, 2>& scale, PixelMap& map) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    map.scale[axis] *= scale[axis];
+    map.shift[axis] = (map.shift[axis] + 0.5) * scale[axis] - 0.5;
+  }
+}
+
+/// Compared so that x + width cannot overflow.
+bool holds(const ImageSize& image, const ImageRegion& region) {
+  return region.x >= 0 && region.y >= 0 && region.size.width > 0 && region.size.height > 0 &&
+         region.size.width <= image.width - region.x && region.size.height <= image.height - region.y;
+}
+
+}  // namespace
+
+CameraModel with_pixels(const CameraModel& model, const PixelMap& map) {
+  return std::visit(
+      [&map]<class M>(const Intrinsics<M>& intrinsics) -> CameraModel {
+        return Intrinsics<M>{mapped(std::type_identity<M>(), intrinsics.values, map)};
+      },
+      model);
+}
+
+std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChange& change, Diagnostics& diagnostics) {
+  ChangedImage result{{}, size};
+  if (change.crop) {
+    if (!holds(size, *change.crop)) {
+      diagnostics.error("crop-outside", "the image of " + in_words(size) + " px does not hold a region of " +
+                                            in_words(change.crop->size) + " px at (" + std::to_string(change.crop->x) + ", " +
+                                            std::to_string(change.crop->y) + ")");
+      return std::nullopt;
+    }
+    result.map.shift = {-static_cast<double>(change.crop->x), -static_cast<double>(change.crop->y)};
+    result.size = change.crop->size;
+  }
+  if (change.binning != 1) {
+    if (change.binning < 1 || change.binning > result.size.width || change.binning > result.size.height) {
+      diagnostics.error("binning-impossible", "an image of " + in_words(result.size) + " px has no bins of " +
+                                                  in_words({change.binning, change.binning}) + " px");
+      return std::nullopt;
+    }
+    result.size = {result.size.width / change.binning, result.size.height / change.binning};
+    scale_to({1.0 / change.binning, 1.0 / change.binning}, result.map);
+  }
+  if (change.resize) {
+    if (change.resize->width < 1 || change.resize->height < 1) {
+      diagnostics.error("resize-impossible", "there is no image of " + in_words(*change.resize) + " px");
+      return std::nullopt;
+    }
+    scale_to({static_cast<double>(change.resize->width) / result.size.width,
+              static_cast<double>(change.resize->height) / result.size.height},
+             result.map);
+    result.size = *change.resize;
+  }
+  return result;
+}
+
+std::optional<Camera> with_changed_images(const Camera& camera, const ImageChange& change, Diagnostics& diagnostics) {
+  if (change.changes_nothing()) return camera;
+  if (!camera.image_size) {
+    diagnostics.error("image-size-missing", camera.name + ": nothing states the size of the images that were calibrated", {},
+                      "give it: --size WIDTHxHEIGHT");
+    return std::nullopt;
+  }
+  const std::optional<ChangedImage> changed = changed_image(*camera.image_size, change, diagnostics);
+  if (!changed) return std::nullopt;
+  Camera result = camera;
+  result.model = with_pixels(camera.model, changed->map);
+  result.image_size = changed->size;
+  return result;
+}
+
+}  // namespace fca

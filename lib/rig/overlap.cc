@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/rig/overlap.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace fca {
+
+namespace {
+
+double angle_of(const Ray& ray) { return std::atan2(std::hypot(ray[0], ray[1]), ray[2]); }
+
+Ray turned(const Transform& T, const Ray& ray) {
+  Ray result{};
+  for (int row = 0; row < 3; ++row)
+    result[static_cast<std::size_t>(row)] = T(row, 0) * ray[0] + T(row, 1) * ray[1] + T(row, 2) * ray[2];
+  return result;
+}
+
+/// Pixels are areas: an image ends half a pixel beyond its last centres.
+bool inside(const ImageSize& size, const Pixel& pixel) {
+  return pixel[0] >= -0.5 && pixel[1] >= -0.5 && pixel[0] <= size.width - 0.5 && pixel[1] <= size.height - 0.5;
+}
+
+}  // namespace
+
+std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& other, const Transform& T_other_camera,
+                                          double max_angle_rad) {
+  if (!camera.image_size || !other.image_size) return std::nullopt;
+  constexpr int kSteps = 32;
+  const auto at_step = [](int size, int step) { return static_cast<int>(static_cast<long long>(size - 1) * step / kSteps); };
+  const auto shares_pixel = [&](int column, int row) {
+    const std::optional<Ray> ray = unproject(camera.model, {static_cast<double>(column), static_cast<double>(row)});
+    if (!ray || angle_of(*ray) > max_angle_rad) return false;
+    const Ray there = turned(T_other_camera, *ray);
+    if (angle_of(there) > max_angle_rad) return false;
+    const std::optional<Pixel> pixel = project(other.model, there);
+    return pixel && inside(*other.image_size, *pixel);
+  };
+  const auto shares = [&](int column) {
+    for (int step = 0; step <= kSteps; ++step) {
+      if (shares_pixel(column, at_step(camera.image_size->height, step))) return true;
+    }
+    return false;
+  };
+  const auto column_at = [&](int step) { return at_step(camera.image_size->width, step); };
+  // The border between a column that shares something and one that does not.
+  const auto border = [&](int shared, int not_shared) {
+    while (std::abs(shared - not_shared) > 1) {
+      const int middle = (shared + not_shared) / 2;
+      (shares(middle) ? shared : not_shared) = middle;
+    }
+    return shared;
+  };
+  int first = 0;
+  while (first <= kSteps && !shares(column_at(first))) ++first;
+  if (first > kSteps) return std::nullopt;
+  int last = kSteps;
+  while (!shares(column_at(last))) --last;
+  return ColumnRange{first == 0 ? 0 : border(column_at(first), column_at(first - 1)),
+                     last == kSteps ? column_at(kSteps) : border(column_at(last), column_at(last + 1))};
+}
+
+}  // namespace fca

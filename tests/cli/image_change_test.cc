@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --crop, --binning and --resize: whatever the format, the file written has the calibrated camera's pixels, mapped.
+#include "cli/run_program.h"
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+#include <fca/rig/image_change.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+
+Rig rig_in(const std::string& bytes) {
+  Diagnostics diagnostics;
+  std::optional<text::Document> document = text::parse_document({"output", bytes}, diagnostics);
+  std::optional<Calibration> calibration;
+  if (document) calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
+  EXPECT_TRUE(calibration) << bytes;
+  return calibration ? calibration->rig : Rig();
+}
+
+/// Both cameras' pixels of rays over the lens, the first's mapped.
+void expect_mapped(const Camera& before, const PixelMap& map, const Camera& after) {
+  constexpr double kTolerancePx = 1e-9;
+  int compared = 0;
+  for (double u = 1.0; u < before.image_size->width; u += before.image_size->width / 9.0) {
+    for (double v = 1.0; v < before.image_size->height; v += before.image_size->height / 9.0) {
+      const std::optional<Ray> ray = unproject(before.model, {u, v});
+      if (!ray) continue;
+      const std::optional<Pixel> pixel = project(after.model, *ray);
+      ASSERT_TRUE(pixel);
+      const Pixel expected = map({u, v});
+      EXPECT_NEAR((*pixel)[0], expected[0], kTolerancePx);
+      EXPECT_NEAR((*pixel)[1], expected[1], kTolerancePx);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 20);
+}
+
+// An anisotropic one: each format says two focal lengths in its own way.
+TEST(ImageChange, EveryFormatSaysTheNewCameras) {
+  const ImageChange change = {.crop = ImageRegion{16, 8, {400, 380}}, .binning = 2, .resize = ImageSize{300, 200}};
+  for (const char* file :
+       {"kalibr/good/tumvi.yaml", "kalibr/good/ds.yaml", "kalibr/good/omni.yaml", "opencv/good/calibration.yml",
+        "opencv/good/fisheye.json", "opencv/good/omnidir.xml", "ocamcalib/good/toolbox.txt", "tumvi/good/equidistant.txt",
+        "tumvi/good/fov-relative.txt", "orbslam3/good/v1-stereo-inertial.yaml", "orbslam3/good/slam-no-opt-eucm.yaml",
+        "woodscape/good/front.json"}) {
+    SCOPED_TRACE(file);
+    const std::string path = testdata(std::string("formats/") + file);
+    const std::string format = std::string(file).substr(0, std::string(file).find('/'));
+    const Rig before = rig_in(read_file(path));
+    const std::string model(model_info(before.cameras.front().model).id);  // a fork's, too, only where it is asked for
+    const RunResult run = run_program({"convert", path, "--to", format, "--model", model, "--crop", "16,8,400,380", "--binning",
+                                       "2", "--resize", "300x200", "--max-angle", "60"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(contains(run.err, "images-changed")) << run.err;
+    const Rig after = rig_in(run.out);
+    ASSERT_EQ(before.cameras.size(), after.cameras.size());
+    for (std::size_t i = 0; i < before.cameras.size(); ++i) {
+      EXPECT_EQ(after.cameras[i].image_size, change.resize);
+      Diagnostics diagnostics;
+      const std::optional<ChangedImage> changed = changed_image(*before.cameras[i].image_size, change, diagnostics);
+      ASSERT_TRUE(changed);
+      expect_mapped(before.cameras[i], changed->map, after.cameras[i]);
+    }
+    EXPECT_EQ(before.poses, after.poses);
+  }
+}
+
+// What TUM VI's authors publish for 1024 and for 512 pixels (rpng/open_vins issue 152 names both calibrations).
+TEST(ImageChange, TumVi1024BecomesTumVi512) {
+  const TemporaryFolder folder;
+  std::string chain = read_file(kTumvi);
+  for (const auto& [small, large] : {std::pair("[512, 512]", "[1024, 1024]"), std::pair("[512, 512]", "[1024, 1024]"),
+                                     std::pair("254.93170605935475, 256.8974428996504", "510.3634, 514.2949"),
+                                     std::pair("252.59949716835982, 254.91723064636983", "505.6990, 510.3345")})
+    chain = with_replaced(chain, small, large);
+  const RunResult run = run_program({"convert", folder.write("1024.yaml", chain), "--to", "kalibr", "--resize", "512x512"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Rig published = rig_in(read_file(kTumvi));
+  const Rig resized = rig_in(run.out);
+  for (std::size_t i = 0; i < published.cameras.size(); ++i) {
+    EXPECT_EQ(resized.cameras[i].image_size, published.cameras[i].image_size);
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      EXPECT_NEAR(principal_point(resized.cameras[i].model)[axis], principal_point(published.cameras[i].model)[axis], 1e-3);
+  }
+}
+
+TEST(ImageChange, ProjectAnswersForTheNewImages) {
+  const RunOptions ray{"0.3 -0.2 1\n"};
+  const RunResult whole = run_program({"project", kTumvi, "--camera", "cam0"}, ray);
+  const RunResult binned = run_program({"project", kTumvi, "--camera", "cam0", "--binning", "2"}, ray);
+  std::istringstream before(whole.out);
+  std::istringstream after(binned.out);
+  double u[2] = {};
+  double v[2] = {};
+  before >> u[0] >> v[0];
+  after >> u[1] >> v[1];
+  EXPECT_NEAR(u[1], (u[0] + 0.5) / 2 - 0.5, 1e-9) << binned.out << binned.err;
+  EXPECT_NEAR(v[1], (v[0] + 0.5) / 2 - 0.5, 1e-9);
+}
+
+// P1, P2 and Q of cv::stereoRectify stay in an edited file; that they are of other images is said.
+TEST(ImageChange, WhatAnEditCannotKnowIsWarnedOf) {
+  const std::string stereo = testdata("formats/opencv/good/stereo-14.yml");
+  const RunResult run = run_program({"convert", stereo, "--size", "640x480", "--to", "opencv", "--binning", "2"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "stale-facts")) << run.err;
+  EXPECT_FALSE(contains(run_program({"convert", stereo, "--size", "640x480", "--to", "opencv"}).err, "stale-facts"));
+  const RunResult anew = run_program({"convert", stereo, "--size", "640x480", "--to", "opencv", "--binning", "2", "--anew"});
+  EXPECT_FALSE(contains(anew.err, "stale-facts")) << anew.err;
+}
+
+TEST(ImageChange, WhatMakesNoImageIsRefused) {
+  const auto code = [](const std::string& option, const std::string& value) {
+    const RunResult run = run_program({"show", kTumvi, option, value});
+    EXPECT_NE(run.err, "");
+    return run.code;
+  };
+  for (const char* region : {"1,2,3", "1,2,3,4,5", "a,b,c,d", "1;2;3;4"}) EXPECT_EQ(code("--crop", region), 3) << region;
+  for (const char* bins : {"0", "-1", "1.5", "two"}) EXPECT_EQ(code("--binning", bins), 3) << bins;
+  for (const char* size : {"640", "0x480", "640x"}) EXPECT_EQ(code("--resize", size), 3) << size;
+  EXPECT_EQ(code("--crop", "500,0,100,100"), 2);
+  EXPECT_EQ(code("--binning", "513"), 2);
+  const RunResult sizeless = run_program({"show", testdata("formats/opencv/good/stereo-14.yml"), "--binning", "2"});
+  EXPECT_EQ(sizeless.code, 2);
+  EXPECT_TRUE(contains(sizeless.err, "--size")) << sizeless.err;
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The comment that says where a written file comes from.
+#include "cli/run_program.h"
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/text/read_document.h>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
+
+// An input, and what sha256sum prints of it.
+constexpr const char* kBytes =
+    "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  distortion_model: equidistant\n"
+    "  intrinsics: [200.0, 200.0, 255.5, 255.5]\n  resolution: [512, 512]\n";
+constexpr const char* kHash = "7ab9e383e59f3713dffa21cde3450379a7f5cdb574e086e046f4730e0ec78163";
+
+TEST(Provenance, SaysTheInputTheCommandAndTheError) {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("chain.yaml", kBytes);
+  const RunResult run = run_program({"convert", input, "--to", "orbslam3", "--max-angle", "60"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "chain.yaml, SHA-256 " + std::string(kHash))) << run.out;
+  EXPECT_TRUE(contains(run.out, "# by fca-io convert " + input + " --to orbslam3 --max-angle 60\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "# cam0: kb4, the input's parameters\n")) << run.out;
+  const RunResult fitted = run_program({"convert", kDs, "--to", "orbslam3", "--max-angle", "50"});
+  EXPECT_TRUE(contains(fitted.out, "# cam0: ds -> kb4, rms ")) << fitted.out;
+  EXPECT_TRUE(contains(fitted.out, "up to 50 deg from the axis")) << fitted.out;
+}
+
+TEST(Provenance, IsTheSameInEveryRunAndCanBeLeftOut) {
+  const std::vector<std::string> words = {"convert", kTumvi, "--to", "opencv"};
+  const std::string with = run_program(words).out;
+  EXPECT_TRUE(contains(with, "SHA-256"));
+  EXPECT_EQ(run_program(words).out, with);
+  std::vector<std::string> without = words;
+  without.emplace_back("--no-provenance");
+  EXPECT_FALSE(contains(run_program(without).out, "fca-io")) << run_program(without).out;
+}
+
+TEST(Provenance, EditsHaveItOnlyWhenAsked) {
+  const std::vector<std::string> words = {"convert", kTumvi, "--to", "kalibr", "--camera", "0"};
+  EXPECT_FALSE(contains(run_program(words).out, "SHA-256"));
+  const RunResult set = run_program({"convert", kTumvi, "--to", "kalibr", "--set", "cam1/rostopic=/right"});
+  EXPECT_FALSE(contains(set.out, "SHA-256")) << set.out;
+  std::vector<std::string> asked = words;
+  asked.emplace_back("--provenance");
+  EXPECT_TRUE(contains(run_program(asked).out, "SHA-256"));
+}
+
+// cv::FileStorage's XML and YAML, and formats without comments.
+TEST(Provenance, EverySyntaxIsReadAsWithoutIt) {
+  const TemporaryFolder folder;
+  struct Syntax {
+    const char* format;
+    const char* file;
+    bool comments;
+  };
+  for (const Syntax& syntax :
+       {Syntax{"opencv", "c.xml", true}, Syntax{"opencv", "c.yml", true}, Syntax{"opencv", "c.json", false},
+        Syntax{"kalibr", "c.yaml", true}, Syntax{"orbslam3", "s.yaml", true}, Syntax{"ocamcalib", "o.txt", false},
+        Syntax{"woodscape", "w.json", false}, Syntax{"tumvi", "t.yaml", true}}) {
+    const auto written = [&](const char* option) {
+      const std::string path = folder / syntax.file;
+      const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--to", syntax.format, "--anew", "--max-angle",
+                                         "60", "-o", path, "--force", option});
+      EXPECT_EQ(run.code, 0) << syntax.format << run.err;  // proven by the program that reads it
+      return read_file(path);
+    };
+    const std::string with = written("--provenance");
+    EXPECT_EQ(contains(with, "SHA-256"), syntax.comments) << with;
+    const std::string without = written("--no-provenance");
+    Diagnostics diagnostics;
+    const auto rig = [&](const std::string& bytes) {
+      std::optional<text::Document> document = text::parse_document({syntax.file, bytes}, diagnostics);
+      return document ? read_calibration({*document}, find_format(syntax.format), {}, diagnostics) : std::nullopt;
+    };
+    ASSERT_TRUE(rig(with) && rig(without)) << with;
+    EXPECT_EQ(rig(with)->rig, rig(without)->rig) << with;
+  }
+}
+
+// A file's name cannot end the comment.
+TEST(Provenance, NamesCannotBreakOut) {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("a\nFile.version: '2.0' -->", kBytes);
+  const RunResult run = run_program({"convert", input, "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_FALSE(contains(run.out, "\nFile.version: '2.0'")) << run.out;
+  const RunResult xml = run_program({"convert", input, "--to", "opencv", "-o", folder / "c.xml"});
+  EXPECT_EQ(xml.code, 0) << xml.err;
+}
+
+}  // namespace
+}  // namespace fca::test

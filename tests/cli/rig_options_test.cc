@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the options do to a rig: --camera and the side of a stereo pair, --set, overlapping columns.
+#include "cli/run_program.h"
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
+
+Rig rig_in(const std::string& bytes) {
+  Diagnostics diagnostics;
+  std::optional<text::Document> document = text::parse_document({"output", bytes}, diagnostics);
+  std::optional<Calibration> calibration;
+  if (document) calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
+  EXPECT_TRUE(calibration) << bytes;
+  return calibration ? calibration->rig : Rig();
+}
+
+/// The value of a top-level key, as spelled; "" if there is none.
+std::string value_of(const std::string& bytes, const std::string& key) {
+  const std::size_t at = bytes.find("\n" + key + ": ");
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + key.size() + 3;
+  return bytes.substr(begin, bytes.find('\n', begin) - begin);
+}
+
+void expect_close(const Transform& a, const Transform& b) {
+  for (std::size_t i = 0; i < a.values.size(); ++i) EXPECT_NEAR(a.values[i], b.values[i], 1e-6);
+}
+
+// TUM VI: p_c1 = T p_c2 is the inverse of Kalibr's T_cn_cnm1, p_imu = T p_c1 that of T_cam_imu (FORMATS.md, last section;
+// ORB-SLAM3's Examples/Stereo-Inertial/TUM-VI.yaml prints the same numbers).
+TEST(RigOptions, TumViPosesAreTheInverses) {
+  const Rig kalibr = rig_in(read_file(kTumvi));
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
+  const Rig settings = rig_in(run.out);
+  ASSERT_NE(settings.stated("cam0", "cam1"), nullptr) << run.err;
+  ASSERT_NE(settings.stated("imu0", "cam0"), nullptr) << run.err;
+  expect_close(*settings.stated("cam0", "cam1"), inverse(*kalibr.stated("cam1", "cam0")).value());
+  expect_close(*settings.stated("imu0", "cam0"), inverse(*kalibr.stated("cam0", "imu0")).value());
+}
+
+TEST(RigOptions, EveryPoseIsThatOfTheNewFirstCamera) {
+  const Rig kalibr = rig_in(read_file(kTumvi));
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--camera", "1,0", "--to", "orbslam3"});
+  const Rig settings = rig_in(run.out);
+  ASSERT_NE(settings.stated("cam0", "cam1"), nullptr) << run.err;
+  ASSERT_NE(settings.stated("imu0", "cam0"), nullptr) << run.err;
+  expect_close(*settings.stated("cam0", "cam1"), *kalibr.stated("cam1", "cam0"));
+  expect_close(*settings.stated("imu0", "cam0"), inverse(*kalibr.stated("cam1", "imu0")).value());
+}
+
+// The same in the file's own text.
+TEST(RigOptions, SettingsInAnotherOrder) {
+  const Rig before = rig_in(read_file(kSettings));
+  const RunResult run = run_program({"convert", kSettings, "--camera", "1,0", "--to", "orbslam3"});
+  const Rig after = rig_in(run.out);
+  ASSERT_EQ(after.cameras.size(), 2U) << run.err;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) EXPECT_EQ(after.cameras[i].model, before.cameras[1 - i].model);
+  expect_close(after.resolve("cam0", "cam1").value(), before.resolve("cam1", "cam0").value());
+  expect_close(after.resolve("imu0", "cam0").value(), before.resolve("imu0", "cam1").value());
+}
+
+TEST(RigOptions, ASecondCameraOnTheLeftIsWarnedOfWithTheCommand) {
+  const RunResult right = run_program({"convert", kTumvi, "--to", "orbslam3"});
+  EXPECT_FALSE(contains(right.err, "stereo-order")) << right.err;
+  const RunResult left = run_program({"convert", kTumvi, "--camera", "1,0", "--to", "orbslam3"});
+  EXPECT_TRUE(contains(left.err, "[stereo-order]")) << left.err;
+  EXPECT_TRUE(contains(left.err, "convert " + kTumvi + " --to orbslam3 --camera 0,1")) << left.err;
+  // The command that is proposed has nothing to propose.
+  EXPECT_FALSE(contains(run_program({"convert", kTumvi, "--camera", "0,1", "--to", "orbslam3"}).err, "stereo-order"));
+  const RunResult mono = run_program({"convert", kTumvi, "--camera", "1,0", "--to", "orbslam3", "--sensor", "mono"});
+  EXPECT_FALSE(contains(mono.err, "stereo-order")) << mono.err;
+}
+
+TEST(RigOptions, SetWritesAValueInItsType) {
+  const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--set", "Viewer.PointSize=3",
+                                     "--set", "ORBextractor.nFeatures=1500", "--set", "Camera.RGB=0"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(value_of(run.out, "Viewer.PointSize"), "3.0");
+  EXPECT_EQ(value_of(run.out, "ORBextractor.nFeatures"), "1500");
+  EXPECT_EQ(value_of(run.out, "Camera.RGB"), "0");
+  // What was set is no default any more.
+  EXPECT_FALSE(contains(run.err, "Camera.RGB")) << run.err;
+  EXPECT_FALSE(contains(run.out, "Colour order")) << run.out;
+  const RunResult nested = run_program({"convert", kTumvi, "--to", "kalibr", "--set", "cam1/rostopic=/right"});
+  EXPECT_EQ(rig_in(nested.out).cameras.at(1).topic, "/right") << nested.err;
+}
+
+TEST(RigOptions, SetDoesNotChangeTheCalibration) {
+  const auto refusal = [](const std::string& setting) {
+    const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--set", setting});
+    EXPECT_NE(run.code, 0) << setting;
+    EXPECT_EQ(run.out, "") << setting;
+    return run.err;
+  };
+  for (const char* fact : {"Camera1.fx=200.0", "Camera.width=1024", "IMU.NoiseGyro=0.1", "IMU.Frequency=100.0"})
+    EXPECT_TRUE(contains(refusal(fact), "set-contradicts")) << fact;
+  EXPECT_TRUE(contains(refusal("Viewer.PointSise=3"), "did you mean Viewer.PointSize"));
+  EXPECT_TRUE(contains(refusal("ORBextractor.nFeatures=10.5"), "a whole number"));
+  EXPECT_TRUE(contains(refusal("Viewer.PointSize=big"), "a number"));
+  EXPECT_TRUE(contains(refusal("Camera.RGB"), "KEY=VALUE"));
+}
+
+// Columns are of the images that they were counted in.
+TEST(RigOptions, OverlappingColumnsFollowTheImages) {
+  const auto columns = [](const std::string& bytes) {
+    return std::vector{value_of(bytes, "Camera1.overlappingBegin"), value_of(bytes, "Camera1.overlappingEnd"),
+                       value_of(bytes, "Camera2.overlappingBegin"), value_of(bytes, "Camera2.overlappingEnd")};
+  };
+  const std::string settings =
+      with_replaced(read_file(kSettings), "Camera1.overlappingBegin: 0", "Camera1.overlappingBegin: 7");
+  const TemporaryFolder folder;
+  const std::string path = folder.write("settings.yaml", settings);
+  EXPECT_EQ(columns(run_program({"convert", path, "--to", "orbslam3"}).out), columns(settings));
+  const RunResult half = run_program({"convert", path, "--to", "orbslam3", "--binning", "2"});
+  EXPECT_EQ(columns(half.out), (std::vector<std::string>{"0", "255", "0", "255"})) << half.err;
+  // Swapped cameras have each other's columns.
+  const RunResult swapped = run_program({"convert", path, "--to", "orbslam3", "--camera", "1,0"});
+  EXPECT_EQ(columns(swapped.out), (std::vector<std::string>{"0", "511", "0", "511"})) << swapped.err;
+  // A cone of 40 degrees around axes that lie 2.7 degrees apart: both see its middle.
+  const RunResult narrow = run_program({"convert", kTumvi, "--to", "orbslam3", "--max-angle", "40"});
+  const int begin = std::stoi(columns(narrow.out).at(0));
+  const int end = std::stoi(columns(narrow.out).at(1));
+  EXPECT_NEAR(begin, 254.9 - 191.0 * 0.698, 12) << narrow.out;
+  EXPECT_NEAR(end, 254.9 + 191.0 * 0.698, 12) << narrow.out;
+}
+
+TEST(RigOptions, WhatAModeLacksIsSaidWithTheOptionThatGivesIt) {
+  const auto error = [](std::vector<std::string> words) {
+    words.insert(words.begin(), "convert");
+    words.insert(words.end(), {"--to", "orbslam3"});
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 2) << run.err;
+    EXPECT_EQ(run.out, "");
+    return run.err;
+  };
+  EXPECT_TRUE(contains(error({kTumvi, "--sensor", "stereo-inertial"}), "--with imu.yaml"));
+  EXPECT_TRUE(contains(error({kTumvi, "--camera", "0", "--sensor", "rgbd"}), "--baseline"));
+  EXPECT_TRUE(contains(error({kTumvi, "--camera", "0", "--sensor", "stereo"}), "--join"));
+}
+
+/// The keys at the beginning of lines, ORBextractor's and Viewer's left out: every mode has them.
+std::vector<std::string> keys_in(const std::string& bytes) {
+  std::vector<std::string> keys;
+  std::istringstream stream(bytes);
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos || line[0] == ' ' || line[0] == '#' || line[0] == '%') continue;
+    const std::string key = line.substr(0, colon);
+    if (!key.starts_with("ORBextractor.") && !key.starts_with("Viewer.")) keys.push_back(key);
+  }
+  std::ranges::sort(keys);
+  return keys;
+}
+
+// Settings.cc of V1.0: what its constructor reads for each sensor.
+TEST(RigOptions, EveryModeHasExactlyTheKeysItNeeds) {
+  using Keys = std::vector<std::string>;
+  const Keys common = {"File.version", "Camera.type", "Camera.width", "Camera.height", "Camera.fps",
+                       "Camera.RGB",   "Camera1.fx",  "Camera1.fy",   "Camera1.cx",    "Camera1.cy",
+                       "Camera1.k1",   "Camera1.k2",  "Camera1.k3",   "Camera1.k4"};
+  const Keys stereo = {"Camera2.fx",
+                       "Camera2.fy",
+                       "Camera2.cx",
+                       "Camera2.cy",
+                       "Camera2.k1",
+                       "Camera2.k2",
+                       "Camera2.k3",
+                       "Camera2.k4",
+                       "Stereo.T_c1_c2",
+                       "Stereo.ThDepth",
+                       "Camera1.overlappingBegin",
+                       "Camera1.overlappingEnd",
+                       "Camera2.overlappingBegin",
+                       "Camera2.overlappingEnd"};
+  const Keys imu = {"IMU.T_b_c1", "IMU.NoiseGyro", "IMU.NoiseAcc", "IMU.GyroWalk", "IMU.AccWalk", "IMU.Frequency"};
+  const Keys depth = {"Stereo.b", "Stereo.ThDepth", "RGBD.DepthMapFactor"};
+  struct Mode {
+    const char* name;
+    std::vector<const Keys*> groups;
+    std::vector<std::string> options;
+  };
+  for (const Mode& mode : {Mode{"mono", {&common}, {}}, Mode{"stereo", {&common, &stereo}, {}},
+                           Mode{"rgbd", {&common, &depth}, {"--camera", "0", "--baseline", "0.05"}},
+                           Mode{"mono-inertial", {&common, &imu}, {}}, Mode{"stereo-inertial", {&common, &stereo, &imu}, {}}}) {
+    std::vector<std::string> words = {"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--sensor", mode.name};
+    words.insert(words.end(), mode.options.begin(), mode.options.end());
+    const RunResult run = run_program(words);
+    ASSERT_EQ(run.code, 0) << mode.name << run.err;
+    Keys expected;
+    for (const Keys* group : mode.groups) expected.insert(expected.end(), group->begin(), group->end());
+    std::ranges::sort(expected);
+    EXPECT_EQ(keys_in(run.out), expected) << mode.name;
+  }
+}
+
+}  // namespace
+}  // namespace fca::test
