@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mends.h"
 #include "subject.h"
 #include "topics.h"
-
-#include "../known_formats.h"
 
 #include <fca/convert/domain.h>
 #include <fca/formats/text/numbers.h>
@@ -24,6 +23,12 @@ void Findings::add(Finding finding) {
   report_.findings.push_back(std::move(finding));
 }
 
+bool Findings::has(std::string_view code, const SourceRange& where) const {
+  return std::ranges::any_of(report_.findings, [&](const Finding& finding) {
+    return finding.code == code && finding.where.offset == where.offset && finding.where.file == where.file;
+  });
+}
+
 namespace {
 
 struct Topic {
@@ -36,8 +41,8 @@ constexpr std::array kTopics = {
     Topic{"whether the lens model covers the image", &check_lens},
     Topic{"whether the numbers look like another model's", &check_family},
     Topic{"rotations", &check_rotations},
-    Topic{"distances", &check_distances},
     Topic{"poses that are stated twice", &check_redundant_poses},
+    Topic{"distances", &check_distances},  // not those that the poses before have named
     Topic{"IMU noise", &check_imu},
     Topic{"time offsets", &check_time},
     Topic{"OCamCalib's two polynomials", &check_ocamcalib},
@@ -85,6 +90,15 @@ std::string view_as(const text::Document& document, const CheckOptions& options,
   if (!left || !right) return "as " + reading + ": the image's border has no ray";
   const double degrees = (angle_from_axis(*left) + angle_from_axis(*right)) * 180.0 / std::numbers::pi;
   return "as " + reading + ": " + text::format_short(degrees, 4) + " deg across the image";
+}
+
+/// A parameter out of its range is often its neighbour in the list.
+void suggest_exchanges(const text::Document& document, const Format& format, const CheckOptions& options, CheckReport& report) {
+  for (Finding& finding : report.findings) {
+    if (finding.code != "not-a-camera" || !finding.fix.empty()) continue;
+    const text::Node* other = exchanged_with(document, format, options.reading, finding.where.offset);
+    if (other != nullptr) finding.fix = "exchange it with " + other->value + " beside it";
+  }
 }
 
 /// Nothing in the file says which of OpenCV's two lenses four numbers are: both readings, by what they would see.
@@ -147,7 +161,7 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   }
   if (!detected) {
     checks::take_over(diagnostics, findings);
-    report.is_calibration = checks::has_code(diagnostics, "ambiguous-format") || !looks_like(*document).empty();
+    report.is_calibration = checks::has_code(diagnostics, "ambiguous-format");
     return report;
   }
   report.format = detected->format;
@@ -168,6 +182,7 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   } else {
     findings.undecided("everything beyond the file's syntax", "the file could not be read as a calibration");
     checks::show_both_readings(*document, options, report);
+    checks::suggest_exchanges(*document, *detected->format, options, report);
   }
   checks::sort_by_place(report.findings);
   return report;

@@ -3,6 +3,7 @@
 
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +77,41 @@ std::optional<Mend> header_mend(const text::Document& document) {
   return Mend{"opencv-header", line, marked ? "%YAML 1.2" : "%YAML 1.2" + std::string(source.line_break()) + "---"};
 }
 
+/// The list whose item begins there, and which.
+struct Item {
+  const Node* list = nullptr;
+  std::size_t index = 0;
+};
+
+std::optional<Item> item_at(const Node& node, std::size_t offset) {
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    if (node.items[i].is_scalar() && node.items[i].span.offset == offset) return Item{&node, i};
+    if (std::optional<Item> found = item_at(node.items[i], offset)) return found;
+  }
+  for (const text::Entry& entry : node.entries) {
+    if (std::optional<Item> found = item_at(entry.value, offset)) return found;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+const Node* exchanged_with(const text::Document& document, const Format& format, const ReadOptions& options, std::size_t offset) {
+  const std::optional<Item> item = item_at(document.root(), offset);
+  if (!item) return nullptr;
+  const std::vector<Node>& items = item->list->items;
+  for (const std::size_t other : {item->index + 1, item->index - 1}) {
+    if (other >= items.size()) continue;  // 0 - 1 is large
+    text::Document exchanged = document;
+    exchanged.replace(items[item->index].span, std::string(document.source().text(items[other].span)));
+    exchanged.replace(items[other].span, std::string(document.source().text(items[item->index].span)));
+    Diagnostics diagnostics;
+    const std::optional<text::Document> reparsed = text::parse_document({document.source().name, exchanged.bytes()}, diagnostics);
+    if (!reparsed || diagnostics.has_errors()) continue;
+    if (format.read(std::span(&*reparsed, 1), options, diagnostics) && !diagnostics.has_errors()) return &items[other];
+  }
+  return nullptr;
+}
 
 const Node* named_in(const text::Document& document, std::string_view sentence) {
   std::string_view name = sentence.substr(0, sentence.find(' '));

@@ -6,6 +6,7 @@
 #include <fca/formats/calibration.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,8 +17,9 @@ class Places {
   /// Both must outlive it.
   Places(const text::Document& document, const Calibration& calibration) : document_(&document), calibration_(&calibration) {}
 
-  /// The number that says what `change` changes; the file without a place where that cannot be told.
-  [[nodiscard]] SourceRange of(const std::function<void(Rig&)>& change) const;
+  /// The number that says what `change` changes. Where the writer cannot tell, the first number that reads `value`; else the
+  /// file without a place.
+  [[nodiscard]] SourceRange of(const std::function<void(Rig&)>& change, std::optional<double> value) const;
 
   [[nodiscard]] SourceRange parameter(const Camera& camera, std::string_view name) const;
   [[nodiscard]] SourceRange image_width(const Camera& camera) const;

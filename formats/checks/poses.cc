@@ -21,7 +21,7 @@ std::string in_degrees(double radians) { return text::format_short(radians * kDe
 
 std::string in_metres(double metres) {
   constexpr double kShort = 0.1;
-  return metres < kShort ? text::format_short(metres * 1000.0, 3) + " mm" : text::format_short(metres, 3) + " m";
+  return std::abs(metres) < kShort ? text::format_short(metres * 1000.0, 3) + " mm" : text::format_short(metres, 3) + " m";
 }
 
 std::string rows_of(const Transform& T) {
@@ -34,6 +34,14 @@ std::string rows_of(const Transform& T) {
   return text;
 }
 
+// Printed with three digits an element is off by 5e-4, and R^T R by 1e-3; with two by 2e-2.
+constexpr double kPrintedWithThreeDigits = 2e-3;
+constexpr double kPrintedWithTwoDigits = 2e-2;
+
+bool is_rotation(const PoseEdge& edge) {
+  return rotation_determinant(edge.T_a_b) > 0.0 && rotation_defect(edge.T_a_b) <= kPrintedWithThreeDigits;
+}
+
 void check_rotation(const Subject& subject, std::size_t index, Findings& findings) {
   const PoseEdge& edge = subject.rig().poses[index];
   if (rotation_determinant(edge.T_a_b) < 0.0) {
@@ -41,19 +49,17 @@ void check_rotation(const Subject& subject, std::size_t index, Findings& finding
                   {}, "the sign of one row or column is wrong, or two of them are exchanged", subject.places.pose(index, 0, 0)});
     return;
   }
-  // Printed with three digits an element is off by 5e-4, and R^T R by 1e-3; with two by 2e-2.
-  constexpr double kPrintedWithThreeDigits = 2e-3;
-  constexpr double kPrintedWithTwoDigits = 2e-2;
+  if (is_rotation(edge)) return;
   const double defect = rotation_defect(edge.T_a_b);
-  if (!(defect > kPrintedWithThreeDigits)) return;
   const std::optional<Transform> nearest = nearest_rotation(edge.T_a_b);
   if (!nearest) return;
+  const ElementDifference worst = largest_difference(edge.T_a_b, *nearest);
   findings.add({defect > kPrintedWithTwoDigits ? Severity::kError : Severity::kWarning, "not-a-rotation",
                 name_of(edge) + ": its 3 x 3 part is not a rotation: R^T R is " + text::format_short(defect, 3) +
                     " from the identity, and the nearest rotation differs by up to " +
-                    text::format_short(rotation_distance(edge.T_a_b, *nearest), 2) + " in an element",
+                    text::format_short(worst.distance, 2) + " in an element",
                 {}, "copy it from the calibration's result; the nearest rotation is " + rows_of(*nearest),
-                subject.places.pose(index, 0, 0)});
+                subject.places.pose(index, worst.row, worst.column)});
 }
 
 /// A slip of the pen that turns one statement of a pose into another.
@@ -79,7 +85,7 @@ std::optional<Transform> scaled(const Transform& T, double factor) {
 }
 
 constexpr std::array kSlips = {
-    Slip{"pose-inverted", "holds the other direction (its inverse agrees with the other poses)", "invert it",
+    Slip{"pose-inverted", "holds the other direction (its inverse agrees with the other poses)", "invert it: R^T and -R^T t",
          [](const Transform& T) { return inverse(T); }},
     Slip{"pose-transposed", "holds the transposed rotation", "write the rotation's columns as rows", &transposed},
     Slip{"translation-in-mm", "has its translation in millimetres", "divide the translation by 1000",
@@ -127,15 +133,18 @@ bool name_slip(const Subject& subject, const Contradiction& contradiction, Findi
   return false;
 }
 
-constexpr double kLargeRig = 5.0;  // m: cars are longer, but their cameras and IMUs sit closer together
-
-/// For formats that state metres.
-bool too_far(const Subject& subject, double metres) {
-  return metres > kLargeRig && !subject.calibration.format->any_length_unit;
+/// For formats that state metres: cars are longer than 5 m, but their cameras and IMUs sit closer together; a vehicle's frame may
+/// be at its other end.
+bool too_far(const Subject& subject, double metres, std::string_view from = {}) {
+  constexpr double kLargeRig = 5.0;
+  constexpr double kLongVehicle = 20.0;
+  const bool vehicle = !from.empty() && from == subject.calibration.format->frame;
+  return metres > (vehicle ? kLongVehicle : kLargeRig) && !subject.calibration.format->any_length_unit;
 }
 
 void say_distance(double metres, const std::string& what, const SourceRange& where, Findings& findings) {
   constexpr double kLargestRig = 50.0;
+  if (findings.has("translation-in-mm", where)) return;
   findings.add({metres > kLargestRig ? Severity::kError : Severity::kWarning, "translation-in-mm",
                 what + " is " + text::format_short(metres, 4) + " m long; probably millimetres stand there",
                 {}, "divide the translation by 1000 if they are millimetres", where});
@@ -164,6 +173,7 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
 /// A camera in a vehicle's frame stands above the ground and not farther from it than a truck is high.
 void check_vehicle_direction(const Subject& subject, Findings& findings) {
   const auto plausible = [](double height) { return height > 0.1 && height < 4.5; };
+  if (!subject.is("woodscape")) return;  // elsewhere the frame is a board or another camera
   for (std::size_t i = 0; i < subject.rig().poses.size(); ++i) {
     const PoseEdge& edge = subject.rig().poses[i];
     if (edge.a != subject.calibration.format->frame) continue;
@@ -189,7 +199,7 @@ bool check_distances(const Subject& subject, Findings& findings) {
   const Rig& rig = subject.rig();
   for (std::size_t i = 0; i < rig.poses.size(); ++i) {
     const Transform& T = rig.poses[i].T_a_b;
-    if (!too_far(subject, distance_of(T))) continue;
+    if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;
     int largest = 0;
     for (int row = 1; row < 3; ++row) {
       if (std::abs(T(row, 3)) > std::abs(T(largest, 3))) largest = row;
@@ -204,9 +214,13 @@ bool check_distances(const Subject& subject, Findings& findings) {
 }
 
 bool check_redundant_poses(const Subject& subject, Findings& findings) {
+  const auto& poses = subject.rig().poses;
+  if (!std::ranges::all_of(poses, is_rotation)) {
+    findings.undecided("whether the poses agree", "one of them is not a rotation");
+    return false;
+  }
   bool any_redundant = false;
   const std::vector<Contradiction> contradictions = contradictions_of(subject.rig(), any_redundant);
-  const auto& poses = subject.rig().poses;
   if (!any_redundant && !poses.empty()) {
     findings.undecided("direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
                        "each is stated once, and a pose and its inverse are equally long");

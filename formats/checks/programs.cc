@@ -104,7 +104,8 @@ class ProgramsCheck {
   void say_refusal(const Consumer& program, const std::string& mode, const std::string& refusal, Severity severity) {
     const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
     Finding finding{severity, "program-refuses", refusal, {}, {}, place_of(refusal)};
-    if (refusal.find(program.program) == std::string::npos) finding.message = who + " refuses the file: " + refusal;
+    const std::string_view first_word = program.program.substr(0, program.program.find(' '));
+    if (refusal.find(first_word) == std::string::npos) finding.message = who + " refuses the file: " + refusal;
     if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), refusal)) {
       finding.code = mend->code;
       finding.where = document_.source().range(mend->span);
@@ -129,6 +130,7 @@ class ProgramsCheck {
       say_read_by_another(own, *fewest);
       return;
     }
+    if (raise_wrong_parser()) return;
     constexpr std::size_t kMostSaid = 10;
     for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i)
       say_refusal(own, fewest->mode, refusals[i], Severity::kError);
@@ -136,6 +138,16 @@ class ProgramsCheck {
       findings_.add({Severity::kError, "program-refuses", std::to_string(refusals.size() - kMostSaid) + " refusals more", {}, {},
                      {document_.source().name, 0, 0}});
     }
+  }
+
+  /// With the wrong parser chosen every key is missing: one reason for all refusals, which the reader has said.
+  bool raise_wrong_parser() {
+    for (Finding& finding : report_.findings) {
+      if (finding.code != "file-version-not-string" && finding.code != "file-version-missing") continue;
+      finding.severity = Severity::kError;
+      return true;
+    }
+    return false;
   }
 
   /// A fork's file: right for the fork, and not for the format's own program.
@@ -155,6 +167,7 @@ class ProgramsCheck {
   }
 
   void say_warnings(const Consumer& own, const ConsumerView& view) {
+    if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
     for (const std::string& warning : view.warnings)
       findings_.add({Severity::kWarning, "program-misreads", std::string(own.program) + ": " + warning, {}, {}, place_of(warning)});
   }

@@ -22,12 +22,15 @@ std::optional<Transform> nearest_rotation(const Transform& T_a_b) {
   return X;
 }
 
-double rotation_distance(const Transform& a, const Transform& b) {
-  double worst = 0.0;
+ElementDifference largest_difference(const Transform& a, const Transform& b) {
+  ElementDifference largest;
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) worst = std::max(worst, std::abs(a(row, column) - b(row, column)));
+    for (int column = 0; column < 3; ++column) {
+      const double distance = std::abs(a(row, column) - b(row, column));
+      if (distance > largest.distance) largest = {row, column, distance};
+    }
   }
-  return worst;
+  return largest;
 }
 
 double angle_between(const Transform& a, const Transform& b) {

@@ -11,8 +11,14 @@ namespace fca::checks {
 /// mirror image it is the nearest mirror image.
 [[nodiscard]] std::optional<Transform> nearest_rotation(const Transform& T_a_b);
 
-/// Largest difference of two elements of the 3 x 3 parts.
-[[nodiscard]] double rotation_distance(const Transform& a, const Transform& b);
+/// An element of the 3 x 3 part and by how much it differs from another's.
+struct ElementDifference {
+  int row = 0;
+  int column = 0;
+  double distance = 0.0;
+};
+/// The largest difference of two elements of the 3 x 3 parts.
+[[nodiscard]] ElementDifference largest_difference(const Transform& a, const Transform& b);
 
 /// Angle between two rotations, in radians, [0, pi].
 [[nodiscard]] double angle_between(const Transform& a, const Transform& b);

@@ -27,6 +27,7 @@ class Findings {
  public:
   explicit Findings(CheckReport& report) : report_(report) {}
   void add(Finding finding);
+  [[nodiscard]] bool has(std::string_view code, const SourceRange& where) const;
   void undecided(std::string question, std::string why) { report_.undecided.push_back({std::move(question), std::move(why)}); }
 
  private:
