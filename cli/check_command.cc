@@ -2,6 +2,7 @@
 #include "check_command.h"
 
 #include "calibration_files.h"
+#include "output_file.h"
 #include "words.h"
 
 #include <fca/folded_name.h>
@@ -54,6 +55,10 @@ std::optional<std::string> problem_with(const CheckArguments& arguments) {
     return "--fail-on is error or warning, not '" + arguments.fail_on + "'";
   if (!arguments.reading.with.empty() || arguments.reading.join || arguments.reading.cameras)
     return "check looks at every file by itself and at all its cameras: --with, --join and --camera have no use here";
+  if (arguments.write && !arguments.fix) return "--write is for --fix";
+  if (arguments.fix && (arguments.json || arguments.sarif)) return "--fix shows a diff: --json and --sarif have no use beside it";
+  if (arguments.fix && arguments.write && std::ranges::find(arguments.files, "-") != arguments.files.end())
+    return "--write cannot write to standard input";
   if (arguments.json && arguments.sarif) return "--json and --sarif exclude each other";
   return std::nullopt;
 }
@@ -70,22 +75,39 @@ const consumers::Consumer* meant_program(const CheckArguments& arguments, bool w
   return other == all.end() ? program : &*other;
 }
 
-CheckReport checked(const text::Source& source, const CheckArguments& arguments) {
+/// What there is to check a file by, for one with cameras or without.
+CheckOptions options_for(const CheckArguments& arguments, bool with_cameras) {
   CheckOptions options;
   options.reading = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
   options.from = arguments.reading.from.empty() ? nullptr : find_format(arguments.reading.from);
   options.max_angle_rad = max_angle_rad(arguments.reading);
-  options.program = meant_program(arguments, true);
-  CheckReport report = check_file(source, options);
-  const consumers::Consumer* without_cameras = meant_program(arguments, false);
-  if (report.holds_no_camera && without_cameras != options.program) {
-    options.program = without_cameras;
-    report = check_file(source, options);
-  }
+  options.program = meant_program(arguments, with_cameras);
+  return options;
+}
+
+CheckReport checked(const text::Source& source, const CheckArguments& arguments) {
+  CheckReport report = check_file(source, options_for(arguments, true));
+  if (report.holds_no_camera && !arguments.program.empty()) report = check_file(source, options_for(arguments, false));
   std::erase_if(report.findings, [&arguments](const Finding& finding) {
     return std::ranges::find(arguments.ignored, finding.code) != arguments.ignored.end();
   });
   return report;
+}
+
+/// Makes the certain mends: shows them, writes them if asked to, and goes on with the mended text.
+ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& console) {
+  const bool with_cameras = !check_file(source, options_for(arguments, true)).holds_no_camera;
+  const std::optional<text::Source> better = mended(source, options_for(arguments, with_cameras));
+  if (!better) return ExitCode::kGood;
+  console.say(source.name + ": " + (arguments.write ? "mended" : "would be mended (--write does it)") + "\n" +
+              line_diff(source.bytes, better->bytes));
+  source = *better;
+  if (!arguments.write) return ExitCode::kGood;
+  const OutputFile output{source.name, source.bytes};
+  const std::optional<std::string> problem = write_files(std::span(&output, 1), true, false);
+  if (!problem) return ExitCode::kGood;
+  console.error(*problem);
+  return ExitCode::kIo;
 }
 
 ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
@@ -126,6 +148,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
       exit_code = worse(exit_code, ExitCode::kIo);
       continue;
     }
+    if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
     CheckReport report = checked(*source, arguments);
     if (!report.is_calibration && !file.named) {
       all.skipped.push_back(file.path);
@@ -133,7 +156,10 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     }
     exit_code = worse(exit_code, code_of(report, arguments));
     all.files.push_back({*std::move(source), std::move(report)});
-    if (for_people) console.say((all.files.size() > 1 ? "\n" : "") + check_text(all.files.back()));
+    if (!for_people) continue;
+    // A file that is no calibration has no result.
+    const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back());
+    all.files.back().report.is_calibration ? console.say(text) : console.say_aside(text);
   }
   if (for_people) console.say(check_summary(all));
   if (arguments.json) console.out(check_json(all));
@@ -160,6 +186,8 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
       ->take_all();
   command.add_option("--fail-on", arguments.fail_on, "Exit with 1 from this severity on: error (default) or warning")
       ->type_name("SEVERITY");
+  command.add_flag("--fix", arguments.fix, "Show the mends that are certain (a decimal point, quotes, a header) as a diff, and check the mended file");
+  command.add_flag("--write", arguments.write, "With --fix: write them into the file");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
   command.add_flag("--sarif", arguments.sarif, "SARIF 2.1.0 on standard output, for CI services");
   command.footer(

@@ -26,6 +26,8 @@ struct CheckArguments {
   bool list_codes = false;
   std::vector<std::string> ignored;
   std::string fail_on = "error";
+  bool fix = false;
+  bool write = false;
   bool json = false;
   bool sarif = false;
 };
@@ -50,6 +52,8 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
 [[nodiscard]] std::string check_json(const CheckedFiles& checked);
 /// SARIF 2.1.0, as CI services show it beside the lines.
 [[nodiscard]] std::string check_sarif(const CheckedFiles& checked);
+/// What changed between two texts, line by line: "-" and "+" lines behind "@ LINE" of the old text.
+[[nodiscard]] std::string line_diff(std::string_view before, std::string_view after);
 /// The long story of a code.
 [[nodiscard]] std::string explanation(const CheckCode& code);
 

@@ -188,4 +188,24 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   return report;
 }
 
+std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options) {
+  text::Source result = source;
+  bool any = false;
+  constexpr int kMostRounds = 20;  // behind a header that is mended a program sees the rest for the first time
+  for (int round = 0; round < kMostRounds; ++round) {
+    const CheckReport report = check_file(result, options);
+    text::Document document(result, text::Syntax::kYaml, {});
+    std::size_t free_from = 0;
+    for (const Finding& finding : report.findings) {  // by place
+      if (!finding.mend || finding.mend->span.offset < free_from) continue;
+      document.replace(finding.mend->span, finding.mend->text);
+      free_from = finding.mend->span.end() + 1;
+    }
+    if (!document.edited()) break;
+    result.bytes = document.bytes();
+    any = true;
+  }
+  return any ? std::optional(result) : std::nullopt;
+}
+
 }  // namespace fca

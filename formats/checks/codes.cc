@@ -172,6 +172,7 @@ loop is named as such.)"},
     CheckCode{"real-for-int", "a real number where the program wants a whole one", kProgramStops,
               "Kalibr's resolution, ORB-SLAM3's Camera.fps and sizes are ints: 30.0 is refused."},
     CheckCode{"relative-by-centre", "a centre below 1 is taken as relative", kWrongPixels, ""},
+    CheckCode{"size-contradicts", "another image size was told than the file states", kWrongPixels, ""},
     CheckCode{"size-swapped", "width and height are exchanged", kWrongPixels,
               R"(The principal point is within a tenth of the middle of the image turned by 90 deg, and a fifth away from the middle of
 the one stated.)"},

@@ -121,6 +121,12 @@ bool check_image(const Subject& subject, Findings& findings) {
       findings.undecided(camera.name + ": principal point, field of view and folding", "no image size in the file: give --size WxH");
       continue;
     }
+    const std::optional<ImageSize>& told = subject.options.reading.image_size;
+    if (told && *told != *camera.image_size) {
+      findings.add({Severity::kError, "size-contradicts",
+                    camera.name + " has " + size_of(*camera.image_size) + " px in the file, and " + size_of(*told) + " was told",
+                    {}, "--size is for files that state no size", subject.places.image_width(camera)});
+    }
     ImageCheck(subject, camera, findings).run();
     any = true;
   }

@@ -31,7 +31,7 @@ void check_matrix_types(const Subject& subject, Findings& findings) {
     const Node* type = matrix != nullptr ? text::find(*matrix, "dt", text::Dialect::kOpenCv) : nullptr;
     if (type == nullptr || type->value == "f") continue;
     findings.add({Severity::kError, "matrix-not-float", std::string(key) + " has dt: " + type->value + "; ORB-SLAM3 reads its bytes as floats",
-                  {}, "write dt: f", subject.document.range(*type)});
+                  {}, "write dt: f", subject.document.range(*type), SpanEdit{type->span, "f"}});
   }
 }
 

@@ -40,21 +40,22 @@ const text::Node* node_at(const text::Node& root, std::size_t offset) {
   return holds(root.span, offset) ? &root : nullptr;
 }
 
+std::vector<text::Span> Places::edits_for(const Rig& rig) const {
+  Diagnostics ignored;
+  const std::optional<Written> written = calibration_->format->write(document_, rig, {}, ignored);
+  for (const Written::File& file : written ? written->files : std::vector<Written::File>()) {
+    if (file.document.source().bytes == document_->source().bytes) return file.document.edited_spans();
+  }
+  return {};
+}
+
 SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<double> value) const {
   const SourceRange nowhere = {document_->source().name, 0, 0};
   Rig changed = calibration_->rig;
   change(changed);
-  const auto edits = [this](const Rig& rig) {
-    Diagnostics ignored;
-    const std::optional<Written> written = calibration_->format->write(document_, rig, {}, ignored);
-    for (const Written::File& file : written ? written->files : std::vector<Written::File>()) {
-      if (file.document.source().bytes == document_->source().bytes) return file.document.edited_spans();
-    }
-    return std::vector<text::Span>();
-  };
-  const std::vector<text::Span> anyway = edits(calibration_->rig);
-  std::vector<text::Span> spans = edits(changed);
-  std::erase_if(spans, [&anyway](const text::Span& span) { return std::ranges::find(anyway, span) != anyway.end(); });
+  if (!anyway_) anyway_ = edits_for(calibration_->rig);
+  std::vector<text::Span> spans = edits_for(changed);
+  std::erase_if(spans, [this](const text::Span& span) { return std::ranges::find(*anyway_, span) != anyway_->end(); });
   std::ranges::sort(spans, {}, &text::Span::offset);
   for (const text::Span& span : spans) {
     const text::Node* node = node_at(document_->root(), span.offset);

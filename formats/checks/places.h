@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fca::checks {
 
@@ -31,8 +32,11 @@ class Places {
   [[nodiscard]] SourceRange baseline() const;
 
  private:
+  [[nodiscard]] std::vector<text::Span> edits_for(const Rig& rig) const;
+
   const text::Document* document_;
   const Calibration* calibration_;
+  mutable std::optional<std::vector<text::Span>> anyway_;  ///< What the writer edits for the rig as it is; asked once.
 };
 
 /// The smallest node that holds the byte; null if none does.

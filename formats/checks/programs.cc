@@ -109,6 +109,7 @@ class ProgramsCheck {
     if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), refusal)) {
       finding.code = mend->code;
       finding.where = document_.source().range(mend->span);
+      finding.mend = SpanEdit{mend->span, mend->text};
       finding.fix = "write " + mend->text.substr(0, mend->text.find('\n'));
       if (mend->code == "opencv-header" && mend->text.find("---") != std::string::npos) finding.fix += " and, in a line of its own, ---";
     }
@@ -145,6 +146,8 @@ class ProgramsCheck {
     for (Finding& finding : report_.findings) {
       if (finding.code != "file-version-not-string" && finding.code != "file-version-missing") continue;
       finding.severity = Severity::kError;
+      const text::Node* version = text::find(document_.root(), "File.version", text::Dialect::kOpenCv);
+      if (version != nullptr && version->value == "1.0") finding.mend = SpanEdit{version->span, "\"1.0\""};
       return true;
     }
     return false;

@@ -54,7 +54,7 @@ TEST(CheckCodes, AreThoseThatTheFilesShow) {
   }
   // Said where no file of ours can show it: by an option (--from, --for, --opencv-model), of a file that is not there or has more
   // than 2 MiB, of our own bug, and of an alias behind its anchor, which is refused before.
-  const std::set<std::string> elsewhere = {"cannot-read", "model-contradicts", "no-calibration", "not-settings", "program-other-format",
+  const std::set<std::string> elsewhere = {"cannot-read", "model-contradicts", "no-calibration", "not-settings", "program-other-format", "size-contradicts",
                                            "too-large",   "wrong-syntax",      "xml-place",      "yaml-alias"};
   for (const CheckCode& code : check_codes()) {
     const std::string name(code.code);

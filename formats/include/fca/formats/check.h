@@ -14,6 +14,12 @@
 
 namespace fca {
 
+/// Bytes to put in place of others.
+struct SpanEdit {
+  text::Span span;
+  std::string text;
+};
+
 /// Something that is, or may be, wrong with a file.
 struct Finding {
   Severity severity = Severity::kError;
@@ -22,6 +28,7 @@ struct Finding {
   std::string consequence;  ///< What happens if the file is used as it is.
   std::string fix;          ///< How to mend it; may be empty.
   SourceRange where;
+  std::optional<SpanEdit> mend = {};  ///< Where the mend is certain: another spelling of the same value.
 };
 
 /// A question the file does not answer.
@@ -52,6 +59,10 @@ struct CheckOptions {
 
 /// Checks one file by itself.
 [[nodiscard]] CheckReport check_file(const text::Source& source, const CheckOptions& options);
+
+/// The file with every mend that is certain, also those that only show when others are made; nothing if there is none. Only
+/// spellings change (a decimal point, quotes, a header), no value.
+[[nodiscard]] std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options);
 
 /// The story behind a code.
 struct CheckCode {
