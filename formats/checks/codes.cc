@@ -145,7 +145,7 @@ A quaternion must have length 1.)"},
 are text to it.)"},
     CheckCode{"octal", "a number with a leading 0", "The programs read 017 as fifteen.", ""},
     CheckCode{"opencv-header", "OpenCV's first line in a file for YAML",
-              "Kalibr stops at the first line; OpenVINS and other programs that read with OpenCV need it.",
+              "Kalibr stops at the first line; OpenVINS, which reads with OpenCV, does not.",
               R"(%YAML:1.0 is no YAML: the directive is %YAML 1.2 with a blank. One layout is read by PyYAML, yaml-cpp and OpenCV
 alike: first line %YAML 1.2, second line ---, lists indented deeper than their key, every real number with a point.)"},
     CheckCode{"out-of-range", "a number beyond any camera's or rig's", kWrongPose, ""},

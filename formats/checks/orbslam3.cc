@@ -24,8 +24,9 @@ std::optional<double> number_at(const Subject& subject, std::string_view key) {
   return node != nullptr && node->is_scalar() ? text::parse_real(node->value) : std::nullopt;
 }
 
-/// The programs take these by .at<float>() and look at no type.
+/// ORB-SLAM3 takes these by .at<float>() and looks at no type. Files without Camera.type are other programs'.
 void check_matrix_types(const Subject& subject, Findings& findings) {
+  if (find(subject, "Camera.type") == nullptr) return;
   for (const std::string_view key : {"Stereo.T_c1_c2", "IMU.T_b_c1", "Tbc", "Tlr"}) {
     const Node* matrix = find(subject, key);
     const Node* type = matrix != nullptr ? text::find(*matrix, "dt", text::Dialect::kOpenCv) : nullptr;

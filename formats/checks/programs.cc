@@ -187,10 +187,15 @@ class ProgramsCheck {
     }
     const std::vector<std::string>& refusals = meant->view.refusals;
     const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
-    findings_.add({Severity::kWarning, "mode-refused",
+    Finding finding{Severity::kWarning, "mode-refused",
                    "the keys are those of " + mode + ", and " + std::string(own.program) + " starts only as " +
                        text::enumerated(modes) + " with them: " + refusals.front() + more,
-                   {}, {}, place_of(refusals.front())});
+                   {}, {}, place_of(refusals.front())};
+    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
+      finding.fix = "write " + mend->text;
+      finding.mend = SpanEdit{mend->span, mend->text};
+    }
+    findings_.add(std::move(finding));
   }
 
   const text::Document& document_;
