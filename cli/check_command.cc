@@ -56,7 +56,8 @@ std::optional<std::string> problem_with(const CheckArguments& arguments) {
   if (!arguments.reading.with.empty() || arguments.reading.join || arguments.reading.cameras)
     return "check looks at every file by itself and at all its cameras: --with, --join and --camera have no use here";
   if (arguments.write && !arguments.fix) return "--write is for --fix";
-  if (arguments.fix && (arguments.json || arguments.sarif)) return "--fix shows a diff: --json and --sarif have no use beside it";
+  if (arguments.fix && (arguments.json || arguments.sarif))
+    return "--fix shows a diff: --json and --sarif have no use beside it";
   if (arguments.fix && arguments.write && std::ranges::find(arguments.files, "-") != arguments.files.end())
     return "--write cannot write to standard input";
   if (arguments.json && arguments.sarif) return "--json and --sarif exclude each other";
@@ -69,9 +70,8 @@ const consumers::Consumer* meant_program(const CheckArguments& arguments, bool w
   const consumers::Consumer* program = find_program(arguments.program);
   if (program->cameras == with_cameras) return program;
   const auto all = consumers::all_consumers();
-  const auto other = std::ranges::find_if(all, [&](const consumers::Consumer& each) {
-    return each.format == program->format && each.cameras == with_cameras;
-  });
+  const auto other = std::ranges::find_if(
+      all, [&](const consumers::Consumer& each) { return each.format == program->format && each.cameras == with_cameras; });
   return other == all.end() ? program : &*other;
 }
 
@@ -119,15 +119,14 @@ ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.list_codes) {
-    for (const CheckCode& code : check_codes())
-      console.say(padded(code.code, 28) + std::string(code.title) + "\n");
+    for (const CheckCode& code : check_codes()) console.say(padded(code.code, 28) + std::string(code.title) + "\n");
     return ExitCode::kGood;
   }
   if (!arguments.explain.empty()) {
     const CheckCode* code = find_check_code(arguments.explain);
     if (code == nullptr) {
-      return console.refuse(ExitCode::kUsage, unknown_word("code", arguments.explain, code_names(),
-                                                           "fca-io check --list-codes lists them"));
+      return console.refuse(ExitCode::kUsage,
+                            unknown_word("code", arguments.explain, code_names(), "fca-io check --list-codes lists them"));
     }
     console.say(explanation(*code));
     return ExitCode::kGood;
@@ -170,8 +169,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
 }  // namespace
 
 void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command =
-      *app.add_subcommand("check", "What is wrong with a file, what happens if it is used, and how to mend it");
+  CLI::App& command = *app.add_subcommand("check", "What is wrong with a file, what happens if it is used, and how to mend it");
   command.add_option("FILE", arguments.files, "Calibration file(s) or folders; '-' is standard input");
   add_reading_options(command, arguments.reading);
   command
@@ -186,7 +184,8 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
       ->take_all();
   command.add_option("--fail-on", arguments.fail_on, "Exit with 1 from this severity on: error (default) or warning")
       ->type_name("SEVERITY");
-  command.add_flag("--fix", arguments.fix, "Show the mends that are certain (a decimal point, quotes, a header) as a diff, and check the mended file");
+  command.add_flag("--fix", arguments.fix,
+                   "Show the mends that are certain (a decimal point, quotes, a header) as a diff, and check the mended file");
   command.add_flag("--write", arguments.write, "With --fix: write them into the file");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
   command.add_flag("--sarif", arguments.sarif, "SARIF 2.1.0 on standard output, for CI services");

@@ -45,9 +45,8 @@ std::string_view level(Severity severity) { return severity_name(severity); }
 void put_result(Json& json, const Finding& finding, const text::Source& source) {
   json.put("ruleId", finding.code);
   json.put("level", level(finding.severity));
-  const std::string text =
-      finding.message + (finding.consequence.empty() ? "" : "\nIf used: " + finding.consequence) +
-      (finding.fix.empty() ? "" : "\nFix: " + finding.fix);
+  const std::string text = finding.message + (finding.consequence.empty() ? "" : "\nIf used: " + finding.consequence) +
+                           (finding.fix.empty() ? "" : "\nFix: " + finding.fix);
   json.object("message", [&] { json.put("text", text); });
   json.array("locations", std::initializer_list<int>{0}, [&](int) {
     json.object([&] {

@@ -16,8 +16,7 @@ std::string counted(std::size_t count, const std::string& what) {
 }
 
 std::size_t count_of(const CheckReport& report, Severity severity) {
-  return static_cast<std::size_t>(
-      std::ranges::count(report.findings, severity, &Finding::severity));
+  return static_cast<std::size_t>(std::ranges::count(report.findings, severity, &Finding::severity));
 }
 
 std::string verdict(const CheckReport& report) {
@@ -32,8 +31,7 @@ std::string verdict(const CheckReport& report) {
 }
 
 std::string finding_text(const Finding& finding, const text::Source& source) {
-  std::string text =
-      text::render({finding.severity, finding.code, finding.message, {}, finding.where}, std::span(&source, 1));
+  std::string text = text::render({finding.severity, finding.code, finding.message, {}, finding.where}, std::span(&source, 1));
   if (!finding.consequence.empty()) text += paragraph("if used: " + finding.consequence, "    ");
   if (!finding.fix.empty()) text += paragraph("fix: " + finding.fix, "    ");
   return text;
@@ -42,7 +40,8 @@ std::string finding_text(const Finding& finding, const text::Source& source) {
 std::string readers_line(const Readers& readers) {
   std::vector<std::string> names;
   for (const Readers::Program& program : readers.programs) {
-    if (program.loads) names.push_back(program.program + (program.sensors.empty() ? "" : " (" + enumerated(program.sensors) + ")"));
+    if (program.loads)
+      names.push_back(program.program + (program.sensors.empty() ? "" : " (" + enumerated(program.sensors) + ")"));
   }
   return names.empty() ? "" : paragraph("read by " + enumerated(names), "  ");
 }
@@ -72,11 +71,12 @@ std::string check_summary(const CheckedFiles& checked) {
     bad += error ? 1 : 0;
     doubtful += !error && file.report.has(Severity::kWarning) ? 1 : 0;
   }
-  std::string text = "\n" + counted(checked.files.size(), "calibration") + " checked: " + std::to_string(bad) + " with errors, " +
-                     std::to_string(doubtful) + " with warnings, " + std::to_string(checked.files.size() - bad - doubtful) +
-                     " without";
+  std::string text = "\n" + counted(checked.files.size(), "calibration") + " checked: " + std::to_string(bad) +
+                     " with errors, " + std::to_string(doubtful) + " with warnings, " +
+                     std::to_string(checked.files.size() - bad - doubtful) + " without";
   if (!checked.skipped.empty())
-    text += "; " + counted(checked.skipped.size(), "file") + " skipped that hold" + (checked.skipped.size() == 1 ? "s" : "") + " no calibration";
+    text += "; " + counted(checked.skipped.size(), "file") + " skipped that hold" + (checked.skipped.size() == 1 ? "s" : "") +
+            " no calibration";
   return text + "\n";
 }
 

@@ -65,7 +65,8 @@ bool among(const List& codes, std::string_view code) {
 void take_over(const Diagnostics& diagnostics, Findings& findings) {
   for (const Diagnostic& entry : diagnostics.entries()) {
     if (among(kSaidByTopics, entry.code)) continue;
-    if (entry.code == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(entry.message, "quaternion")) continue;
+    if (entry.code == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(entry.message, "quaternion"))
+      continue;
     const Severity severity = among(kBeyondUs, entry.code) ? Severity::kWarning : entry.severity;
     findings.add({severity, entry.code, entry.message, {}, entry.fix, entry.where});
   }
@@ -112,9 +113,9 @@ void show_both_readings(const text::Document& document, const CheckOptions& opti
 
 /// A few keys that only calibrations have: is a file that no parser takes one all the same?
 bool mentions_calibration(std::string_view bytes) {
-  constexpr std::array<std::string_view, 12> kWords = {
-      "camera_model",   "distortion_coeffs", "noise_density", "Camera.fx", "Camera1.fx", "camera_matrix", "Camera_Matrix",
-      "cx_offset", "K1: !!opencv", "M1: !!opencv", "intrinsics", "omnidirectional"};
+  constexpr std::array<std::string_view, 12> kWords = {"camera_model", "distortion_coeffs", "noise_density", "Camera.fx",
+                                                       "Camera1.fx",   "camera_matrix",     "Camera_Matrix", "cx_offset",
+                                                       "K1: !!opencv", "M1: !!opencv",      "intrinsics",    "omnidirectional"};
   return std::ranges::any_of(kWords, [bytes](std::string_view word) { return contains(bytes, word); });
 }
 

@@ -60,8 +60,8 @@ class ImageCheck {
       return false;
     const double factor = 0.5 * (across + down);
     add(Severity::kError, "size-unlike-centre",
-        "the principal point " + at(u_, v_) + " is the middle of an image " + text::format_short(factor, 3) + " times as large as " +
-            size_of(size_),
+        "the principal point " + at(u_, v_) + " is the middle of an image " + text::format_short(factor, 3) +
+            " times as large as " + size_of(size_),
         "write the size of the images that were calibrated, or scale the intrinsics to this size",
         subject_.places.image_width(camera_));
     return true;
@@ -74,8 +74,8 @@ class ImageCheck {
     const bool outside = worst > 1.0;
     const bool by_column = off(u_, size_.width) >= off(v_, size_.height);
     add(outside ? Severity::kError : Severity::kWarning, outside ? "centre-outside" : "centre-off",
-        "the principal point " + at(u_, v_) + (outside ? " lies outside the " : " is far from the middle of the ") + size_of(size_) +
-            " image",
+        "the principal point " + at(u_, v_) + (outside ? " lies outside the " : " is far from the middle of the ") +
+            size_of(size_) + " image",
         outside ? "a crop moves it by the crop's corner; an exchange of numbers or another resolution is more likely"
                 : "right for a cropped image; else another resolution's numbers, or a poor calibration",
         subject_.places.parameter(camera_, by_column ? "cx" : "cy"));
@@ -88,10 +88,11 @@ class ImageCheck {
     const double relative = f_u / size_.width;
     if (relative < kPixelsOfAny || relative > kLongest) {
       add(Severity::kError, "focal-length-not-in-pixels",
-          "the focal length " + text::format_short(f_u, 5) + " px does not belong to an image of " + std::to_string(size_.width) +
-              " columns",
-          relative < kPixelsOfAny ? "it is in pixels: millimetres divided by the pixel pitch, or a normalised one times the width"
-                                  : "check it and the image size",
+          "the focal length " + text::format_short(f_u, 5) + " px does not belong to an image of " +
+              std::to_string(size_.width) + " columns",
+          relative < kPixelsOfAny
+              ? "it is in pixels: millimetres divided by the pixel pitch, or a normalised one times the width"
+              : "check it and the image size",
           subject_.places.parameter(camera_, "fx"));
       return;
     }
@@ -118,14 +119,19 @@ bool check_image(const Subject& subject, Findings& findings) {
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
     if (!camera.image_size) {
-      findings.undecided(camera.name + ": principal point, field of view and folding", "no image size in the file: give --size WxH");
+      findings.undecided(camera.name + ": principal point, field of view and folding",
+                         "no image size in the file: give --size WxH");
       continue;
     }
     const std::optional<ImageSize>& told = subject.options.reading.image_size;
     if (told && *told != *camera.image_size) {
-      findings.add({Severity::kError, "size-contradicts",
-                    camera.name + " has " + size_of(*camera.image_size) + " px in the file, and " + size_of(*told) + " was told",
-                    {}, "--size is for files that state no size", subject.places.image_width(camera)});
+      findings.add(
+          {Severity::kError,
+           "size-contradicts",
+           camera.name + " has " + size_of(*camera.image_size) + " px in the file, and " + size_of(*told) + " was told",
+           {},
+           "--size is for files that state no size",
+           subject.places.image_width(camera)});
     }
     ImageCheck(subject, camera, findings).run();
     any = true;

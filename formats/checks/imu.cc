@@ -45,18 +45,22 @@ void check_size(const Subject& subject, const Imu& imu, const Density& density, 
   if (!value) return;
   const std::string what = imu.name + ": " + std::string(density.name) + " " + number(*value) + " " + std::string(density.unit);
   if (*value < density.smallest) {
-    findings.add({Severity::kWarning, "imu-noise-too-small",
+    findings.add({Severity::kWarning,
+                  "imu-noise-too-small",
                   what + " is smaller than any such sensor's; a variance (the square of the density, " +
                       number(std::sqrt(*value)) + ") would look so",
-                  {}, "write the density, not its square", subject.places.imu(density.member)});
+                  {},
+                  "write the density, not its square",
+                  subject.places.imu(density.member)});
   } else if (*value > density.largest) {
-    const std::string discrete =
-        imu.rate_hz ? ": a discrete deviation at " + number(*imu.rate_hz) + " Hz would be the density " +
-                          number(*value / std::sqrt(*imu.rate_hz))
-                    : "";
-    findings.add({Severity::kWarning, "imu-noise-too-large",
+    const std::string discrete = imu.rate_hz ? ": a discrete deviation at " + number(*imu.rate_hz) +
+                                                   " Hz would be the density " + number(*value / std::sqrt(*imu.rate_hz))
+                                             : "";
+    findings.add({Severity::kWarning,
+                  "imu-noise-too-large",
                   what + " is larger than a cheap sensor's times 20" + discrete,
-                  {}, "if it is a discrete deviation, divide it by sqrt(rate); if it is in degrees, multiply by pi / 180",
+                  {},
+                  "if it is a discrete deviation, divide it by sqrt(rate); if it is in degrees, multiply by pi / 180",
                   subject.places.imu(density.member)});
   }
 }
@@ -65,20 +69,25 @@ void check_swapped(const Subject& subject, const Imu& imu, Findings& findings) {
   const std::optional<double>& noise = imu.*kGyroscope.noise;
   const std::optional<double>& walk = imu.*kGyroscope.walk;
   if (!noise || !walk || *walk <= *noise) return;
-  findings.add({Severity::kWarning, "imu-walk-above-noise",
+  findings.add({Severity::kWarning,
+                "imu-walk-above-noise",
                 imu.name + ": the " + std::string(kGyroscope.sensor) + "'s random walk " + number(*walk) +
                     " is larger than its noise density " + number(*noise) + "; real ones are ten times smaller and more",
-                {}, "are the two exchanged?", subject.places.imu(kGyroscope.walk)});
+                {},
+                "are the two exchanged?",
+                subject.places.imu(kGyroscope.walk)});
 }
 
 void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
   if (!imu.gyroscope_noise_density || !imu.accelerometer_noise_density) return;
   if (*imu.gyroscope_noise_density <= *imu.accelerometer_noise_density) return;
-  findings.add({Severity::kWarning, "imu-sensors-swapped",
+  findings.add({Severity::kWarning,
+                "imu-sensors-swapped",
                 imu.name + ": the gyroscope's noise " + number(*imu.gyroscope_noise_density) +
                     " is larger than the accelerometer's " + number(*imu.accelerometer_noise_density) +
                     "; in SI units it is ten times smaller",
-                {}, "are gyroscope and accelerometer exchanged, or is the gyroscope's in degrees?",
+                {},
+                "are gyroscope and accelerometer exchanged, or is the gyroscope's in degrees?",
                 subject.places.imu(&Imu::gyroscope_noise_density)});
 }
 
@@ -90,8 +99,12 @@ void check_rate(const Subject& subject, const Imu& imu, Findings& findings) {
   constexpr double kSlowest = 20.0;
   constexpr double kFastest = 10'000.0;
   if (*imu.rate_hz >= kSlowest && *imu.rate_hz <= kFastest) return;
-  findings.add({Severity::kWarning, "imu-rate", imu.name + ": a rate of " + number(*imu.rate_hz) + " Hz is no IMU's", {},
-                "it is in Hz (200.0), not a period", subject.places.imu(&Imu::rate_hz)});
+  findings.add({Severity::kWarning,
+                "imu-rate",
+                imu.name + ": a rate of " + number(*imu.rate_hz) + " Hz is no IMU's",
+                {},
+                "it is in Hz (200.0), not a period",
+                subject.places.imu(&Imu::rate_hz)});
 }
 
 }  // namespace
@@ -117,11 +130,13 @@ bool check_time(const Subject& subject, Findings& findings) {
     const double offset = std::abs(*camera.time_offset_s);
     if (offset <= frame) continue;
     constexpr double kMilliseconds = 1.0;
-    findings.add({Severity::kWarning, "time-offset-large",
+    findings.add({Severity::kWarning,
+                  "time-offset-large",
                   camera.name + ": a time offset of " + number(*camera.time_offset_s) + " s is longer than a frame (" +
                       number(frame) + " s" + (camera.frame_rate_hz ? ")" : " at 10 Hz)") +
                       (offset > kMilliseconds ? "; are these milliseconds?" : ""),
-                  {}, "it is in seconds: t_imu = t_cam + offset; one as long as that should be taken out of the time stamps",
+                  {},
+                  "it is in seconds: t_imu = t_cam + offset; one as long as that should be taken out of the time stamps",
                   subject.places.time_offset(camera)});
   }
   return any;

@@ -68,8 +68,9 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
                            " % of the image has no ray";
   findings.add({severity, "folds-inside-image", what,
                 circle && !broken ? "Nothing, if those pixels are black; a ray beyond that angle lands on a wrong pixel." : "",
-                circle && !broken ? "if the lens sees there, calibrate with targets near the border"
-                                  : "calibrate with targets in the corners, or with a fisheye model; or do not use those pixels",
+                circle && !broken
+                    ? "if the lens sees there, calibrate with targets near the border"
+                    : "calibrate with targets in the corners, or with a fisheye model; or do not use those pixels",
                 place_of_lens(subject, camera)});
 }
 

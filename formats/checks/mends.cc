@@ -96,7 +96,8 @@ std::optional<Item> item_at(const Node& node, std::size_t offset) {
 
 }  // namespace
 
-const Node* exchanged_with(const text::Document& document, const Format& format, const ReadOptions& options, std::size_t offset) {
+const Node* exchanged_with(const text::Document& document, const Format& format, const ReadOptions& options,
+                           std::size_t offset) {
   const std::optional<Item> item = item_at(document.root(), offset);
   if (!item) return nullptr;
   const std::vector<Node>& items = item->list->items;
@@ -106,7 +107,8 @@ const Node* exchanged_with(const text::Document& document, const Format& format,
     exchanged.replace(items[item->index].span, std::string(document.source().text(items[other].span)));
     exchanged.replace(items[other].span, std::string(document.source().text(items[item->index].span)));
     Diagnostics diagnostics;
-    const std::optional<text::Document> reparsed = text::parse_document({document.source().name, exchanged.bytes()}, diagnostics);
+    const std::optional<text::Document> reparsed =
+        text::parse_document({document.source().name, exchanged.bytes()}, diagnostics);
     if (!reparsed || diagnostics.has_errors()) continue;
     if (format.read(std::span(&*reparsed, 1), options, diagnostics) && !diagnostics.has_errors()) return &items[other];
   }

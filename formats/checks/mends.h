@@ -26,8 +26,8 @@ struct Mend {
 [[nodiscard]] std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
                                             const consumers::LoadOptions& options, const std::string& refusal);
 
-/// The neighbour in its list with which the number at `offset` is to be exchanged so that the format reads the document; null if
-/// there is none.
+/// The neighbour in its list with which the number at `offset` is to be exchanged so that the format reads the document; null
+/// if there is none.
 [[nodiscard]] const text::Node* exchanged_with(const text::Document& document, const Format& format, const ReadOptions& options,
                                                std::size_t offset);
 

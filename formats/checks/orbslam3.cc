@@ -31,8 +31,13 @@ void check_matrix_types(const Subject& subject, Findings& findings) {
     const Node* matrix = find(subject, key);
     const Node* type = matrix != nullptr ? text::find(*matrix, "dt", text::Dialect::kOpenCv) : nullptr;
     if (type == nullptr || type->value == "f") continue;
-    findings.add({Severity::kError, "matrix-not-float", std::string(key) + " has dt: " + type->value + "; ORB-SLAM3 reads its bytes as floats",
-                  {}, "write dt: f", subject.document.range(*type), SpanEdit{type->span, "f"}});
+    findings.add({Severity::kError,
+                  "matrix-not-float",
+                  std::string(key) + " has dt: " + type->value + "; ORB-SLAM3 reads its bytes as floats",
+                  {},
+                  "write dt: f",
+                  subject.document.range(*type),
+                  SpanEdit{type->span, "f"}});
   }
 }
 
@@ -52,9 +57,13 @@ void check_baseline(const Subject& subject, Findings& findings) {
   const auto contradicts = [&](double expected, const std::string& why) {
     constexpr double kSame = 0.05;
     if (std::abs(expected) < 1e-6 || std::abs(*bf / expected - 1.0) <= kSame) return;
-    findings.add({Severity::kWarning, "baseline-contradicts",
-                  "Camera.bf is " + text::format_short(*bf, 5) + ", and " + why + " makes it " + text::format_short(expected, 5),
-                  {}, "Camera.bf is the baseline in metres times Camera.fx", subject.document.range(place)});
+    findings.add(
+        {Severity::kWarning,
+         "baseline-contradicts",
+         "Camera.bf is " + text::format_short(*bf, 5) + ", and " + why + " makes it " + text::format_short(expected, 5),
+         {},
+         "Camera.bf is the baseline in metres times Camera.fx",
+         subject.document.range(place)});
   };
   const Rig& rig = subject.rig();
   const double fx = number_at(subject, "Camera.fx").value_or(0.0);
@@ -68,10 +77,13 @@ void check_baseline(const Subject& subject, Findings& findings) {
   }
   constexpr double kNarrowest = 2e-3;  // m
   if (fx > 0.0 && *bf > 0.0 && *bf / fx < kNarrowest) {
-    findings.add({Severity::kWarning, "bf-is-a-baseline",
-                  "Camera.bf = " + text::format_short(*bf, 4) + " makes a baseline of " + text::format_short(1000.0 * *bf / fx, 3) +
-                      " mm: that is probably the baseline itself, in metres",
-                  {}, "if so, write " + text::format_short(*bf * fx, 6) + " (baseline times Camera.fx)", subject.document.range(place)});
+    findings.add({Severity::kWarning,
+                  "bf-is-a-baseline",
+                  "Camera.bf = " + text::format_short(*bf, 4) + " makes a baseline of " +
+                      text::format_short(1000.0 * *bf / fx, 3) + " mm: that is probably the baseline itself, in metres",
+                  {},
+                  "if so, write " + text::format_short(*bf * fx, 6) + " (baseline times Camera.fx)",
+                  subject.document.range(place)});
   }
 }
 
@@ -82,9 +94,13 @@ void check_depth_threshold(const Subject& subject, Findings& findings) {
     constexpr double kNearest = 5.0;
     constexpr double kFarthest = 1000.0;
     if (!threshold || (*threshold >= kNearest && *threshold <= kFarthest)) continue;
-    findings.add({Severity::kWarning, "depth-threshold",
-                  std::string(key) + " = " + text::format_short(*threshold, 4) + " is counted in baselines, not in metres; upstream's are 35 to 60",
-                  {}, "divide the distance in metres by the baseline", subject.document.range(*find(subject, key))});
+    findings.add({Severity::kWarning,
+                  "depth-threshold",
+                  std::string(key) + " = " + text::format_short(*threshold, 4) +
+                      " is counted in baselines, not in metres; upstream's are 35 to 60",
+                  {},
+                  "divide the distance in metres by the baseline",
+                  subject.document.range(*find(subject, key))});
   }
 }
 

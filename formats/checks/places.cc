@@ -66,44 +66,56 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
 }
 
 SourceRange Places::parameter(const Camera& camera, std::string_view name) const {
-  return of([&](Rig& rig) {
-    const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
-    if (same == rig.cameras.end()) return;
-    set_parameter(same->model, name, nudged(fca::parameter(same->model, name).value_or(0.0)));
-  }, fca::parameter(camera.model, name));
+  return of(
+      [&](Rig& rig) {
+        const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
+        if (same == rig.cameras.end()) return;
+        set_parameter(same->model, name, nudged(fca::parameter(same->model, name).value_or(0.0)));
+      },
+      fca::parameter(camera.model, name));
 }
 
 SourceRange Places::image_width(const Camera& camera) const {
-  return of([&](Rig& rig) {
-    const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
-    if (same != rig.cameras.end() && same->image_size) ++same->image_size->width;
-  }, camera.image_size ? std::optional<double>(camera.image_size->width) : std::nullopt);
+  return of(
+      [&](Rig& rig) {
+        const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
+        if (same != rig.cameras.end() && same->image_size) ++same->image_size->width;
+      },
+      camera.image_size ? std::optional<double>(camera.image_size->width) : std::nullopt);
 }
 
 SourceRange Places::time_offset(const Camera& camera) const {
-  return of([&](Rig& rig) {
-    const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
-    if (same != rig.cameras.end() && same->time_offset_s) same->time_offset_s = nudged(*same->time_offset_s);
-  }, camera.time_offset_s);
+  return of(
+      [&](Rig& rig) {
+        const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
+        if (same != rig.cameras.end() && same->time_offset_s) same->time_offset_s = nudged(*same->time_offset_s);
+      },
+      camera.time_offset_s);
 }
 
 SourceRange Places::pose(std::size_t index, int row, int column) const {
-  return of([&](Rig& rig) {
-    double& element = rig.poses[index].T_a_b(row, column);
-    element = nudged(element);
-  }, calibration_->rig.poses[index].T_a_b(row, column));
+  return of(
+      [&](Rig& rig) {
+        double& element = rig.poses[index].T_a_b(row, column);
+        element = nudged(element);
+      },
+      calibration_->rig.poses[index].T_a_b(row, column));
 }
 
-SourceRange Places::imu(std::optional<double> Imu::* member) const {
-  return of([&](Rig& rig) {
-    if (!rig.imus.empty() && rig.imus.front().*member) rig.imus.front().*member = nudged(*(rig.imus.front().*member));
-  }, calibration_->rig.imus.empty() ? std::nullopt : calibration_->rig.imus.front().*member);
+SourceRange Places::imu(std::optional<double> Imu::*member) const {
+  return of(
+      [&](Rig& rig) {
+        if (!rig.imus.empty() && rig.imus.front().*member) rig.imus.front().*member = nudged(*(rig.imus.front().*member));
+      },
+      calibration_->rig.imus.empty() ? std::nullopt : calibration_->rig.imus.front().*member);
 }
 
 SourceRange Places::baseline() const {
-  return of([](Rig& rig) {
-    if (rig.baseline_m) rig.baseline_m = nudged(*rig.baseline_m);
-  }, calibration_->rig.baseline_m);
+  return of(
+      [](Rig& rig) {
+        if (rig.baseline_m) rig.baseline_m = nudged(*rig.baseline_m);
+      },
+      calibration_->rig.baseline_m);
 }
 
 }  // namespace fca::checks

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a file states a fact of its rig: what the format's writer would edit if the fact were another. So no second list of keys
-// is needed, and a new format has places as soon as it can write.
+// Where a file states a fact of its rig: what the format's writer would edit if the fact were another. So no second list of
+// keys is needed, and a new format has places as soon as it can write.
 #pragma once
 
 #include <fca/formats/calibration.h>
@@ -28,7 +28,7 @@ class Places {
   /// An element of the pose that is rig.poses[index].
   [[nodiscard]] SourceRange pose(std::size_t index, int row, int column) const;
   /// A member of the first IMU.
-  [[nodiscard]] SourceRange imu(std::optional<double> Imu::* member) const;
+  [[nodiscard]] SourceRange imu(std::optional<double> Imu::*member) const;
   [[nodiscard]] SourceRange baseline() const;
 
  private:

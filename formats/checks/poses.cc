@@ -45,8 +45,12 @@ bool is_rotation(const PoseEdge& edge) {
 void check_rotation(const Subject& subject, std::size_t index, Findings& findings) {
   const PoseEdge& edge = subject.rig().poses[index];
   if (rotation_determinant(edge.T_a_b) < 0.0) {
-    findings.add({Severity::kError, "left-handed", name_of(edge) + ": its 3 x 3 part mirrors (determinant -1), it does not rotate",
-                  {}, "the sign of one row or column is wrong, or two of them are exchanged", subject.places.pose(index, 0, 0)});
+    findings.add({Severity::kError,
+                  "left-handed",
+                  name_of(edge) + ": its 3 x 3 part mirrors (determinant -1), it does not rotate",
+                  {},
+                  "the sign of one row or column is wrong, or two of them are exchanged",
+                  subject.places.pose(index, 0, 0)});
     return;
   }
   if (is_rotation(edge)) return;
@@ -54,11 +58,13 @@ void check_rotation(const Subject& subject, std::size_t index, Findings& finding
   const std::optional<Transform> nearest = nearest_rotation(edge.T_a_b);
   if (!nearest) return;
   const ElementDifference worst = largest_difference(edge.T_a_b, *nearest);
-  findings.add({defect > kPrintedWithTwoDigits ? Severity::kError : Severity::kWarning, "not-a-rotation",
+  findings.add({defect > kPrintedWithTwoDigits ? Severity::kError : Severity::kWarning,
+                "not-a-rotation",
                 name_of(edge) + ": its 3 x 3 part is not a rotation: R^T R is " + text::format_short(defect, 3) +
-                    " from the identity, and the nearest rotation differs by up to " +
-                    text::format_short(worst.distance, 2) + " in an element",
-                {}, "copy it from the calibration's result; the nearest rotation is " + rows_of(*nearest),
+                    " from the identity, and the nearest rotation differs by up to " + text::format_short(worst.distance, 2) +
+                    " in an element",
+                {},
+                "copy it from the calibration's result; the nearest rotation is " + rows_of(*nearest),
                 subject.places.pose(index, worst.row, worst.column)});
 }
 
@@ -116,7 +122,8 @@ std::vector<Contradiction> contradictions_of(const Rig& rig, bool& any_redundant
     any_redundant = true;
     constexpr double kRounding = 1e-3;  // of an angle in radians, and of a distance in metres
     const Transform& stated = rig.poses[i].T_a_b;
-    if (angle_between(stated, *around) > kRounding || distance_between(stated, *around) > kRounding) found.push_back({i, *around});
+    if (angle_between(stated, *around) > kRounding || distance_between(stated, *around) > kRounding)
+      found.push_back({i, *around});
   }
   return found;
 }
@@ -126,15 +133,19 @@ bool name_slip(const Subject& subject, const Contradiction& contradiction, Findi
   for (const Slip& slip : kSlips) {
     const std::optional<Transform> undone = slip.undo(edge.T_a_b);
     if (!undone || close(edge.T_a_b, contradiction.around) || !close(*undone, contradiction.around)) continue;
-    findings.add({Severity::kError, std::string(slip.code), name_of(edge) + " " + std::string(slip.does), {},
-                  std::string(slip.fix), subject.places.pose(contradiction.index, 0, slip.code == "translation-in-mm" ? 3 : 0)});
+    findings.add({Severity::kError,
+                  std::string(slip.code),
+                  name_of(edge) + " " + std::string(slip.does),
+                  {},
+                  std::string(slip.fix),
+                  subject.places.pose(contradiction.index, 0, slip.code == "translation-in-mm" ? 3 : 0)});
     return true;
   }
   return false;
 }
 
-/// For formats that state metres: cars are longer than 5 m, but their cameras and IMUs sit closer together; a vehicle's frame may
-/// be at its other end.
+/// For formats that state metres: cars are longer than 5 m, but their cameras and IMUs sit closer together; a vehicle's frame
+/// may be at its other end.
 bool too_far(const Subject& subject, double metres, std::string_view from = {}) {
   constexpr double kLargeRig = 5.0;
   constexpr double kLongVehicle = 20.0;
@@ -145,9 +156,12 @@ bool too_far(const Subject& subject, double metres, std::string_view from = {}) 
 void say_distance(double metres, const std::string& what, const SourceRange& where, Findings& findings) {
   constexpr double kLargestRig = 50.0;
   if (findings.has("translation-in-mm", where)) return;
-  findings.add({metres > kLargestRig ? Severity::kError : Severity::kWarning, "translation-in-mm",
+  findings.add({metres > kLargestRig ? Severity::kError : Severity::kWarning,
+                "translation-in-mm",
                 what + " is " + text::format_short(metres, 4) + " m long; probably millimetres stand there",
-                {}, "divide the translation by 1000 if they are millimetres", where});
+                {},
+                "divide the translation by 1000 if they are millimetres",
+                where});
 }
 
 /// The first camera is the left one: ORB-SLAM3 looks for disparities to one side only.
@@ -164,10 +178,14 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
   });
   SourceRange where = {subject.document.source().name, 0, 0};
   if (stated != rig.poses.end()) where = subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
-  findings.add({Severity::kWarning, "stereo-order",
-                "the second camera stands " + in_metres(-x) + " to the left of the first: the pose holds the other direction, or "
-                "the cameras are exchanged",
-                {}, "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)", where});
+  findings.add({Severity::kWarning,
+                "stereo-order",
+                "the second camera stands " + in_metres(-x) +
+                    " to the left of the first: the pose holds the other direction, or "
+                    "the cameras are exchanged",
+                {},
+                "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)",
+                where});
 }
 
 /// A camera in a vehicle's frame stands above the ground and not farther from it than a truck is high.
@@ -180,10 +198,12 @@ void check_vehicle_direction(const Subject& subject, Findings& findings) {
     const std::optional<Transform> other = inverse(edge.T_a_b);
     if (!other || plausible(edge.T_a_b(2, 3))) continue;
     const bool inverted = plausible((*other)(2, 3));
-    findings.add({Severity::kWarning, inverted ? "pose-inverted" : "pose-implausible",
+    findings.add({Severity::kWarning,
+                  inverted ? "pose-inverted" : "pose-implausible",
                   edge.b + " stands " + in_metres(edge.T_a_b(2, 3)) + " above the ground of the vehicle's frame" +
                       (inverted ? "; the inverse pose would put it at " + in_metres((*other)(2, 3)) : ""),
-                  {}, inverted ? "the file states camera -> vehicle: invert the pose" : "check the translation",
+                  {},
+                  inverted ? "the file states camera -> vehicle: invert the pose" : "check the translation",
                   subject.places.pose(i, 2, 3)});
   }
 }
@@ -236,10 +256,13 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
   constexpr double kSmallDistance = 0.01;
   const double angle = angle_between(stated, last.around);
   const double distance = distance_between(stated, last.around);
-  findings.add({angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning, "poses-contradict",
-                name_of(poses[last.index]) + " as stated and as it follows from the other poses differ by " + in_degrees(angle) +
-                    " and " + in_metres(distance),
-                {}, "decide which one is right, and write the other from it", subject.places.pose(last.index, 0, 0)});
+  findings.add({angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning,
+                "poses-contradict",
+                name_of(poses[last.index]) + " as stated and as it follows from the other poses differ by " +
+                    in_degrees(angle) + " and " + in_metres(distance),
+                {},
+                "decide which one is right, and write the other from it",
+                subject.places.pose(last.index, 0, 0)});
   return true;
 }
 

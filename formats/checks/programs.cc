@@ -38,13 +38,19 @@ class ProgramsCheck {
  public:
   ProgramsCheck(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
                 const CheckOptions& options, CheckReport& report)
-      : document_(document), format_(format), with_cameras_(with_cameras), options_(options), report_(report), findings_(report) {}
+      : document_(document),
+        format_(format),
+        with_cameras_(with_cameras),
+        options_(options),
+        report_(report),
+        findings_(report) {}
 
   void run() {
     report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(""));
     const Consumer* own = options_.program != nullptr ? options_.program : format_program();
     if (own == nullptr) {
-      if (with_cameras_) findings_.undecided("whether a program loads the file", "none that fca-io knows reads such a file alone");
+      if (with_cameras_)
+        findings_.undecided("whether a program loads the file", "none that fca-io knows reads such a file alone");
       return;
     }
     if (!own->reads(format_.id)) {
@@ -93,7 +99,8 @@ class ProgramsCheck {
   }
 
   void say_other_format(const Consumer& program) {
-    findings_.add({Severity::kError, "program-other-format",
+    findings_.add({Severity::kError,
+                   "program-other-format",
                    std::string(program.program) + " does not read the " + std::string(format_.title) + " format",
                    "It does not start, or takes the file for something else.",
                    "fca-io convert " + document_.source().name + " --to " + std::string(program.format),
@@ -111,18 +118,22 @@ class ProgramsCheck {
       finding.where = document_.source().range(mend->span);
       finding.mend = SpanEdit{mend->span, mend->text};
       finding.fix = "write " + mend->text.substr(0, mend->text.find('\n'));
-      if (mend->code == "opencv-header" && mend->text.find("---") != std::string::npos) finding.fix += " and, in a line of its own, ---";
+      if (mend->code == "opencv-header" && mend->text.find("---") != std::string::npos)
+        finding.fix += " and, in a line of its own, ---";
     }
     findings_.add(std::move(finding));
   }
 
   void say_refusals(const Consumer& own, const std::vector<Attempt>& attempts) {
-    const auto fewest = std::ranges::min_element(
-        attempts, {}, [](const Attempt& each) { return each.view.refusals.size(); });
+    const auto fewest = std::ranges::min_element(attempts, {}, [](const Attempt& each) { return each.view.refusals.size(); });
     const std::vector<std::string>& refusals = fewest->view.refusals;
     if (fewest->view.finds_no_camera && with_cameras_.value_or(false)) {
-      findings_.add({Severity::kWarning, "program-finds-no-camera", refusals.front(), {},
-                     "rename the keys if a program of OpenCV's samples is to read it", {document_.source().name, 0, 0}});
+      findings_.add({Severity::kWarning,
+                     "program-finds-no-camera",
+                     refusals.front(),
+                     {},
+                     "rename the keys if a program of OpenCV's samples is to read it",
+                     {document_.source().name, 0, 0}});
       return;
     }
     const bool another_reads =
@@ -136,7 +147,11 @@ class ProgramsCheck {
     for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i)
       say_refusal(own, fewest->mode, refusals[i], Severity::kError);
     if (refusals.size() > kMostSaid) {
-      findings_.add({Severity::kError, "program-refuses", std::to_string(refusals.size() - kMostSaid) + " refusals more", {}, {},
+      findings_.add({Severity::kError,
+                     "program-refuses",
+                     std::to_string(refusals.size() - kMostSaid) + " refusals more",
+                     {},
+                     {},
                      {document_.source().name, 0, 0}});
     }
   }
@@ -161,18 +176,20 @@ class ProgramsCheck {
     }
     const std::vector<std::string>& refusals = closest.view.refusals;
     const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
-    findings_.add({Severity::kWarning, "program-refuses",
-                   "read by " + text::enumerated(readers) + ", not by " + std::string(own.program) + ": " + refusals.front() + more,
-                   std::string(own.program) + " does not start with it; " + text::enumerated(readers) + " does.",
-                   "fca-io convert " + document_.source().name + " --to " + std::string(format_.id) + " writes " +
-                       std::string(own.program) + "'s own",
-                   place_of(refusals.front())});
+    findings_.add(
+        {Severity::kWarning, "program-refuses",
+         "read by " + text::enumerated(readers) + ", not by " + std::string(own.program) + ": " + refusals.front() + more,
+         std::string(own.program) + " does not start with it; " + text::enumerated(readers) + " does.",
+         "fca-io convert " + document_.source().name + " --to " + std::string(format_.id) + " writes " +
+             std::string(own.program) + "'s own",
+         place_of(refusals.front())});
   }
 
   void say_warnings(const Consumer& own, const ConsumerView& view) {
     if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
     for (const std::string& warning : view.warnings)
-      findings_.add({Severity::kWarning, "program-misreads", std::string(own.program) + ": " + warning, {}, {}, place_of(warning)});
+      findings_.add(
+          {Severity::kWarning, "program-misreads", std::string(own.program) + ": " + warning, {}, {}, place_of(warning)});
   }
 
   /// It loads in some mode, but not in the one for which its keys stand there.
@@ -187,10 +204,13 @@ class ProgramsCheck {
     }
     const std::vector<std::string>& refusals = meant->view.refusals;
     const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
-    Finding finding{Severity::kWarning, "mode-refused",
-                   "the keys are those of " + mode + ", and " + std::string(own.program) + " starts only as " +
-                       text::enumerated(modes) + " with them: " + refusals.front() + more,
-                   {}, {}, place_of(refusals.front())};
+    Finding finding{Severity::kWarning,
+                    "mode-refused",
+                    "the keys are those of " + mode + ", and " + std::string(own.program) + " starts only as " +
+                        text::enumerated(modes) + " with them: " + refusals.front() + more,
+                    {},
+                    {},
+                    place_of(refusals.front())};
     if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
       finding.fix = "write " + mend->text;
       finding.mend = SpanEdit{mend->span, mend->text};

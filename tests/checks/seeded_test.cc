@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Defects planted in good files are found, at the number that was changed: the files of testdata and of the corpus, each with one
-// fact made wrong by the format's own writer.
+// Defects planted in good files are found, at the number that was changed: the files of testdata and of the corpus, each with
+// one fact made wrong by the format's own writer.
 #include "check_files.h"
 #include "places.h"
 
@@ -61,7 +61,7 @@ bool scale_parameter(Rig& rig, std::string_view name, double factor) {
 }
 
 std::vector<Defect> defects() {
-  const auto imu = [](std::optional<double> Imu::* member, double factor) {
+  const auto imu = [](std::optional<double> Imu::*member, double factor) {
     return [member, factor](Rig& rig) {
       if (rig.imus.empty() || !(rig.imus.front().*member)) return false;
       *(rig.imus.front().*member) *= factor;
@@ -69,16 +69,20 @@ std::vector<Defect> defects() {
     };
   };
   return {
-      {"focal length in millimetres", {"focal-length-not-in-pixels"},
+      {"focal length in millimetres",
+       {"focal-length-not-in-pixels"},
        [](Rig& rig) {
          if (!has_size(rig) || !parameter(rig.cameras.front().model, "fx")) return false;
          return scale_parameter(rig, "fx", 0.005) && scale_parameter(rig, "fy", 0.005);
        }},
-      {"principal point outside", {"centre-outside", "size-unlike-centre"},
+      {"principal point outside",
+       {"centre-outside", "size-unlike-centre"},
        [](Rig& rig) { return has_size(rig) && scale_parameter(rig, "cx", 3.0); }},
-      {"a wrong digit in fy", {"focal-lengths-differ"},
+      {"a wrong digit in fy",
+       {"focal-lengths-differ"},
        [](Rig& rig) { return has_size(rig) && scale_parameter(rig, "fy", 1.5); }},
-      {"translation in millimetres", {"translation-in-mm", "units-not-stated"},
+      {"translation in millimetres",
+       {"translation-in-mm", "units-not-stated"},
        [](Rig& rig) {
          if (rig.poses.empty()) return false;
          Transform& T = rig.poses.front().T_a_b;
@@ -89,13 +93,15 @@ std::vector<Defect> defects() {
          }
          return length > 0.02 && length < 100.0;
        }},
-      {"a row of a rotation mirrored", {"left-handed"},
+      {"a row of a rotation mirrored",
+       {"left-handed"},
        [](Rig& rig) {
          if (!has_matrix(rig) || rotation_determinant(rig.poses.front().T_a_b) < 0.0) return false;
          for (int column = 0; column < 3; ++column) rig.poses.front().T_a_b(0, column) *= -1.0;
          return true;
        }},
-      {"a digit lost in a rotation", {"not-a-rotation"},
+      {"a digit lost in a rotation",
+       {"not-a-rotation"},
        [](Rig& rig) {
          if (!has_matrix(rig)) return false;
          Transform& T = rig.poses.front().T_a_b;
@@ -107,15 +113,19 @@ std::vector<Defect> defects() {
          return false;
        }},
       {"gyroscope noise as a variance", {"imu-noise-too-small"}, imu(&Imu::gyroscope_noise_density, 1e-4)},
-      {"gyroscope noise in degrees and discrete", {"imu-noise-too-large", "imu-sensors-swapped"},
+      {"gyroscope noise in degrees and discrete",
+       {"imu-noise-too-large", "imu-sensors-swapped"},
        imu(&Imu::gyroscope_noise_density, 810.0)},
-      {"random walk in the noise's place", {"imu-walk-above-noise"},
+      {"random walk in the noise's place",
+       {"imu-walk-above-noise"},
        [](Rig& rig) {
-         if (rig.imus.empty() || !rig.imus.front().gyroscope_noise_density || !rig.imus.front().gyroscope_random_walk) return false;
+         if (rig.imus.empty() || !rig.imus.front().gyroscope_noise_density || !rig.imus.front().gyroscope_random_walk)
+           return false;
          std::swap(rig.imus.front().gyroscope_noise_density, rig.imus.front().gyroscope_random_walk);
          return true;
        }},
-      {"time offset in milliseconds", {"time-offset-large"},
+      {"time offset in milliseconds",
+       {"time-offset-large"},
        [](Rig& rig) {
          if (rig.cameras.empty() || !rig.cameras.front().time_offset_s || std::abs(*rig.cameras.front().time_offset_s) < 2e-4)
            return false;

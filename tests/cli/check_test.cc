@@ -47,7 +47,8 @@ TEST(Check, FoldersAreWalkedAndOtherFilesCounted) {
   folder.write("program.cc", "int main() {}\n");
   const RunResult run = run_program({"check", folder.path().string()});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "2 calibrations checked: 0 with errors, 0 with warnings, 2 without; 2 files skipped")) << run.out;
+  EXPECT_TRUE(contains(run.out, "2 calibrations checked: 0 with errors, 0 with warnings, 2 without; 2 files skipped"))
+      << run.out;
 }
 
 TEST(Check, ExplainsEveryCodeItLists) {
@@ -141,7 +142,7 @@ TEST(Check, ForAnotherProgram) {
 TEST(Check, ReadsStandardInput) {
   const RunResult run = run_program({"check", "-"}, {.input = read_file(check_file("int-for-real.yaml"))});
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(contains(run.out, "-:6:16: error")) << run.out;
+  EXPECT_TRUE(contains(run.out, "<stdin>:6:16: error")) << run.out;
 }
 
 }  // namespace

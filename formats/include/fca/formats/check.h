@@ -52,9 +52,9 @@ struct CheckReport {
 
 struct CheckOptions {
   ReadOptions reading;
-  const Format* from = nullptr;                    ///< Null: detected.
-  const consumers::Consumer* program = nullptr;    ///< The program the file is meant for; null: the format's own.
-  std::optional<double> max_angle_rad;             ///< What counts as lens, from the axis.
+  const Format* from = nullptr;                  ///< Null: detected.
+  const consumers::Consumer* program = nullptr;  ///< The program the file is meant for; null: the format's own.
+  std::optional<double> max_angle_rad;           ///< What counts as lens, from the axis.
 };
 
 /// Checks one file by itself.
