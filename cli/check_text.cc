@@ -74,10 +74,9 @@ std::string check_summary(const CheckedFiles& checked) {
   std::string text = "\n" + counted(checked.files.size(), "calibration") + " checked: " + std::to_string(bad) +
                      " with errors, " + std::to_string(doubtful) + " with warnings, " +
                      std::to_string(checked.files.size() - bad - doubtful) + " without";
-  if (!checked.skipped.empty())
-    text += "; " + counted(checked.skipped.size(), "file") + " skipped that hold" + (checked.skipped.size() == 1 ? "s" : "") +
-            " no calibration";
-  return text + "\n";
+  if (checked.skipped.empty()) return text + "\n";
+  const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
+  return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";
 }
 
 std::string explanation(const CheckCode& code) {

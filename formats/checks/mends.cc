@@ -123,6 +123,9 @@ const Node* named_in(const text::Document& document, std::string_view sentence) 
 
 std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
                               const consumers::LoadOptions& options, const std::string& refusal) {
+  // Every try is a run of the program's parser; no real calibration is half as long.
+  constexpr std::size_t kLongest = 512 * 1024;
+  if (document.source().bytes.size() > kLongest) return std::nullopt;
   if (const std::optional<Mend> header = header_mend(document)) {
     // Behind the header the program sees the file for the first time: it may go on to refuse something else.
     if (!says(refusals_after(document, *header, program, options), refusal)) return header;

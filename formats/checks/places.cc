@@ -53,8 +53,12 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
   const SourceRange nowhere = {document_->source().name, 0, 0};
   Rig changed = calibration_->rig;
   change(changed);
-  if (!anyway_) anyway_ = edits_for(calibration_->rig);
-  std::vector<text::Span> spans = edits_for(changed);
+  // A rig of hundreds of cameras with as many findings would take minutes; no real one comes near.
+  constexpr std::size_t kMostCameras = 32;
+  constexpr int kMostAsked = 100;
+  const bool ask = changed.cameras.size() <= kMostCameras && asked_++ < kMostAsked;
+  if (!anyway_) anyway_ = ask ? edits_for(calibration_->rig) : std::vector<text::Span>();
+  std::vector<text::Span> spans = ask ? edits_for(changed) : std::vector<text::Span>();
   std::erase_if(spans, [this](const text::Span& span) { return std::ranges::find(*anyway_, span) != anyway_->end(); });
   std::ranges::sort(spans, {}, &text::Span::offset);
   for (const text::Span& span : spans) {

@@ -37,6 +37,7 @@ class Places {
   const text::Document* document_;
   const Calibration* calibration_;
   mutable std::optional<std::vector<text::Span>> anyway_;  ///< What the writer edits for the rig as it is; asked once.
+  mutable int asked_ = 0;                                  ///< How often the writer was asked.
 };
 
 /// The smallest node that holds the byte; null if none does.
