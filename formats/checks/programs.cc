@@ -187,9 +187,10 @@ class ProgramsCheck {
 
   void say_warnings(const Consumer& own, const ConsumerView& view) {
     if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
-    for (const std::string& warning : view.warnings)
+    for (const std::string& warning : view.warnings) {
       findings_.add(
           {Severity::kWarning, "program-misreads", std::string(own.program) + ": " + warning, {}, {}, place_of(warning)});
+    }
   }
 
   /// It loads in some mode, but not in the one for which its keys stand there.
