@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "check_command.h"
 #include "convert_command.h"
 #include "evaluate_command.h"
 #include "list_commands.h"
@@ -69,11 +70,13 @@ int run(int argc, char** argv) {
   std::function<ExitCode(Console&)> chosen;
   ConvertArguments convert_arguments;
   ShowArguments show_arguments;
+  CheckArguments check_arguments;
   ProjectArguments project_arguments;
   ListArguments list_arguments;
   EvaluateArguments evaluate_arguments;
   add_convert_command(app, convert_arguments, chosen);
   add_show_command(app, show_arguments, chosen);
+  add_check_command(app, check_arguments, chosen);
   add_project_commands(app, project_arguments, chosen);
   add_list_commands(app, list_arguments, chosen);
   add_evaluate_command(app, evaluate_arguments, chosen);

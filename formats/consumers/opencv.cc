@@ -102,6 +102,7 @@ class Reader {
       }
     }
     if (found == nullptr) {
+      view_.finds_no_camera = true;
       refuse(
           "no camera matrix under a key that OpenCV's samples read: camera_matrix, M1, K1, camera_matrix_1, "
           "camera_matrix_left, "

@@ -9,6 +9,13 @@ namespace fca::text {
 
 void Document::replace(const Span& span, std::string text) { edits_.push_back({span, std::move(text)}); }
 
+std::vector<Span> Document::edited_spans() const {
+  std::vector<Span> spans;
+  spans.reserve(edits_.size());
+  for (const Edit& edit : edits_) spans.push_back(edit.span);
+  return spans;
+}
+
 namespace {
 
 std::size_t end_of(const Entry& entry) { return std::max(entry.key.span.end(), entry.value.span.end()); }

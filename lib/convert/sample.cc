@@ -172,12 +172,13 @@ std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
 
   const auto at_border = [&](double azimuth) { return reaches_border(rays, centre, azimuth); };
   constexpr int kStepsPerSide = 12;
+  constexpr double kHair = 1e-9;
   std::vector<double> pieces = {corners.front()};
   for (std::size_t side = 0; side + 1 < corners.size(); ++side) {
     const double span = corners[side + 1] - corners[side];
     // The corners themselves belong to two sides: look a hair inside.
     const auto azimuth_of = [&](int step) {
-      return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, 1e-9, 1.0 - 1e-9);
+      return corners[side] + span * std::clamp(static_cast<double>(step) / kStepsPerSide, kHair, 1.0 - kHair);
     };
     bool kind_after = false;
     for (int step = 0; step < kStepsPerSide; ++step) {
@@ -193,7 +194,9 @@ std::vector<double> smooth_pieces(const Rays& rays, const Pixel& centre) {
       }
       pieces.push_back(0.5 * (before + after));
     }
-    pieces.push_back(corners[side + 1]);
+    // Where the lens ends before the corner, its edge is as smooth there as beside it.
+    const bool last = side + 2 == corners.size();
+    if (last || kind_after || at_border(corners[side + 1] + kHair)) pieces.push_back(corners[side + 1]);
   }
   return pieces;
 }

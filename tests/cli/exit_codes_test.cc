@@ -8,7 +8,7 @@ namespace {
 const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
 const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
-const std::vector<std::string> kSubcommands = {"convert", "show",   "project",  "unproject",
+const std::vector<std::string> kSubcommands = {"convert", "show",   "check",    "project", "unproject",
                                                "formats", "models", "programs", "evaluate"};
 
 void expect_failure(const RunResult& run, int code, const std::string& word = "error") {

@@ -51,6 +51,9 @@ struct ConsumerView {
   std::vector<std::string> warnings;    ///< What it would silently misread or ignore, one sentence each.
   std::vector<ConsumerCamera> cameras;  ///< Empty where it refuses.
   std::vector<ConsumerPose> poses;
+  /// It refuses only because no camera stands under the keys it looks for; a program of one's own may look elsewhere (OpenCV
+  /// prescribes no keys).
+  bool finds_no_camera = false;
   [[nodiscard]] bool loads() const { return refusals.empty(); }
 };
 

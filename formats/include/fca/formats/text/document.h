@@ -51,6 +51,8 @@ class Document {
   [[nodiscard]] Span extent(const Entry& entry) const;
 
   [[nodiscard]] bool edited() const { return !edits_.empty(); }
+  /// The bytes that edits replace, in the order of the edits.
+  [[nodiscard]] std::vector<Span> edited_spans() const;
   /// The bytes with all edits applied.
   [[nodiscard]] std::string bytes() const;
 

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "calibration_files.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace fca::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool ends_as_calibration(const fs::path& path) {
+  constexpr std::array<std::string_view, 5> kExtensions = {".yaml", ".yml", ".xml", ".json", ".txt"};
+  return std::ranges::find(kExtensions, path.extension().string()) != kExtensions.end();
+}
+
+/// Errors of single entries (no permission, gone meanwhile) leave those out.
+void walk_folder(const fs::path& folder, std::vector<std::string>& files) {
+  std::error_code error;
+  fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
+    if (at->path().filename().string().starts_with('.')) {
+      at.disable_recursion_pending();
+      continue;
+    }
+    std::error_code ignored;
+    if (at->is_regular_file(ignored) && ends_as_calibration(at->path())) files.push_back(at->path().string());
+  }
+}
+
+}  // namespace
+
+std::vector<FoundFile> walk(const std::vector<std::string>& paths) {
+  std::vector<FoundFile> found;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    if (path == "-" || !fs::is_directory(path, error)) {
+      found.push_back({path, true});
+      continue;
+    }
+    std::vector<std::string> files;
+    walk_folder(path, files);
+    std::ranges::sort(files);
+    for (std::string& file : files) found.push_back({std::move(file), false});
+  }
+  return found;
+}
+
+}  // namespace fca::cli

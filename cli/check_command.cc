@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_command.h"
+
+#include "calibration_files.h"
+#include "output_file.h"
+#include "words.h"
+
+#include <fca/folded_name.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+std::vector<std::string> program_ids() {
+  std::vector<std::string> ids;
+  for (const consumers::Consumer& program : consumers::all_consumers()) ids.emplace_back(program.id);
+  return ids;
+}
+
+std::vector<std::string> code_names() {
+  std::vector<std::string> names;
+  for (const CheckCode& code : check_codes()) names.emplace_back(code.code);
+  return names;
+}
+
+std::string unknown_word(std::string_view kind, const std::string& typed, const std::vector<std::string>& names,
+                         const std::string& where_listed) {
+  const std::vector<std::string> near = nearest(typed, names);
+  return "unknown " + std::string(kind) + " '" + typed + "'" +
+         (near.empty() ? "; " + where_listed : "; did you mean " + enumerated(near, "or") + "?");
+}
+
+const consumers::Consumer* find_program(std::string_view typed) {
+  const auto all = consumers::all_consumers();
+  const auto found =
+      std::ranges::find_if(all, [typed](const consumers::Consumer& each) { return folded(each.id) == folded(typed); });
+  return found == all.end() ? nullptr : &*found;
+}
+
+/// What is wrong with the options, in words.
+std::optional<std::string> problem_with(const CheckArguments& arguments) {
+  if (const std::optional<std::string> error = check(arguments.reading)) return error;
+  if (!arguments.program.empty() && find_program(arguments.program) == nullptr)
+    return unknown_word("program", arguments.program, program_ids(), "there are " + enumerated(program_ids()));
+  for (const std::string& code : arguments.ignored) {
+    if (find_check_code(code) == nullptr)
+      return unknown_word("code", code, code_names(), "fca-io check --list-codes lists them");
+  }
+  if (arguments.fail_on != "error" && arguments.fail_on != "warning")
+    return "--fail-on is error or warning, not '" + arguments.fail_on + "'";
+  if (!arguments.reading.with.empty() || arguments.reading.join || arguments.reading.cameras)
+    return "check looks at every file by itself and at all its cameras: --with, --join and --camera have no use here";
+  if (arguments.write && !arguments.fix) return "--write is for --fix";
+  if (arguments.fix && (arguments.json || arguments.sarif))
+    return "--fix shows a diff: --json and --sarif have no use beside it";
+  if (arguments.fix && arguments.write && std::ranges::find(arguments.files, "-") != arguments.files.end())
+    return "--write cannot write to standard input";
+  if (arguments.json && arguments.sarif) return "--json and --sarif exclude each other";
+  return std::nullopt;
+}
+
+/// The program for which a file is meant. Kalibr has two readers, one of them for files without cameras.
+const consumers::Consumer* meant_program(const CheckArguments& arguments, bool with_cameras) {
+  if (arguments.program.empty()) return nullptr;
+  const consumers::Consumer* program = find_program(arguments.program);
+  if (program->cameras == with_cameras) return program;
+  const auto all = consumers::all_consumers();
+  const auto other = std::ranges::find_if(
+      all, [&](const consumers::Consumer& each) { return each.format == program->format && each.cameras == with_cameras; });
+  return other == all.end() ? program : &*other;
+}
+
+/// What there is to check a file by, for one with cameras or without.
+CheckOptions options_for(const CheckArguments& arguments, bool with_cameras) {
+  CheckOptions options;
+  options.reading = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
+  options.from = arguments.reading.from.empty() ? nullptr : find_format(arguments.reading.from);
+  options.max_angle_rad = max_angle_rad(arguments.reading);
+  options.program = meant_program(arguments, with_cameras);
+  return options;
+}
+
+CheckReport checked(const text::Source& source, const CheckArguments& arguments) {
+  CheckReport report = check_file(source, options_for(arguments, true));
+  if (report.holds_no_camera && !arguments.program.empty()) report = check_file(source, options_for(arguments, false));
+  std::erase_if(report.findings, [&arguments](const Finding& finding) {
+    return std::ranges::find(arguments.ignored, finding.code) != arguments.ignored.end();
+  });
+  return report;
+}
+
+/// Makes the certain mends: shows them, writes them if asked to, and goes on with the mended text.
+ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& console) {
+  const bool with_cameras = !check_file(source, options_for(arguments, true)).holds_no_camera;
+  const std::optional<text::Source> better = mended(source, options_for(arguments, with_cameras));
+  if (!better) return ExitCode::kGood;
+  console.say(source.name + ": " + (arguments.write ? "mended" : "would be mended (--write does it)") + "\n" +
+              line_diff(source.bytes, better->bytes));
+  source = *better;
+  if (!arguments.write) return ExitCode::kGood;
+  const OutputFile output{source.name, source.bytes};
+  const std::optional<std::string> problem = write_files(std::span(&output, 1), true, false);
+  if (!problem) return ExitCode::kGood;
+  console.error(*problem);
+  return ExitCode::kIo;
+}
+
+ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
+  if (!report.is_calibration) return ExitCode::kBadInput;
+  const bool bad = report.has(Severity::kError) || (arguments.fail_on == "warning" && report.has(Severity::kWarning));
+  return bad ? ExitCode::kJudgedBad : ExitCode::kGood;
+}
+
+ExitCode run_check(const CheckArguments& arguments, Console& console) {
+  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
+  if (arguments.list_codes) {
+    for (const CheckCode& code : check_codes()) console.say(padded(code.code, 28) + std::string(code.title) + "\n");
+    return ExitCode::kGood;
+  }
+  if (!arguments.explain.empty()) {
+    const CheckCode* code = find_check_code(arguments.explain);
+    if (code == nullptr) {
+      return console.refuse(ExitCode::kUsage,
+                            unknown_word("code", arguments.explain, code_names(), "fca-io check --list-codes lists them"));
+    }
+    console.say(explanation(*code));
+    return ExitCode::kGood;
+  }
+  if (arguments.files.empty()) return console.refuse(ExitCode::kUsage, "check: FILE is required", "fca-io check --help");
+  const bool for_people = !arguments.json && !arguments.sarif;
+  ExitCode exit_code = ExitCode::kGood;
+  CheckedFiles all;
+  for (const FoundFile& file : walk(arguments.files)) {
+    Diagnostics diagnostics;
+    std::optional<text::Source> source = text::read_source(file.path, diagnostics);
+    if (!source) {
+      if (!file.named) {
+        all.skipped.push_back(file.path);
+        continue;
+      }
+      console.show(diagnostics);
+      exit_code = worse(exit_code, ExitCode::kIo);
+      continue;
+    }
+    if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
+    CheckReport report = checked(*source, arguments);
+    if (!report.is_calibration && !file.named) {
+      all.skipped.push_back(file.path);
+      continue;
+    }
+    exit_code = worse(exit_code, code_of(report, arguments));
+    all.files.push_back({*std::move(source), std::move(report)});
+    if (!for_people) continue;
+    // A file that is no calibration has no result.
+    const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back());
+    all.files.back().report.is_calibration ? console.say(text) : console.say_aside(text);
+  }
+  if (for_people) console.say(check_summary(all));
+  if (arguments.json) console.out(check_json(all));
+  if (arguments.sarif) console.out(check_sarif(all));
+  return exit_code;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  CLI::App& command = *app.add_subcommand("check", "What is wrong with a file, what happens if it is used, and how to mend it");
+  command.add_option("FILE", arguments.files, "Calibration file(s) or folders; '-' is standard input");
+  add_reading_options(command, arguments.reading);
+  command
+      .add_option("--for", arguments.program,
+                  "The program the file is meant for: " + enumerated(program_ids(), "or") + " (default: the format's own)")
+      ->type_name("PROGRAM");
+  command.add_option("--explain", arguments.explain, "The story behind a finding's code")->type_name("CODE");
+  command.add_flag("--list-codes", arguments.list_codes, "All codes with what they mean");
+  command.add_option("--ignore", arguments.ignored, "Leave findings of that code out; may be given several times")
+      ->type_name("CODE")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--fail-on", arguments.fail_on, "Exit with 1 from this severity on: error (default) or warning")
+      ->type_name("SEVERITY");
+  command.add_flag("--fix", arguments.fix,
+                   "Show the mends that are certain (a decimal point, quotes, a header) as a diff, and check the mended file");
+  command.add_flag("--write", arguments.write, "With --fix: write them into the file");
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.add_flag("--sarif", arguments.sarif, "SARIF 2.1.0 on standard output, for CI services");
+  command.footer(
+      "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"
+      "Example:\n  fca-io check camchain.yaml\n  fca-io check --explain poses-contradict\n");
+  command.callback([&] { run = [&arguments](Console& console) { return run_check(arguments, console); }; });
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mends.h"
+#include "subject.h"
+#include "topics.h"
+
+#include <fca/convert/domain.h>
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace fca {
+
+namespace checks {
+
+void Findings::add(Finding finding) {
+  if (finding.consequence.empty()) {
+    if (const CheckCode* code = find_check_code(finding.code)) finding.consequence = code->consequence;
+  }
+  report_.findings.push_back(std::move(finding));
+}
+
+bool Findings::has(std::string_view code, const SourceRange& where) const {
+  return std::ranges::any_of(report_.findings, [&](const Finding& finding) {
+    return finding.code == code && finding.where.offset == where.offset && finding.where.file == where.file;
+  });
+}
+
+namespace {
+
+struct Topic {
+  std::string_view checked;  ///< In words, for a file that gave it something to look at.
+  bool (*check)(const Subject&, Findings&);
+};
+
+constexpr std::array kTopics = {
+    Topic{"principal point, focal lengths and image size against each other", &check_image},
+    Topic{"whether the lens model covers the image", &check_lens},
+    Topic{"whether the numbers look like another model's", &check_family},
+    Topic{"rotations", &check_rotations},
+    Topic{"poses that are stated twice", &check_redundant_poses},
+    Topic{"distances", &check_distances},  // not those that the poses before have named
+    Topic{"IMU noise", &check_imu},
+    Topic{"time offsets", &check_time},
+    Topic{"OCamCalib's two polynomials", &check_ocamcalib},
+    Topic{"ORB-SLAM3's baseline, depth threshold and matrix types", &check_orbslam3},
+};
+
+/// What the reader reports and a topic says better, or says at its place.
+constexpr std::array<std::string_view, 1> kSaidByTopics = {"poses-contradict"};
+/// Why the reader gives up, where the fault is ours: the file may be right.
+constexpr std::array<std::string_view, 3> kBeyondUs = {"skew", "thin-prism", "tilted-sensor"};
+
+bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+template <class List>
+bool among(const List& codes, std::string_view code) {
+  return std::ranges::find(codes, code) != codes.end();
+}
+
+/// What the reader said. A pose that is only roughly a rotation is a topic's affair, a grossly wrong one the reader's.
+void take_over(const Diagnostics& diagnostics, Findings& findings) {
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (among(kSaidByTopics, entry.code)) continue;
+    if (entry.code == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(entry.message, "quaternion"))
+      continue;
+    const Severity severity = among(kBeyondUs, entry.code) ? Severity::kWarning : entry.severity;
+    findings.add({severity, entry.code, entry.message, {}, entry.fix, entry.where});
+  }
+}
+
+bool has_code(const Diagnostics& diagnostics, std::string_view code) {
+  return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) != diagnostics.entries().end();
+}
+
+/// "84 deg across the image" of the first camera under one reading of its four numbers.
+std::string view_as(const text::Document& document, const CheckOptions& options, const std::string& reading) {
+  CheckOptions as = options;
+  as.reading.opencv_model = reading;
+  Diagnostics ignored;
+  const std::optional<Calibration> calibration = read_calibration({document}, options.from, as.reading, ignored);
+  if (!calibration || calibration->rig.cameras.empty()) return "as " + reading + ": no camera";
+  const Camera& camera = calibration->rig.cameras.front();
+  if (!camera.image_size) return "as " + reading + ": field of view not decidable without the image size (--size)";
+  const double row = principal_point(camera.model)[1];
+  const std::optional<Ray> left = unproject(camera.model, {0.0, row});
+  const std::optional<Ray> right = unproject(camera.model, {camera.image_size->width - 1.0, row});
+  if (!left || !right) return "as " + reading + ": the image's border has no ray";
+  const double degrees = (angle_from_axis(*left) + angle_from_axis(*right)) * 180.0 / std::numbers::pi;
+  return "as " + reading + ": " + text::format_short(degrees, 4) + " deg across the image";
+}
+
+/// A parameter out of its range is often its neighbour in the list.
+void suggest_exchanges(const text::Document& document, const Format& format, const CheckOptions& options, CheckReport& report) {
+  for (Finding& finding : report.findings) {
+    if (finding.code != "not-a-camera" || !finding.fix.empty()) continue;
+    const text::Node* other = exchanged_with(document, format, options.reading, finding.where.offset);
+    if (other != nullptr) finding.fix = "exchange it with " + other->value + " beside it";
+  }
+}
+
+/// Nothing in the file says which of OpenCV's two lenses four numbers are: both readings, by what they would see.
+void show_both_readings(const text::Document& document, const CheckOptions& options, CheckReport& report) {
+  for (Finding& finding : report.findings) {
+    if (finding.code != "ambiguous-model") continue;
+    finding.severity = Severity::kWarning;
+    finding.message += "; " + view_as(document, options, "pinhole") + "; " + view_as(document, options, "fisheye");
+  }
+}
+
+/// A few keys that only calibrations have: is a file that no parser takes one all the same?
+bool mentions_calibration(std::string_view bytes) {
+  constexpr std::array<std::string_view, 12> kWords = {"camera_model", "distortion_coeffs", "noise_density", "Camera.fx",
+                                                       "Camera1.fx",   "camera_matrix",     "Camera_Matrix", "cx_offset",
+                                                       "K1: !!opencv", "M1: !!opencv",      "intrinsics",    "omnidirectional"};
+  return std::ranges::any_of(kWords, [bytes](std::string_view word) { return contains(bytes, word); });
+}
+
+void sort_by_place(std::vector<Finding>& findings) {
+  const auto before = [](const Finding& a, const Finding& b) {
+    if (a.where.offset != b.where.offset) return a.where.offset < b.where.offset;
+    return a.severity > b.severity;
+  };
+  std::ranges::stable_sort(findings, before);
+}
+
+void run_topics(const text::Document& document, const Calibration& calibration, const CheckOptions& options,
+                CheckReport& report) {
+  const Subject subject{document, calibration, options, Places(document, calibration)};
+  Findings findings(report);
+  for (const Topic& topic : kTopics) {
+    if (topic.check(subject, findings)) report.checked.emplace_back(topic.checked);
+  }
+}
+
+}  // namespace
+
+}  // namespace checks
+
+bool CheckReport::has(Severity severity) const {
+  return std::ranges::any_of(findings, [severity](const Finding& finding) { return finding.severity == severity; });
+}
+
+CheckReport check_file(const text::Source& source, const CheckOptions& options) {
+  CheckReport report;
+  checks::Findings findings(report);
+  Diagnostics diagnostics;
+  std::optional<text::Document> document = text::parse_document(source, diagnostics);
+  if (!document) {
+    checks::take_over(diagnostics, findings);
+    report.is_calibration = options.from != nullptr || checks::mentions_calibration(source.bytes);
+    return report;
+  }
+  std::optional<DetectedFormat> detected;
+  if (options.from != nullptr) {
+    detected = DetectedFormat{options.from, "--from"};
+  } else {
+    detected = detect_format(*document, diagnostics);
+  }
+  if (!detected) {
+    checks::take_over(diagnostics, findings);
+    report.is_calibration = checks::has_code(diagnostics, "ambiguous-format");
+    return report;
+  }
+  report.format = detected->format;
+  report.why = detected->why;
+  const std::optional<Calibration> calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
+  checks::take_over(diagnostics, findings);
+  std::optional<bool> with_cameras;
+  if (calibration) {
+    with_cameras = !calibration->rig.cameras.empty();
+    report.holds_no_camera = !*with_cameras;
+  }
+  // What the reader refuses for a fault of the file is said; programs would stumble over the same place.
+  if (calibration || !report.has(Severity::kError)) {
+    checks::check_programs(*document, *detected->format, with_cameras, options, report);
+  }
+  if (calibration) {
+    checks::run_topics(*document, *calibration, options, report);
+  } else {
+    findings.undecided("everything beyond the file's syntax", "the file could not be read as a calibration");
+    checks::show_both_readings(*document, options, report);
+    checks::suggest_exchanges(*document, *detected->format, options, report);
+  }
+  checks::sort_by_place(report.findings);
+  return report;
+}
+
+std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options) {
+  text::Source result = source;
+  bool any = false;
+  constexpr int kMostRounds = 20;  // behind a header that is mended a program sees the rest for the first time
+  for (int round = 0; round < kMostRounds; ++round) {
+    const CheckReport report = check_file(result, options);
+    text::Document document(result, text::Syntax::kYaml, {});
+    std::size_t free_from = 0;
+    for (const Finding& finding : report.findings) {  // by place
+      if (!finding.mend || finding.mend->span.offset < free_from) continue;
+      document.replace(finding.mend->span, finding.mend->text);
+      free_from = finding.mend->span.end() + 1;
+    }
+    if (!document.edited()) break;
+    result.bytes = document.bytes();
+    any = true;
+  }
+  return any ? std::optional(result) : std::nullopt;
+}
+
+}  // namespace fca

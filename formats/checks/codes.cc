@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What every code means. Kept by name, so that a code is found by eye; a test compares the table with what checks say.
+#include <fca/formats/check.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fca {
+
+namespace {
+
+// What is the same for many codes.
+constexpr std::string_view kNotRead = "No program can read the file; fca-io does not, either.";
+constexpr std::string_view kProgramStops = "The program stops at once, or goes on without this camera.";
+constexpr std::string_view kWrongPose =
+    "Points are carried into the wrong frame: visual-inertial estimation diverges or settles on a wrong scale and direction.";
+constexpr std::string_view kWrongPixels = "Every pixel away from the centre gets a wrong direction.";
+constexpr std::string_view kWrongWeights = "The filter trusts the IMU too much or too little; the trajectory drifts or jumps.";
+constexpr std::string_view kGarbage = "OCamCalib's reader goes on with the wrong numbers and says nothing.";
+
+constexpr std::array kCodes = {
+    CheckCode{"a1-not-zero", "OCamCalib's second coefficient is not 0", kWrongPixels,
+              R"(OCamCalib fits  f(rho) = a0 + a2 rho^2 + a3 rho^3 + a4 rho^4  with a1 = 0: the surface is flat on the axis.
+The file has the coefficients ascending, a1 included, so its second number is 0. Another number there is a list in
+MATLAB's descending order, a list without a1, or another program's polynomial.)"},
+    CheckCode{"ambiguous-format", "more than one format could be meant", kNotRead, ""},
+    CheckCode{
+        "ambiguous-model", "four distortion coefficients, and nothing says of which lens",
+        "A program that takes them for the other lens is off by tens of degrees at the border.",
+        R"(cv::projectPoints takes four numbers as k1 k2 p1 p2 of a radial-tangential lens, cv::fisheye as k1 k2 k3 k4 of an
+equidistant one. An OpenCV file need not say which. The finding shows both readings with the angle that each would see
+across the image: the lens's data sheet decides. Then give --opencv-model pinhole or fisheye.)"},
+    CheckCode{"baseline-contradicts", "ORB-SLAM's bf is not baseline times fx",
+              "Depths of the stereo pair or depth sensor are wrong by that factor.",
+              R"(Camera.bf = b fx, with the baseline b in metres and fx of the rectified camera. The same baseline stands in
+RIGHT.P(0, 3) = -b fx or in the second camera's pose. Checked to 5 %.)"},
+    CheckCode{"bf-is-a-baseline", "ORB-SLAM's bf holds the baseline alone", "Depths come out fx (hundreds of) times too small.",
+              "Camera.bf = baseline in metres times Camera.fx in pixels: 0.11 m and 435 px give 47.9."},
+    CheckCode{"binary-file", "the file is not text", kNotRead, ""},
+    CheckCode{"cannot-read", "the file cannot be read", "", ""},
+    CheckCode{
+        "carla-translation", "SynWoodScape's translation in CARLA's frame",
+        "WoodScape's projection.py stops with KeyError: 'translation'.",
+        R"(CARLA is left-handed and has another origin; the published files differ in the order of y and z. The pose is left
+out rather than guessed.)"},
+    CheckCode{
+        "centre-off", "the principal point is far from the middle", kWrongPixels,
+        R"(Compared are |cx - (w - 1) / 2| with w / 2, and the same downwards; above 0.3 is said. Real lenses are mounted within
+0.1. A cropped image, other resolution's numbers and an exchange of numbers look so, and a poor calibration.)"},
+    CheckCode{"centre-outside", "the principal point lies outside the image", kWrongPixels,
+              "As centre-off, above 1: Kalibr refuses a negative one. Only a crop that leaves out the middle is so."},
+    CheckCode{
+        "centre-swapped", "OCamCalib's centre has column before row", kWrongPixels,
+        R"(calib_results.txt has the centre as row, column and the size as height, width. MATLAB's DistortionCenter is column,
+row. The other order is said if it is nearer to the middle; on a square image nobody can tell.)"},
+    CheckCode{"comment-lines", "a line too many before a block", kGarbage, ""},
+    CheckCode{"comment-missing", "no comment line before a block", kGarbage,
+              "get_ocam_model skips exactly one line before each of its five blocks, whatever stands there."},
+    CheckCode{"comment-too-long", "a comment line longer than the reader's buffer", kGarbage, ""},
+    CheckCode{"degree-too-high", "a polynomial of a higher degree than fca-io holds", kNotRead, ""},
+    CheckCode{
+        "depth-threshold", "ThDepth is not in baselines",
+        "Nearly all stereo points count as close, or nearly all as far, and their depths are weighted so.",
+        R"(ORB-SLAM takes points nearer than ThDepth * baseline for close, whose depth one view gives. 35 to 60 in upstream's
+examples; 0.1 and 2000 are metres or millimetres.)"},
+    CheckCode{"distortion-missing", "no distortion coefficients beside a camera matrix", kWrongPixels, ""},
+    CheckCode{"duplicate-key", "a key stands twice", "Kalibr takes the last one, OpenCV and ORB-SLAM3 the first.", ""},
+    CheckCode{"empty-file", "the file is empty", kNotRead, ""},
+    CheckCode{"eucm-without-type", "EUCM's alpha and beta under ORB-SLAM2's k1 and k2",
+              "ORB-SLAM2 takes them for radial distortion: every pixel is wrong.", ""},
+    CheckCode{"file-version-missing", "ORB-SLAM3 V1.0's keys without File.version", kProgramStops, ""},
+    CheckCode{"file-version-not-string", "File.version is not the string \"1.0\"",
+              "ORB-SLAM3 silently runs its old parser and finds no camera.", ""},
+    CheckCode{
+        "focal-length-not-in-pixels", "the focal length does not belong to the image", kWrongPixels,
+        R"(A focal length below 0.05 of the width would see more than 1100 deg across an equidistant image; above 20 times the
+width, less than 3 deg. Millimetres (4.2) and normalised numbers (0.83) look like the first, a missing decimal point like
+the second.)"},
+    CheckCode{"focal-lengths-differ", "fx and fy are not alike", "If one is wrong, directions are stretched along one axis.",
+              "Pixels are square on nearly every sensor of the last twenty years: above 5 % is said. Anamorphic images are "
+              "right so."},
+    CheckCode{"folds-inside-image", "the lens model ends inside the image",
+              "Pixels beyond have no ray; a ray beyond lands on a pixel that belongs to another one.",
+              R"(A polynomial that fits the calibrated part of the image may turn round beyond it:
+
+  radius |        ___
+         |     .-'   '-.      <- from here on two rays share a pixel
+         |   .'
+         |  /
+         +---------------- angle from the axis
+
+The angle is where the radius stops growing; the pixels are those of the image beyond that radius. Within 85 deg a warning:
+such a lens fills the image. Beyond, a note: a fisheye's image circle may end there. If it is within half the way to the
+border, an error. --max-angle says what counts as lens.)"},
+    CheckCode{"image-size-invalid", "an image cannot have that size", kNotRead, ""},
+    CheckCode{
+        "imu-noise-too-large", "IMU noise above any sensor's", kWrongWeights,
+        R"(Asked for is the continuous-time density sigma_c. A discrete deviation at rate f is  sigma_d = sigma_c sqrt(f): at
+200 Hz 14 times larger. In degrees a gyroscope's is 57 times larger. People multiply the data sheet's by 5 to 20 for SLAM,
+which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said.)"},
+    CheckCode{
+        "imu-noise-too-small", "IMU noise below any sensor's", kWrongWeights,
+        "A variance is the density squared: (1.7e-4)^2 = 2.9e-8. Below 2e-6 rad/s/sqrt(Hz) or 2e-5 m/s^2/sqrt(Hz) is said."},
+    CheckCode{"imu-rate", "a rate no IMU has", kWrongWeights, ""},
+    CheckCode{"imu-sensors-swapped", "gyroscope noise above the accelerometer's", kWrongWeights,
+              "In SI units a MEMS gyroscope has about 1e-4 and its accelerometer 1e-3."},
+    CheckCode{
+        "imu-walk-above-noise", "a gyroscope's random walk above its noise", kWrongWeights,
+        "Their units differ (rad/s^2/sqrt(Hz) and rad/s/sqrt(Hz)); the numbers of real gyroscopes differ by 10 and more."},
+    CheckCode{
+        "int-for-real", "a whole number where the program wants a real one", kProgramStops,
+        R"(Kalibr asks Python for a float, ORB-SLAM3 cv::FileNode for REAL: 190 and 20 are ints to both and refused. A decimal
+point mends it.)"},
+    CheckCode{"inverse-missing", "no inverse polynomial", "OCamCalib's world2cam cannot project.", ""},
+    CheckCode{"json-syntax", "not JSON", kNotRead, ""},
+    CheckCode{"left-handed", "a pose that mirrors", kWrongPose,
+              "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
+    CheckCode{"matlab-origin", "MATLAB counts pixels from 1", "The principal point is one pixel off.", ""},
+    CheckCode{"matrix-corner", "K(2, 2) is not 1", "inv(K) and K * p come out wrong in programs that compute them.", ""},
+    CheckCode{"matrix-not-float", "a matrix of doubles where ORB-SLAM3 reads floats",
+              "ORB-SLAM3 takes the first half of the bytes for its numbers: the pose is garbage, and nothing says so.",
+              "Stereo.T_c1_c2, IMU.T_b_c1, Tbc and Tlr are read by .at<float>(); dt: d stores eight bytes per number."},
+    CheckCode{"matrix-transposed", "a camera matrix with its columns as rows", kWrongPixels, ""},
+    CheckCode{"matrix-type", "a matrix type that does not suit", kWrongPixels, ""},
+    CheckCode{"merge-conflict", "git's merge-conflict markers", kNotRead, ""},
+    CheckCode{"missing-block", "the file ends too early", kGarbage, ""},
+    CheckCode{"missing-key", "a key is missing", kProgramStops, ""},
+    CheckCode{"mode-refused", "ORB-SLAM3 starts, but not in the mode the keys are for",
+              "Started in that mode ORB-SLAM3 exits; started in another, the keys are not used.", ""},
+    CheckCode{"model-contradicts", "told to be read as another lens than the file says", kWrongPixels, ""},
+    CheckCode{"no-calibration", "neither a camera nor an IMU's noise", kNotRead, ""},
+    CheckCode{
+        "not-a-camera", "a parameter no camera has", kWrongPixels,
+        R"(The ranges: focal lengths > 0, alpha in [0, 1], beta > 0, xi of Double Sphere in (-1, 1]. Kalibr's lists begin with
+[alpha beta ..] for eucm, [xi alpha ..] for ds, [xi ..] for omni: exchanged, alpha leaves its range.)"},
+    CheckCode{"not-a-camera-matrix", "no camera matrix", kWrongPixels, ""},
+    CheckCode{"not-a-list", "a list is wanted", kProgramStops, ""},
+    CheckCode{"not-a-mapping", "keys and values are wanted", kProgramStops, ""},
+    CheckCode{"not-a-matrix", "an opencv-matrix is wanted", kProgramStops, ""},
+    CheckCode{"not-a-number", "a number is wanted", kProgramStops, ""},
+    CheckCode{
+        "not-a-rotation", "the 3 x 3 part of a pose is not a rotation",
+        "Distances and directions are sheared; Sophus (in ORB-SLAM3's old parser) aborts.",
+        R"(R^T R = I for a rotation. Printed with three digits it is off by 2e-3 at most, with two by 2e-2: above the first is a
+warning, above the second an error. The nearest rotation is the orthogonal factor of the polar decomposition R = Q S.
+A quaternion must have length 1.)"},
+    CheckCode{"not-a-string", "a name is wanted", kProgramStops, ""},
+    CheckCode{"not-a-transform", "the last row of a pose is not 0 0 0 1", kWrongPose,
+              "If the last column is 0 0 0 1, the matrix is transposed."},
+    CheckCode{"not-an-integer", "a whole number is wanted", kProgramStops, ""},
+    CheckCode{"not-finite", "not a finite number", kProgramStops, ""},
+    CheckCode{"not-in-pixels", "WoodScape's k1 is not in pixels", kWrongPixels,
+              "rho = k1 theta + ... in pixels: k1 is 200 to 600. Normalised Kannala-Brandt coefficients (0.18) stand there in "
+              "forks."},
+    CheckCode{"not-positive", "a number above 0 is wanted", kProgramStops, ""},
+    CheckCode{"not-settings", "no keys at the top level", kNotRead, ""},
+    CheckCode{
+        "number-as-text", "a number the program reads as text", kProgramStops,
+        R"(PyYAML (Kalibr) takes a number for a real one only with a point, and with a sign in the exponent: 1.0e-05. 1e-5 and 1e5
+are text to it.)"},
+    CheckCode{"octal", "a number with a leading 0", "The programs read 017 as fifteen.", ""},
+    CheckCode{
+        "opencv-header", "OpenCV's first line in a file for YAML",
+        "Kalibr stops at the first line; OpenVINS, which reads with OpenCV, does not.",
+        R"(%YAML:1.0 is no YAML: the directive is %YAML 1.2 with a blank. One layout is read by PyYAML, yaml-cpp and OpenCV
+alike: first line %YAML 1.2, second line ---, lists indented deeper than their key, every real number with a point.)"},
+    CheckCode{"out-of-range", "a number beyond any camera's or rig's", kWrongPose, ""},
+    CheckCode{"polynomial-sign", "OCamCalib's a0 is positive", kWrongPixels, ""},
+    CheckCode{"pose-implausible", "a camera below the ground", kWrongPose, ""},
+    CheckCode{
+        "pose-inverted", "a pose in the other direction", kWrongPose,
+        R"(T_a_b takes points in b to points in a. Kalibr: T_cam_imu (imu -> cam), T_cn_cnm1 (previous camera -> this one).
+ORB-SLAM3: IMU.T_b_c1 and Tbc (cam -> imu), Stereo.T_c1_c2 and Tlr (second -> first). WoodScape: camera -> vehicle.
+A pose and its inverse are equally long, so that a single one tells nothing; it is decided by the other poses of a loop,
+or by the height above a vehicle's ground.)"},
+    CheckCode{"pose-missing", "a second camera without a pose", "Stereo modes stop.", ""},
+    CheckCode{"pose-transposed", "a pose with its rotation transposed", kWrongPose, ""},
+    CheckCode{
+        "poses-contradict", "two statements of one pose differ",
+        "Programs that read the one and those that read the other disagree.",
+        R"(T_cam1_imu = T_cam1_cam0 T_cam0_imu. Programs print them from one estimate, to 1e-15; edited files break the loop. Above
+0.06 deg or 1 mm a warning, above 1 deg or 1 cm an error. A pose whose inverse, transpose or millimetres would close the
+loop is named as such.)"},
+    CheckCode{"program-finds-no-camera", "no key that a program of OpenCV's samples reads",
+              "Programs written after OpenCV's samples find nothing; the program that wrote the file may.", ""},
+    CheckCode{"program-ignores", "something no program reads", "It has no effect.", ""},
+    CheckCode{"program-misreads", "the program loads the file and does not use all of it as it stands", "", ""},
+    CheckCode{"program-other-format", "the program reads another format", "", ""},
+    CheckCode{"program-refuses", "the program refuses the file", kProgramStops, ""},
+    CheckCode{"real-for-int", "a real number where the program wants a whole one", kProgramStops,
+              "Kalibr's resolution, ORB-SLAM3's Camera.fps and sizes are ints: 30.0 is refused."},
+    CheckCode{"relative-by-centre", "a centre below 1 is taken as relative", kWrongPixels, ""},
+    CheckCode{"size-contradicts", "another image size was told than the file states", kWrongPixels, ""},
+    CheckCode{
+        "size-swapped", "width and height are exchanged", kWrongPixels,
+        R"(The principal point is within a tenth of the middle of the image turned by 90 deg, and a fifth away from the middle of
+the one stated.)"},
+    CheckCode{
+        "size-unlike-centre", "the image size is not the one of the calibration", kWrongPixels,
+        R"(cx / (w / 2) and cy / (h / 2) are alike, and 30 % and more from 1: the intrinsics are those of another resolution.
+Scaled by s they become  f' = s f,  c' = s (c + 0.5) - 0.5.)"},
+    CheckCode{"skew", "a skew, which fca-io's models do not hold",
+              "Nothing, in a program that uses it (cv::omnidir); others ignore it.", ""},
+    CheckCode{"stale-inverse", "OCamCalib's two polynomials are of different lenses",
+              "Programs that project (world2cam) and those that unproject (cam2world) disagree by that many pixels.",
+              "The inverse polynomial is a fit to the direct one, to 0.01 px when fresh. Above 1 px is said."},
+    CheckCode{
+        "stereo-order", "the second camera stands left of the first",
+        "ORB-SLAM3 looks for disparities to one side only and finds no depth.",
+        "T_c1_c2 takes points of camera 2 to camera 1: its translation is where camera 2 stands, x > 0 for the right one."},
+    CheckCode{"thin-prism", "thin-prism terms, which fca-io's models do not hold", "", ""},
+    CheckCode{"tilted-sensor", "a tilted sensor, which fca-io's models do not hold", "", ""},
+    CheckCode{"time-offset-large", "a time offset longer than a frame",
+              "The estimator starts with images of another moment; many refuse to correct that much.", ""},
+    CheckCode{"too-deep", "nested too deep", kNotRead, ""},
+    CheckCode{"too-large", "larger than any calibration", kNotRead, ""},
+    CheckCode{
+        "translation-in-mm", "a translation that is not in metres", kWrongPose,
+        R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
+read as metres are 110 m. OpenCV's stereo calibration has the unit of the board.)"},
+    CheckCode{"units-not-stated", "a translation whose unit no file states", kWrongPose, ""},
+    CheckCode{"unknown-format", "no format fca-io reads", "", ""},
+    CheckCode{"unknown-model", "a camera model the program does not know", kProgramStops, ""},
+    CheckCode{"unquoted-text", "text without quotes", kProgramStops,
+              "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes mend both."},
+    CheckCode{"wrong-count", "more or fewer numbers than announced", kGarbage, ""},
+    CheckCode{"wrong-family", "another lens model's numbers", kWrongPixels,
+              R"(Four numbers look alike in every file. What tells them apart:
+* radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not.
+* no lens without distortion sees 100 deg across the image; an equidistant model's k1 near 0 under radtan claims one.
+* an equidistant model with |k1| > 0.15 has higher terms of its size; radtan's -0.28 0.07 0.0002 -0.00002 under its name
+  ends in next to nothing.
+Not decidable: small numbers of a narrow lens, where both readings see the same.)"},
+    CheckCode{"wrong-length", "a list of the wrong length", kProgramStops, ""},
+    CheckCode{"wrong-syntax", "not written as the format is", kNotRead, ""},
+    CheckCode{"xml-declaration", "a document type, entity or CDATA section in XML", kNotRead, ""},
+    CheckCode{"xml-mixed", "text between elements", kNotRead, ""},
+    CheckCode{"xml-place", "an XML element out of place", kNotRead, ""},
+    CheckCode{"xml-root", "not OpenCV's XML", kNotRead, ""},
+    CheckCode{"xml-syntax", "not XML", kNotRead, ""},
+    CheckCode{"yaml-alias", "a YAML alias", kNotRead, ""},
+    CheckCode{"yaml-anchor", "a YAML anchor", kNotRead, ""},
+    CheckCode{"yaml-documents", "more than one YAML document", kNotRead, ""},
+    CheckCode{"yaml-key", "a YAML key that is no text", kNotRead, ""},
+    CheckCode{"yaml-syntax", "not YAML", kNotRead, ""},
+    CheckCode{"yaml-tab", "a TAB as indentation", kNotRead,
+              "YAML indents with blanks only; OpenCV and PyYAML both refuse TABs there."},
+};
+
+}  // namespace
+
+std::span<const CheckCode> check_codes() { return kCodes; }
+
+const CheckCode* find_check_code(std::string_view code) {
+  const auto found = std::ranges::lower_bound(kCodes, code, {}, &CheckCode::code);
+  return found == kCodes.end() || found->code != code ? nullptr : &*found;
+}
+
+}  // namespace fca

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers of one lens model under the name of another. Four coefficients look alike in every file; what they may be differs.
+#include "topics.h"
+
+#include <fca/convert/domain.h>
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fca::checks {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+double value(const Camera& camera, std::string_view name) { return parameter(camera.model, name).value_or(0.0); }
+
+/// Angle across the image along its row through the principal point; nothing where a border has no ray.
+std::optional<double> horizontal_view(const Camera& camera) {
+  if (!camera.image_size) return std::nullopt;
+  const double row = principal_point(camera.model)[1];
+  const std::optional<Ray> left = unproject(camera.model, {0.0, row});
+  const std::optional<Ray> right = unproject(camera.model, {camera.image_size->width - 1.0, row});
+  if (!left || !right) return std::nullopt;
+  return angle_from_axis(*left) + angle_from_axis(*right);
+}
+
+/// Lenses are centred to a small fraction of a degree: tangential terms above this are another model's third and fourth number.
+void check_tangential(const Subject& subject, const Camera& camera, Findings& findings) {
+  constexpr double kLargest = 0.02;
+  for (const std::string_view name : {"p1", "p2"}) {
+    if (std::abs(value(camera, name)) <= kLargest) continue;
+    findings.add({Severity::kWarning, "wrong-family",
+                  camera.name + ": " + std::string(name) + " = " + text::format_short(value(camera, name), 4) +
+                      " is no tangential distortion of a real lens (below 0.01); k3 and k4 of an equidistant (Kannala-Brandt) "
+                      "model often stand there",
+                  "Straight lines bend sideways and pixels far from the centre are off by tens of pixels.",
+                  "if the four numbers are k1 k2 k3 k4 of a fisheye, name that model", subject.places.parameter(camera, name)});
+    return;
+  }
+}
+
+/// A distortion-free lens that sees more than 100 deg does not exist outside of simulators; a fisheye's small k1 under radtan
+/// claims one.
+void check_rectilinear(const Subject& subject, const Camera& camera, Findings& findings) {
+  const std::optional<double> view = horizontal_view(camera);
+  constexpr double kWidest = 100.0 / kDegreesPerRadian;
+  constexpr double kStraight = 0.03;
+  const double k1 = value(camera, "k1");
+  if (!view || *view < kWidest || k1 == 0.0 || std::abs(k1) > kStraight) return;
+  findings.add({Severity::kWarning, "wrong-family",
+                camera.name + ": nearly no distortion (k1 = " + text::format_short(k1, 3) + ") at " +
+                    text::format_short(*view * kDegreesPerRadian, 4) +
+                    " deg across the image: no such lens is built; an equidistant (Kannala-Brandt) model has such numbers",
+                "Directions at the border are off by tens of degrees.",
+                "if the four numbers are k1 k2 k3 k4 of a fisheye, name that model", subject.places.parameter(camera, "k1")});
+}
+
+/// radtan's signature: a strong negative k1, a positive k2 and two tangential terms that are next to nothing. An equidistant
+/// polynomial with so strong a k1 has higher terms of its size.
+void check_equidistant(const Subject& subject, const Camera& camera, Findings& findings) {
+  const double k1 = value(camera, "k1");
+  const double k2 = value(camera, "k2");
+  constexpr double kStrong = 0.15;
+  constexpr double kTangential = 5e-3;
+  const bool tiny = std::abs(value(camera, "k3")) < kTangential && std::abs(value(camera, "k4")) < kTangential;
+  if (std::abs(k1) < kStrong || k1 * k2 >= 0.0 || !tiny) return;
+  findings.add({Severity::kWarning, "wrong-family",
+                camera.name + ": k1 = " + text::format_short(k1, 4) + ", k2 = " + text::format_short(k2, 4) +
+                    " beside k3 and k4 of nearly 0 are a radial-tangential lens's k1 k2 p1 p2, not an equidistant one's",
+                "Directions at the border are off by tens of degrees.", "if so, name the model radtan (plumb_bob, PinHole)",
+                subject.places.parameter(camera, "k1")});
+}
+
+}  // namespace
+
+bool check_family(const Subject& subject, Findings& findings) {
+  bool any = false;
+  for (const Camera& camera : subject.rig().cameras) {
+    const std::string_view model = model_info(camera.model).id;
+    if (model == "radtan" || model == "rational" || model == "mei") check_tangential(subject, camera, findings);
+    if (model == "radtan") check_rectilinear(subject, camera, findings);
+    if (model == "kb4") check_equidistant(subject, camera, findings);
+    any = any || model == "radtan" || model == "rational" || model == "mei" || model == "kb4";
+  }
+  return any;
+}
+
+}  // namespace fca::checks

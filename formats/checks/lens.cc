@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "topics.h"
+
+#include <fca/convert/domain.h>
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fca::checks {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+/// The part of an image that has no ray.
+struct Uncovered {
+  double share = 0.0;
+  double nearest_px = 0.0;  ///< Its distance from the principal point.
+  Pixel nearest = {};
+};
+
+Uncovered uncovered_part(const CameraModel& model, const ImageSize& size) {
+  constexpr int kSteps = 64;
+  const Pixel centre = principal_point(model);
+  Uncovered result;
+  int count = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const Pixel pixel = {(size.width - 1.0) * i / kSteps, (size.height - 1.0) * j / kSteps};
+      if (unproject(model, pixel)) continue;
+      const double distance = std::hypot(pixel[0] - centre[0], pixel[1] - centre[1]);
+      if (count == 0 || distance < result.nearest_px) {
+        result.nearest_px = distance;
+        result.nearest = pixel;
+      }
+      ++count;
+    }
+  }
+  result.share = static_cast<double>(count) / ((kSteps + 1) * (kSteps + 1));
+  return result;
+}
+
+/// The parameter that bends the lens first: where to look.
+SourceRange place_of_lens(const Subject& subject, const Camera& camera) {
+  for (const std::string_view name : {"k1", "alpha", "xi", "w", "a2"}) {
+    if (parameter(camera.model, name)) return subject.places.parameter(camera, name);
+  }
+  return subject.places.parameter(camera, "fx");
+}
+
+void check_coverage(const Subject& subject, const Camera& camera, Findings& findings) {
+  const ImageSize size = *camera.image_size;
+  const Uncovered uncovered = uncovered_part(camera.model, size);
+  const double ends = max_angle(camera.model);
+  if (uncovered.share == 0.0 || ends >= subject.options.max_angle_rad.value_or(std::numbers::pi)) return;
+  const Pixel centre = principal_point(camera.model);
+  const double nearest_border = std::min({centre[0], size.width - 1.0 - centre[0], centre[1], size.height - 1.0 - centre[1]});
+  constexpr double kFisheye = 85.0 / kDegreesPerRadian;
+  // A fisheye's image circle ends inside the image; a lens that sees less fills it.
+  const bool circle = ends > kFisheye;
+  const bool broken = uncovered.nearest_px < 0.5 * nearest_border;
+  const Severity severity = broken ? Severity::kError : circle ? Severity::kNote : Severity::kWarning;
+  const std::string what = camera.name + ": the radius stops growing " + text::format_short(ends * kDegreesPerRadian, 4) +
+                           " deg from the axis, about " + text::format_short(uncovered.nearest_px, 4) +
+                           " px from the principal point: " + text::format_short(100.0 * uncovered.share, 3) +
+                           " % of the image has no ray";
+  findings.add({severity, "folds-inside-image", what,
+                circle && !broken ? "Nothing, if those pixels are black; a ray beyond that angle lands on a wrong pixel." : "",
+                circle && !broken
+                    ? "if the lens sees there, calibrate with targets near the border"
+                    : "calibrate with targets in the corners, or with a fisheye model; or do not use those pixels",
+                place_of_lens(subject, camera)});
+}
+
+}  // namespace
+
+bool check_lens(const Subject& subject, Findings& findings) {
+  bool any = false;
+  for (const Camera& camera : subject.rig().cameras) {
+    if (!camera.image_size) continue;
+    check_coverage(subject, camera, findings);
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace fca::checks

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mends.h"
+
+#include <fca/formats/text/dialect.h>
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace fca::checks {
+
+namespace {
+
+using text::Node;
+
+/// The value under a path of keys separated by '/' or '.'; keys may themselves hold points.
+const Node* find_path(const Node& mapping, std::string_view path) {
+  if (const text::Entry* entry = text::find_entry(mapping, path, text::Dialect::kOpenCv))
+    return entry->value.span.length > 0 ? &entry->value : &entry->key;
+  for (std::size_t at = path.find_first_of("/."); at != std::string_view::npos; at = path.find_first_of("/.", at + 1)) {
+    const text::Entry* owner = text::find_entry(mapping, path.substr(0, at), text::Dialect::kOpenCv);
+    if (owner == nullptr) continue;
+    if (owner->value.is_mapping()) {
+      if (const Node* found = find_path(owner->value, path.substr(at + 1))) return found;
+    }
+    return &owner->key;  // the key itself is missing there
+  }
+  return nullptr;
+}
+
+void collect_scalars(const Node& node, std::vector<const Node*>& scalars) {
+  if (node.is_scalar()) scalars.push_back(&node);
+  for (const Node& item : node.items) collect_scalars(item, scalars);
+  for (const text::Entry& entry : node.entries) collect_scalars(entry.value, scalars);
+}
+
+/// Other spellings of the same value.
+std::vector<Mend> spellings(const Node& scalar) {
+  std::vector<Mend> mends;
+  const std::optional<double> number = text::parse_real(scalar.value);
+  if (!scalar.quoted && number && std::isfinite(*number)) {
+    const bool whole = text::parse_int(scalar.value).has_value();
+    mends.push_back({whole ? "int-for-real" : "number-as-text", scalar.span, text::format_real(*number)});
+    constexpr double kLargest = 1e9;
+    if (!whole && *number == std::floor(*number) && std::abs(*number) < kLargest)
+      mends.push_back({"real-for-int", scalar.span, std::to_string(static_cast<long long>(*number))});
+  }
+  if (!scalar.quoted) mends.push_back({"unquoted-text", scalar.span, "\"" + scalar.value + "\""});
+  return mends;
+}
+
+std::vector<std::string> refusals_of(const text::Document& document, const consumers::Consumer& program,
+                                     const consumers::LoadOptions& options) {
+  return program.load(document.bytes(), options).refusals;
+}
+
+std::vector<std::string> refusals_after(text::Document document, const Mend& mend, const consumers::Consumer& program,
+                                        const consumers::LoadOptions& options) {
+  document.replace(mend.span, mend.text);
+  return refusals_of(document, program, options);
+}
+
+bool says(const std::vector<std::string>& refusals, const std::string& sentence) {
+  return std::ranges::find(refusals, sentence) != refusals.end();
+}
+
+/// OpenCV's first line, where a program wants YAML's own.
+std::optional<Mend> header_mend(const text::Document& document) {
+  const text::Source& source = document.source();
+  const std::size_t start = source.byte_order_mark();
+  if (!std::string_view(source.bytes).substr(start).starts_with("%YAML:")) return std::nullopt;
+  const text::Span line = source.line_at(start);
+  const std::size_t next = line.end() + source.line_break().size();
+  const bool marked = std::string_view(source.bytes).substr(std::min(next, source.bytes.size())).starts_with("---");
+  return Mend{"opencv-header", line, marked ? "%YAML 1.2" : "%YAML 1.2" + std::string(source.line_break()) + "---"};
+}
+
+/// The list whose item begins there, and which.
+struct Item {
+  const Node* list = nullptr;
+  std::size_t index = 0;
+};
+
+std::optional<Item> item_at(const Node& node, std::size_t offset) {
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    if (node.items[i].is_scalar() && node.items[i].span.offset == offset) return Item{&node, i};
+    if (std::optional<Item> found = item_at(node.items[i], offset)) return found;
+  }
+  for (const text::Entry& entry : node.entries) {
+    if (std::optional<Item> found = item_at(entry.value, offset)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const Node* exchanged_with(const text::Document& document, const Format& format, const ReadOptions& options,
+                           std::size_t offset) {
+  const std::optional<Item> item = item_at(document.root(), offset);
+  if (!item) return nullptr;
+  const std::vector<Node>& items = item->list->items;
+  for (const std::size_t other : {item->index + 1, item->index - 1}) {
+    if (other >= items.size()) continue;  // 0 - 1 is large
+    text::Document exchanged = document;
+    exchanged.replace(items[item->index].span, std::string(document.source().text(items[other].span)));
+    exchanged.replace(items[other].span, std::string(document.source().text(items[item->index].span)));
+    Diagnostics diagnostics;
+    const std::optional<text::Document> reparsed =
+        text::parse_document({document.source().name, exchanged.bytes()}, diagnostics);
+    if (!reparsed || diagnostics.has_errors()) continue;
+    if (format.read(std::span(&*reparsed, 1), options, diagnostics) && !diagnostics.has_errors()) return &items[other];
+  }
+  return nullptr;
+}
+
+const Node* named_in(const text::Document& document, std::string_view sentence) {
+  std::string_view name = sentence.substr(0, sentence.find(' '));
+  while (name.ends_with(':') || name.ends_with(',')) name.remove_suffix(1);
+  return name.empty() ? nullptr : find_path(document.root(), name);
+}
+
+std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
+                              const consumers::LoadOptions& options, const std::string& refusal) {
+  // Every try is a run of the program's parser; no real calibration is half as long.
+  constexpr std::size_t kLongest = 512 * 1024;
+  if (document.source().bytes.size() > kLongest) return std::nullopt;
+  if (const std::optional<Mend> header = header_mend(document)) {
+    // Behind the header the program sees the file for the first time: it may go on to refuse something else.
+    if (!says(refusals_after(document, *header, program, options), refusal)) return header;
+  }
+  const Node* named = named_in(document, refusal);
+  if (named == nullptr) return std::nullopt;
+  std::vector<const Node*> scalars;
+  collect_scalars(*named, scalars);
+  const std::vector<std::string> before = refusals_of(document, program, options);
+  // The same complaint with another value in it is no progress.
+  const auto helps = [&](const Mend& mend) {
+    const std::vector<std::string> after = refusals_after(document, mend, program, options);
+    return !says(after, refusal) && std::ranges::all_of(after, [&](const std::string& each) { return says(before, each); });
+  };
+  constexpr std::size_t kMostTried = 32;
+  for (std::size_t i = 0; i < std::min(kMostTried, scalars.size()); ++i) {
+    for (Mend& mend : spellings(*scalars[i])) {
+      if (helps(mend)) return std::move(mend);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace fca::checks

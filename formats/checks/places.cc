@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "places.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+
+namespace fca::checks {
+
+namespace {
+
+/// Another value of the same size: far enough that every writer sees a difference, near enough that none refuses it.
+double nudged(double value) { return value == 0.0 ? 1e-6 : value * (1.0 + 1e-6); }
+
+/// The first number of the tree that reads so.
+const text::Node* number_reading(const text::Node& node, double value) {
+  if (node.is_scalar() && text::parse_real(node.value) == value) return &node;
+  for (const text::Node& item : node.items) {
+    if (const text::Node* found = number_reading(item, value)) return found;
+  }
+  for (const text::Entry& entry : node.entries) {
+    if (const text::Node* found = number_reading(entry.value, value)) return found;
+  }
+  return nullptr;
+}
+
+bool holds(const text::Span& span, std::size_t offset) { return offset >= span.offset && offset < span.end(); }
+
+}  // namespace
+
+const text::Node* node_at(const text::Node& root, std::size_t offset) {
+  for (const text::Node& item : root.items) {
+    if (const text::Node* found = node_at(item, offset)) return found;
+  }
+  for (const text::Entry& entry : root.entries) {
+    for (const text::Node* node : {&entry.key, &entry.value}) {
+      if (const text::Node* found = node_at(*node, offset)) return found;
+    }
+  }
+  return holds(root.span, offset) ? &root : nullptr;
+}
+
+std::vector<text::Span> Places::edits_for(const Rig& rig) const {
+  Diagnostics ignored;
+  const std::optional<Written> written = calibration_->format->write(document_, rig, {}, ignored);
+  for (const Written::File& file : written ? written->files : std::vector<Written::File>()) {
+    if (file.document.source().bytes == document_->source().bytes) return file.document.edited_spans();
+  }
+  return {};
+}
+
+SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<double> value) const {
+  const SourceRange nowhere = {document_->source().name, 0, 0};
+  Rig changed = calibration_->rig;
+  change(changed);
+  // A rig of hundreds of cameras with as many findings would take minutes; no real one comes near.
+  constexpr std::size_t kMostCameras = 32;
+  constexpr int kMostAsked = 100;
+  const bool ask = changed.cameras.size() <= kMostCameras && asked_++ < kMostAsked;
+  if (!anyway_) anyway_ = ask ? edits_for(calibration_->rig) : std::vector<text::Span>();
+  std::vector<text::Span> spans = ask ? edits_for(changed) : std::vector<text::Span>();
+  std::erase_if(spans, [this](const text::Span& span) { return std::ranges::find(*anyway_, span) != anyway_->end(); });
+  std::ranges::sort(spans, {}, &text::Span::offset);
+  for (const text::Span& span : spans) {
+    const text::Node* node = node_at(document_->root(), span.offset);
+    if (node != nullptr && node->is_scalar()) return document_->range(*node);
+  }
+  const text::Node* same = value ? number_reading(document_->root(), *value) : nullptr;
+  return same != nullptr ? document_->range(*same) : nowhere;
+}
+
+SourceRange Places::parameter(const Camera& camera, std::string_view name) const {
+  return of(
+      [&](Rig& rig) {
+        const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
+        if (same == rig.cameras.end()) return;
+        set_parameter(same->model, name, nudged(fca::parameter(same->model, name).value_or(0.0)));
+      },
+      fca::parameter(camera.model, name));
+}
+
+SourceRange Places::image_width(const Camera& camera) const {
+  return of(
+      [&](Rig& rig) {
+        const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
+        if (same != rig.cameras.end() && same->image_size) ++same->image_size->width;
+      },
+      camera.image_size ? std::optional<double>(camera.image_size->width) : std::nullopt);
+}
+
+SourceRange Places::time_offset(const Camera& camera) const {
+  return of(
+      [&](Rig& rig) {
+        const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
+        if (same != rig.cameras.end() && same->time_offset_s) same->time_offset_s = nudged(*same->time_offset_s);
+      },
+      camera.time_offset_s);
+}
+
+SourceRange Places::pose(std::size_t index, int row, int column) const {
+  return of(
+      [&](Rig& rig) {
+        double& element = rig.poses[index].T_a_b(row, column);
+        element = nudged(element);
+      },
+      calibration_->rig.poses[index].T_a_b(row, column));
+}
+
+SourceRange Places::imu(std::optional<double> Imu::*member) const {
+  return of(
+      [&](Rig& rig) {
+        if (!rig.imus.empty() && rig.imus.front().*member) rig.imus.front().*member = nudged(*(rig.imus.front().*member));
+      },
+      calibration_->rig.imus.empty() ? std::nullopt : calibration_->rig.imus.front().*member);
+}
+
+SourceRange Places::baseline() const {
+  return of(
+      [](Rig& rig) {
+        if (rig.baseline_m) rig.baseline_m = nudged(*rig.baseline_m);
+      },
+      calibration_->rig.baseline_m);
+}
+
+}  // namespace fca::checks

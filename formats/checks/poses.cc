@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rotation.h"
+#include "topics.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace fca::checks {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+std::string name_of(const PoseEdge& edge) { return "T_" + edge.a + "_" + edge.b; }
+
+std::string in_degrees(double radians) { return text::format_short(radians * kDegreesPerRadian, 3) + " deg"; }
+
+std::string in_metres(double metres) {
+  constexpr double kShort = 0.1;
+  return std::abs(metres) < kShort ? text::format_short(metres * 1000.0, 3) + " mm" : text::format_short(metres, 3) + " m";
+}
+
+std::string rows_of(const Transform& T) {
+  std::string text;
+  for (int row = 0; row < 3; ++row) {
+    text += row == 0 ? "[" : ", [";
+    for (int column = 0; column < 3; ++column) text += (column == 0 ? "" : ", ") + text::format_short(T(row, column), 7);
+    text += "]";
+  }
+  return text;
+}
+
+// Printed with three digits an element is off by 5e-4, and R^T R by 1e-3; with two by 2e-2.
+constexpr double kPrintedWithThreeDigits = 2e-3;
+constexpr double kPrintedWithTwoDigits = 2e-2;
+
+bool is_rotation(const PoseEdge& edge) {
+  return rotation_determinant(edge.T_a_b) > 0.0 && rotation_defect(edge.T_a_b) <= kPrintedWithThreeDigits;
+}
+
+void check_rotation(const Subject& subject, std::size_t index, Findings& findings) {
+  const PoseEdge& edge = subject.rig().poses[index];
+  if (rotation_determinant(edge.T_a_b) < 0.0) {
+    findings.add({Severity::kError,
+                  "left-handed",
+                  name_of(edge) + ": its 3 x 3 part mirrors (determinant -1), it does not rotate",
+                  {},
+                  "the sign of one row or column is wrong, or two of them are exchanged",
+                  subject.places.pose(index, 0, 0)});
+    return;
+  }
+  if (is_rotation(edge)) return;
+  const double defect = rotation_defect(edge.T_a_b);
+  const std::optional<Transform> nearest = nearest_rotation(edge.T_a_b);
+  if (!nearest) return;
+  const ElementDifference worst = largest_difference(edge.T_a_b, *nearest);
+  findings.add({defect > kPrintedWithTwoDigits ? Severity::kError : Severity::kWarning,
+                "not-a-rotation",
+                name_of(edge) + ": its 3 x 3 part is not a rotation: R^T R is " + text::format_short(defect, 3) +
+                    " from the identity, and the nearest rotation differs by up to " + text::format_short(worst.distance, 2) +
+                    " in an element",
+                {},
+                "copy it from the calibration's result; the nearest rotation is " + rows_of(*nearest),
+                subject.places.pose(index, worst.row, worst.column)});
+}
+
+/// A slip of the pen that turns one statement of a pose into another.
+struct Slip {
+  std::string_view code;
+  std::string_view does;  ///< What the file does instead, behind "T_a_b ".
+  std::string_view fix;
+  std::optional<Transform> (*undo)(const Transform& stated);
+};
+
+std::optional<Transform> transposed(const Transform& T) {
+  Transform result = T;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) result(row, column) = T(column, row);
+  }
+  return result;
+}
+
+std::optional<Transform> scaled(const Transform& T, double factor) {
+  Transform result = T;
+  for (int row = 0; row < 3; ++row) result(row, 3) *= factor;
+  return result;
+}
+
+constexpr std::array kSlips = {
+    Slip{"pose-inverted", "holds the other direction (its inverse agrees with the other poses)", "invert it: R^T and -R^T t",
+         [](const Transform& T) { return inverse(T); }},
+    Slip{"pose-transposed", "holds the transposed rotation", "write the rotation's columns as rows", &transposed},
+    Slip{"translation-in-mm", "has its translation in millimetres", "divide the translation by 1000",
+         [](const Transform& T) { return scaled(T, 1e-3); }},
+    Slip{"translation-in-mm", "has its translation 1000 times too small", "multiply the translation by 1000",
+         [](const Transform& T) { return scaled(T, 1e3); }},
+};
+
+bool close(const Transform& a, const Transform& b) {
+  constexpr double kAngle = 0.5 / kDegreesPerRadian;
+  constexpr double kDistance = 5e-3;
+  return angle_between(a, b) < kAngle && distance_between(a, b) < std::max(kDistance, 0.05 * distance_of(b));
+}
+
+/// A pose that is stated and follows from the others, too.
+struct Contradiction {
+  std::size_t index = 0;
+  Transform around;
+};
+
+std::vector<Contradiction> contradictions_of(const Rig& rig, bool& any_redundant) {
+  std::vector<Contradiction> found;
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
+    Rig others = rig;
+    others.poses.erase(others.poses.begin() + static_cast<std::ptrdiff_t>(i));
+    const std::optional<Transform> around = others.resolve(rig.poses[i].a, rig.poses[i].b);
+    if (!around) continue;
+    any_redundant = true;
+    constexpr double kRounding = 1e-3;  // of an angle in radians, and of a distance in metres
+    const Transform& stated = rig.poses[i].T_a_b;
+    if (angle_between(stated, *around) > kRounding || distance_between(stated, *around) > kRounding)
+      found.push_back({i, *around});
+  }
+  return found;
+}
+
+bool name_slip(const Subject& subject, const Contradiction& contradiction, Findings& findings) {
+  const PoseEdge& edge = subject.rig().poses[contradiction.index];
+  for (const Slip& slip : kSlips) {
+    const std::optional<Transform> undone = slip.undo(edge.T_a_b);
+    if (!undone || close(edge.T_a_b, contradiction.around) || !close(*undone, contradiction.around)) continue;
+    findings.add({Severity::kError,
+                  std::string(slip.code),
+                  name_of(edge) + " " + std::string(slip.does),
+                  {},
+                  std::string(slip.fix),
+                  subject.places.pose(contradiction.index, 0, slip.code == "translation-in-mm" ? 3 : 0)});
+    return true;
+  }
+  return false;
+}
+
+/// For formats that state metres: cars are longer than 5 m, but their cameras and IMUs sit closer together; a vehicle's frame
+/// may be at its other end.
+bool too_far(const Subject& subject, double metres, std::string_view from = {}) {
+  constexpr double kLargeRig = 5.0;
+  constexpr double kLongVehicle = 20.0;
+  const bool vehicle = !from.empty() && from == subject.calibration.format->frame;
+  return metres > (vehicle ? kLongVehicle : kLargeRig) && !subject.calibration.format->any_length_unit;
+}
+
+void say_distance(double metres, const std::string& what, const SourceRange& where, Findings& findings) {
+  constexpr double kLargestRig = 50.0;
+  if (findings.has("translation-in-mm", where)) return;
+  findings.add({metres > kLargestRig ? Severity::kError : Severity::kWarning,
+                "translation-in-mm",
+                what + " is " + text::format_short(metres, 4) + " m long; probably millimetres stand there",
+                {},
+                "divide the translation by 1000 if they are millimetres",
+                where});
+}
+
+/// The first camera is the left one: ORB-SLAM3 looks for disparities to one side only.
+void check_stereo_order(const Subject& subject, Findings& findings) {
+  const Rig& rig = subject.rig();
+  if (!subject.is("orbslam3") || rig.cameras.size() < 2) return;
+  const std::optional<Transform> T_c1_c2 = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
+  if (!T_c1_c2) return;
+  const double x = (*T_c1_c2)(0, 3);
+  constexpr double kMostly = 0.7;
+  if (x >= 0.0 || -x < kMostly * distance_of(*T_c1_c2)) return;
+  const auto stated = std::ranges::find_if(rig.poses, [&rig](const PoseEdge& edge) {
+    return edge.a != "imu0" && edge.b != "imu0" && (edge.a == rig.cameras[1].name || edge.b == rig.cameras[1].name);
+  });
+  SourceRange where = {subject.document.source().name, 0, 0};
+  if (stated != rig.poses.end()) where = subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
+  findings.add({Severity::kWarning,
+                "stereo-order",
+                "the second camera stands " + in_metres(-x) +
+                    " to the left of the first: the pose holds the other direction, or "
+                    "the cameras are exchanged",
+                {},
+                "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)",
+                where});
+}
+
+/// A camera in a vehicle's frame stands above the ground and not farther from it than a truck is high.
+void check_vehicle_direction(const Subject& subject, Findings& findings) {
+  const auto plausible = [](double height) { return height > 0.1 && height < 4.5; };
+  if (!subject.is("woodscape")) return;  // elsewhere the frame is a board or another camera
+  for (std::size_t i = 0; i < subject.rig().poses.size(); ++i) {
+    const PoseEdge& edge = subject.rig().poses[i];
+    if (edge.a != subject.calibration.format->frame) continue;
+    const std::optional<Transform> other = inverse(edge.T_a_b);
+    if (!other || plausible(edge.T_a_b(2, 3))) continue;
+    const bool inverted = plausible((*other)(2, 3));
+    findings.add({Severity::kWarning,
+                  inverted ? "pose-inverted" : "pose-implausible",
+                  edge.b + " stands " + in_metres(edge.T_a_b(2, 3)) + " above the ground of the vehicle's frame" +
+                      (inverted ? "; the inverse pose would put it at " + in_metres((*other)(2, 3)) : ""),
+                  {},
+                  inverted ? "the file states camera -> vehicle: invert the pose" : "check the translation",
+                  subject.places.pose(i, 2, 3)});
+  }
+}
+
+}  // namespace
+
+bool check_rotations(const Subject& subject, Findings& findings) {
+  for (std::size_t i = 0; i < subject.rig().poses.size(); ++i) check_rotation(subject, i, findings);
+  return !subject.rig().poses.empty();
+}
+
+bool check_distances(const Subject& subject, Findings& findings) {
+  const Rig& rig = subject.rig();
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
+    const Transform& T = rig.poses[i].T_a_b;
+    if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;
+    int largest = 0;
+    for (int row = 1; row < 3; ++row) {
+      if (std::abs(T(row, 3)) > std::abs(T(largest, 3))) largest = row;
+    }
+    say_distance(distance_of(T), "the translation of " + name_of(rig.poses[i]), subject.places.pose(i, largest, 3), findings);
+  }
+  if (rig.baseline_m && too_far(subject, *rig.baseline_m))
+    say_distance(*rig.baseline_m, "the baseline", subject.places.baseline(), findings);
+  check_stereo_order(subject, findings);
+  check_vehicle_direction(subject, findings);
+  return !rig.poses.empty() || rig.baseline_m;
+}
+
+bool check_redundant_poses(const Subject& subject, Findings& findings) {
+  const auto& poses = subject.rig().poses;
+  if (!std::ranges::all_of(poses, is_rotation)) {
+    findings.undecided("whether the poses agree", "one of them is not a rotation");
+    return false;
+  }
+  bool any_redundant = false;
+  const std::vector<Contradiction> contradictions = contradictions_of(subject.rig(), any_redundant);
+  if (!any_redundant && !poses.empty()) {
+    findings.undecided("direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
+                       "each is stated once, and a pose and its inverse are equally long");
+  }
+  for (const Contradiction& each : contradictions) {
+    if (name_slip(subject, each, findings)) return true;
+  }
+  if (contradictions.empty()) return any_redundant;
+  // Every pose of the loop would be told the same. The last is usually the derived one (T_cn_cnm1).
+  const Contradiction& last = contradictions.back();
+  const Transform& stated = poses[last.index].T_a_b;
+  constexpr double kSmallAngle = 1.0 / kDegreesPerRadian;
+  constexpr double kSmallDistance = 0.01;
+  const double angle = angle_between(stated, last.around);
+  const double distance = distance_between(stated, last.around);
+  findings.add({angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning,
+                "poses-contradict",
+                name_of(poses[last.index]) + " as stated and as it follows from the other poses differ by " +
+                    in_degrees(angle) + " and " + in_metres(distance),
+                {},
+                "decide which one is right, and write the other from it",
+                subject.places.pose(last.index, 0, 0)});
+  return true;
+}
+
+}  // namespace fca::checks

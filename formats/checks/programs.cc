@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mends.h"
+#include "topics.h"
+
+#include <fca/formats/text/dialect.h>
+#include <fca/formats/text/prose.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fca::checks {
+
+namespace {
+
+using consumers::Consumer;
+using consumers::ConsumerView;
+
+/// What a program makes of the file in one of its modes.
+struct Attempt {
+  std::string mode;  ///< Empty: it has none.
+  ConsumerView view;
+};
+
+/// The modes that a file's keys speak for, the richest first; the others would not use what stands there.
+std::string meant_mode(const text::Document& document) {
+  const auto has = [&document](std::string_view key) {
+    return text::find(document.root(), key, text::Dialect::kOpenCv) != nullptr;
+  };
+  const auto any = [&has](auto... keys) { return (has(keys) || ...); };
+  std::string mode = "mono";
+  if (any("Stereo.T_c1_c2", "Camera2.fx", "Tlr", "Stereo.b", "Camera.bf")) mode = "stereo";
+  if (any("RGBD.DepthMapFactor", "DepthMapFactor")) mode = "rgbd";
+  if (any("IMU.T_b_c1", "Tbc", "IMU.NoiseGyro")) mode += "-inertial";
+  return mode;
+}
+
+class ProgramsCheck {
+ public:
+  ProgramsCheck(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
+                const CheckOptions& options, CheckReport& report)
+      : document_(document),
+        format_(format),
+        with_cameras_(with_cameras),
+        options_(options),
+        report_(report),
+        findings_(report) {}
+
+  void run() {
+    report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(""));
+    const Consumer* own = options_.program != nullptr ? options_.program : format_program();
+    if (own == nullptr) {
+      if (with_cameras_)
+        findings_.undecided("whether a program loads the file", "none that fca-io knows reads such a file alone");
+      return;
+    }
+    if (!own->reads(format_.id)) {
+      say_other_format(*own);
+      return;
+    }
+    const std::vector<Attempt> attempts = attempt(*own);
+    report_.checked.push_back("whether " + std::string(own->program) + " loads the bytes");
+    const auto loaded = std::ranges::find_if(attempts, [](const Attempt& each) { return each.view.loads(); });
+    if (loaded == attempts.end()) {
+      say_refusals(*own, attempts);
+    } else {
+      say_warnings(*own, loaded->view);
+      say_refused_mode(*own, attempts);
+    }
+  }
+
+ private:
+  [[nodiscard]] consumers::LoadOptions load_options(std::string mode) const {
+    return {std::move(mode), options_.reading.opencv_model};
+  }
+
+  /// The format's own program: the first of the table that reads such files.
+  [[nodiscard]] const Consumer* format_program() const {
+    const auto all = consumers::all_consumers();
+    const auto found = std::ranges::find_if(all, [this](const Consumer& each) {
+      return each.format == format_.id && each.cameras == with_cameras_.value_or(true);
+    });
+    return found == all.end() ? nullptr : &*found;
+  }
+
+  [[nodiscard]] std::vector<Attempt> attempt(const Consumer& program) const {
+    std::vector<Attempt> attempts;
+    if (format_.modes.empty()) attempts.push_back({"", {}});
+    for (const std::string_view mode : format_.modes) attempts.push_back({std::string(mode), {}});
+    for (Attempt& each : attempts) each.view = program.load(document_.source().bytes, load_options(each.mode));
+    return attempts;
+  }
+
+  [[nodiscard]] SourceRange place_of(const std::string& sentence) const {
+    const text::Node* node = named_in(document_, sentence);
+    if (node == nullptr) return {document_.source().name, 0, 0};
+    SourceRange where = document_.range(*node);
+    if (!node->is_scalar()) where.length = std::min<std::size_t>(where.length, 1);
+    return where;
+  }
+
+  void say_other_format(const Consumer& program) {
+    findings_.add({Severity::kError,
+                   "program-other-format",
+                   std::string(program.program) + " does not read the " + std::string(format_.title) + " format",
+                   "It does not start, or takes the file for something else.",
+                   "fca-io convert " + document_.source().name + " --to " + std::string(program.format),
+                   {document_.source().name, 0, 0}});
+  }
+
+  /// One refusal, at its place, with the mend if there is a certain one.
+  void say_refusal(const Consumer& program, const std::string& mode, const std::string& refusal, Severity severity) {
+    const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
+    Finding finding{severity, "program-refuses", refusal, {}, {}, place_of(refusal)};
+    const std::string_view first_word = program.program.substr(0, program.program.find(' '));
+    if (refusal.find(first_word) == std::string::npos) finding.message = who + " refuses the file: " + refusal;
+    if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), refusal)) {
+      finding.code = mend->code;
+      finding.where = document_.source().range(mend->span);
+      finding.mend = SpanEdit{mend->span, mend->text};
+      finding.fix = "write " + mend->text.substr(0, mend->text.find('\n'));
+      if (mend->code == "opencv-header" && mend->text.find("---") != std::string::npos)
+        finding.fix += " and, in a line of its own, ---";
+    }
+    findings_.add(std::move(finding));
+  }
+
+  void say_refusals(const Consumer& own, const std::vector<Attempt>& attempts) {
+    const auto fewest = std::ranges::min_element(attempts, {}, [](const Attempt& each) { return each.view.refusals.size(); });
+    const std::vector<std::string>& refusals = fewest->view.refusals;
+    if (fewest->view.finds_no_camera && with_cameras_.value_or(false)) {
+      findings_.add({Severity::kWarning,
+                     "program-finds-no-camera",
+                     refusals.front(),
+                     {},
+                     "rename the keys if a program of OpenCV's samples is to read it",
+                     {document_.source().name, 0, 0}});
+      return;
+    }
+    const bool another_reads =
+        options_.program == nullptr && std::ranges::any_of(report_.readers.programs, &Readers::Program::loads);
+    if (another_reads) {
+      say_read_by_another(own, *fewest);
+      return;
+    }
+    if (raise_wrong_parser()) return;
+    constexpr std::size_t kMostSaid = 10;
+    for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i)
+      say_refusal(own, fewest->mode, refusals[i], Severity::kError);
+    if (refusals.size() > kMostSaid) {
+      findings_.add({Severity::kError,
+                     "program-refuses",
+                     std::to_string(refusals.size() - kMostSaid) + " refusals more",
+                     {},
+                     {},
+                     {document_.source().name, 0, 0}});
+    }
+  }
+
+  /// With the wrong parser chosen every key is missing: one reason for all refusals, which the reader has said.
+  bool raise_wrong_parser() {
+    for (Finding& finding : report_.findings) {
+      if (finding.code != "file-version-not-string" && finding.code != "file-version-missing") continue;
+      finding.severity = Severity::kError;
+      const text::Node* version = text::find(document_.root(), "File.version", text::Dialect::kOpenCv);
+      if (version != nullptr && version->value == "1.0") finding.mend = SpanEdit{version->span, "\"1.0\""};
+      return true;
+    }
+    return false;
+  }
+
+  /// A fork's file: right for the fork, and not for the format's own program.
+  void say_read_by_another(const Consumer& own, const Attempt& closest) {
+    std::vector<std::string> readers;
+    for (const Readers::Program& program : report_.readers.programs) {
+      if (program.loads) readers.push_back(program.program);
+    }
+    const std::vector<std::string>& refusals = closest.view.refusals;
+    const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
+    findings_.add(
+        {Severity::kWarning, "program-refuses",
+         "read by " + text::enumerated(readers) + ", not by " + std::string(own.program) + ": " + refusals.front() + more,
+         std::string(own.program) + " does not start with it; " + text::enumerated(readers) + " does.",
+         "fca-io convert " + document_.source().name + " --to " + std::string(format_.id) + " writes " +
+             std::string(own.program) + "'s own",
+         place_of(refusals.front())});
+  }
+
+  void say_warnings(const Consumer& own, const ConsumerView& view) {
+    if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
+    for (const std::string& warning : view.warnings) {
+      findings_.add(
+          {Severity::kWarning, "program-misreads", std::string(own.program) + ": " + warning, {}, {}, place_of(warning)});
+    }
+  }
+
+  /// It loads in some mode, but not in the one for which its keys stand there.
+  void say_refused_mode(const Consumer& own, const std::vector<Attempt>& attempts) {
+    if (format_.modes.empty()) return;
+    const std::string mode = meant_mode(document_);
+    const auto meant = std::ranges::find(attempts, mode, &Attempt::mode);
+    if (meant == attempts.end() || meant->view.loads()) return;
+    std::vector<std::string> modes;
+    for (const Attempt& each : attempts) {
+      if (each.view.loads()) modes.push_back(each.mode);
+    }
+    const std::vector<std::string>& refusals = meant->view.refusals;
+    const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
+    Finding finding{Severity::kWarning,
+                    "mode-refused",
+                    "the keys are those of " + mode + ", and " + std::string(own.program) + " starts only as " +
+                        text::enumerated(modes) + " with them: " + refusals.front() + more,
+                    {},
+                    {},
+                    place_of(refusals.front())};
+    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
+      finding.fix = "write " + mend->text;
+      finding.mend = SpanEdit{mend->span, mend->text};
+    }
+    findings_.add(std::move(finding));
+  }
+
+  const text::Document& document_;
+  const Format& format_;
+  std::optional<bool> with_cameras_;
+  const CheckOptions& options_;
+  CheckReport& report_;
+  Findings findings_;
+};
+
+}  // namespace
+
+void check_programs(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
+                    const CheckOptions& options, CheckReport& report) {
+  ProgramsCheck(document, format, with_cameras, options, report).run();
+}
+
+}  // namespace fca::checks

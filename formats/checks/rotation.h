@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/rig/transform.h>
+
+#include <optional>
+
+namespace fca::checks {
+
+/// The pose with the rotation nearest to its 3 x 3 part (polar decomposition; Higham 1986); nothing if that is singular. Of a
+/// mirror image it is the nearest mirror image.
+[[nodiscard]] std::optional<Transform> nearest_rotation(const Transform& T_a_b);
+
+/// An element of the 3 x 3 part and by how much it differs from another's.
+struct ElementDifference {
+  int row = 0;
+  int column = 0;
+  double distance = 0.0;
+};
+/// The largest difference of two elements of the 3 x 3 parts.
+[[nodiscard]] ElementDifference largest_difference(const Transform& a, const Transform& b);
+
+/// Angle between two rotations, in radians, [0, pi].
+[[nodiscard]] double angle_between(const Transform& a, const Transform& b);
+
+/// Length of the translation [m].
+[[nodiscard]] double distance_of(const Transform& T_a_b);
+
+/// Distance of two translations [m].
+[[nodiscard]] double distance_between(const Transform& a, const Transform& b);
+
+}  // namespace fca::checks

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Private: what a check looks at and where it puts what it finds.
+#pragma once
+
+#include "places.h"
+
+#include <fca/formats/check.h>
+
+#include <string>
+#include <utility>
+
+namespace fca::checks {
+
+/// A file with what was read from it.
+struct Subject {
+  const text::Document& document;
+  const Calibration& calibration;
+  const CheckOptions& options;
+  Places places;
+
+  [[nodiscard]] const Rig& rig() const { return calibration.rig; }
+  [[nodiscard]] bool is(std::string_view format) const { return calibration.format->id == format; }
+};
+
+/// Collects findings; a consequence left empty is the code's own.
+class Findings {
+ public:
+  explicit Findings(CheckReport& report) : report_(report) {}
+  void add(Finding finding);
+  [[nodiscard]] bool has(std::string_view code, const SourceRange& where) const;
+  void undecided(std::string question, std::string why) { report_.undecided.push_back({std::move(question), std::move(why)}); }
+
+ private:
+  CheckReport& report_;
+};
+
+}  // namespace fca::checks

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Is a calibration sane? What is wrong with it, what happens if it is used, how to mend it, and what could not be decided.
+#pragma once
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/consumers/consumer.h>
+#include <fca/formats/proof.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// Bytes to put in place of others.
+struct SpanEdit {
+  text::Span span;
+  std::string text;
+};
+
+/// Something that is, or may be, wrong with a file.
+struct Finding {
+  Severity severity = Severity::kError;
+  std::string code;         ///< One of check_codes().
+  std::string message;      ///< What is wrong, one sentence.
+  std::string consequence;  ///< What happens if the file is used as it is.
+  std::string fix;          ///< How to mend it; may be empty.
+  SourceRange where;
+  std::optional<SpanEdit> mend = {};  ///< Where the mend is certain: another spelling of the same value.
+};
+
+/// A question the file does not answer.
+struct Undecided {
+  std::string question;  ///< "folding inside the image (cam0)"
+  std::string why;       ///< "no image size: give --size"
+};
+
+/// What a check came to.
+struct CheckReport {
+  const Format* format = nullptr;  ///< Null where no format knows the file.
+  std::string why;                 ///< Why that format.
+  bool is_calibration = true;      ///< False: nothing of a calibration stands in the file.
+  bool holds_no_camera = false;    ///< It was read, and is another part of a calibration (imu.yaml).
+  std::vector<Finding> findings;   ///< In the order of their places.
+  std::vector<std::string> checked;
+  std::vector<Undecided> undecided;
+  Readers readers;  ///< Who reads the file.
+  [[nodiscard]] bool has(Severity severity) const;
+};
+
+struct CheckOptions {
+  ReadOptions reading;
+  const Format* from = nullptr;                  ///< Null: detected.
+  const consumers::Consumer* program = nullptr;  ///< The program the file is meant for; null: the format's own.
+  std::optional<double> max_angle_rad;           ///< What counts as lens, from the axis.
+};
+
+/// Checks one file by itself.
+[[nodiscard]] CheckReport check_file(const text::Source& source, const CheckOptions& options);
+
+/// The file with every mend that is certain, also those that only show when others are made; nothing if there is none. Only
+/// spellings change (a decimal point, quotes, a header), no value.
+[[nodiscard]] std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options);
+
+/// The story behind a code.
+struct CheckCode {
+  std::string_view code;
+  std::string_view title;        ///< What is wrong, in general.
+  std::string_view consequence;  ///< What happens if it is used, where a finding has nothing more exact to say.
+  std::string_view story;        ///< Formula, thresholds and their reasons; may be empty.
+};
+
+/// Every code that a finding may have, by name.
+[[nodiscard]] std::span<const CheckCode> check_codes();
+/// Null if there is none.
+[[nodiscard]] const CheckCode* find_check_code(std::string_view code);
+
+}  // namespace fca

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "formats/test_files.h"
+
+#include <fca/formats/check.h>
+
+namespace fca::test {
+
+inline CheckReport checked(const text::Source& source, const CheckOptions& options = {}) { return check_file(source, options); }
+
+inline CheckReport checked(const fs::path& path, const CheckOptions& options = {}) {
+  return checked(text::Source{path.filename().string(), read_file(path)}, options);
+}
+
+inline bool says(const CheckReport& report, std::string_view code) {
+  return std::ranges::find(report.findings, code, &Finding::code) != report.findings.end();
+}
+
+inline std::string severity_word(Severity severity) {
+  return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
+}
+
+/// "6:16 error int-for-real"; "-" for a finding of the whole file.
+inline std::string line_of(const Finding& finding, const text::Source& source) {
+  std::string place = "-";
+  if (finding.where.offset > 0 || finding.where.length > 0) {
+    const text::Position position = source.position(finding.where.offset);
+    place = std::to_string(position.line) + ":" + std::to_string(position.column);
+  }
+  return place + " " + severity_word(finding.severity) + " " + finding.code;
+}
+
+inline bool has_corpus() { return fs::exists(shared_dir() / "corpus" / "kalibr"); }
+
+}  // namespace fca::test

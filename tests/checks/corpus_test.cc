@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Over the corpus of real files: every file that its own program refuses has an error that says why, and no other file has one.
+// The folder is not part of the repository; without it all is skipped.
+#include "check_files.h"
+
+#include <cstdio>
+#include <map>
+
+namespace fca::test {
+namespace {
+
+/// Files that deserve an error, each looked at by hand.
+struct Judged {
+  std::string_view part;  ///< Of the name.
+  std::string_view code;
+  std::string_view why;
+};
+
+constexpr Judged kJudged[] = {
+    {"rpng__open_vins", "opencv-header", "OpenVINS' chains begin with %YAML:1.0, which Kalibr's PyYAML refuses"},
+    {"kalibr_dynamic-imu.yaml", "program-refuses", "Kalibr's result: imu0 around the keys it wants at the top"},
+    {"working_directory__imu-camera_imu.yaml", "program-refuses", "the same"},
+    {"results_yaml__imu-kalibr_raw", "program-refuses", "the same"},
+    {"dm-vio__configs__4seasons.yaml", "program-refuses", "DM-VIO's settings: no update_rate, no rostopic"},
+    {"dm-vio__configs__euroc.yaml", "program-refuses", "the same"},
+    {"dm-vio__configs__tumvi.yaml", "program-refuses", "the same"},
+    {"dm-vio__configs__oakd_noise_tumvi.yaml", "program-refuses", "the same"},
+    {"dm-vio__configs__t265_noise_tumvi.yaml", "program-refuses", "the same"},
+    {"4seasons_calib__camchain.yaml", "program-refuses", "a top-level T_cam1_cam0, which Kalibr counts as a camera"},
+    {"oakd_calib__camchain.yaml", "missing-key", "poses without camera_model"},
+    {"camchain__70a02b7.yaml", "unknown-model", "camera_model: onmi/radial"},
+    {"camchain_Kannala.yaml", "unknown-model", "camera_model: pinhole/radial"},
+    {"imu_3Dx-GX3-35__11d5c0d.yaml", "merge-conflict", "git's markers stand in it"},
+    {"xinli_stereo137.yaml", "not-a-rotation", "Camera.Tbc: R^T R is 0.11 from the identity"},
+    {"xinli_stereo137_KB.yaml", "program-refuses", "KannalaBrandt8 without k3 and k4; and Tbc as above"},
+    {"xinli_stereo170.yaml", "not-a-rotation", "Camera.Tbc as in xinli_stereo137"},
+    {"thien94__orb_slam3_ros__config__Stereo__RealSense_T265.yaml", "real-for-int", "Camera.fps: 30."},
+    {"urbste__ORB_SLAM3__Examples__Stereo__KITTI00-02.yaml", "int-for-real", "Viewer.ViewpointY: -100"},
+    {"SynWoodScape", "program-refuses", "no \"translation\": KeyError in projection.py"},
+};
+
+/// Refusals of SUMMARY.tsv that are no defect of the file: it was given to a program it is not for.
+struct NotForIt {
+  std::string_view part;
+  std::string_view why;
+};
+
+constexpr NotForIt kNotForIt[] = {
+    {"imu", "imu.yaml, which the chain's reader was given"},
+    {"raulmur__ORB_SLAM2", "ORB-SLAM2 reads it; ORB-SLAM3 wants Camera.type"},
+    {"ns15417__slam_no_opt", "slam_no_opt or ORB-SLAM2 reads it; ORB-SLAM3 wants another Camera.type"},
+    {"extrinsics", "the poses of a stereo pair, without cameras"},
+};
+
+const Judged* judged(const std::string& file) {
+  const auto* const found =
+      std::ranges::find_if(kJudged, [&file](const Judged& row) { return file.find(row.part) != std::string::npos; });
+  return found == std::end(kJudged) ? nullptr : found;
+}
+
+std::vector<fs::path> corpus_files() {
+  std::vector<fs::path> files;
+  for (const Format& format : all_formats()) {
+    const std::vector<fs::path> found = files_in(shared_dir() / "corpus" / format.id);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+// Prints the table of findings by code.
+TEST(CheckCorpus, ErrorsAreThoseJudgedByHand) {
+  if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  std::map<std::string, int> counted;
+  std::size_t calibrations = 0;
+  std::size_t without_errors = 0;
+  for (const fs::path& path : corpus_files()) {
+    const text::Source source = {path.filename().string(), read_file(path)};
+    const CheckReport report = checked(source);
+    if (!report.is_calibration) continue;
+    ++calibrations;
+    const Judged* expected = judged(source.name);
+    bool expected_said = false;
+    for (const Finding& finding : report.findings) {
+      ++counted[severity_word(finding.severity) + " " + finding.code];
+      EXPECT_NE(find_check_code(finding.code), nullptr) << finding.code;
+      if (finding.severity != Severity::kError) continue;
+      expected_said = expected_said || (expected != nullptr && finding.code == expected->code);
+      EXPECT_NE(expected, nullptr) << source.name << ": " << line_of(finding, source) << ": " << finding.message;
+    }
+    EXPECT_EQ(expected_said, expected != nullptr) << source.name << ": " << (expected != nullptr ? expected->why : "");
+    without_errors += report.has(Severity::kError) ? 0 : 1;
+  }
+  EXPECT_GT(calibrations, 300U);
+  std::printf("%zu calibrations, %zu without an error\n", calibrations, without_errors);
+  for (const auto& [code, count] : counted) std::printf("%5d  %s\n", count, code.c_str());
+}
+
+bool is_own_program(const std::string& folder, const std::string& program) {
+  return folder == program || (folder == "tumvi" && program == "kalibr");
+}
+
+TEST(CheckCorpus, WhatItsOwnProgramRefusesHasAnError) {
+  const fs::path summary = shared_dir() / "oracles" / "SUMMARY.tsv";
+  if (!has_corpus() || !fs::exists(summary)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  std::size_t refused = 0;
+  for (const std::string& line : split(read_file(summary), '\n')) {
+    const std::vector<std::string> fields = split(line, '\t');
+    if (fields.size() < 4 || !is_own_program(fields[0], fields[2]) || fields[3].find("rejected") == std::string::npos) continue;
+    const CheckReport report = checked(shared_dir() / "corpus" / fields[0] / fields[1]);
+    if (!report.is_calibration || report.format == nullptr || (report.format->id != fields[0] && fields[0] != "tumvi"))
+      continue;
+    if (fields[0] == "tumvi" && report.format->id == "tumvi") continue;  // DSO's camera.txt, given to Kalibr
+    ++refused;
+    const bool excused =
+        std::ranges::any_of(kNotForIt, [&](const NotForIt& row) { return fields[1].find(row.part) != std::string::npos; });
+    EXPECT_TRUE(report.has(Severity::kError) || excused) << fields[1] << ": " << fields[3];
+  }
+  EXPECT_GT(refused, 40U);
+}
+
+// The manifest's own words on who refuses a file.
+TEST(CheckCorpus, WhatTheManifestCallsRejectedHasAnError) {
+  if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  std::size_t rejected = 0;
+  for (const std::string& line : split(read_file(shared_dir() / "corpus" / "MANIFEST.tsv"), '\n')) {
+    const std::vector<std::string> fields = split(line, '\t');
+    if (fields.size() < 7 || fields[0].starts_with("extra/")) continue;
+    const std::size_t by = fields[6].find("rejected by: ");
+    const bool by_kalibr = by != std::string::npos && fields[6].find("Kalibr", by) != std::string::npos;
+    if (!by_kalibr) continue;
+    ++rejected;
+    EXPECT_TRUE(checked(shared_dir() / "corpus" / fields[0]).has(Severity::kError)) << fields[0] << ": " << fields[6];
+  }
+  EXPECT_GT(rejected, 25U);
+}
+
+// What no format of ours reads is skipped in folders, not called wrong.
+TEST(CheckCorpus, OtherProgramsFilesAreNoCalibrationsOfOurs) {
+  const fs::path folder = shared_dir() / "corpus" / "extra" / "opencv_not_a_calibration";
+  if (!fs::exists(folder)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  for (const fs::path& path : files_in(folder)) EXPECT_FALSE(checked(path).is_calibration) << path;
+}
+
+}  // namespace
+}  // namespace fca::test

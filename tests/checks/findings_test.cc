@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every defect is found at its place, and nothing else is: testdata/checks holds a file for each, and beside it what is to be
+// said ("line:column severity code").
+#include "check_files.h"
+
+#include <set>
+
+namespace fca::test {
+namespace {
+
+fs::path checks_dir() { return fs::path(FCA_TESTDATA_DIR) / "checks"; }
+
+std::vector<fs::path> check_files() {
+  std::vector<fs::path> files = files_in(checks_dir());
+  std::erase_if(files, [](const fs::path& path) { return path.extension() == ".expected"; });
+  return files;
+}
+
+class CheckFile : public testing::TestWithParam<fs::path> {};
+
+TEST_P(CheckFile, SaysWhatIsExpected) {
+  const text::Source source = {GetParam().filename().string(), read_file(GetParam())};
+  std::string said;
+  for (const Finding& finding : checked(source).findings) said += line_of(finding, source) + "\n";
+  EXPECT_EQ(said, read_file(GetParam().string() + ".expected"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CheckFile, testing::ValuesIn(check_files()), [](const auto& file) {
+  std::string name = file.param.filename().string();
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+});
+
+TEST(CheckCodes, AreSortedByName) {
+  EXPECT_TRUE(std::ranges::is_sorted(check_codes(), {}, &CheckCode::code));
+  for (const CheckCode& code : check_codes()) {
+    EXPECT_EQ(find_check_code(code.code), &code) << code.code;
+    EXPECT_FALSE(code.title.empty()) << code.code;
+  }
+  EXPECT_EQ(find_check_code("no-such-code"), nullptr);
+}
+
+// A code without a file that shows it would be untested; a code that is said and not in the table could not be explained.
+TEST(CheckCodes, AreThoseThatTheFilesShow) {
+  std::set<std::string> said;
+  std::vector<fs::path> files = check_files();
+  const std::vector<fs::path> bad = files_of_all_formats("bad");
+  files.insert(files.end(), bad.begin(), bad.end());
+  for (const fs::path& path : files) {
+    for (const Finding& finding : checked(path).findings) {
+      said.insert(finding.code);
+      EXPECT_NE(find_check_code(finding.code), nullptr) << finding.code << " of " << path;
+    }
+  }
+  // Said where no file of ours can show it: by an option (--from, --for, --opencv-model), of a file that is not there or has
+  // more than 2 MiB, of our own bug, and of an alias behind its anchor, which is refused before.
+  const std::set<std::string> elsewhere = {
+      "cannot-read",      "model-contradicts", "no-calibration", "not-settings", "program-other-format",
+      "size-contradicts", "too-large",         "wrong-syntax",   "xml-place",    "yaml-alias"};
+  for (const CheckCode& code : check_codes()) {
+    const std::string name(code.code);
+    EXPECT_NE(said.contains(name), elsewhere.contains(name)) << name;
+  }
+}
+
+// What is wrong, what happens, how to mend it: a finding is no use without the first two.
+TEST(CheckFindings, SayWhatHappens) {
+  for (const fs::path& path : check_files()) {
+    for (const Finding& finding : checked(path).findings) {
+      EXPECT_FALSE(finding.message.empty()) << finding.code;
+      // A program's own words ("... and exits") say it themselves.
+      EXPECT_TRUE(!finding.consequence.empty() || finding.code == "program-misreads") << finding.code << " of " << path;
+    }
+  }
+}
+
+TEST(CheckFindings, ACleanFileSaysWhatWasCheckedAndWhatCouldNotBe) {
+  const CheckReport chain = checked(checks_dir() / "clean-pair.yaml");
+  EXPECT_TRUE(chain.findings.empty());
+  EXPECT_GE(chain.checked.size(), 6U);
+  text::Source source = {"no-size.yml", read_file(checks_dir() / "clean.yml")};
+  source.bytes = with_replaced(with_replaced(source.bytes, "image_width: 752\n", ""), "image_height: 480\n", "");
+  const CheckReport without_size = checked(source);
+  ASSERT_EQ(without_size.undecided.size(), 1U);
+  EXPECT_NE(without_size.undecided.front().why.find("--size"), std::string::npos);
+  CheckOptions options;
+  options.reading.image_size = ImageSize{752, 480};
+  EXPECT_TRUE(checked(source, options).undecided.empty());
+}
+
+TEST(CheckFindings, NameTheProgramTheyAreFor) {
+  CheckOptions options;
+  options.program = consumers::find_consumer("orbslam3");
+  ASSERT_NE(options.program, nullptr);
+  EXPECT_TRUE(says(checked(checks_dir() / "clean.yaml", options), "program-other-format"));
+  // ORB-SLAM2's own file: right by itself, refused where ORB-SLAM3 is to read it.
+  const fs::path orbslam2 = checks_dir() / "read-by-another.yaml";
+  EXPECT_FALSE(checked(orbslam2).has(Severity::kError));
+  EXPECT_TRUE(checked(orbslam2, options).has(Severity::kError));
+  options.program = consumers::find_consumer("orbslam2");
+  EXPECT_TRUE(checked(orbslam2, options).findings.empty());
+}
+
+TEST(CheckFindings, AnAmbiguousVectorShowsBothFieldsOfView) {
+  const CheckReport report = checked(checks_dir() / "ambiguous-model.yml");
+  ASSERT_EQ(report.findings.size(), 1U);
+  // f = 458.6 px of 752: atan(367.2 / f) + atan(383.8 / f) = 78.6 deg without distortion, more with a barrel's.
+  EXPECT_NE(report.findings.front().message.find("as pinhole: 92.7"), std::string::npos) << report.findings.front().message;
+  EXPECT_NE(report.findings.front().message.find("as fisheye: 120.2"), std::string::npos) << report.findings.front().message;
+}
+
+// What lies beyond --max-angle is not lens: a fold there is nobody's affair.
+TEST(CheckFindings, FoldsBeyondTheLensAreNotSaid) {
+  CheckOptions options;
+  options.max_angle_rad = 0.7;  // 40.1 deg; the fold is at 43.1
+  EXPECT_FALSE(says(checked(checks_dir() / "folds-inside-image.yaml", options), "folds-inside-image"));
+  options.max_angle_rad = 0.8;
+  EXPECT_TRUE(says(checked(checks_dir() / "folds-inside-image.yaml", options), "folds-inside-image"));
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Defects planted in good files are found, at the number that was changed: the files of testdata and of the corpus, each with
+// one fact made wrong by the format's own writer.
+#include "check_files.h"
+#include "places.h"
+
+#include <cstdio>
+#include <functional>
+
+namespace fca::test {
+namespace {
+
+struct Good {
+  std::string name;
+  Calibration calibration;
+  CheckReport report;  ///< Before anything is planted.
+};
+
+std::vector<Good> good_files() {
+  std::vector<fs::path> paths = files_of_all_formats("good");
+  if (has_corpus()) {
+    for (const Format& format : all_formats()) {
+      const std::vector<fs::path> found = files_in(shared_dir() / "corpus" / format.id);
+      paths.insert(paths.end(), found.begin(), found.end());
+    }
+  }
+  std::vector<Good> files;
+  for (const fs::path& path : paths) {
+    Diagnostics diagnostics;
+    std::optional<text::Document> document = text::read_document(path.string(), diagnostics);
+    if (!document) continue;
+    std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
+    if (!calibration) continue;
+    CheckReport report = checked(calibration->documents.front().source());
+    files.push_back({path.filename().string(), *std::move(calibration), std::move(report)});
+  }
+  return files;
+}
+
+const std::vector<Good>& all_good() {
+  static const std::vector<Good> kFiles = good_files();
+  return kFiles;
+}
+
+/// A defect, and where it can be told. `plant` changes the rig, or says that this one has no such fact.
+struct Defect {
+  const char* name;
+  std::vector<std::string> codes;  ///< One of them must be said.
+  std::function<bool(Rig&)> plant;
+};
+
+/// A pose that its file states as a matrix: a quaternion is a rotation whatever its numbers are.
+bool has_matrix(const Rig& rig) { return !rig.poses.empty() && rig.poses.front().a != "vehicle"; }
+
+bool has_size(const Rig& rig) { return !rig.cameras.empty() && rig.cameras.front().image_size; }
+
+bool scale_parameter(Rig& rig, std::string_view name, double factor) {
+  if (rig.cameras.empty()) return false;
+  const std::optional<double> value = parameter(rig.cameras.front().model, name);
+  return value && set_parameter(rig.cameras.front().model, name, *value * factor);
+}
+
+std::vector<Defect> defects() {
+  const auto imu = [](std::optional<double> Imu::*member, double factor) {
+    return [member, factor](Rig& rig) {
+      if (rig.imus.empty() || !(rig.imus.front().*member)) return false;
+      *(rig.imus.front().*member) *= factor;
+      return true;
+    };
+  };
+  return {
+      {"focal length in millimetres",
+       {"focal-length-not-in-pixels"},
+       [](Rig& rig) {
+         if (!has_size(rig) || !parameter(rig.cameras.front().model, "fx")) return false;
+         return scale_parameter(rig, "fx", 0.005) && scale_parameter(rig, "fy", 0.005);
+       }},
+      {"principal point outside",
+       {"centre-outside", "size-unlike-centre"},
+       [](Rig& rig) { return has_size(rig) && scale_parameter(rig, "cx", 3.0); }},
+      {"a wrong digit in fy",
+       {"focal-lengths-differ"},
+       [](Rig& rig) { return has_size(rig) && scale_parameter(rig, "fy", 1.5); }},
+      {"translation in millimetres",
+       {"translation-in-mm", "units-not-stated"},
+       [](Rig& rig) {
+         if (rig.poses.empty()) return false;
+         Transform& T = rig.poses.front().T_a_b;
+         double length = 0.0;
+         for (int row = 0; row < 3; ++row) {
+           length = std::max(length, std::abs(T(row, 3)));
+           T(row, 3) *= 1000.0;
+         }
+         return length > 0.02 && length < 100.0;
+       }},
+      {"a row of a rotation mirrored",
+       {"left-handed"},
+       [](Rig& rig) {
+         if (!has_matrix(rig) || rotation_determinant(rig.poses.front().T_a_b) < 0.0) return false;
+         for (int column = 0; column < 3; ++column) rig.poses.front().T_a_b(0, column) *= -1.0;
+         return true;
+       }},
+      {"a digit lost in a rotation",
+       {"not-a-rotation"},
+       [](Rig& rig) {
+         if (!has_matrix(rig)) return false;
+         Transform& T = rig.poses.front().T_a_b;
+         for (int column = 0; column < 3; ++column) {
+           if (std::abs(T(0, column)) < 0.9) continue;
+           T(0, column) *= 0.96;
+           return true;
+         }
+         return false;
+       }},
+      {"gyroscope noise as a variance", {"imu-noise-too-small"}, imu(&Imu::gyroscope_noise_density, 1e-4)},
+      {"gyroscope noise in degrees and discrete",
+       {"imu-noise-too-large", "imu-sensors-swapped"},
+       imu(&Imu::gyroscope_noise_density, 810.0)},
+      {"random walk in the noise's place",
+       {"imu-walk-above-noise"},
+       [](Rig& rig) {
+         if (rig.imus.empty() || !rig.imus.front().gyroscope_noise_density || !rig.imus.front().gyroscope_random_walk)
+           return false;
+         std::swap(rig.imus.front().gyroscope_noise_density, rig.imus.front().gyroscope_random_walk);
+         return true;
+       }},
+      {"time offset in milliseconds",
+       {"time-offset-large"},
+       [](Rig& rig) {
+         if (rig.cameras.empty() || !rig.cameras.front().time_offset_s || std::abs(*rig.cameras.front().time_offset_s) < 2e-4)
+           return false;
+         *rig.cameras.front().time_offset_s *= 1000.0;
+         return true;
+       }},
+  };
+}
+
+/// The bytes of the file with the defect in it; nothing where the writer refuses it or writes another file.
+std::optional<std::string> planted(const Good& good, const Defect& defect) {
+  Rig rig = good.calibration.rig;
+  if (!defect.plant(rig)) return std::nullopt;
+  Diagnostics diagnostics;
+  const std::optional<Written> written =
+      good.calibration.format->write(&good.calibration.documents.front(), rig, {}, diagnostics);
+  if (!written || written->files.size() != 1) return std::nullopt;
+  return written->files.front().document.bytes();
+}
+
+const Finding* find_any(const CheckReport& report, const std::vector<std::string>& codes) {
+  const auto found = std::ranges::find_if(
+      report.findings, [&codes](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
+  return found == report.findings.end() ? nullptr : &*found;
+}
+
+/// Every `stride`th file, so that all formats take part and the test stays short.
+std::vector<const Good*> some_good(std::size_t stride) {
+  std::vector<const Good*> files;
+  for (std::size_t i = 0; i < all_good().size(); i += stride) files.push_back(&all_good()[i]);
+  return files;
+}
+
+TEST(SeededDefects, AreFoundWhereTheyStand) {
+  const std::size_t stride = has_corpus() ? 2 : 1;
+  for (const Defect& defect : defects()) {
+    int planted_count = 0;
+    int found = 0;
+    int placed = 0;
+    std::string missed;
+    for (const Good* each : some_good(stride)) {
+      const Good& good = *each;
+      const text::Source& before = good.calibration.documents.front().source();
+      if (find_any(good.report, defect.codes) != nullptr) continue;  // it has that defect already
+      const std::optional<std::string> bytes = planted(good, defect);
+      if (!bytes || *bytes == before.bytes) continue;  // the writer leaves an imu.yaml alone
+      ++planted_count;
+      const text::Source source = {good.name, *bytes};
+      const CheckReport report = checked(source);
+      const Finding* finding = find_any(report, defect.codes);
+      if (finding == nullptr) {
+        missed += "\n  " + good.name;
+        continue;
+      }
+      ++found;
+      // The place is a number that was not there before.
+      const text::Span span = {finding->where.offset, finding->where.length};
+      const std::string_view number = std::string_view(*bytes).substr(span.offset, span.length);
+      if (span.length > 0 && (span.end() > before.bytes.size() || before.text(span) != number)) ++placed;
+    }
+    std::printf("%-42s %3d of %3d found, %3d at the number\n", defect.name, found, planted_count, placed);
+    EXPECT_GE(planted_count, has_corpus() ? 15 : 1) << defect.name;
+    EXPECT_GE(found, 0.95 * planted_count) << defect.name << missed;
+    EXPECT_GE(placed, 0.9 * found) << defect.name;
+  }
+}
+
+// Changing the number at a fact's place, and nothing else, changes the fact.
+TEST(Places, HoldTheNumberOfTheFact) {
+  int checked_places = 0;
+  for (const Good& good : all_good()) {
+    const text::Document& document = good.calibration.documents.front();
+    const checks::Places places(document, good.calibration);
+    for (const Camera& camera : good.calibration.rig.cameras) {
+      for (const std::string_view name : {"fx", "cy"}) {
+        const std::optional<double> value = parameter(camera.model, name);
+        if (!value) continue;
+        const SourceRange where = places.parameter(camera, name);
+        if (where.length == 0) continue;
+        text::Document changed = document;
+        changed.replace({where.offset, where.length}, "123.25");
+        Diagnostics diagnostics;
+        const std::optional<text::Document> reread =
+            text::parse_document({document.source().name, changed.bytes()}, diagnostics);
+        ASSERT_TRUE(reread) << good.name;
+        const std::optional<Rig> rig = good.calibration.format->read(std::span(&*reread, 1), {}, diagnostics);
+        if (!rig || rig->find_camera(camera.name) == nullptr) continue;
+        EXPECT_NE(parameter(rig->find_camera(camera.name)->model, name), value) << good.name << " " << name;
+        ++checked_places;
+      }
+    }
+  }
+  EXPECT_GE(checked_places, has_corpus() ? 300 : 20);
+}
+
+}  // namespace
+}  // namespace fca::test

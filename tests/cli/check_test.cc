@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command around the checks: what it prints where, its exit codes, folders, --fix, and its documents.
+#include "cli/run_program.h"
+
+#include <rapidjson/document.h>
+
+namespace fca::test {
+namespace {
+
+std::string check_file(const std::string& name) { return testdata("checks/" + name); }
+
+TEST(Check, ExitCodesSayWhatWasFound) {
+  EXPECT_EQ(run_program({"check", check_file("clean.yaml")}).code, 0);
+  EXPECT_EQ(run_program({"check", check_file("int-for-real.yaml")}).code, 1);
+  const std::string warned = check_file("centre-off.yaml");
+  EXPECT_EQ(run_program({"check", warned}).code, 0);
+  EXPECT_EQ(run_program({"check", warned, "--fail-on", "warning"}).code, 1);
+  EXPECT_EQ(run_program({"check", warned, "--fail-on", "warning", "--ignore", "centre-off"}).code, 0);
+  EXPECT_EQ(run_program({"check", warned, "--fail-on", "nothing"}).code, 3);
+  EXPECT_EQ(run_program({"check"}).code, 3);
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program({"check", folder / "missing.yaml"}).code, 4);
+  const RunResult other = run_program({"check", folder.write("other.yaml", "a: 1\n")});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_EQ(other.out, "");
+  EXPECT_TRUE(contains(other.err, "unknown-format")) << other.err;
+}
+
+TEST(Check, AFindingHasItsPlaceConsequenceAndFix) {
+  const RunResult run = run_program({"check", check_file("int-for-real.yaml")});
+  EXPECT_TRUE(contains(run.out, "int-for-real.yaml:6:16: error: ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\n                   ^~~\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "if used: ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "fix: write 458.0")) << run.out;
+  EXPECT_EQ(run.err, "");
+}
+
+TEST(Check, FoldersAreWalkedAndOtherFilesCounted) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "inner" / ".hidden");
+  const std::string good = read_file(check_file("clean.yaml"));
+  folder.write("a.yaml", good);
+  folder.write("inner/b.yaml", good);
+  folder.write("inner/.hidden/c.yaml", good);
+  folder.write("notes.txt", "nothing of the kind\n");
+  folder.write("package.json", "{\"name\": \"x\"}\n");
+  folder.write("program.cc", "int main() {}\n");
+  const RunResult run = run_program({"check", folder.path().string()});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "2 calibrations checked: 0 with errors, 0 with warnings, 2 without; 2 files skipped"))
+      << run.out;
+}
+
+TEST(Check, ExplainsEveryCodeItLists) {
+  const RunResult list = run_program({"check", "--list-codes"});
+  EXPECT_EQ(list.code, 0);
+  std::size_t codes = 0;
+  for (std::size_t at = 0; at < list.out.size(); at = list.out.find('\n', at) + 1) {
+    const std::string code = list.out.substr(at, list.out.find(' ', at) - at);
+    ++codes;
+    if (codes % 8 != 0) continue;  // a run each takes its time
+    const RunResult story = run_program({"check", "--explain", code});
+    EXPECT_EQ(story.code, 0) << code;
+    EXPECT_TRUE(story.out.starts_with(code + ": ")) << story.out;
+  }
+  EXPECT_GT(codes, 60U);
+  const RunResult unknown = run_program({"check", "--explain", "pose-invertd"});
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_TRUE(contains(unknown.err, "pose-inverted")) << unknown.err;
+}
+
+TEST(Check, JsonIsTheContract) {
+  const RunResult run = run_program({"check", check_file("int-for-real.yaml"), check_file("clean.yml"), "--json"});
+  EXPECT_EQ(run.code, 1);
+  rapidjson::Document document;
+  document.Parse(run.out.c_str());
+  ASSERT_FALSE(document.HasParseError()) << run.out;
+  ASSERT_EQ(document["files"].Size(), 2U);
+  const auto& file = document["files"][0];
+  EXPECT_STREQ(file["format"].GetString(), "kalibr");
+  ASSERT_EQ(file["findings"].Size(), 1U);
+  const auto& finding = file["findings"][0];
+  EXPECT_STREQ(finding["severity"].GetString(), "error");
+  EXPECT_STREQ(finding["code"].GetString(), "int-for-real");
+  EXPECT_EQ(finding["line"].GetInt(), 6);
+  EXPECT_EQ(finding["column"].GetInt(), 16);
+  for (const char* key : {"message", "consequence", "fix"}) EXPECT_GT(finding[key].GetStringLength(), 0U) << key;
+  EXPECT_GT(document["files"][1]["checked"].Size(), 2U);
+  EXPECT_TRUE(document["files"][1]["undecided"].IsArray());
+}
+
+TEST(Check, SarifHasRulesAndPlaces) {
+  const RunResult run = run_program({"check", check_file("pose-inverted.yaml"), "--sarif"});
+  rapidjson::Document document;
+  document.Parse(run.out.c_str());
+  ASSERT_FALSE(document.HasParseError()) << run.out;
+  EXPECT_STREQ(document["version"].GetString(), "2.1.0");
+  const auto& sarif = document["runs"][0];
+  ASSERT_EQ(sarif["results"].Size(), 1U);
+  const auto& result = sarif["results"][0];
+  EXPECT_STREQ(result["ruleId"].GetString(), sarif["tool"]["driver"]["rules"][0]["id"].GetString());
+  EXPECT_STREQ(result["level"].GetString(), "error");
+  const auto& region = result["locations"][0]["physicalLocation"]["region"];
+  EXPECT_EQ(region["startLine"].GetInt(), 23);
+  EXPECT_EQ(region["startColumn"].GetInt(), 6);
+}
+
+TEST(Check, FixShowsAndWritesOnlyWhenAsked) {
+  const TemporaryFolder folder;
+  std::string text = read_file(check_file("opencv-header.yaml"));
+  text = with_replaced(text, "458.654, 457.296", "458, 457");
+  text = with_replaced(text, "1.76187114e-05", "2e-05");
+  const std::string path = folder.write("chain.yaml", text);
+  const RunResult shown = run_program({"check", "--fix", path});
+  EXPECT_EQ(shown.code, 0) << shown.out;
+  EXPECT_EQ(read_file(path), text);
+  EXPECT_TRUE(contains(shown.out, "- %YAML:1.0\n+ %YAML 1.2\n+ ---\n")) << shown.out;
+  EXPECT_TRUE(contains(shown.out, "+   intrinsics: [458.0, 457.0, 367.215, 248.375]\n")) << shown.out;
+  EXPECT_EQ(run_program({"check", "--fix", "--write", path}).code, 0);
+  std::string expected = with_replaced(text, "%YAML:1.0\n", "%YAML 1.2\n---\n");
+  expected = with_replaced(with_replaced(expected, "458, 457", "458.0, 457.0"), "2e-05", "2.0e-05");
+  EXPECT_EQ(read_file(path), expected);
+  EXPECT_EQ(run_program({"check", path}).code, 0);
+  // What needs a person's decision stays.
+  const std::string inverted = folder.write("inverted.yaml", read_file(check_file("pose-inverted.yaml")));
+  EXPECT_EQ(run_program({"check", "--fix", "--write", inverted}).code, 1);
+  EXPECT_EQ(read_file(inverted), read_file(check_file("pose-inverted.yaml")));
+  EXPECT_EQ(run_program({"check", "--write", path}).code, 3);
+}
+
+TEST(Check, ForAnotherProgram) {
+  const std::string orbslam2 = check_file("read-by-another.yaml");
+  EXPECT_EQ(run_program({"check", orbslam2}).code, 0);
+  EXPECT_EQ(run_program({"check", orbslam2, "--for", "ORB_SLAM3"}).code, 1);
+  EXPECT_EQ(run_program({"check", orbslam2, "--for", "orbslam2"}).code, 0);
+  // Kalibr has a reader for each of its files.
+  EXPECT_EQ(run_program({"check", check_file("clean-imu.yaml"), "--for", "kalibr"}).code, 0);
+  EXPECT_EQ(run_program({"check", check_file("clean.yaml"), "--for", "kalibr-imu"}).code, 0);
+  EXPECT_EQ(run_program({"check", orbslam2, "--for", "orbslam4"}).code, 3);
+}
+
+TEST(Check, ReadsStandardInput) {
+  const RunResult run = run_program({"check", "-"}, {.input = read_file(check_file("int-for-real.yaml"))});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.out, "<stdin>:6:16: error")) << run.out;
+}
+
+}  // namespace
+}  // namespace fca::test
