@@ -25,6 +25,8 @@ inline constexpr double kLastStep = 1e-8;
 /// Kernels leave to the model what is closer than this to its limit; and further: there no polynomial is near its inverse.
 inline constexpr double kSurelyInside = 0.999;
 inline constexpr double kSurelyOutside = 1.0 + 1e-9;
+/// A domain may be the axis alone, an image of one pixel: no radius below this is surely outside.
+inline constexpr double kRadiusSlack = 1e-6;
 inline constexpr double kSmooth = 0.97;
 /// Added to squares, so that a radius is never 0 and (x, y) / radius is 0 on the axis.
 inline constexpr double kTiny = 1e-300;
@@ -137,7 +139,7 @@ template <std::size_t N, int kPower>
 class PolynomialAngle {
  public:
   PolynomialAngle(const std::array<double, N>& c, double lens, double model)
-      : c_(c), none_beyond_(kSurelyOutside * radius(std::min(lens, model))), largest_(kSurelyInside * model) {
+      : c_(c), none_beyond_(kSurelyOutside * radius(std::min(lens, model)) + kRadiusSlack), largest_(kSurelyInside * model) {
     for (std::size_t k = 0; k < N; ++k) slope_[k] = (1.0 + kPower * static_cast<double>(k)) * c[k];
     const double smooth = std::min(lens, kSmooth * model);
     const double end = radius(smooth);
@@ -226,7 +228,7 @@ class TangentialInverse {
     double end = 0.0;
     double slope = 0.0;
     radial(lens, none_beyond, slope);
-    none_beyond = kSurelyOutside * (none_beyond + 3.0 * length(q[2], q[3]) * lens * lens);
+    none_beyond = kSurelyOutside * (none_beyond + 3.0 * length(q[2], q[3]) * lens * lens) + kRadiusSlack;
     none_beyond_square_ = std::isfinite(none_beyond) ? none_beyond * none_beyond : kAskModel;
     radial(smooth, end, slope);
     start_ = Interpolant(end * end, [&](double square) {
