@@ -41,9 +41,11 @@ Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
   const text::Node* type = find_key(document, "Camera.type");
   // Settings of an RGB-D sensor state a baseline, too.
   const bool said = style_of(document) != Style::kV1 || (type != nullptr && type->value == "Rectified");
-  // Before V1.0, Camera.bf is read beside any lens, and follows its focal length.
-  const bool states_bf = rig.cameras.size() == 1 && rig.baseline_m && find_key(document, "Camera.bf") != nullptr;
-  const bool rectified = !depth && ((is_rectified_pair(rig) && said) || (states_bf && style != Style::kV1));
+  // Before V1.0, Camera.bf is read beside a PinHole's distortion, too, and follows its focal length.
+  const bool before_v1 = style == Style::kOld || style == Style::kOrbSlam2;
+  const bool states_bf = before_v1 && rig.cameras.size() == 1 && rig.baseline_m &&
+                         model_info(rig.cameras.front().model).id == "radtan" && find_key(document, "Camera.bf") != nullptr;
+  const bool rectified = !depth && ((is_rectified_pair(rig) && said) || states_bf);
   const bool two = posed || rectified;
   const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty();
   const auto* const found = std::ranges::find_if(kSensors, [&](const Sensor& candidate) {

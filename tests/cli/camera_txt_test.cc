@@ -63,7 +63,7 @@ TEST(CameraTxt, IsWrittenByItsName) {
   EXPECT_TRUE(read_file(folder / "cam0.txt").starts_with("EquiDistant 190.9"));
   EXPECT_TRUE(read_file(folder / "cam1.txt").starts_with("EquiDistant 190.4"));
   EXPECT_TRUE(contains(each.out, "T_cam1_cam0")) << each.out;  // lost, and said
-  EXPECT_TRUE(contains(each.out, "what is written for DSO does not say it")) << each.out;
+  EXPECT_TRUE(contains(each.out, "what is written for DSO (camera.txt) does not say it")) << each.out;
 }
 
 }  // namespace
