@@ -109,7 +109,9 @@ std::vector<std::pair<std::string, CameraKeys>> find_cameras(const Node& mapping
       const auto take = [&entry](std::string& key) {
         if (key.empty()) key = entry.key.value;
       };
-      if (name.role == Role::kDistortion && !entry.value.is_scalar()) {
+      // A matrix that the end of the file cuts off is an empty word: there, and no reason to read a lens without distortion.
+      const bool word = entry.value.is_scalar() && !entry.value.value.empty();
+      if (name.role == Role::kDistortion && !word) {
         keys.fisheye = keys.fisheye || (keys.distortion.empty() && name.fisheye);
         take(keys.distortion);
       }

@@ -77,6 +77,17 @@ class SettingsReader {
     return false;
   }
 
+  /// Without a type the programs read k1 k2 p1 p2 k3 of a pinhole.
+  bool check_coefficients() {
+    const Node* k4 = find_key(document_, "Camera.k4");
+    const bool fisheye =
+        k4 != nullptr && find_key(document_, "Camera.p1") == nullptr && find_key(document_, "Camera.p2") == nullptr;
+    if (!fisheye || text::parse_real(k4->value) == 0.0) return true;
+    reader_.error(*k4, "unknown-model", "k1 to k4 without p1 and p2 are a fisheye's, and there is no Camera.type",
+                  "Camera.type: \"KannalaBrandt8\", if they are Kannala-Brandt's");
+    return false;
+  }
+
   const Layout* read_layout() {
     if (!check_stella_model()) return nullptr;
     const Node* type = find("Camera.type");
@@ -86,6 +97,7 @@ class SettingsReader {
                     "one of \"PinHole\", \"Rectified\", \"KannalaBrandt8\"");
       return nullptr;
     }
+    if (type == nullptr && !check_coefficients()) return nullptr;
     const auto& rows = layouts();
     const bool distorted = find(joined(camera_prefix(style_, 0), "k1")) != nullptr;
     const auto found = std::ranges::find_if(rows, [&](const Layout& l) {
