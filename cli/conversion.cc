@@ -288,7 +288,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   add_reach(*outcome.to, choice, outcome.cameras);
   Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
   if (into) {
-    rig = put_into(into->rig, std::move(rig), outcome.diagnostics);
+    const bool order_given = arguments.reading.cameras.value_or("").find(',') != std::string::npos;
+    rig = put_into(into->rig, std::move(rig), order_given, outcome.diagnostics);
     warn_of_other_size(into->rig, rig, arguments, outcome.diagnostics);
     for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
   }

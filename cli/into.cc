@@ -12,11 +12,11 @@ namespace fca::cli {
 
 namespace {
 
-/// Which camera of the base each of the rig's stands for: the one of its name, if any of the rig's names is one of the base's,
-/// else the one in its place; nothing: it is added.
-std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig) {
+/// Which camera of the base each of the rig's stands for: the one of its name, if any of the rig's names is one of the base's
+/// and no order was asked for, else the one in its place; nothing: it is added.
+std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig, bool in_order) {
   const auto known = [&base](const Camera& camera) { return base.find_camera(camera.name) != nullptr; };
-  const bool by_name = std::ranges::any_of(rig.cameras, known);
+  const bool by_name = !in_order && std::ranges::any_of(rig.cameras, known);
   std::vector<const Camera*> result;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const Camera* in_place = i < base.cameras.size() ? &base.cameras[i] : nullptr;
@@ -118,9 +118,9 @@ Rig with_names_of(const Rig& rig, Rig base) {
 
 }  // namespace
 
-Rig put_into(const Rig& base_as_named, Rig rig, Diagnostics& diagnostics) {
+Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Diagnostics& diagnostics) {
   const Rig base = with_names_of(rig, base_as_named);
-  take_names(base, counterparts(base, rig), rig, diagnostics);
+  take_names(base, counterparts(base, rig, in_order), rig, diagnostics);
   for (Camera& camera : rig.cameras) {
     const Camera* before = base.find_camera(camera.name);
     if (before == nullptr) continue;

@@ -4,6 +4,7 @@
 #include "markup.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fca::text {
 
@@ -149,7 +150,8 @@ void Document::insert_element_after(const Entry& entry, const std::string& lines
 
 std::string Document::bytes() const {
   std::vector<Edit> edits = edits_;
-  std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return edit.span.offset; });
+  // What is inserted where something else is removed stands before that: it belongs to what comes before.
+  std::ranges::stable_sort(edits, {}, [](const Edit& edit) { return std::pair(edit.span.offset, edit.span.length > 0); });
   std::vector<std::size_t> emptied = emptied_;
   std::string result;
   std::size_t copied = 0;

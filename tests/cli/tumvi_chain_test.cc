@@ -68,6 +68,41 @@ TEST(KalibrChainByCommand, CamerasThatChangePlacesKeepRedundantPoses) {
   EXPECT_LT(out.find("T_cam_imu"), out.rfind("T_cam_imu")) << out;
 }
 
+// The pose of what remains is composed, and written where the removed camera's block begins.
+TEST(KalibrChainByCommand, ACameraLeftOutInTheMiddleKeepsTheBaseline) {
+  const TemporaryFolder folder;
+  const auto block = [](const std::string& name, const std::string& pose) {
+    return name + ":\n" + pose +
+           "  camera_model: pinhole\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  distortion_model: radtan\n"
+           "  intrinsics: [500.0, 500.0, 320.0, 240.0]\n  resolution: [640, 480]\n  rostopic: /" +
+           name + "\n";
+  };
+  const auto beside = [](const std::string& x) {
+    return "  T_cn_cnm1:\n  - [1.0, 0.0, 0.0, " + x +
+           "]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+  };
+  const std::string chain =
+      folder.write("chain.yaml", block("cam0", "") + block("cam1", beside("-0.125")) + block("cam2", beside("-0.25")));
+  const RunResult run = run_program({"convert", chain, "--camera", "2,0", "--to", "kalibr", "-o", folder / "out.yaml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_FALSE(contains(run.out, "T_cam2_cam0")) << run.out;  // not among what is lost
+  EXPECT_TRUE(contains(read_file(folder / "out.yaml"), "- [1.0, 0.0, 0.0, 0.375]")) << read_file(folder / "out.yaml");
+}
+
+// --camera names the cameras in the order in which they are to stand, in a base, too.
+TEST(KalibrChainByCommand, TheOrderOfTheCamerasGoesIntoTheBase) {
+  const TemporaryFolder folder;
+  const RunResult run = run_program({"convert", kTumvi, "--camera", "1,0", "--into", kTumvi, "-o", folder / "out.yaml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const std::string base = read_file(kTumvi);
+  const std::string out = read_file(folder / "out.yaml");
+  const std::string first = "190.97847715128717";
+  const std::string second = "190.44236969414825";
+  EXPECT_LT(base.find(first), base.find(second));
+  EXPECT_LT(out.find(second), out.find(first)) << out;
+  EXPECT_EQ(out.find("cam0:"), base.find("cam0:")) << out;
+}
+
 // cam_overlaps counts cameras by their places, and an added one changes none.
 TEST(KalibrChainByCommand, AnAddedCameraLeavesTheOthersOverlaps) {
   const TemporaryFolder folder;
