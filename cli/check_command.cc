@@ -181,6 +181,7 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
   command.add_option("--ignore", arguments.ignored, "Leave findings of that code out; may be given several times")
       ->type_name("CODE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   command.add_option("--fail-on", arguments.fail_on, "Exit with 1 from this severity on: error (default) or warning")
       ->type_name("SEVERITY");

@@ -189,6 +189,7 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
                   "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable")
       ->type_name("KEY=VALUE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   command.add_flag("--provenance", arguments.provenance,
                    "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)");

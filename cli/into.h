@@ -8,8 +8,8 @@
 namespace fca::cli {
 
 /// What `base` is to say: the rig's cameras in the place of the base's of the same names or, where no name is known there or
-/// `in_order` is asked for, one after the other, and then under the base's names, with a note; of IMUs, poses, times, rates and topics what the rig states,
-/// else what the base states. Cameras that only the base has stay, with a note.
+/// `in_order` is asked for, one after the other, and then under the base's names, with a note; of IMUs, poses, times, rates and
+/// topics what the rig states, else what the base states. Cameras that only the base has stay, with a note.
 [[nodiscard]] Rig put_into(const Rig& base, Rig rig, bool in_order, Diagnostics& diagnostics);
 
 }  // namespace fca::cli

@@ -20,6 +20,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       .add_option("--with", options.with, "A further part of the same calibration, e.g. imu.yaml; may be given several times")
       ->type_name("FILE")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   command.add_flag("--join", options.join, "All inputs are the cameras of one rig, in the order given");
   command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");

@@ -121,5 +121,18 @@ TEST(Options, OnlyWrittenCamerasAreReported) {
   EXPECT_TRUE(contains(run.out, "camera-dropped"));
 }
 
+// An option that may come several times takes one value each time: what follows is the input.
+TEST(Options, TheInputMayFollowAnOptionWithAValue) {
+  const std::string chain = testdata("formats/kalibr/good/tumvi.yaml");
+  const std::string imu = testdata("formats/kalibr/good/imu.yaml");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"convert", "--to", "orbslam3", "--with", imu, chain},
+        {"convert", "--to", "orbslam3", "--set", "Camera.RGB=0", "--set", "Camera.fps=30", chain},
+        {"check", "--ignore", "number-as-text", chain}}) {
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+  }
+}
+
 }  // namespace
 }  // namespace fca::test
