@@ -88,11 +88,12 @@ void add_beyond_base(std::span<const AsRead> extras, std::span<const AsRead> the
   std::set<std::string_view> keys;
   for (const AsRead& extra : there) keys.insert(extra.key);
   std::vector<AsRead> other_values = extras_beyond(extras, there);
-  const auto without_place =
-      std::ranges::stable_partition(other_values, [&keys](const AsRead& extra) { return keys.contains(extra.key); });
-  add_not_carried(without_place, why, losses);
-  add_not_carried(std::span(other_values.begin(), without_place.begin()), "the file that is written into keeps its own value",
-                  losses);
+  const auto without_place = std::stable_partition(other_values.begin(), other_values.end(),
+                                                   [&keys](const AsRead& extra) { return keys.contains(extra.key); });
+  const std::span<const AsRead> all = other_values;
+  const auto kept = static_cast<std::size_t>(without_place - other_values.begin());
+  add_not_carried(all.subspan(kept), why, losses);
+  add_not_carried(all.first(kept), "the file that is written into keeps its own value", losses);
 }
 
 std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there) {
