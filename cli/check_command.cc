@@ -28,13 +28,6 @@ std::vector<std::string> code_names() {
   return names;
 }
 
-std::string unknown_word(std::string_view kind, const std::string& typed, const std::vector<std::string>& names,
-                         const std::string& where_listed) {
-  const std::vector<std::string> near = nearest(typed, names);
-  return "unknown " + std::string(kind) + " '" + typed + "'" +
-         (near.empty() ? "; " + where_listed : "; did you mean " + enumerated(near, "or") + "?");
-}
-
 const consumers::Consumer* find_program(std::string_view typed) {
   const auto all = consumers::all_consumers();
   const auto found =
@@ -46,7 +39,7 @@ const consumers::Consumer* find_program(std::string_view typed) {
 std::optional<std::string> problem_with(const CheckArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (!arguments.program.empty() && find_program(arguments.program) == nullptr)
-    return unknown_word("program", arguments.program, program_ids(), "there are " + enumerated(program_ids()));
+    return unknown_word("program", arguments.program, program_ids());
   for (const std::string& code : arguments.ignored) {
     if (find_check_code(code) == nullptr)
       return unknown_word("code", code, code_names(), "fca-io check --list-codes lists them");
@@ -178,11 +171,9 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
       ->type_name("PROGRAM");
   command.add_option("--explain", arguments.explain, "The story behind a finding's code")->type_name("CODE");
   command.add_flag("--list-codes", arguments.list_codes, "All codes with what they mean");
-  command.add_option("--ignore", arguments.ignored, "Leave findings of that code out; may be given several times")
-      ->type_name("CODE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all();
+  take_one_each_time(
+      *command.add_option("--ignore", arguments.ignored, "Leave findings of that code out; may be given several times")
+           ->type_name("CODE"));
   command.add_option("--fail-on", arguments.fail_on, "Exit with 1 from this severity on: error (default) or warning")
       ->type_name("SEVERITY");
   command.add_flag("--fix", arguments.fix,

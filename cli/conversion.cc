@@ -298,7 +298,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (!written || !keeps_syntax(arguments, base, *written, outcome.diagnostics)) return false;
   list_assumed_units(*calibration, *outcome.to, *written);
   if (!into && base.document != nullptr && changes_images(arguments.reading))
-    warn_of_stale_facts(calibration->rig, *written, outcome.diagnostics);
+    list_stale_facts(calibration->rig, *outcome.to, *written, outcome.diagnostics);
   if (needs_folder(arguments, *written)) {
     outcome.diagnostics.error(
         "one-camera-per-file",

@@ -30,9 +30,7 @@ std::optional<std::string> not_among(const std::string& value, std::string_view 
   const std::span<const std::string_view> known = format != nullptr ? format->*values : std::span<const std::string_view>();
   if (std::ranges::find(known, value) != known.end()) return std::nullopt;
   const std::vector<std::string> names(known.begin(), known.end());
-  const std::vector<std::string> near = nearest(value, names);
-  return "unknown " + std::string(kind) + " '" + value + "'" +
-         (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
+  return unknown_word(kind, value, names);
 }
 
 std::optional<std::string> usage_error(const ConvertArguments& arguments) {
@@ -184,13 +182,11 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
   command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")
       ->type_name("METRES")
       ->check(decimal_number());
-  command
-      .add_option("--set", arguments.settings,
-                  "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all();
+  take_one_each_time(
+      *command
+           .add_option("--set", arguments.settings,
+                       "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable")
+           ->type_name("KEY=VALUE"));
   command.add_flag("--provenance", arguments.provenance,
                    "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)");
   command.add_flag("--no-provenance", arguments.no_provenance, "Leave out that comment");

@@ -89,10 +89,7 @@ int run(int argc, char** argv) {
   insert_show(words, app, mistyped);
   if (mistyped) {
     const std::vector<std::string> names = subcommand_names(app);
-    const std::vector<std::string> near = nearest(words.front(), names);
-    const std::string hint =
-        near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?";
-    return static_cast<int>(console.refuse(ExitCode::kUsage, "unknown command '" + words.front() + "'" + hint));
+    return static_cast<int>(console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names)));
   }
   try {
     std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants it

@@ -10,7 +10,8 @@ namespace fca::cli {
 
 /// Adds to every written file that is to have it: the inputs with their SHA-256, the command, the version, and for each of its
 /// cameras what was fitted, over which domain, how well. Nothing that changes from run to run, no time. By default files that
-/// are composed anew have it; edited ones stay their owner's. Where the syntax has no comments none is written.
+/// are composed anew have it; edited ones stay their owner's, but what such a comment said of the file as it was is replaced.
+/// Where the syntax has no comments none is written.
 void add_provenance(const ConvertArguments& arguments, const Calibration& calibration, ConvertOutcome& outcome);
 
 }  // namespace fca::cli

@@ -16,12 +16,10 @@ namespace fca::cli {
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command.add_option("--from", options.from, "The input's format (default: found by its content)")->type_name("FORMAT");
-  command
-      .add_option("--with", options.with, "A further part of the same calibration, e.g. imu.yaml; may be given several times")
-      ->type_name("FILE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all();
+  take_one_each_time(*command
+                          .add_option("--with", options.with,
+                                      "A further part of the same calibration, e.g. imu.yaml; may be given several times")
+                          ->type_name("FILE"));
   command.add_flag("--join", options.join, "All inputs are the cameras of one rig, in the order given");
   command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");
   command.add_option("--size", options.size, "Image size for files that do not state one: 640x480")->type_name("WxH");
@@ -42,6 +40,8 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       ->check(decimal_number());
 }
 
+void take_one_each_time(CLI::Option& option) { option.expected(1)->allow_extra_args(false)->take_all(); }
+
 CLI::Validator decimal_number() {
   const auto problem = [](const std::string& value) {
     return value.empty() || text::parse_real(value) ? std::string() : "'" + value + "' is no decimal number";
@@ -50,12 +50,6 @@ CLI::Validator decimal_number() {
 }
 
 namespace {
-
-std::string unknown(std::string_view kind, std::string_view typed, const std::vector<std::string>& names) {
-  std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'";
-  const std::vector<std::string> near = nearest(typed, names);
-  return text + (near.empty() ? "; there are " + enumerated(names) : "; did you mean " + enumerated(near, "or") + "?");
-}
 
 /// "64,0,512,512"
 std::optional<ImageRegion> parse_region(const std::string& text) {
@@ -162,12 +156,12 @@ std::vector<std::string> format_ids() {
 
 std::string format_names() { return enumerated(format_ids()); }
 
-std::string unknown_format(std::string_view typed) { return unknown("format", typed, format_ids()); }
+std::string unknown_format(std::string_view typed) { return unknown_word("format", typed, format_ids()); }
 
 std::string unknown_model(std::string_view typed) {
   std::vector<std::string> names;
   for (const ModelInfo& model : all_models()) names.emplace_back(model.id);
-  return unknown("camera model", typed, names);
+  return unknown_word("camera model", typed, names);
 }
 
 std::optional<std::string> check(const ReadingOptions& options) {

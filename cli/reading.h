@@ -13,6 +13,7 @@
 
 namespace CLI {
 class App;
+class Option;
 class Validator;
 }  // namespace CLI
 
@@ -47,6 +48,9 @@ void add_reading_options(CLI::App& command, ReadingOptions& options);
 
 /// A usage error among the options that can be told without reading (unknown format, malformed size), in words.
 [[nodiscard]] std::optional<std::string> check(const ReadingOptions& options);
+
+/// For options that may come several times: one value each time, so that what follows is no further one.
+void take_one_each_time(CLI::Option& option);
 
 /// For options: a plain decimal number ("0x61" and "" are none).
 [[nodiscard]] CLI::Validator decimal_number();

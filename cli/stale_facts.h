@@ -6,7 +6,8 @@
 
 namespace fca::cli {
 
-/// Warns of what an edited file still says about the images as they were calibrated: nobody but its owner can compute it anew.
-void warn_of_stale_facts(const Rig& rig, const Written& written, Diagnostics& diagnostics);
+/// Lists, and warns of, what an edited file still says about the images as they were calibrated (Format::of_the_images): nobody
+/// but its owner can compute it anew. `rig`: as read from the file.
+void list_stale_facts(const Rig& rig, const Format& format, Written& written, Diagnostics& diagnostics);
 
 }  // namespace fca::cli

@@ -3,7 +3,7 @@
 
 #include "words.h"
 
-#include <cmath>
+#include <fca/rig/stereo_order.h>
 
 namespace fca::cli {
 
@@ -30,14 +30,11 @@ std::string swapped(const std::optional<std::string>& cameras) {
 }  // namespace
 
 void warn_of_wrong_side(const Rig& rig, const ConvertArguments& arguments, const Written& written, Diagnostics& diagnostics) {
-  if (!written.sensor.starts_with("stereo") || rig.cameras.size() < 2) return;
-  const std::optional<Transform> T_c1_c2 = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
-  if (!T_c1_c2) return;
-  const double right = (*T_c1_c2)(0, 3);
-  // Cameras one above the other have no left one.
-  if (right >= 0.0 || std::abs(right) < std::abs((*T_c1_c2)(1, 3))) return;
+  if (!written.sensor.starts_with("stereo")) return;
+  const std::optional<double> left = second_left_of_first(rig);
+  if (!left) return;
   diagnostics.warning("stereo-order",
-                      rig.cameras[1].name + " sits " + fixed(-100.0 * right, 2) + " cm to the left of " + rig.cameras[0].name +
+                      rig.cameras[1].name + " sits " + fixed(100.0 * *left, 2) + " cm to the left of " + rig.cameras[0].name +
                           "; ORB-SLAM3 takes the first camera of a stereo pair for the left one",
                       {}, command_with_cameras(arguments.words, swapped(arguments.reading.cameras)));
 }

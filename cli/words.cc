@@ -117,4 +117,12 @@ FieldsOfView fields_of_view(const Camera& camera, double limit_deg) {
   return result;
 }
 
+std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
+                         std::string_view otherwise) {
+  const std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'; ";
+  const std::vector<std::string> near = nearest(typed, names);
+  if (!near.empty()) return text + "did you mean " + enumerated(near, "or") + "?";
+  return text + (otherwise.empty() ? "there are " + enumerated(names) : std::string(otherwise));
+}
+
 }  // namespace fca::cli

@@ -33,6 +33,10 @@ inline constexpr double kDegreesPerRadian = 57.29577951308232;
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 using text::enumerated;
 using text::nearest;
+/// "unknown model 'kb5'; did you mean kb4?", or, where nothing is near, "...; there are kb4 and ds"; `otherwise` in place of
+/// the list, where that is long.
+[[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
+                                       std::string_view otherwise = {});
 /// "640 x 480"
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
 /// "640x480"

@@ -9,6 +9,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fca {
 
@@ -61,6 +62,7 @@ std::optional<std::string> spelled_like(const text::Document& document, const No
   };
   const bool whole = text::parse_int(setting.value).has_value();
   const std::optional<double> number = text::parse_real(setting.value);
+  if (number && !std::isfinite(*number)) return refuse("a number that a double can hold");
   switch (text::scalar_type(there, dialect_of(document))) {
     case ScalarType::kInteger:
       return whole ? std::optional(setting.value) : refuse("a whole number");

@@ -24,21 +24,23 @@ struct Uncovered {
 Uncovered uncovered_part(const CameraModel& model, const ImageSize& size) {
   constexpr int kSteps = 64;
   const Pixel centre = principal_point(model);
+  // Trapezoids: a point of the border stands for half a cell.
+  const auto width_of = [](int step) { return step == 0 || step == kSteps ? 0.5 : 1.0; };
   Uncovered result;
-  int count = 0;
+  bool any = false;
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) {
       const Pixel pixel = {(size.width - 1.0) * i / kSteps, (size.height - 1.0) * j / kSteps};
       if (unproject(model, pixel)) continue;
       const double distance = std::hypot(pixel[0] - centre[0], pixel[1] - centre[1]);
-      if (count == 0 || distance < result.nearest_px) {
+      if (!any || distance < result.nearest_px) {
         result.nearest_px = distance;
         result.nearest = pixel;
       }
-      ++count;
+      any = true;
+      result.share += width_of(i) * width_of(j) / (kSteps * kSteps);
     }
   }
-  result.share = static_cast<double>(count) / ((kSteps + 1) * (kSteps + 1));
   return result;
 }
 

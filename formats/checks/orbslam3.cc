@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is ORB-SLAM's own: one baseline in two spellings, a threshold in baselines, matrices that are read as floats.
-#include "rotation.h"
 #include "topics.h"
 
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/rotation.h>
 
 #include <array>
 #include <cmath>

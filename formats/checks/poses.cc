@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rotation.h"
 #include "topics.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/rotation.h>
+#include <fca/rig/stereo_order.h>
 
 #include <algorithm>
 #include <array>
@@ -167,12 +168,9 @@ void say_distance(double metres, const std::string& what, const SourceRange& whe
 /// The first camera is the left one: ORB-SLAM3 looks for disparities to one side only.
 void check_stereo_order(const Subject& subject, Findings& findings) {
   const Rig& rig = subject.rig();
-  if (!subject.is("orbslam3") || rig.cameras.size() < 2) return;
-  const std::optional<Transform> T_c1_c2 = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
-  if (!T_c1_c2) return;
-  const double x = (*T_c1_c2)(0, 3);
-  constexpr double kMostly = 0.7;
-  if (x >= 0.0 || -x < kMostly * distance_of(*T_c1_c2)) return;
+  if (!subject.is("orbslam3")) return;
+  const std::optional<double> left = second_left_of_first(rig);
+  if (!left) return;
   const auto stated = std::ranges::find_if(rig.poses, [&rig](const PoseEdge& edge) {
     return edge.a != "imu0" && edge.b != "imu0" && (edge.a == rig.cameras[1].name || edge.b == rig.cameras[1].name);
   });
@@ -180,7 +178,7 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
   if (stated != rig.poses.end()) where = subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
   findings.add({Severity::kWarning,
                 "stereo-order",
-                "the second camera stands " + in_metres(-x) +
+                "the second camera stands " + in_metres(*left) +
                     " to the left of the first: the pose holds the other direction, or "
                     "the cameras are exchanged",
                 {},

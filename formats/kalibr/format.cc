@@ -22,6 +22,7 @@ constexpr std::array kModels = {
     StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr", {}},
 };
 
+constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 
 ProbeResult probe(const text::Document& document) {
@@ -62,6 +63,7 @@ const Format kFormat = {
     .topic = true,
     .own_facts = "keys of its own (cam_overlaps)",
     .defaulted = kDefaulted,
+    .of_the_images = kOfTheImages,
     .models = kModels,
     .probe = probe,
     .read = read,

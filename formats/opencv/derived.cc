@@ -39,6 +39,7 @@ struct Derived {
 constexpr std::array kDerived = {
     Derived{"r1", true, true, true, &kRectification},
     Derived{"r2", true, true, true, &kRectification},
+    Derived{"p", true, true, true, &kRectification},
     Derived{"p1", true, true, true, &kRectification},
     Derived{"p2", true, true, true, &kRectification},
     Derived{"q", true, true, true, &kRectification},
@@ -56,6 +57,7 @@ constexpr std::array kDerived = {
     Derived{"reproj", false, true, true, &kCalibration},
     Derived{"rms", true, true, true, &kCalibration},
     Derived{"rmserror", true, true, true, &kCalibration},
+    Derived{"imagepoints", false, true, false, &kCalibration},
     Derived{"extrinsicparameters", false, true, false, &kCalibration},
     Derived{"flags", true, true, false, &kCalibration},
     Derived{"flagvalue", true, true, false, &kCalibration},

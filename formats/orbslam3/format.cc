@@ -34,6 +34,10 @@ constexpr std::array<std::string_view, kCount> names_of(const std::array<Row, kC
 constexpr std::array<std::string_view, 6> kDefaulted = {"frame rate",          "colour order",   "depth threshold",
                                                         "overlapping columns", "ORBextractor.*", "Viewer.*"};
 
+/// Of the ROS examples and of ORB-SLAM3's rescaling.
+constexpr std::array<std::string_view, 6> kOfTheImages = {"LEFT.P",  "LEFT.K",          "RIGHT.P",
+                                                          "RIGHT.K", "Camera.newWidth", "Camera.newHeight"};
+
 constexpr auto kModes = names_of(kSensors, &Sensor::id);
 constexpr auto kLayouts = names_of(kStyleNames, &StyleName::name);
 
@@ -67,6 +71,7 @@ const Format kFormat = {
     .modes = kModes,
     .layouts = kLayouts,
     .defaulted = kDefaulted,
+    .of_the_images = kOfTheImages,
     .models = kModels,
     .probe = probe,
     .read = read,

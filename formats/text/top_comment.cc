@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/text/top_comment.h>
 
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace fca::text {
 
@@ -25,18 +27,77 @@ std::string without_double_hyphens(std::string text) {
   return text;
 }
 
+/// Where XML's comments at the top begin.
+constexpr std::string_view kRoot = "<opencv_storage>";
+
+bool has_yaml_comments(const Document& document) {
+  return document.syntax() == Syntax::kYaml || document.syntax() == Syntax::kOpenCvYaml;
+}
+
+/// A line of comment: its bytes with their line break, and what it says.
+struct CommentLine {
+  Span span;
+  std::string_view text;
+};
+
+std::vector<CommentLine> yaml_comments(const Source& source) {
+  constexpr std::string_view kMark = "# ";
+  const std::string_view bytes = source.bytes;
+  std::vector<CommentLine> lines;
+  const std::size_t end = behind_head(source);
+  for (std::size_t at = source.byte_order_mark(); at < end;) {
+    const std::size_t next = std::min(bytes.find('\n', at), end - 1) + 1;
+    std::string_view text = bytes.substr(at, next - at);
+    while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
+    if (text.starts_with(kMark)) lines.push_back({{at, next - at}, text.substr(kMark.size())});
+    at = next;
+  }
+  return lines;
+}
+
+std::vector<CommentLine> xml_comments(const Source& source) {
+  constexpr std::string_view kBegin = "<!-- ";
+  constexpr std::string_view kEnd = " -->";
+  const std::string_view bytes = source.bytes;
+  std::vector<CommentLine> lines;
+  std::size_t at = bytes.find(kRoot);
+  if (at == std::string_view::npos) return lines;
+  at += kRoot.size();
+  while (true) {
+    const std::size_t begin = bytes.find_first_not_of("\r\n", at);
+    if (begin == std::string_view::npos || !bytes.substr(begin).starts_with(kBegin)) return lines;
+    const std::size_t end = bytes.find(kEnd, begin);
+    if (end == std::string_view::npos) return lines;
+    const std::size_t text = begin + kBegin.size();
+    lines.push_back({{at, end + kEnd.size() - at}, bytes.substr(text, end - text)});
+    at = end + kEnd.size();
+  }
+}
+
 }  // namespace
+
+bool remove_top_comment(Document& document, const std::function<bool(std::string_view)>& is_ours) {
+  const std::vector<CommentLine> lines = has_yaml_comments(document)         ? yaml_comments(document.source())
+                                         : document.syntax() == Syntax::kXml ? xml_comments(document.source())
+                                                                             : std::vector<CommentLine>();
+  bool removed = false;
+  for (const CommentLine& line : lines) {
+    if (!is_ours(line.text)) continue;
+    document.replace(line.span, "");
+    removed = true;
+  }
+  return removed;
+}
 
 bool add_top_comment(Document& document, std::span<const std::string> lines) {
   const Source& source = document.source();
   const std::string line_break(source.line_break());
   std::string text;
-  if (document.syntax() == Syntax::kYaml || document.syntax() == Syntax::kOpenCvYaml) {
+  if (has_yaml_comments(document)) {
     for (const std::string& line : lines) text += "# " + printable(line) + line_break;
     document.insert(behind_head(source), text);
     return true;
   }
-  constexpr std::string_view kRoot = "<opencv_storage>";
   const std::size_t root = source.bytes.find(kRoot);
   if (document.syntax() != Syntax::kXml || root == std::string::npos) return false;
   for (const std::string& line : lines) text += line_break + "<!-- " + without_double_hyphens(printable(line)) + " -->";

@@ -30,6 +30,7 @@ constexpr std::array kModels = {
     StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}, {}, true},
 };
 
+constexpr std::array<std::string_view, 2> kOfTheImages = {"line_delay", "DSO's rectified image"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 
 /// A chain is Kalibr's, and says so.
@@ -178,6 +179,7 @@ const Format kFormat = {
     .topic = true,
     .own_facts = "keys of its own (cam_overlaps, DSO's rectified image)",
     .defaulted = kDefaulted,
+    .of_the_images = kOfTheImages,
     .models = kModels,
     .probe = probe,
     .read = read,

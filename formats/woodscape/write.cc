@@ -8,6 +8,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,14 +38,6 @@ std::vector<Field> intrinsic_fields(const Camera& camera) {
 
 std::vector<Field> extrinsic_fields(const Transform& T) {
   return {fields::list("quaternion", quaternion_of(T)), fields::list("translation", translation_of(T))};
-}
-
-double largest_difference_of_rotations(const Transform& a, const Transform& b) {
-  double worst = 0.0;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) worst = std::max(worst, std::abs(a(row, column) - b(row, column)));
-  }
-  return worst;
 }
 
 /// The dataset's own layout: two blanks deeper per level, one number per line.
@@ -102,7 +95,7 @@ text::Document edited(const text::Document& base, const Rig& old, const Camera& 
   std::vector<Field> from = stated != nullptr ? extrinsic_fields(*stated) : std::vector<Field>();
   std::vector<Field> to = extrinsic_fields(*pose);
   constexpr double kSameRotation = 1e-12;
-  if (stated != nullptr && largest_difference_of_rotations(*stated, *pose) <= kSameRotation) to.front() = from.front();
+  if (stated != nullptr && largest_difference(*stated, *pose).distance <= kSameRotation) to.front() = from.front();
   if (stated != nullptr && to.front().tokens != from.front().tokens)
     to.front() = fields::list("quaternion", signed_as(extrinsic->value, quaternion_of(*pose)));
   if (stated != nullptr) {

@@ -24,16 +24,23 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 using internal::FitTask;
 
+/// "ucm, eucm, ds, ... have no limit at 90 deg; ": for a target that has one.
+std::string models_without_that_limit(const ModelInfo& target) {
+  if (!internal::sees_ahead_only(target.id)) return "";
+  std::string names;
+  for (const ModelInfo& model : all_models()) {
+    if (!internal::sees_ahead_only(model.id)) names += (names.empty() ? "" : ", ") + std::string(model.id);
+  }
+  return names + " have no limit at 90 deg; ";
+}
+
 void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
   const auto degrees = std::to_string(std::lround(cone_rad / kRadiansPerDegree));
-  diagnostics.warning(
-      "target-cannot-reach",
-      task.camera.name + ": " + std::string(task.target.id) +
-          " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
-          " deg from the axis, is scored there, and gives wrong pixels or none beyond",
-      {},
-      (internal::sees_ahead_only(task.target.id) ? "eucm, ds, kb4, ocamcalib and woodscape have no limit at 90 deg; " : "") +
-          std::string("fca-io models FILE compares how far each model reaches"));
+  diagnostics.warning("target-cannot-reach",
+                      task.camera.name + ": " + std::string(task.target.id) +
+                          " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
+                          " deg from the axis, is scored there, and gives wrong pixels or none beyond",
+                      {}, models_without_that_limit(task.target) + "fca-io models FILE compares how far each model reaches");
 }
 
 /// Everything the report says of a model that counts up to that angle, from what the lattice says of it.

@@ -92,8 +92,6 @@ bool border_is_covered(const Lens& lens, const ImageSize& size) {
 
 }  // namespace
 
-double angle_from_axis(const Ray& ray) { return std::atan2(std::hypot(ray[0], ray[1]), ray[2]); }
-
 std::optional<Ray> Domain::ray(const Lens& source, const Pixel& pixel) const {
   const std::optional<Ray> ray = source.ray(pixel);
   if (!ray || angle_from_axis(*ray) > max_angle_rad) return std::nullopt;

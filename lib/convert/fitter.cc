@@ -2,7 +2,6 @@
 #include "fitter.h"
 
 #include "aspect_fit.h"
-#include "products.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,17 +24,10 @@ struct Coarse {
 };
 constexpr Coarse kCoarse{{30, 1e-4}, 32};
 constexpr Coarse kCoarseOfMany{{60, 1e-6}, 100};
-constexpr std::size_t kManyParameters = 11;
-
-bool has_many_parameters(const FitTarget& target) { return target.parameters().size() >= kManyParameters; }
 
 const Coarse& coarse_for(const FitTarget& target) { return has_many_parameters(target) ? kCoarseOfMany : kCoarse; }
 
-/// Below this, in px^2, what is left is worth a second look; below that, there is nothing.
-constexpr double kSmallCost = 1e-6;
-constexpr double kExactCost = 1e-22;
 constexpr double kKnown = 1e-8;  // Of another bottom's cost: this one is the lens.
-constexpr double kWorthwhile = 0.9;
 
 /// To reach all of the lens is worth some pixels, but not a useless camera.
 bool is_better(const FoundFit& a, const FoundFit& b) {
@@ -74,30 +66,30 @@ Fitter::Fitter(const FitTarget& target, std::span<const Correspondence> samples,
       count_(target.parameters().size()),
       full_(has_many_parameters(target) ? kFullOfMany : kFull),
       samples_(samples),
-      linearised_(target),
-      limits_(target, ranges) {}
+      polisher_(target, ranges) {}
 
 std::optional<FoundFit> Fitter::fit_from(const ParameterValues& start) {
   Candidate candidate;
   candidate.values = start;
-  hold_fixed(candidate);
-  if (!polish(candidate, full_)) return std::nullopt;
-  respect_bounds(candidate);
-  return finish(candidate);
+  polisher_.hold_fixed(candidate);
+  if (!polisher_.polish(candidate, samples_, full_)) return std::nullopt;
+  polisher_.respect_bounds(candidate, samples_, full_);
+  return polisher_.finish(candidate, samples_);
 }
 
 std::optional<FoundFit> Fitter::as_it_is(const ParameterValues& values) const {
   Candidate candidate;
   candidate.values = values;
   candidate.on_all = false;  // there is no cost yet
-  hold_fixed(candidate);
+  polisher_.hold_fixed(candidate);
   if (candidate.values != values) return std::nullopt;
-  return finish(candidate);
+  return polisher_.finish(candidate, samples_);
 }
 
 std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
   if (target_.terms() > 0 && target_.shapes().empty()) {
-    if (const std::optional<Candidate> candidate = fit_terms(samples_, centre, 0.0)) return finish(*candidate);
+    if (const std::optional<Candidate> candidate = fit_terms(samples_, centre, 0.0))
+      return polisher_.finish(*candidate, samples_);
   }
   std::optional<FoundFit> best = fit_starts(centre);
   // Two more reasons to begin from longer and shorter lenses: the optimum's radius may turn back before the edge of this one,
@@ -135,27 +127,20 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
   return best;
 }
 
-void Fitter::hold_fixed(Candidate& candidate) const {
-  for (std::size_t i = 0; i < count_; ++i) {
-    candidate.fixed[i] = limits_.fixed(i);
-    candidate.values[i] = std::clamp(candidate.values[i], limits_.lower[i], limits_.upper[i]);
-  }
-}
-
 /// Fits from the candidates until no other can be better.
 void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best) {
   std::vector<Candidate> polished;
   for (Candidate& candidate : candidates) {
     if (best && settled(*best) && !is_rival(candidate, polished)) continue;
     const Candidate coarse = candidate;
-    if (!polish(candidate, full_)) continue;
-    respect_bounds(candidate);
-    keep_better(finish(candidate), best);
+    if (!polisher_.polish(candidate, samples_, full_)) continue;
+    polisher_.respect_bounds(candidate, samples_, full_);
+    keep_better(polisher_.finish(candidate, samples_), best);
     polished.push_back(coarse);
     polished.push_back(candidate);
-    if (move_inside(candidate) && polish(candidate, full_)) {
-      respect_bounds(candidate);
-      keep_better(finish(candidate), best);
+    if (move_inside(candidate) && polisher_.polish(candidate, samples_, full_)) {
+      polisher_.respect_bounds(candidate, samples_, full_);
+      keep_better(polisher_.finish(candidate, samples_), best);
     }
   }
 }
@@ -176,10 +161,10 @@ bool Fitter::move_inside(Candidate& candidate) const {
   constexpr double kALittle = 0.05;
   bool moved = false;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!candidate.fixed[i] || limits_.fixed(i)) continue;
+    if (!candidate.fixed[i] || polisher_.limits().fixed(i)) continue;
     double& value = candidate.values[i];
-    const double inside = value + (value == limits_.lower[i] ? kALittle : -kALittle);
-    value = std::clamp(inside, limits_.lower[i], limits_.upper[i]);
+    const double inside = value + (value == polisher_.limits().lower[i] ? kALittle : -kALittle);
+    value = std::clamp(inside, polisher_.limits().lower[i], polisher_.limits().upper[i]);
     candidate.fixed[i] = false;
     moved = true;
   }
@@ -187,7 +172,7 @@ bool Fitter::move_inside(Candidate& candidate) const {
 }
 
 /// The model's starts, polished on a few of the samples, best first.
-std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
+std::vector<Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   const Coarse& coarse = coarse_for(target_);
   const std::span<const Correspondence> all = samples_;
   const std::vector<Correspondence> few = spread(all, coarse.samples);
@@ -196,7 +181,7 @@ std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   for (int i = 0; i < target_.starts(); ++i) {
     Candidate& start = starts.emplace_back();
     target_.initialise(few, centre, i, start.values.data());
-    hold_fixed(start);
+    polisher_.hold_fixed(start);
     start.cost = cost_of_start(start.values);
     if (is_known(start.cost)) starts.pop_back();
   }
@@ -219,7 +204,7 @@ std::vector<Fitter::Candidate> Fitter::coarse_fits(const LensCentre& centre) {
     // On one side of a fold a start may look hopeless beside one on the other.
     const std::size_t fewest = target_.folded() ? 2 : 1;
     if (polished.size() >= fewest && start.cost > kHopeless * first_cost) break;
-    if (!polish(start, coarse.effort)) continue;
+    if (!polisher_.polish(start, samples_, coarse.effort)) continue;
     polished.push_back(start);
     if (start.on_all && start.cost < kExactCost) break;
   }
@@ -255,12 +240,12 @@ void Fitter::look_beyond_fold(std::size_t folded, std::vector<Candidate>& polish
     if (polished.back().cost <= exact || from.cost <= kExactCost) return;
     if (i >= kLikely && from.cost > kSmallCost) return;
     Candidate candidate = from;
-    if (candidate.fixed[folded] || !(candidate.values[folded] + kSteps[i] > limits_.lower[folded])) continue;
+    if (candidate.fixed[folded] || !(candidate.values[folded] + kSteps[i] > polisher_.limits().lower[folded])) continue;
     candidate.values[folded] += kSteps[i];
     candidate.fixed[folded] = true;
-    const bool followed = polish(candidate, effort);
+    const bool followed = polisher_.polish(candidate, samples_, effort);
     candidate.fixed[folded] = false;
-    if (followed && polish(candidate, effort)) polished.push_back(candidate);
+    if (followed && polisher_.polish(candidate, samples_, effort)) polished.push_back(candidate);
   }
 }
 
@@ -280,9 +265,10 @@ double Fitter::cost_of_start(const ParameterValues& values) {
 }
 
 /// Without a start, where the model is linear enough and no range of a parameter gets in the way.
-std::optional<Fitter::Candidate> Fitter::fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
-                                                   double shape) const {
-  if (std::any_of(limits_.held.begin(), limits_.held.begin() + static_cast<std::ptrdiff_t>(count_), [](bool h) { return h; }))
+std::optional<Candidate> Fitter::fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
+                                           double shape) const {
+  if (std::any_of(polisher_.limits().held.begin(), polisher_.limits().held.begin() + static_cast<std::ptrdiff_t>(count_),
+                  [](bool h) { return h; }))
     return std::nullopt;
   AspectFit fit(target_.terms(), samples.size());
   std::size_t points = 0;
@@ -298,7 +284,8 @@ std::optional<Fitter::Candidate> Fitter::fit_terms(std::span<const Correspondenc
   Candidate candidate;
   target_.from_terms(shape, solution->coefficients.data(), solution->aspect, point, candidate.values.data());
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!(candidate.values[i] >= limits_.lower[i] && candidate.values[i] <= limits_.upper[i])) return std::nullopt;
+    if (!(candidate.values[i] >= polisher_.limits().lower[i] && candidate.values[i] <= polisher_.limits().upper[i]))
+      return std::nullopt;
   }
   candidate.cost = solution->cost;
   candidate.iterations = solution->iterations;
@@ -307,7 +294,7 @@ std::optional<Fitter::Candidate> Fitter::fit_terms(std::span<const Correspondenc
 
 /// The bottoms along the shape, with the best of all other parameters for each (variable projection: Golub & Pereyra 1973), on
 /// a few of the samples, best first: what a descent in all parameters finds only by a long way through a narrow valley.
-std::vector<Fitter::Candidate> Fitter::search_shapes(const LensCentre& centre) const {
+std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) const {
   constexpr std::size_t kSamples = 48;
   constexpr std::size_t kMostBottoms = 3;
   constexpr int kSections = 12;
@@ -343,168 +330,11 @@ std::vector<Fitter::Candidate> Fitter::search_shapes(const LensCentre& centre) c
         (trial > at ? high : low) = trial;
       }
     }
-    hold_fixed(*best);
+    polisher_.hold_fixed(*best);
     found.push_back(*best);
   }
   std::ranges::sort(found, {}, &Candidate::cost);
   return found;
-}
-
-/// A start may not reach every sample: fit those it reaches, then ask again with the better parameters.
-bool Fitter::polish(Candidate& candidate, const Effort& effort) {
-  constexpr int kMostRounds = 4;
-  std::size_t before = 0;
-  for (int round = 0; round < kMostRounds; ++round) {
-    pixels_.resize(samples_.size());
-    std::vector<Correspondence> active;
-    if (target_.pixels(candidate.values.data(), samples_, pixels_.data())) {
-      active.assign(samples_.begin(), samples_.end());
-    } else {
-      for (std::size_t k = 0; k < samples_.size(); ++k) {
-        if (!std::isnan(pixels_[k][0])) active.push_back(samples_[k]);
-      }
-    }
-    if (active.size() * 2 < count_ || (round > 0 && active.size() <= before)) break;
-    before = active.size();
-    linearised_.reset(std::move(active), candidate.fixed);
-    if (!minimise_active(candidate, effort)) return false;
-    if (before == samples_.size()) break;
-  }
-  return before > 0;
-}
-
-bool Fitter::minimise_active(Candidate& candidate, const Effort& effort) {
-  ParameterValues free{};
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (!candidate.fixed[i]) free[count++] = candidate.values[i];
-  }
-  if (count == 0) {
-    candidate.on_all = false;
-    return true;
-  }
-  const Evaluate evaluate_at = [this, &candidate](const double* p, NormalEquations& sums) {
-    return linearised_.evaluate(merged(candidate, p), sums);
-  };
-  // So close to an optimum that J'J leads nowhere: refine() goes on from the start itself.
-  constexpr double kTinyCost = 1e-9;
-  NormalEquations at_start;
-  if (!evaluate_at(free.data(), at_start)) return false;
-  Minimum minimum{true, at_start.cost, 0};
-  if (!has_many_parameters(target_) || !(at_start.cost < kTinyCost))
-    minimum = minimise(evaluate_at, effort, std::span(free).first(count));
-  if (!minimum.usable) return false;
-  candidate.cost = minimum.cost;
-  candidate.iterations += minimum.iterations;
-  candidate.on_all = linearised_.rows() == 2 * samples_.size();
-  if (minimum.cost < kSmallCost) refine(candidate, effort, std::span(free).first(count));
-  candidate.values = merged(candidate, free.data());
-  return true;
-}
-
-/// The same in coordinates in which the Jacobian's columns are orthonormal at the start: J'J squares the condition of J, and
-/// where next to nothing is left to gain, in a valley, the way is lost in its rounding. Again while that helps, because the
-/// coordinates are those of one point.
-void Fitter::refine(Candidate& candidate, const Effort& effort, std::span<double> free) {
-  constexpr int kMostRounds = 8;
-  for (int round = 0; round < kMostRounds && candidate.cost > kExactCost; ++round) {
-    if (!linearised_.linearise(merged(candidate, free.data()))) return;
-    orthonormal_.reset(linearised_.rows(), linearised_.columns().size());
-    for (const Column& column : linearised_.columns()) orthonormal_.add(column.data);
-    ParameterValues centre{};
-    std::ranges::copy(free, centre.begin());
-    const auto free_at = [&](const double* y) {
-      ParameterValues values = centre;
-      orthonormal_.step(y, values.data());
-      return values;
-    };
-    const Evaluate evaluate_at = [&](const double* y, NormalEquations& sums) {
-      const ParameterValues values = merged(candidate, free_at(y).data());
-      if (sums.gradient.empty()) return linearised_.evaluate(values, sums);
-      if (!linearised_.linearise(values)) return false;
-      orthonormal_.transform(linearised_.columns(), moved_);
-      const Column r = linearised_.residuals();
-      products(std::span(&r, 1), r, &sums.cost);
-      products(orthonormal_.columns(moved_), r, sums.gradient.data());
-      products(orthonormal_.columns(moved_), sums.hessian.data());
-      return true;
-    };
-    ParameterValues y{};
-    const Minimum minimum = minimise(evaluate_at, effort, std::span(y).first(free.size()));
-    if (!minimum.usable || !(minimum.cost < candidate.cost)) return;
-    std::copy_n(free_at(y.data()).begin(), free.size(), free.begin());
-    const bool helps = minimum.cost < kWorthwhile * candidate.cost;
-    candidate.cost = minimum.cost;
-    candidate.iterations += minimum.iterations;
-    if (!helps) return;
-  }
-}
-
-ParameterValues Fitter::merged(const Candidate& candidate, const double* free) const {
-  ParameterValues values = candidate.values;
-  for (std::size_t i = 0, k = 0; i < count_; ++i) {
-    if (!candidate.fixed[i]) values[i] = free[k++];
-  }
-  return values;
-}
-
-/// While a parameter lies outside its range: put the one furthest outside on its bound, hold it there, fit the others again.
-void Fitter::respect_bounds(Candidate& candidate) {
-  for (std::size_t round = 0; round < count_; ++round) {
-    std::optional<std::size_t> worst;
-    double furthest = 0.0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      const double value = candidate.values[i];
-      const double outside = std::max(limits_.lower[i] - value, value - limits_.upper[i]) / (1.0 + std::abs(value));
-      if (!candidate.fixed[i] && outside > furthest) {
-        furthest = outside;
-        worst = i;
-      }
-    }
-    if (!worst) return;
-    candidate.values[*worst] = std::clamp(candidate.values[*worst], limits_.lower[*worst], limits_.upper[*worst]);
-    candidate.fixed[*worst] = true;
-    if (!polish(candidate, full_)) return;
-  }
-}
-
-/// How far from the samples, and whether all of them are in the model's domain.
-void Fitter::score(const Candidate& candidate, FoundFit& result) const {
-  double weight = 0.0;
-  double lowest = 1.0;
-  for (const Correspondence& s : samples_) {
-    weight += s.weight;
-    lowest = std::min(lowest, s.ray[2]);
-  }
-  // The fit knows the distances; the domain's limit, an angle, decides for all rays at once, unless it is too close to tell.
-  constexpr double kHair = 1e-9;
-  if (candidate.on_all && lowest > std::cos(target_.max_angle(candidate.values.data())) + kHair) {
-    result.rms_px = std::sqrt(candidate.cost / weight);
-    return;
-  }
-  weight = 0.0;
-  double sum = 0.0;
-  for (const Correspondence& s : samples_) {
-    double pixel[2];
-    if (!target_.project(candidate.values.data(), s.ray.data(), pixel)) {
-      result.reaches_all = false;
-      continue;
-    }
-    weight += s.weight;
-    sum += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
-  }
-  result.rms_px = weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
-}
-
-FoundFit Fitter::finish(const Candidate& candidate) const {
-  FoundFit result;
-  result.parameters = candidate.values;
-  result.iterations = candidate.iterations;
-  score(candidate, result);
-  for (std::size_t i = 0; i < count_; ++i) {
-    if (candidate.fixed[i] && !limits_.fixed(i)) result.at_bound.emplace_back(target_.parameters()[i].name);
-  }
-  return result;
 }
 
 std::optional<FoundFit> fit_target(const FitTarget& target, std::span<const Correspondence> samples, const LensCentre& centre,

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fits one camera model to rays and pixels: linear starts, then Levenberg-Marquardt on the geometric residual (pixels), bounds
-// by taking the active parameter out of the step. Whether the fitted camera folds inside the samples is asked afterwards.
+// Fits one camera model to rays and pixels: finds the basins that may hold the best camera (linear starts, coarse polishes, a
+// search along a shape, the other side of a fold) and polishes in those.
 #pragma once
 
-#include "fit_limits.h"
-#include "linearised.h"
-#include "minimise.h"
-#include "orthonormal.h"
+#include "polisher.h"
 
 #include <fca/convert/fit_target.h>
 
@@ -34,15 +31,6 @@ class Fitter {
   [[nodiscard]] std::optional<FoundFit> as_it_is(const ParameterValues& values) const;
 
  private:
-  struct Candidate {
-    ParameterValues values{};
-    std::array<bool, kMostParameters> fixed{};
-    double cost = 0.0;
-    int iterations = 0;
-    bool on_all = true;  ///< The cost is that of all samples.
-  };
-
-  void hold_fixed(Candidate& candidate) const;
   void polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best);
   [[nodiscard]] bool is_rival(const Candidate& candidate, const std::vector<Candidate>& polished) const;
   bool move_inside(Candidate& candidate) const;
@@ -54,24 +42,14 @@ class Fitter {
   [[nodiscard]] std::optional<Candidate> fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
                                                    double shape) const;
   [[nodiscard]] std::vector<Candidate> search_shapes(const LensCentre& centre) const;
-  bool polish(Candidate& candidate, const Effort& effort);
-  bool minimise_active(Candidate& candidate, const Effort& effort);
-  void refine(Candidate& candidate, const Effort& effort, std::span<double> free);
-  [[nodiscard]] ParameterValues merged(const Candidate& candidate, const double* free) const;
-  void respect_bounds(Candidate& candidate);
-  void score(const Candidate& candidate, FoundFit& result) const;
-  [[nodiscard]] FoundFit finish(const Candidate& candidate) const;
 
   const FitTarget& target_;
   std::size_t count_;          ///< Of parameters.
   Effort full_;                ///< Of a fit to all samples.
   std::vector<double> tried_;  ///< The costs of the starts.
   std::span<const Correspondence> samples_;
-  Linearised linearised_;
   std::vector<std::array<double, 2>> pixels_;
-  std::vector<double> moved_;  ///< The Jacobian in other coordinates.
-  Orthonormal orthonormal_;
-  FitLimits limits_;
+  Polisher polisher_;
 };
 
 }  // namespace fca::internal

@@ -166,4 +166,6 @@ std::vector<std::string> validate(const CameraModel& model) {
   return problems;
 }
 
+double angle_from_axis(const Ray& ray) { return std::atan2(std::hypot(ray[0], ray[1]), ray[2]); }
+
 }  // namespace fca

@@ -8,8 +8,6 @@ namespace fca {
 
 namespace {
 
-double angle_of(const Ray& ray) { return std::atan2(std::hypot(ray[0], ray[1]), ray[2]); }
-
 Ray turned(const Transform& T, const Ray& ray) {
   Ray result{};
   for (int row = 0; row < 3; ++row)
@@ -31,9 +29,9 @@ std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& ot
   const auto at_step = [](int size, int step) { return static_cast<int>(static_cast<long long>(size - 1) * step / kSteps); };
   const auto shares_pixel = [&](int column, int row) {
     const std::optional<Ray> ray = unproject(camera.model, {static_cast<double>(column), static_cast<double>(row)});
-    if (!ray || angle_of(*ray) > max_angle_rad) return false;
+    if (!ray || angle_from_axis(*ray) > max_angle_rad) return false;
     const Ray there = turned(T_other_camera, *ray);
-    if (angle_of(there) > max_angle_rad) return false;
+    if (angle_from_axis(there) > max_angle_rad) return false;
     const std::optional<Pixel> pixel = project(other.model, there);
     return pixel && inside(*other.image_size, *pixel);
   };

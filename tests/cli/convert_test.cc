@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The main job, as people and scripts see it: what is written, what is said of it, and the JSON of CLI.md.
+#include "cli/read_rig.h"
 #include "cli/run_program.h"
 
-#include <fca/formats/calibration.h>
 #include <fca/formats/proof.h>
-#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,18 +29,6 @@ Json json_of(const RunResult& run) {
   document.Parse<rapidjson::kParseValidateEncodingFlag | rapidjson::kParseFullPrecisionFlag>(run.out.c_str(), run.out.size());
   EXPECT_FALSE(document.HasParseError()) << run.out << run.err;
   return document;
-}
-
-Rig rig_in(const std::string& bytes) {
-  Diagnostics diagnostics;
-  std::optional<text::Document> document = text::parse_document({"output", bytes}, diagnostics);
-  if (!document) {
-    ADD_FAILURE() << bytes;
-    return {};
-  }
-  const std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
-  EXPECT_TRUE(calibration) << bytes;
-  return calibration ? calibration->rig : Rig();
 }
 
 bool loads(const char* consumer, const std::string& bytes, const char* sensor) {

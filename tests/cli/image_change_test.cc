@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --crop, --binning and --resize: whatever the format, the file written has the calibrated camera's pixels, mapped.
+#include "cli/read_rig.h"
 #include "cli/run_program.h"
 
-#include <fca/formats/calibration.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/read_document.h>
 #include <fca/rig/image_change.h>
 
 #include <cmath>
@@ -14,15 +13,6 @@ namespace fca::test {
 namespace {
 
 const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-
-Rig rig_in(const std::string& bytes) {
-  Diagnostics diagnostics;
-  std::optional<text::Document> document = text::parse_document({"output", bytes}, diagnostics);
-  std::optional<Calibration> calibration;
-  if (document) calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
-  EXPECT_TRUE(calibration) << bytes;
-  return calibration ? calibration->rig : Rig();
-}
 
 /// Both cameras' pixels of rays over the lens, the first's mapped.
 void expect_mapped(const Camera& before, const PixelMap& map, const Camera& after) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --into, --in-place and --join: several files and one rig.
+#include "cli/read_rig.h"
 #include "cli/run_program.h"
-
-#include <fca/formats/calibration.h>
-#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,15 +15,6 @@ const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
 const std::string kOpenVins = testdata("formats/kalibr/good/opencv-header.yaml");
 const std::string kFork = testdata("formats/orbslam3/good/slam-no-opt-eucm.yaml");
-
-Rig rig_in(const std::string& bytes) {
-  Diagnostics diagnostics;
-  std::optional<text::Document> document = text::parse_document({"output", bytes}, diagnostics);
-  std::optional<Calibration> calibration;
-  if (document) calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
-  EXPECT_TRUE(calibration) << bytes;
-  return calibration ? calibration->rig : Rig();
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;

@@ -50,6 +50,32 @@ TEST(Provenance, EditsHaveItOnlyWhenAsked) {
   EXPECT_TRUE(contains(run_program(asked).out, "SHA-256"));
 }
 
+// What was true of a file as it was written is not kept where it is edited.
+TEST(Provenance, AnEditReplacesWhatStandsThere) {
+  const TemporaryFolder folder;
+  for (const std::string name : {"one.yml", "one.xml"}) {
+    SCOPED_TRACE(name);
+    const std::string path = folder / name;
+    ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "cam0", "--to", "opencv", "-o", path}).code, 0);
+    const std::string written = read_file(path);
+    EXPECT_TRUE(contains(written, "tumvi.yaml, SHA-256"));
+    // Nothing is edited: nothing changes.
+    EXPECT_EQ(run_program({"convert", path, "--to", "opencv"}).out, written);
+    const RunResult edited = run_program({"convert", path, "--to", "opencv", "--binning", "2"});
+    EXPECT_EQ(edited.code, 0) << edited.err;
+    EXPECT_FALSE(contains(edited.out, "tumvi.yaml")) << edited.out;
+    EXPECT_TRUE(contains(edited.out, name + ", SHA-256")) << edited.out;
+    EXPECT_TRUE(contains(edited.out, "the input's parameters for the changed images")) << edited.out;
+    EXPECT_EQ(edited.out.find("SHA-256"), edited.out.rfind("SHA-256"));
+    const RunResult without = run_program({"convert", path, "--to", "opencv", "--no-provenance"});
+    EXPECT_FALSE(contains(without.out, "fca-io")) << without.out;
+    const std::string plain = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "opencv", "-o",
+                                           folder / ("plain" + name), "--no-provenance"})
+                                  .err;
+    EXPECT_EQ(without.out, read_file(folder / ("plain" + name))) << plain;
+  }
+}
+
 // cv::FileStorage's XML and YAML, and formats without comments.
 TEST(Provenance, EverySyntaxIsReadAsWithoutIt) {
   const TemporaryFolder folder;

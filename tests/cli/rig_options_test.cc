@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the options do to a rig: --camera and the side of a stereo pair, --set, overlapping columns.
+#include "cli/read_rig.h"
 #include "cli/run_program.h"
 
 #include <fca/formats/calibration.h>
-#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 
@@ -13,15 +13,6 @@ namespace {
 const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
 const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
-
-Rig rig_in(const std::string& bytes) {
-  Diagnostics diagnostics;
-  std::optional<text::Document> document = text::parse_document({"output", bytes}, diagnostics);
-  std::optional<Calibration> calibration;
-  if (document) calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
-  EXPECT_TRUE(calibration) << bytes;
-  return calibration ? calibration->rig : Rig();
-}
 
 /// The value of a top-level key, as spelled; "" if there is none.
 std::string value_of(const std::string& bytes, const std::string& key) {

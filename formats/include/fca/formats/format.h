@@ -117,6 +117,8 @@ struct Format {
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   std::span<const std::string_view> defaulted =
       {};  ///< What its program demands and calibrations rarely state: "colour order".
+  /// Keys of own facts (AsRead, behind their owner's name) that count pixels or rows of the images, and are stale for others.
+  std::span<const std::string_view> of_the_images = {};
   std::span<const StoredModel> models;
 
   ProbeResult (*probe)(const text::Document& document);

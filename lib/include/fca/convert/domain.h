@@ -22,9 +22,6 @@ struct Domain {
   [[nodiscard]] std::optional<Ray> ray(const Lens& source, const Pixel& pixel) const;
 };
 
-/// Angle of a ray from the optical axis, in radians, [0, pi].
-[[nodiscard]] double angle_from_axis(const Ray& ray);
-
 /// The domain of a camera: the whole image, cut where the model itself ends, and at `limit_rad` from the axis if one is given.
 /// An error (and nothing) where the camera has no usable size or parameters, or no pixel of the image has a ray.
 [[nodiscard]] std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limit_rad, Diagnostics& diagnostics);

@@ -55,6 +55,9 @@ using CameraModel = ModelList::Variant;
 using Ray = std::array<double, 3>;    ///< x right, y down, z forward.
 using Pixel = std::array<double, 2>;  ///< u, v; centre of the top-left pixel = (0, 0).
 
+/// Angle of a ray from the optical axis, in radians, [0, pi].
+[[nodiscard]] double angle_from_axis(const Ray& ray);
+
 /// What is known of a model without its parameters.
 struct ModelInfo {
   std::string_view id;

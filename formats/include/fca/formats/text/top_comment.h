@@ -3,13 +3,18 @@
 
 #include <fca/formats/text/document.h>
 
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace fca::text {
 
 /// Adds comment lines at the top of a document, behind its directives, its declaration and what comments stand there already.
 /// False, and nothing is done, where the syntax has none (JSON, lines of words).
 bool add_top_comment(Document& document, std::span<const std::string> lines);
+
+/// Removes those lines of such comments whose text `is_ours`; false if there are none.
+bool remove_top_comment(Document& document, const std::function<bool(std::string_view)>& is_ours);
 
 }  // namespace fca::text

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// How far apart two poses are, and the rotation nearest to what a file calls one.
 #pragma once
 
 #include <fca/rig/transform.h>
 
 #include <optional>
 
-namespace fca::checks {
+namespace fca {
 
 /// The pose with the rotation nearest to its 3 x 3 part (polar decomposition; Higham 1986); nothing if that is singular. Of a
 /// mirror image it is the nearest mirror image.
@@ -29,4 +30,4 @@ struct ElementDifference {
 /// Distance of two translations [m].
 [[nodiscard]] double distance_between(const Transform& a, const Transform& b);
 
-}  // namespace fca::checks
+}  // namespace fca

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rotation.h"
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace fca::checks {
+namespace fca {
 
 std::optional<Transform> nearest_rotation(const Transform& T_a_b) {
   // Newton's iteration X <- (X + X^-T) / 2 converges quadratically from a matrix that is nearly a rotation.
@@ -53,4 +53,4 @@ double distance_between(const Transform& a, const Transform& b) {
   return std::hypot(a(0, 3) - b(0, 3), a(1, 3) - b(1, 3), a(2, 3) - b(2, 3));
 }
 
-}  // namespace fca::checks
+}  // namespace fca

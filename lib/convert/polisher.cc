@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "polisher.h"
+
+#include "products.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::internal {
+
+namespace {
+
+constexpr double kWorthwhile = 0.9;
+
+}  // namespace
+
+Polisher::Polisher(const FitTarget& target, std::span<const ParameterRange> ranges)
+    : target_(target), count_(target.parameters().size()), linearised_(target), limits_(target, ranges) {}
+
+void Polisher::hold_fixed(Candidate& candidate) const {
+  for (std::size_t i = 0; i < count_; ++i) {
+    candidate.fixed[i] = limits_.fixed(i);
+    candidate.values[i] = std::clamp(candidate.values[i], limits_.lower[i], limits_.upper[i]);
+  }
+}
+
+/// A start may not reach every sample: fit those it reaches, then ask again with the better parameters.
+bool Polisher::polish(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort) {
+  constexpr int kMostRounds = 4;
+  std::size_t before = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    pixels_.resize(samples.size());
+    std::vector<Correspondence> active;
+    if (target_.pixels(candidate.values.data(), samples, pixels_.data())) {
+      active.assign(samples.begin(), samples.end());
+    } else {
+      for (std::size_t k = 0; k < samples.size(); ++k) {
+        if (!std::isnan(pixels_[k][0])) active.push_back(samples[k]);
+      }
+    }
+    if (active.size() * 2 < count_ || (round > 0 && active.size() <= before)) break;
+    before = active.size();
+    linearised_.reset(std::move(active), candidate.fixed);
+    if (!minimise_active(candidate, samples.size(), effort)) return false;
+    if (before == samples.size()) break;
+  }
+  return before > 0;
+}
+
+bool Polisher::minimise_active(Candidate& candidate, std::size_t samples, const Effort& effort) {
+  ParameterValues free{};
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (!candidate.fixed[i]) free[count++] = candidate.values[i];
+  }
+  if (count == 0) {
+    candidate.on_all = false;
+    return true;
+  }
+  const Evaluate evaluate_at = [this, &candidate](const double* p, NormalEquations& sums) {
+    return linearised_.evaluate(merged(candidate, p), sums);
+  };
+  // So close to an optimum that J'J leads nowhere: refine() goes on from the start itself.
+  constexpr double kTinyCost = 1e-9;
+  NormalEquations at_start;
+  if (!evaluate_at(free.data(), at_start)) return false;
+  Minimum minimum{true, at_start.cost, 0};
+  if (!has_many_parameters(target_) || !(at_start.cost < kTinyCost))
+    minimum = minimise(evaluate_at, effort, std::span(free).first(count));
+  if (!minimum.usable) return false;
+  candidate.cost = minimum.cost;
+  candidate.iterations += minimum.iterations;
+  candidate.on_all = linearised_.rows() == 2 * samples;
+  if (minimum.cost < kSmallCost) refine(candidate, effort, std::span(free).first(count));
+  candidate.values = merged(candidate, free.data());
+  return true;
+}
+
+/// The same in coordinates in which the Jacobian's columns are orthonormal at the start: J'J squares the condition of J, and
+/// where next to nothing is left to gain, in a valley, the way is lost in its rounding. Again while that helps, because the
+/// coordinates are those of one point.
+void Polisher::refine(Candidate& candidate, const Effort& effort, std::span<double> free) {
+  constexpr int kMostRounds = 8;
+  for (int round = 0; round < kMostRounds && candidate.cost > kExactCost; ++round) {
+    if (!linearised_.linearise(merged(candidate, free.data()))) return;
+    orthonormal_.reset(linearised_.rows(), linearised_.columns().size());
+    for (const Column& column : linearised_.columns()) orthonormal_.add(column.data);
+    ParameterValues centre{};
+    std::ranges::copy(free, centre.begin());
+    const auto free_at = [&](const double* y) {
+      ParameterValues values = centre;
+      orthonormal_.step(y, values.data());
+      return values;
+    };
+    const Evaluate evaluate_at = [&](const double* y, NormalEquations& sums) {
+      const ParameterValues values = merged(candidate, free_at(y).data());
+      if (sums.gradient.empty()) return linearised_.evaluate(values, sums);
+      if (!linearised_.linearise(values)) return false;
+      orthonormal_.transform(linearised_.columns(), moved_);
+      const Column r = linearised_.residuals();
+      products(std::span(&r, 1), r, &sums.cost);
+      products(orthonormal_.columns(moved_), r, sums.gradient.data());
+      products(orthonormal_.columns(moved_), sums.hessian.data());
+      return true;
+    };
+    ParameterValues y{};
+    const Minimum minimum = minimise(evaluate_at, effort, std::span(y).first(free.size()));
+    if (!minimum.usable || !(minimum.cost < candidate.cost)) return;
+    std::copy_n(free_at(y.data()).begin(), free.size(), free.begin());
+    const bool helps = minimum.cost < kWorthwhile * candidate.cost;
+    candidate.cost = minimum.cost;
+    candidate.iterations += minimum.iterations;
+    if (!helps) return;
+  }
+}
+
+ParameterValues Polisher::merged(const Candidate& candidate, const double* free) const {
+  ParameterValues values = candidate.values;
+  for (std::size_t i = 0, k = 0; i < count_; ++i) {
+    if (!candidate.fixed[i]) values[i] = free[k++];
+  }
+  return values;
+}
+
+/// While a parameter lies outside its range: put the one furthest outside on its bound, hold it there, fit the others again.
+void Polisher::respect_bounds(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort) {
+  for (std::size_t round = 0; round < count_; ++round) {
+    std::optional<std::size_t> worst;
+    double furthest = 0.0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double value = candidate.values[i];
+      const double outside = std::max(limits_.lower[i] - value, value - limits_.upper[i]) / (1.0 + std::abs(value));
+      if (!candidate.fixed[i] && outside > furthest) {
+        furthest = outside;
+        worst = i;
+      }
+    }
+    if (!worst) return;
+    candidate.values[*worst] = std::clamp(candidate.values[*worst], limits_.lower[*worst], limits_.upper[*worst]);
+    candidate.fixed[*worst] = true;
+    if (!polish(candidate, samples, effort)) return;
+  }
+}
+
+/// How far from the samples, and whether all of them are in the model's domain.
+void Polisher::score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const {
+  double weight = 0.0;
+  double lowest = 1.0;
+  for (const Correspondence& s : samples) {
+    weight += s.weight;
+    lowest = std::min(lowest, s.ray[2]);
+  }
+  // The fit knows the distances; the domain's limit, an angle, decides for all rays at once, unless it is too close to tell.
+  constexpr double kHair = 1e-9;
+  if (candidate.on_all && lowest > std::cos(target_.max_angle(candidate.values.data())) + kHair) {
+    result.rms_px = std::sqrt(candidate.cost / weight);
+    return;
+  }
+  weight = 0.0;
+  double sum = 0.0;
+  for (const Correspondence& s : samples) {
+    double pixel[2];
+    if (!target_.project(candidate.values.data(), s.ray.data(), pixel)) {
+      result.reaches_all = false;
+      continue;
+    }
+    weight += s.weight;
+    sum += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
+  }
+  result.rms_px = weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
+}
+
+FoundFit Polisher::finish(const Candidate& candidate, std::span<const Correspondence> samples) const {
+  FoundFit result;
+  result.parameters = candidate.values;
+  result.iterations = candidate.iterations;
+  score(candidate, samples, result);
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (candidate.fixed[i] && !limits_.fixed(i)) result.at_bound.emplace_back(target_.parameters()[i].name);
+  }
+  return result;
+}
+
+}  // namespace fca::internal
