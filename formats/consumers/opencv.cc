@@ -117,24 +117,14 @@ class Reader {
   void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
   [[nodiscard]] cv::FileNode node(const std::string& key) const { return storage_[key]; }
 
-  /// fs[key] >> Mat. What .mat() would throw for or allocate in vain is asked first.
+  /// fs[key] >> Mat.
   std::optional<cv::Mat> matrix(const cv::FileNode& found, const std::string& name) {
     if (!found.isMap()) {
       refuse(name + " is no !!opencv-matrix (rows, cols, dt, data)");
       return std::nullopt;
     }
-    constexpr int kMaxSide = 1 << 20;
-    for (const char* side : {"rows", "cols"}) {
-      const cv::FileNode length = found[side];
-      if (length.isInt() && static_cast<int>(length) >= 0 && static_cast<int>(length) <= kMaxSide) continue;
-      refuse(name + ": " + side + " is no count of rows or columns");
-      return std::nullopt;
-    }
     try {
-      const double expected = static_cast<double>(static_cast<int>(found["rows"])) * static_cast<int>(found["cols"]);
-      if (expected <= static_cast<double>(found["data"].size())) return found.mat();
-      refuse(name + " has " + std::to_string(found["data"].size()) + " numbers for " + number(expected) +
-             " places; OpenCV throws");
+      return storage::read_matrix(found);
     } catch (const cv::Exception& error) {
       refuse(name + " is no matrix OpenCV can read (" + storage::one_line(error.err) + ")");
     }

@@ -201,7 +201,7 @@ std::optional<cv::Mat> Settings::matrix(std::string_view key) {
     return std::nullopt;
   }
   try {
-    if (found.isMap()) return found.mat();
+    if (found.isMap()) return storage::read_matrix(found);
     refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants an !!opencv-matrix (rows, cols, dt, data)");
   } catch (const cv::Exception& error) {
     refuse(std::string(key) + " is no matrix OpenCV can read (" + storage::one_line(error.err) + "); " + program_ + " stops");

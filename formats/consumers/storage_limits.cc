@@ -2,6 +2,8 @@
 #include "storage_limits.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 
 namespace fca::consumers::storage {
 namespace {
@@ -54,6 +56,26 @@ bool has_too_many_elements(std::string_view text) {
   return false;
 }
 
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw cv::Exception(cv::Error::StsParseError, sentence, "read_matrix", __FILE__, __LINE__);
+}
+
+std::int64_t length_of(const cv::FileNode& matrix, const char* side) {
+  constexpr int kMaxSide = 1 << 20;
+  const cv::FileNode length = matrix[side];
+  if (length.isInt() && static_cast<int>(length) >= 0 && static_cast<int>(length) <= kMaxSide) return static_cast<int>(length);
+  refuse(std::string(side) + " is no count of rows or columns");
+}
+
+/// The 3 of `dt: 3f`; OpenCV's own limit (CV_CN_MAX) is 512.
+std::int64_t channels_of(const cv::FileNode& matrix) {
+  const cv::FileNode type = matrix["dt"];
+  const std::string word = type.isString() ? type.string() : std::string();
+  int channels = 1;
+  std::from_chars(word.data(), word.data() + word.size(), channels);
+  return std::clamp(channels, 1, CV_CN_MAX);
+}
+
 }  // namespace
 
 std::string find_obstacle(std::string_view bytes) {
@@ -69,6 +91,13 @@ std::string find_obstacle(std::string_view bytes) {
   if (is_nested_too_deep(bytes, head.starts_with("{")))
     return "more than 64 nested lists or maps, or an indentation beyond 200";
   return {};
+}
+
+cv::Mat read_matrix(const cv::FileNode& node) {
+  const std::int64_t stated = length_of(node, "rows") * length_of(node, "cols") * channels_of(node);
+  const auto given = static_cast<std::int64_t>(node["data"].size());
+  if (stated > given) refuse("it has " + std::to_string(given) + " numbers for " + std::to_string(stated) + " places");
+  return node.mat();
 }
 
 std::string one_line(std::string text) {
