@@ -57,14 +57,15 @@ std::optional<std::string> problem_with(const CheckArguments& arguments) {
   return std::nullopt;
 }
 
-/// The program for which a file is meant. Kalibr has two readers, one of them for files without cameras.
+/// The program for which a file is meant. Kalibr and OpenVINS have two readers, the second for files without cameras.
 const consumers::Consumer* meant_program(const CheckArguments& arguments, bool with_cameras) {
   if (arguments.program.empty()) return nullptr;
   const consumers::Consumer* program = find_program(arguments.program);
   if (program->cameras == with_cameras) return program;
   const auto all = consumers::all_consumers();
-  const auto other = std::ranges::find_if(
-      all, [&](const consumers::Consumer& each) { return each.format == program->format && each.cameras == with_cameras; });
+  const auto other = std::ranges::find_if(all, [&](const consumers::Consumer& each) {
+    return each.format == program->format && each.other_syntax == program->other_syntax && each.cameras == with_cameras;
+  });
   return other == all.end() ? program : &*other;
 }
 

@@ -242,6 +242,18 @@ Not decidable: small numbers of a narrow lens, where both readings see the same.
     CheckCode{"yaml-anchor", "a YAML anchor", kNotRead, ""},
     CheckCode{"yaml-documents", "more than one YAML document", kNotRead, ""},
     CheckCode{"yaml-key", "a YAML key that is no text", kNotRead, ""},
+    CheckCode{
+        "yaml-layout", "YAML laid out as OpenCV's reader does not take it", kProgramStops,
+        R"(cv::FileStorage (OpenCV, ORB-SLAM, OpenVINS) wants a first line %YAML and lists indented deeper than their key; what
+Kalibr writes has neither. This is read by PyYAML, yaml-cpp and OpenCV alike:
+
+  %YAML 1.2
+  ---
+  cam0:
+    T_cam_imu:
+      - [0.1, 0.2, 0.3, 0.4]
+
+--fix adds the line and the blanks, and changes no number.)"},
     CheckCode{"yaml-syntax", "not YAML", kNotRead, ""},
     CheckCode{"yaml-tab", "a TAB as indentation", kNotRead,
               "YAML indents with blanks only; OpenCV and PyYAML both refuse TABs there."},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mends.h"
 
+#include "layout_mend.h"
+
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
@@ -36,45 +38,32 @@ void collect_scalars(const Node& node, std::vector<const Node*>& scalars) {
   for (const text::Entry& entry : node.entries) collect_scalars(entry.value, scalars);
 }
 
+Mend spelled(const char* code, const text::Span& span, const std::string& text) { return {code, span, text, "write " + text}; }
+
 /// Other spellings of the same value.
 std::vector<Mend> spellings(const Node& scalar) {
   std::vector<Mend> mends;
   const std::optional<double> number = text::parse_real(scalar.value);
   if (!scalar.quoted && number && std::isfinite(*number)) {
     const bool whole = text::parse_int(scalar.value).has_value();
-    mends.push_back({whole ? "int-for-real" : "number-as-text", scalar.span, text::format_real(*number)});
+    mends.push_back(spelled(whole ? "int-for-real" : "number-as-text", scalar.span, text::format_real(*number)));
     constexpr double kLargest = 1e9;
     if (!whole && *number == std::floor(*number) && std::abs(*number) < kLargest)
-      mends.push_back({"real-for-int", scalar.span, std::to_string(static_cast<long long>(*number))});
+      mends.push_back(spelled("real-for-int", scalar.span, std::to_string(static_cast<long long>(*number))));
   }
-  if (!scalar.quoted) mends.push_back({"unquoted-text", scalar.span, "\"" + scalar.value + "\""});
+  if (!scalar.quoted) mends.push_back(spelled("unquoted-text", scalar.span, "\"" + scalar.value + "\""));
   return mends;
 }
 
-std::vector<std::string> refusals_of(const text::Document& document, const consumers::Consumer& program,
-                                     const consumers::LoadOptions& options) {
-  return program.load(document.bytes(), options).refusals;
-}
-
-std::vector<std::string> refusals_after(text::Document document, const Mend& mend, const consumers::Consumer& program,
-                                        const consumers::LoadOptions& options) {
+/// What a program says to the document with a mend in it.
+consumers::ConsumerView view_after(text::Document document, const Mend& mend, const consumers::Consumer& program,
+                                   const consumers::LoadOptions& options) {
   document.replace(mend.span, mend.text);
-  return refusals_of(document, program, options);
+  return program.load(document.bytes(), options);
 }
 
 bool says(const std::vector<std::string>& refusals, const std::string& sentence) {
   return std::ranges::find(refusals, sentence) != refusals.end();
-}
-
-/// OpenCV's first line, where a program wants YAML's own.
-std::optional<Mend> header_mend(const text::Document& document) {
-  const text::Source& source = document.source();
-  const std::size_t start = source.byte_order_mark();
-  if (!std::string_view(source.bytes).substr(start).starts_with("%YAML:")) return std::nullopt;
-  const text::Span line = source.line_at(start);
-  const std::size_t next = line.end() + source.line_break().size();
-  const bool marked = std::string_view(source.bytes).substr(std::min(next, source.bytes.size())).starts_with("---");
-  return Mend{"opencv-header", line, marked ? "%YAML 1.2" : "%YAML 1.2" + std::string(source.line_break()) + "---"};
 }
 
 /// The list whose item begins there, and which.
@@ -122,23 +111,26 @@ const Node* named_in(const text::Document& document, std::string_view sentence) 
 }
 
 std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
-                              const consumers::LoadOptions& options, const std::string& refusal) {
+                              const consumers::LoadOptions& options, const std::string& complaint) {
   // Every try is a run of the program's parser; no real calibration is half as long.
   constexpr std::size_t kLongest = 512 * 1024;
   if (document.source().bytes.size() > kLongest) return std::nullopt;
-  if (const std::optional<Mend> header = header_mend(document)) {
-    // Behind the header the program sees the file for the first time: it may go on to refuse something else.
-    if (!says(refusals_after(document, *header, program, options), refusal)) return header;
+  const std::vector<std::string> before = program.load(document.source().bytes, options).refusals;
+  // Behind the header the program sees the file for the first time: it may go on to refuse something else.
+  for (std::optional<Mend> (*layout)(const text::Document&) : {&header_mend, &layout_mend}) {
+    std::optional<Mend> mend = layout(document);
+    if (mend && says(before, complaint) && !says(view_after(document, *mend, program, options).refusals, complaint))
+      return mend;
   }
-  const Node* named = named_in(document, refusal);
+  const Node* named = named_in(document, complaint);
   if (named == nullptr) return std::nullopt;
   std::vector<const Node*> scalars;
   collect_scalars(*named, scalars);
-  const std::vector<std::string> before = refusals_of(document, program, options);
   // The same complaint with another value in it is no progress.
   const auto helps = [&](const Mend& mend) {
-    const std::vector<std::string> after = refusals_after(document, mend, program, options);
-    return !says(after, refusal) && std::ranges::all_of(after, [&](const std::string& each) { return says(before, each); });
+    const consumers::ConsumerView after = view_after(document, mend, program, options);
+    return !says(after.refusals, complaint) && !says(after.warnings, complaint) &&
+           std::ranges::all_of(after.refusals, [&](const std::string& each) { return says(before, each); });
   };
   constexpr std::size_t kMostTried = 32;
   for (std::size_t i = 0; i < std::min(kMostTried, scalars.size()); ++i) {

@@ -13,18 +13,20 @@ namespace fca::checks {
 
 /// A replacement of bytes after which the program no longer says that sentence.
 struct Mend {
-  std::string code;  ///< What was wrong: "int-for-real", "real-for-int", "number-as-text", "unquoted-text", "opencv-header".
+  std::string code;  ///< What was wrong: "int-for-real", "real-for-int", "number-as-text", "unquoted-text", "opencv-header",
+                     ///< "yaml-layout".
   text::Span span;
   std::string text;
+  std::string fix;  ///< What to do, in words.
 };
 
 /// The part of the document that a program's sentence names by its first words ("cam0/intrinsics: fu is ...", "Camera.fps is
 /// ..."); null if it names none.
 [[nodiscard]] const text::Node* named_in(const text::Document& document, std::string_view sentence);
 
-/// Nothing where no single other spelling helps.
+/// What takes a refusal or warning of the program away; nothing where no single other spelling does.
 [[nodiscard]] std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
-                                            const consumers::LoadOptions& options, const std::string& refusal);
+                                            const consumers::LoadOptions& options, const std::string& complaint);
 
 /// The neighbour in its list with which the number at `offset` is to be exchanged so that the format reads the document; null
 /// if there is none.

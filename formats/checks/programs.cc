@@ -63,7 +63,7 @@ class ProgramsCheck {
     if (loaded == attempts.end()) {
       say_refusals(*own, attempts);
     } else {
-      say_warnings(*own, loaded->view);
+      say_warnings(*own, loaded->mode, loaded->view);
       say_refused_mode(*own, attempts);
     }
   }
@@ -107,21 +107,26 @@ class ProgramsCheck {
                    {document_.source().name, 0, 0}});
   }
 
-  /// One refusal, at its place, with the mend if there is a certain one.
-  void say_refusal(const Consumer& program, const std::string& mode, const std::string& refusal, Severity severity) {
-    const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
-    Finding finding{severity, "program-refuses", refusal, {}, {}, place_of(refusal)};
-    const std::string_view first_word = program.program.substr(0, program.program.find(' '));
-    if (refusal.find(first_word) == std::string::npos) finding.message = who + " refuses the file: " + refusal;
-    if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), refusal)) {
+  /// One refusal or warning, at its place, with the mend if there is a certain one.
+  void say(Finding finding, const Consumer& program, const std::string& mode, const std::string& complaint) {
+    finding.where = place_of(complaint);
+    if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), complaint)) {
       finding.code = mend->code;
-      finding.where = document_.source().range(mend->span);
+      const text::Span line = document_.source().line_at(mend->span.offset);
+      finding.where =
+          document_.source().range({mend->span.offset, std::min(mend->span.length, line.end() - mend->span.offset)});
       finding.mend = SpanEdit{mend->span, mend->text};
-      finding.fix = "write " + mend->text.substr(0, mend->text.find('\n'));
-      if (mend->code == "opencv-header" && mend->text.find("---") != std::string::npos)
-        finding.fix += " and, in a line of its own, ---";
+      finding.fix = mend->fix;
     }
     findings_.add(std::move(finding));
+  }
+
+  void say_refusal(const Consumer& program, const std::string& mode, const std::string& refusal) {
+    const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
+    const std::string_view first_word = program.program.substr(0, program.program.find(' '));
+    const bool named = refusal.find(first_word) != std::string::npos;
+    say({Severity::kError, "program-refuses", named ? refusal : who + " refuses the file: " + refusal, {}, {}, {}}, program,
+        mode, refusal);
   }
 
   void say_refusals(const Consumer& own, const std::vector<Attempt>& attempts) {
@@ -137,15 +142,16 @@ class ProgramsCheck {
       return;
     }
     const bool another_reads =
-        options_.program == nullptr && std::ranges::any_of(report_.readers.programs, &Readers::Program::loads);
+        options_.program == nullptr && std::ranges::any_of(report_.readers.programs, [](const Readers::Program& program) {
+          return program.loads && !program.other_syntax;
+        });
     if (another_reads) {
       say_read_by_another(own, *fewest);
       return;
     }
     if (raise_wrong_parser()) return;
     constexpr std::size_t kMostSaid = 10;
-    for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i)
-      say_refusal(own, fewest->mode, refusals[i], Severity::kError);
+    for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) say_refusal(own, fewest->mode, refusals[i]);
     if (refusals.size() > kMostSaid) {
       findings_.add({Severity::kError,
                      "program-refuses",
@@ -185,12 +191,21 @@ class ProgramsCheck {
          place_of(refusals.front())});
   }
 
-  void say_warnings(const Consumer& own, const ConsumerView& view) {
+  void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {
     if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
     for (const std::string& warning : view.warnings) {
-      findings_.add(
-          {Severity::kWarning, "program-misreads", std::string(own.program) + ": " + warning, {}, {}, place_of(warning)});
+      // Asked for that program, a camera that it takes for another is what one wanted to know.
+      const bool wrong = options_.program != nullptr && misreads(view, warning);
+      const std::string who = warning.find(own.program) == std::string::npos ? std::string(own.program) + ": " : std::string();
+      say({wrong ? Severity::kError : Severity::kWarning, "program-misreads", who + warning, {}, {}, {}}, own, mode, warning);
     }
+  }
+
+  /// Is the warning about a camera that the program takes for another?
+  static bool misreads(const ConsumerView& view, std::string_view warning) {
+    return std::ranges::any_of(view.cameras, [warning](const consumers::ConsumerCamera& camera) {
+      return camera.misread && warning.starts_with(camera.name + "/");
+    });
   }
 
   /// It loads in some mode, but not in the one for which its keys stand there.
@@ -213,7 +228,7 @@ class ProgramsCheck {
                     {},
                     place_of(refusals.front())};
     if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
-      finding.fix = "write " + mend->text;
+      finding.fix = mend->fix;
       finding.mend = SpanEdit{mend->span, mend->text};
     }
     findings_.add(std::move(finding));

@@ -15,6 +15,9 @@ constexpr double kFloatPrecisionPx = 2e-4;
 constexpr std::array kConsumers{
     Consumer{"kalibr", "Kalibr", "kalibr", kDoublePrecisionPx, &load_kalibr, true, "tumvi"},
     Consumer{"kalibr-imu", "Kalibr (imu.yaml)", "kalibr", kDoublePrecisionPx, &load_kalibr_imu, false, "tumvi"},
+    Consumer{"openvins", "OpenVINS", "kalibr", kFloatPrecisionPx, &load_openvins, true, {}, true},
+    Consumer{
+        "openvins-imu", "OpenVINS (kalibr_imu_chain.yaml)", "kalibr", kFloatPrecisionPx, &load_openvins_imu, false, {}, true},
     Consumer{"orbslam3", "ORB-SLAM3 V1.0", "orbslam3", kFloatPrecisionPx, &load_orbslam3},
     Consumer{"orbslam2", "ORB-SLAM2", "orbslam3", kFloatPrecisionPx, &load_orbslam2},
     Consumer{"slam_no_opt", "ns15417/slam_no_opt", "orbslam3", kFloatPrecisionPx, &load_slam_no_opt},

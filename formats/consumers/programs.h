@@ -10,6 +10,8 @@ namespace fca::consumers {
 
 [[nodiscard]] ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_orbslam3(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_orbslam2(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_slam_no_opt(std::string_view bytes, const LoadOptions& options);

@@ -49,6 +49,7 @@ struct Readers {
   struct Program {
     std::string program;
     bool loads = false;
+    bool other_syntax = false;          ///< As consumers::Consumer's.
     std::vector<std::string> sensors;   ///< ORB-SLAM3 and kin: the modes it loads in.
     std::vector<std::string> refusals;  ///< Of the mode that comes furthest.
     std::vector<std::string> warnings;

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One layout of YAML is read by PyYAML, yaml-cpp and cv::FileStorage alike.
+#pragma once
+
+#include "mends.h"
+
+namespace fca::checks {
+
+/// YAML's own first lines in the place of OpenCV's %YAML:1.0, which PyYAML refuses; nothing where that does not stand.
+[[nodiscard]] std::optional<Mend> header_mend(const text::Document& document);
+
+/// What cv::FileStorage (OpenCV 4.6) wants of a YAML file besides its values: a first line %YAML, and lists indented deeper
+/// than their key. Blanks and that first line are all it adds. Nothing where the layout already is so.
+[[nodiscard]] std::optional<Mend> layout_mend(const text::Document& document);
+
+}  // namespace fca::checks

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One layout for PyYAML and OpenCV's reader: mended for the other program a chain loads there, and says what it said.
+#include "check_files.h"
+
+#include <fca/formats/text/read_document.h>
+
+#include <cstdio>
+
+namespace fca::test {
+namespace {
+
+std::optional<Rig> rig_of(const text::Source& source) {
+  Diagnostics diagnostics;
+  const std::optional<text::Document> document = text::parse_document(source, diagnostics);
+  if (!document) return std::nullopt;
+  std::optional<Calibration> calibration = read_calibration({*document}, find_format("kalibr"), {}, diagnostics);
+  if (!calibration) return std::nullopt;
+  return calibration->rig;
+}
+
+std::vector<fs::path> chains() {
+  std::vector<fs::path> files = files_in(testdata_dir() / "kalibr" / "good");
+  if (!has_corpus()) return files;
+  for (const char* folder : {"kalibr", "tumvi"}) {
+    const std::vector<fs::path> found = files_in(shared_dir() / "corpus" / folder);
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+/// Without blanks, quotes and the first lines: what a mend of the layout may not change.
+std::string letters(std::string_view bytes) {
+  std::string result;
+  for (const char c : bytes) {
+    if (std::string_view(" \r\n\"").find(c) == std::string_view::npos) result += c;
+  }
+  for (const std::string_view header : {"%YAML1.2---", "%YAML1.2", "---"}) {
+    if (result.starts_with(header)) return result.substr(header.size());
+  }
+  return result;
+}
+
+bool is_of_opencv(const std::string& bytes) { return bytes.starts_with("%YAML:"); }
+
+// What OpenVINS could use of Kalibr's own files it can read afterwards: two coefficients of its lenses, a pose per camera.
+TEST(Layout, KalibrsFilesForOpenVins) {
+  const consumers::Consumer* openvins = consumers::find_consumer("openvins");
+  int mended_files = 0;
+  for (const fs::path& path : chains()) {
+    const text::Source source{path.filename().string(), read_file(path)};
+    const std::optional<Rig> before = rig_of(source);
+    if (!before || before->cameras.empty() || is_of_opencv(source.bytes)) continue;
+    CheckOptions options;
+    options.program = openvins;
+    const std::optional<text::Source> after = mended(source, options);
+    if (!after) continue;
+    EXPECT_EQ(rig_of(*after), before) << source.name;
+    const consumers::ConsumerView view = openvins->load(after->bytes, {});
+    for (const std::string& refusal : view.refusals) {
+      // No mend can give a camera a pose, or four coefficients to a lens without.
+      const bool of_the_rig =
+          refusal.find("T_cam_imu") != std::string::npos || refusal.find("OpenVINS takes 4") != std::string::npos;
+      EXPECT_TRUE(of_the_rig) << source.name << ": " << refusal;
+    }
+    mended_files += view.loads() ? 1 : 0;
+  }
+  std::printf("%d chains loaded by OpenVINS after the mend\n", mended_files);
+  EXPECT_GE(mended_files, has_corpus() ? 30 : 1);
+}
+
+TEST(Layout, OpenVinsChainsForKalibr) {
+  const consumers::Consumer* kalibr = consumers::find_consumer("kalibr");
+  int mended_files = 0;
+  for (const fs::path& path : chains()) {
+    const text::Source source{path.filename().string(), read_file(path)};
+    const std::optional<Rig> before = rig_of(source);
+    if (!before || before->cameras.empty() || !is_of_opencv(source.bytes)) continue;
+    const std::optional<text::Source> after = mended(source, {});
+    ASSERT_TRUE(after) << source.name;
+    EXPECT_EQ(rig_of(*after), before) << source.name;
+    const consumers::ConsumerView view = kalibr->load(after->bytes, {});
+    EXPECT_TRUE(view.loads()) << source.name << ": " << view.refusals.front();
+    ++mended_files;
+  }
+  if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  EXPECT_GE(mended_files, 10);
+}
+
+constexpr std::string_view kChain =
+    "cam0:\n  T_cam_imu:\n  - [1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, "
+    "1.0]\n"
+    "  camera_model: pinhole\n  distortion_coeffs: [0.1, 0.0, 0.0, 0.0]\n  distortion_model: equidistant # a fisheye\n"
+    "  intrinsics: [200.0, 200.0, 320.0, 240.0]\n  resolution: [640, 480]\n  rostopic: /cam0\n";
+
+// OpenCV's reader takes an unquoted word up to the end of its line: with the comment it is not equidistant.
+TEST(Layout, ACommentMakesAFisheyeRadialTangential) {
+  CheckOptions options;
+  options.program = consumers::find_consumer("openvins");
+  for (const std::string& line_break : {std::string("\n"), std::string("\r\n")}) {
+    for (const std::string& mark : {std::string(), std::string("\xEF\xBB\xBF")}) {
+      std::string bytes = mark;
+      for (const char c : kChain) bytes += c == '\n' ? line_break : std::string(1, c);
+      const text::Source source{"camchain.yaml", bytes};
+      const std::optional<text::Source> after = mended(source, options);
+      ASSERT_TRUE(after);
+      EXPECT_NE(after->bytes.find("distortion_model: \"equidistant\" # a fisheye"), std::string::npos) << after->bytes;
+      EXPECT_EQ(letters(after->bytes), letters(bytes.substr(mark.size())));
+      EXPECT_EQ(rig_of(*after), rig_of(source));
+      const consumers::ConsumerView view = options.program->load(after->bytes, {});
+      EXPECT_TRUE(view.loads() && view.warnings.empty());
+    }
+  }
+}
+
+// OpenVINS never looks at camera_model.
+TEST(Layout, AnotherModelIsAnErrorForOpenVins) {
+  std::string bytes = "%YAML:1.0\n" + std::string(kChain);
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\n  - [", "\n    - ["},
+                                 {"pinhole", "omni"},
+                                 {"[200.0,", "[1.5, 200.0,"},
+                                 {"equidistant # a fisheye", "radtan"}}) {
+    for (std::size_t at = bytes.find(from); at != std::string::npos; at = bytes.find(from, at + to.size()))
+      bytes.replace(at, from.size(), to);
+  }
+  CheckOptions options;
+  options.program = consumers::find_consumer("openvins");
+  const text::Source source{"camchain.yaml", bytes};
+  const CheckReport report = checked(source, options);
+  ASSERT_TRUE(report.has(Severity::kError));
+  EXPECT_EQ(line_of(report.findings.front(), source), "8:17 error program-misreads");
+}
+
+}  // namespace
+}  // namespace fca::test
