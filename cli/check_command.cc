@@ -110,6 +110,15 @@ ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
   return bad ? ExitCode::kJudgedBad : ExitCode::kGood;
 }
 
+/// The report of a file that could not be opened.
+CheckReport unreadable(const Diagnostics& diagnostics) {
+  CheckReport report;
+  report.is_calibration = false;
+  for (const Diagnostic& entry : diagnostics.entries())
+    report.findings.push_back({entry.severity, entry.code, entry.message, {}, entry.fix, entry.where});
+  return report;
+}
+
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.list_codes) {
@@ -139,6 +148,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
       }
       console.show(diagnostics);
       exit_code = worse(exit_code, ExitCode::kIo);
+      all.files.push_back({{file.path, {}}, unreadable(diagnostics)});
       continue;
     }
     if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
@@ -153,6 +163,11 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     // A file that is no calibration has no result.
     const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back());
     all.files.back().report.is_calibration ? console.say(text) : console.say_aside(text);
+  }
+  if (all.files.empty()) {
+    console.error("no calibration in " + enumerated(arguments.files) + " (" + std::to_string(all.skipped.size()) +
+                  " files looked at)");
+    exit_code = worse(exit_code, ExitCode::kBadInput);
   }
   if (for_people) console.say(check_summary(all));
   if (arguments.json) console.out(check_json(all));

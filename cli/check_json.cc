@@ -33,10 +33,27 @@ void put_file(Json& json, const CheckedFile& file) {
   json.put("checked", std::span<const std::string>(report.checked));
   json.array("undecided", report.undecided, [&](const Undecided& undecided) {
     json.object([&] {
+      json.put("code", undecided.code);
       json.put("question", undecided.question);
       json.put("why", undecided.why);
     });
   });
+}
+
+/// A path as SARIF wants it (RFC 3986): absolute ones as file://, everything but plain letters encoded.
+std::string uri_of(std::string_view path) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string uri = path.starts_with("/") ? "file://" : "";
+  for (const char c : path) {
+    if (kPlain.find(c) != std::string_view::npos) {
+      uri += c;
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      uri += {'%', kDigits[byte / 16U], kDigits[byte % 16U]};
+    }
+  }
+  return uri;
 }
 
 /// SARIF's word for a severity.
@@ -51,7 +68,7 @@ void put_result(Json& json, const Finding& finding, const text::Source& source) 
   json.array("locations", std::initializer_list<int>{0}, [&](int) {
     json.object([&] {
       json.object("physicalLocation", [&] {
-        json.object("artifactLocation", [&] { json.put("uri", source.name); });
+        json.object("artifactLocation", [&] { json.put("uri", uri_of(source.name)); });
         if (!placed(finding)) return;
         const text::Position first = source.position(finding.where.offset);
         const text::Position last = source.position(finding.where.offset + finding.where.length);

@@ -64,16 +64,19 @@ std::string check_text(const CheckedFile& file) {
 
 std::string check_summary(const CheckedFiles& checked) {
   if (checked.files.size() < 2 && checked.skipped.empty()) return "";
+  std::size_t calibrations = 0;
   std::size_t bad = 0;
   std::size_t doubtful = 0;
   for (const CheckedFile& file : checked.files) {
+    if (!file.report.is_calibration) continue;
+    ++calibrations;
     const bool error = file.report.has(Severity::kError);
     bad += error ? 1 : 0;
     doubtful += !error && file.report.has(Severity::kWarning) ? 1 : 0;
   }
-  std::string text = "\n" + counted(checked.files.size(), "calibration") + " checked: " + std::to_string(bad) +
+  std::string text = "\n" + counted(calibrations, "calibration") + " checked: " + std::to_string(bad) +
                      " with errors, " + std::to_string(doubtful) + " with warnings, " +
-                     std::to_string(checked.files.size() - bad - doubtful) + " without";
+                     std::to_string(calibrations - bad - doubtful) + " without";
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
   return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";

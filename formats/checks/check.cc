@@ -29,6 +29,11 @@ bool Findings::has(std::string_view code, const SourceRange& where) const {
   });
 }
 
+bool Findings::has_any(std::span<const std::string_view> codes) const {
+  return std::ranges::any_of(report_.findings,
+                             [codes](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
+}
+
 namespace {
 
 struct Topic {
@@ -40,6 +45,7 @@ constexpr std::array kTopics = {
     Topic{"principal point, focal lengths and image size against each other", &check_image},
     Topic{"whether the lens model covers the image", &check_lens},
     Topic{"whether the numbers look like another model's", &check_family},
+    Topic{"whether cv::undistortPoints arrives", &check_undistortion},  // not with numbers that those before do not believe
     Topic{"rotations", &check_rotations},
     Topic{"poses that are stated twice", &check_redundant_poses},
     Topic{"distances", &check_distances},  // not those that the poses before have named
@@ -181,7 +187,8 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   if (calibration) {
     checks::run_topics(*document, *calibration, options, report);
   } else {
-    findings.undecided("everything beyond the file's syntax", "the file could not be read as a calibration");
+    findings.undecided(report.findings.empty() ? "wrong-syntax" : report.findings.front().code,
+                       "everything beyond the file's syntax", "the file could not be read as a calibration");
     checks::show_both_readings(*document, options, report);
     checks::suggest_exchanges(*document, *detected->format, options, report);
   }

@@ -218,6 +218,15 @@ Scaled by s they become  f' = s f,  c' = s (c + 0.5) - 0.5.)"},
         "translation-in-mm", "a translation that is not in metres", kWrongPose,
         R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
 read as metres are 110 m. OpenCV's stereo calibration has the unit of the board.)"},
+    CheckCode{"undistortion-inexact", "cv::undistortPoints does not arrive at the ray",
+              "Undistorted points near the corners are wrong: in OpenCV, and in ORB-SLAM, VINS and OpenVINS, which call it.",
+              R"(cv::undistortPoints inverts the lens by
+
+  x <- (x0 - tangential(x)) / radial(x)
+
+and stops after five steps without looking at what is left. The steeper the distortion the slower it is, and where the
+radius of the image hardly grows with the angle it walks away. Told is how far the lens images the found ray from the pixel
+that was asked for; above 1 px is said. cv::undistort and remapping are not concerned: they go from ray to pixel.)"},
     CheckCode{"units-not-stated", "a translation whose unit no file states", kWrongPose, ""},
     CheckCode{"unknown-format", "no format fca-io reads", "", ""},
     CheckCode{"unknown-model", "a camera model the program does not know", kProgramStops, ""},

@@ -119,7 +119,7 @@ bool check_image(const Subject& subject, Findings& findings) {
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
     if (!camera.image_size) {
-      findings.undecided(camera.name + ": principal point, field of view and folding",
+      findings.undecided("folds-inside-image", camera.name + ": principal point, field of view and folding",
                          "no image size in the file: give --size WxH");
       continue;
     }

@@ -93,7 +93,8 @@ void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
 
 void check_rate(const Subject& subject, const Imu& imu, Findings& findings) {
   if (!imu.rate_hz) {
-    findings.undecided(imu.name + ": noise densities against discrete deviations", "the file states no rate");
+    findings.undecided("imu-noise-too-large", imu.name + ": noise densities against discrete deviations",
+                       "the file states no rate");
     return;
   }
   constexpr double kSlowest = 20.0;

@@ -234,13 +234,14 @@ bool check_distances(const Subject& subject, Findings& findings) {
 bool check_redundant_poses(const Subject& subject, Findings& findings) {
   const auto& poses = subject.rig().poses;
   if (!std::ranges::all_of(poses, is_rotation)) {
-    findings.undecided("whether the poses agree", "one of them is not a rotation");
+    findings.undecided("poses-contradict", "whether the poses agree", "one of them is not a rotation");
     return false;
   }
   bool any_redundant = false;
   const std::vector<Contradiction> contradictions = contradictions_of(subject.rig(), any_redundant);
   if (!any_redundant && !poses.empty()) {
-    findings.undecided("direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
+    findings.undecided("pose-inverted",
+                       "direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
                        "each is stated once, and a pose and its inverse are equally long");
   }
   for (const Contradiction& each : contradictions) {

@@ -50,7 +50,8 @@ class ProgramsCheck {
     const Consumer* own = options_.program != nullptr ? options_.program : format_program();
     if (own == nullptr) {
       if (with_cameras_)
-        findings_.undecided("whether a program loads the file", "none that fca-io knows reads such a file alone");
+        findings_.undecided("program-refuses", "whether a program loads the file",
+                            "none that fca-io knows reads such a file alone");
       return;
     }
     if (!own->reads(format_.id)) {

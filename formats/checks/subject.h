@@ -6,7 +6,9 @@
 
 #include <fca/formats/check.h>
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace fca::checks {
@@ -28,7 +30,10 @@ class Findings {
   explicit Findings(CheckReport& report) : report_(report) {}
   void add(Finding finding);
   [[nodiscard]] bool has(std::string_view code, const SourceRange& where) const;
-  void undecided(std::string question, std::string why) { report_.undecided.push_back({std::move(question), std::move(why)}); }
+  [[nodiscard]] bool has_any(std::span<const std::string_view> codes) const;
+  void undecided(std::string code, std::string question, std::string why) {
+    report_.undecided.push_back({std::move(code), std::move(question), std::move(why)});
+  }
 
  private:
   CheckReport& report_;

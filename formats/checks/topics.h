@@ -10,6 +10,7 @@ namespace fca::checks {
 [[nodiscard]] bool check_image(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_lens(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_family(const Subject& subject, Findings& findings);
+[[nodiscard]] bool check_undistortion(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_rotations(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_distances(const Subject& subject, Findings& findings);
 [[nodiscard]] bool check_redundant_poses(const Subject& subject, Findings& findings);

@@ -61,6 +61,25 @@ inline Pixel project_points(const CameraMatrix& K, const PinholeCoefficients& k,
   return {xd * K.fx + K.cx, yd * K.fy + K.cy};
 }
 
+/// cv::undistortPoints without R and P (undistort.dispatch.cpp): the pixel's point at z = 1, by at most `steps` steps of a
+/// fixed point iteration, of which nobody asks whether it converged; 5 is the default. Without tilt.
+inline Pixel undistort_point(const CameraMatrix& K, const PinholeCoefficients& k, const Pixel& pixel, int steps = 5) {
+  const double x0 = (pixel[0] - K.cx) / K.fx;
+  const double y0 = (pixel[1] - K.cy) / K.fy;
+  double x = x0;
+  double y = y0;
+  for (int step = 0; step < steps; ++step) {
+    const double r2 = x * x + y * y;
+    const double inverse = (1.0 + ((k[7] * r2 + k[6]) * r2 + k[5]) * r2) / (1.0 + ((k[4] * r2 + k[1]) * r2 + k[0]) * r2);
+    if (inverse < 0.0) return {x0, y0};
+    const double dx = 2.0 * k[2] * x * y + k[3] * (r2 + 2.0 * x * x) + k[8] * r2 + k[9] * r2 * r2;
+    const double dy = k[2] * (r2 + 2.0 * y * y) + 2.0 * k[3] * x * y + k[10] * r2 + k[11] * r2 * r2;
+    x = (x0 - dx) * inverse;
+    y = (y0 - dy) * inverse;
+  }
+  return {x, y};
+}
+
 /// cv::fisheye::projectPoints with alpha = 0, its default: a skew in K is not used. The angle is the arctangent of the pinhole
 /// radius, so beyond 90 degrees the pixel is that of the mirrored ray, without any error.
 inline Pixel fisheye_project_points(const CameraMatrix& K, const std::array<double, 4>& k, const Ray& ray) {

@@ -93,6 +93,25 @@ TEST(OpenCvFormulas, OmnidirProjectPointsWithSkew) {
   }
 }
 
+// Also where the iteration has not converged, or never will.
+TEST(OpenCvFormulas, UndistortPoints) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const CameraMatrix K = {400.0, 410.0, 320.5, 240.25, 0.0};
+  for (int camera = 0; camera < 200; ++camera) {
+    PinholeCoefficients k{};
+    for (std::size_t i = 0; i < 12; ++i) k.at(i) = unit(random) * (i == 2 || i == 3 || i > 7 ? 0.01 : 0.4);
+    const std::vector<cv::Point2d> pixels = {{320.5 + 320.0 * unit(random), 240.25 + 240.0 * unit(random)}};
+    std::vector<cv::Point2d> theirs;
+    cv::undistortPoints(pixels, theirs, matrix_of(K), std::vector<double>(k.begin(), k.end()));
+    const Pixel ours = undistort_point(K, k, {pixels[0].x, pixels[0].y});
+    if (!std::isfinite(theirs[0].x) || !std::isfinite(theirs[0].y)) continue;
+    const double tolerance = 1e-12 * (1.0 + std::abs(ours[0]) + std::abs(ours[1]));
+    EXPECT_NEAR(ours[0], theirs[0].x, tolerance);
+    EXPECT_NEAR(ours[1], theirs[0].y, tolerance);
+  }
+}
+
 TEST(OpenCvFormulas, Rodrigues) {
   for (const cv::Vec3d& om :
        {cv::Vec3d(0, 0, 0), cv::Vec3d(0.1, -0.2, 0.3), cv::Vec3d(2.0, 1.0, -1.5), cv::Vec3d(1e-17, 0, 0)}) {

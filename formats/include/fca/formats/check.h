@@ -33,6 +33,7 @@ struct Finding {
 
 /// A question the file does not answer.
 struct Undecided {
+  std::string code;      ///< Of the finding that might have been: "folds-inside-image".
   std::string question;  ///< "folding inside the image (cam0)"
   std::string why;       ///< "no image size: give --size"
 };

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// cv::undistortPoints, which OpenCV's users, ORB-SLAM, VINS and OpenVINS call, makes five steps of an iteration and stops: near
+// the corners of a wide lens it has not arrived, or walks away.
+#include "../consumers/opencv_formulas.h"
+#include "topics.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <array>
+#include <cmath>
+
+namespace fca::checks {
+
+namespace {
+
+namespace cv_formulas = consumers::opencv;
+
+struct OpenCvCamera {
+  cv_formulas::CameraMatrix K;
+  cv_formulas::PinholeCoefficients k{};
+};
+
+std::optional<OpenCvCamera> as_opencv(const CameraModel& model) {
+  const std::string_view id = model_info(model).id;
+  if (id != "radtan" && id != "rational") return std::nullopt;
+  const auto value = [&model](std::string_view name) { return parameter(model, name).value_or(0.0); };
+  OpenCvCamera camera;
+  camera.K = {value("fx"), value("fy"), value("cx"), value("cy"), 0.0};
+  constexpr std::array<std::string_view, 8> kNames = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  for (std::size_t i = 0; i < kNames.size(); ++i) camera.k.at(i) = value(kNames.at(i));
+  return camera;
+}
+
+/// Where the program's ray of a pixel is imaged by the lens: how far from the pixel, in pixels.
+double distance_after(const OpenCvCamera& camera, const Pixel& pixel, int steps) {
+  const Pixel point = cv_formulas::undistort_point(camera.K, camera.k, pixel, steps);
+  const Pixel again = cv_formulas::project_points(camera.K, camera.k, {point[0], point[1], 1.0});
+  return std::hypot(again[0] - pixel[0], again[1] - pixel[1]);
+}
+
+struct Reach {
+  double worst_px = 0.0;    ///< Of all pixels that the lens has a ray for.
+  double nearest_px = 0.0;  ///< From the principal point: the first that is off by more than the limit.
+  bool any = false;
+  bool diverges = false;  ///< More steps make it no better.
+};
+
+constexpr double kLimit = 1.0;
+
+Reach reach_of(const OpenCvCamera& camera, const CameraModel& model, const ImageSize& size) {
+  constexpr int kSteps = 32;
+  constexpr int kOpenCvSteps = 5;
+  constexpr int kManySteps = 100;
+  Reach reach;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const Pixel pixel = {(size.width - 1.0) * i / kSteps, (size.height - 1.0) * j / kSteps};
+      if (!unproject(model, pixel)) continue;  // folds-inside-image says that
+      const double distance = distance_after(camera, pixel, kOpenCvSteps);
+      if (distance <= kLimit) continue;
+      const double from_centre = std::hypot(pixel[0] - camera.K.cx, pixel[1] - camera.K.cy);
+      if (!reach.any || from_centre < reach.nearest_px) reach.nearest_px = from_centre;
+      reach.any = true;
+      reach.worst_px = std::isfinite(distance) ? std::max(reach.worst_px, distance) : distance;
+      reach.diverges = reach.diverges || !(distance_after(camera, pixel, kManySteps) <= kLimit);
+    }
+  }
+  return reach;
+}
+
+void check_camera(const Subject& subject, const Camera& camera, const OpenCvCamera& lens, Findings& findings) {
+  const Reach reach = reach_of(lens, camera.model, *camera.image_size);
+  if (!reach.any) return;
+  const std::string from = text::format_short(reach.nearest_px, 3) + " px from the principal point on";
+  findings.add(
+      {Severity::kWarning,
+       "undistortion-inexact",
+       camera.name + ": cv::undistortPoints, with its five steps, is off by up to " + text::format_short(reach.worst_px, 3) +
+           " px, and by more than " + text::format_short(kLimit, 2) + " px " + from,
+       {},
+       reach.diverges
+           ? "its iteration never arrives there: undistort with fca-io unproject or another solver, or leave those pixels out"
+           : "give it more steps: cv::TermCriteria(cv::TermCriteria::COUNT, 100, 0)",
+       subject.places.parameter(camera, "k1")});
+}
+
+}  // namespace
+
+bool check_undistortion(const Subject& subject, Findings& findings) {
+  // Numbers that are not believed for another reason are not of this lens.
+  constexpr std::array<std::string_view, 10> kOtherReasons = {"centre-off",
+                                                              "centre-outside",
+                                                              "eucm-without-type",
+                                                              "focal-length-not-in-pixels",
+                                                              "focal-lengths-differ",
+                                                              "folds-inside-image",
+                                                              "octal",
+                                                              "size-swapped",
+                                                              "wrong-family"};
+  if (findings.has_any(kOtherReasons)) return false;
+  bool any = false;
+  for (const Camera& camera : subject.rig().cameras) {
+    const std::optional<OpenCvCamera> lens = as_opencv(camera.model);
+    if (!lens || !camera.image_size) continue;
+    check_camera(subject, camera, *lens, findings);
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace fca::checks
