@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Defects planted in good files are found, at the number that was changed: the files of testdata and of the corpus, each with
 // one fact made wrong by the format's own writer.
-#include "check_files.h"
 #include "places.h"
+#include "seeded_files.h"
 
 #include <cstdio>
 #include <functional>
@@ -10,49 +10,25 @@
 namespace fca::test {
 namespace {
 
-struct Good {
-  std::string name;
-  Calibration calibration;
-  CheckReport report;  ///< Before anything is planted.
-};
-
-std::vector<Good> good_files() {
-  std::vector<fs::path> paths = files_of_all_formats("good");
-  if (has_corpus()) {
-    for (const Format& format : all_formats()) {
-      const std::vector<fs::path> found = files_in(shared_dir() / "corpus" / format.id);
-      paths.insert(paths.end(), found.begin(), found.end());
-    }
-  }
-  std::vector<Good> files;
-  for (const fs::path& path : paths) {
-    Diagnostics diagnostics;
-    std::optional<text::Document> document = text::read_document(path.string(), diagnostics);
-    if (!document) continue;
-    std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
-    if (!calibration) continue;
-    CheckReport report = checked(calibration->documents.front().source());
-    files.push_back({path.filename().string(), *std::move(calibration), std::move(report)});
-  }
-  return files;
-}
-
-const std::vector<Good>& all_good() {
-  static const std::vector<Good> kFiles = good_files();
-  return kFiles;
-}
-
 /// A defect, and where it can be told. `plant` changes the rig, or says that this one has no such fact.
 struct Defect {
   const char* name;
   std::vector<std::string> codes;  ///< One of them must be said.
   std::function<bool(Rig&)> plant;
+  int at_least = 15;  ///< In how many files of the corpus.
 };
 
 /// A pose that its file states as a matrix: a quaternion is a rotation whatever its numbers are.
 bool has_matrix(const Rig& rig) { return !rig.poses.empty() && rig.poses.front().a != "vehicle"; }
 
 bool has_size(const Rig& rig) { return !rig.cameras.empty() && rig.cameras.front().image_size; }
+
+/// Is the first camera's principal point near the middle? If not, nobody can tell which number is wrong.
+bool is_centred(const Rig& rig) {
+  const Pixel centre = principal_point(rig.cameras.front().model);
+  const ImageSize& size = *rig.cameras.front().image_size;
+  return std::abs(2.0 * centre[0] / size.width - 1.0) < 0.08 && std::abs(2.0 * centre[1] / size.height - 1.0) < 0.08;
+}
 
 bool scale_parameter(Rig& rig, std::string_view name, double factor) {
   if (rig.cameras.empty()) return false;
@@ -81,6 +57,50 @@ std::vector<Defect> defects() {
       {"a wrong digit in fy",
        {"focal-lengths-differ"},
        [](Rig& rig) { return has_size(rig) && scale_parameter(rig, "fy", 1.5); }},
+      {"width and height exchanged",
+       {"size-swapped", "centre-swapped"},  // in OCamCalib's files either may be the one
+       [](Rig& rig) {
+         if (!has_size(rig)) return false;
+         ImageSize& size = *rig.cameras.front().image_size;
+         if (!is_centred(rig) || std::max(size.width, size.height) < 1.3 * std::min(size.width, size.height)) return false;
+         std::swap(size.width, size.height);
+         return true;
+       }},
+      {"the size of another resolution",
+       {"size-unlike-centre"},
+       [](Rig& rig) {
+         if (!has_size(rig) || !is_centred(rig)) return false;
+         rig.cameras.front().image_size->width *= 2;
+         rig.cameras.front().image_size->height *= 2;
+         return true;
+       }},
+      {"a principal point far from the middle",
+       {"centre-off", "centre-outside", "size-unlike-centre", "size-swapped"},
+       [](Rig& rig) {
+         if (!has_size(rig)) return false;
+         const double middle = 0.5 * rig.cameras.front().image_size->height;
+         const double cy = principal_point(rig.cameras.front().model)[1];
+         return std::abs(1.6 * cy / middle - 1.0) > 0.4 && scale_parameter(rig, "cy", 1.6);
+       }},
+      {"a fisheye's third number as tangential term",
+       {"wrong-family"},
+       [](Rig& rig) {
+         if (rig.cameras.empty() || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
+         return set_parameter(rig.cameras.front().model, "p1", -0.11);
+       }},
+      {"a distortion that folds",
+       {"folds-inside-image", "undistortion-inexact"},
+       [](Rig& rig) {
+         if (!has_size(rig) || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
+         CameraModel& model = rig.cameras.front().model;
+         const double fx = parameter(model, "fx").value_or(1.0);
+         const double fy = parameter(model, "fy").value_or(1.0);
+         const double corner =
+             std::hypot(0.5 * rig.cameras.front().image_size->width / fx, 0.5 * rig.cameras.front().image_size->height / fy);
+         if (corner < 0.3) return false;  // a narrow lens never gets there
+         // The radius r + k1 r^3 ends at 2/3 of the corner's.
+         return set_parameter(model, "k1", -1.0 / (3.0 * corner * corner)) && set_parameter(model, "k2", 0.0);
+       }},
       {"translation in millimetres",
        {"translation-in-mm", "units-not-stated"},
        [](Rig& rig) {
@@ -124,6 +144,22 @@ std::vector<Defect> defects() {
          std::swap(rig.imus.front().gyroscope_noise_density, rig.imus.front().gyroscope_random_walk);
          return true;
        }},
+      {"accelerometer noise as a variance", {"imu-noise-too-small"}, imu(&Imu::accelerometer_noise_density, 1e-4)},
+      {"one of two statements of a pose inverted",
+       {"pose-inverted", "poses-contradict"},
+       [](Rig& rig) {
+         // T_cam1_cam0 beside T_cam0_imu and T_cam1_imu.
+         if (rig.poses.size() < 3 || rig.cameras.size() < 2) return false;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.a == rig.cameras[1].name && edge.b == rig.cameras[0].name) {
+             const std::optional<Transform> other_way = inverse(edge.T_a_b);
+             if (other_way) edge.T_a_b = *other_way;
+             return other_way.has_value();
+           }
+         }
+         return false;
+       },
+       4},  // few files state a pose twice
       {"time offset in milliseconds",
        {"time-offset-large"},
        [](Rig& rig) {
@@ -146,19 +182,6 @@ std::optional<std::string> planted(const Good& good, const Defect& defect) {
   return written->files.front().document.bytes();
 }
 
-const Finding* find_any(const CheckReport& report, const std::vector<std::string>& codes) {
-  const auto found = std::ranges::find_if(
-      report.findings, [&codes](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
-  return found == report.findings.end() ? nullptr : &*found;
-}
-
-/// Every `stride`th file, so that all formats take part and the test stays short.
-std::vector<const Good*> some_good(std::size_t stride) {
-  std::vector<const Good*> files;
-  for (std::size_t i = 0; i < all_good().size(); i += stride) files.push_back(&all_good()[i]);
-  return files;
-}
-
 TEST(SeededDefects, AreFoundWhereTheyStand) {
   const std::size_t stride = has_corpus() ? 2 : 1;
   for (const Defect& defect : defects()) {
@@ -166,8 +189,10 @@ TEST(SeededDefects, AreFoundWhereTheyStand) {
     int found = 0;
     int placed = 0;
     std::string missed;
+    std::string misplaced;
     for (const Good* each : some_good(stride)) {
       const Good& good = *each;
+      if (planted_count == kEnough) break;
       const text::Source& before = good.calibration.documents.front().source();
       if (find_any(good.report, defect.codes) != nullptr) continue;  // it has that defect already
       const std::optional<std::string> bytes = planted(good, defect);
@@ -177,19 +202,23 @@ TEST(SeededDefects, AreFoundWhereTheyStand) {
       const CheckReport report = checked(source);
       const Finding* finding = find_any(report, defect.codes);
       if (finding == nullptr) {
-        missed += "\n  " + good.name;
+        missed += "\n  " + good.name + (report.findings.empty() ? "" : ": " + line_of(report.findings.front(), source));
         continue;
       }
       ++found;
       // The place is a number that was not there before.
       const text::Span span = {finding->where.offset, finding->where.length};
       const std::string_view number = std::string_view(*bytes).substr(span.offset, span.length);
-      if (span.length > 0 && (span.end() > before.bytes.size() || before.text(span) != number)) ++placed;
+      if (span.length > 0 && (span.end() > before.bytes.size() || before.text(span) != number)) {
+        ++placed;
+      } else {
+        misplaced += "\n  " + good.name + ": " + line_of(*finding, source);
+      }
     }
     std::printf("%-42s %3d of %3d found, %3d at the number\n", defect.name, found, planted_count, placed);
-    EXPECT_GE(planted_count, has_corpus() ? 15 : 1) << defect.name;
+    EXPECT_GE(planted_count, has_corpus() ? defect.at_least : 1) << defect.name;
     EXPECT_GE(found, 0.95 * planted_count) << defect.name << missed;
-    EXPECT_GE(placed, 0.9 * found) << defect.name;
+    EXPECT_GE(placed, 0.9 * found) << defect.name << misplaced;
   }
 }
 

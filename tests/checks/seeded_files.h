@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files in which defects are planted: those of testdata and, where it exists, of the corpus.
+#pragma once
+
+#include "check_files.h"
+
+#include <fca/formats/text/read_document.h>
+
+namespace fca::test {
+
+/// As many files as a defect is planted in.
+inline constexpr int kEnough = 30;
+
+struct Good {
+  std::string name;
+  Calibration calibration;
+  CheckReport report;  ///< Before anything is planted.
+};
+
+inline std::vector<Good> good_files() {
+  std::vector<fs::path> paths = files_of_all_formats("good");
+  if (has_corpus()) {
+    for (const Format& format : all_formats()) {
+      const std::vector<fs::path> found = files_in(shared_dir() / "corpus" / format.id);
+      paths.insert(paths.end(), found.begin(), found.end());
+    }
+  }
+  std::vector<Good> files;
+  for (const fs::path& path : paths) {
+    Diagnostics diagnostics;
+    std::optional<text::Document> document = text::read_document(path.string(), diagnostics);
+    if (!document) continue;
+    std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, diagnostics);
+    if (!calibration) continue;
+    CheckReport report = checked(calibration->documents.front().source());
+    files.push_back({path.filename().string(), *std::move(calibration), std::move(report)});
+  }
+  return files;
+}
+
+inline const std::vector<Good>& all_good() {
+  static const std::vector<Good> kFiles = good_files();
+  return kFiles;
+}
+
+inline const Finding* find_any(const CheckReport& report, const std::vector<std::string>& codes) {
+  const auto found = std::ranges::find_if(
+      report.findings, [&codes](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
+  return found == report.findings.end() ? nullptr : &*found;
+}
+
+/// Every `stride`th file, so that all formats take part and the test stays short.
+inline std::vector<const Good*> some_good(std::size_t stride) {
+  std::vector<const Good*> files;
+  for (std::size_t i = 0; i < all_good().size(); i += stride) files.push_back(&all_good()[i]);
+  return files;
+}
+
+}  // namespace fca::test
