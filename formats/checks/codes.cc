@@ -23,7 +23,10 @@ constexpr std::array kCodes = {
               R"(OCamCalib fits  f(rho) = a0 + a2 rho^2 + a3 rho^3 + a4 rho^4  with a1 = 0: the surface is flat on the axis.
 The file has the coefficients ascending, a1 included, so its second number is 0. Another number there is a list in
 MATLAB's descending order, a list without a1, or another program's polynomial.)"},
-    CheckCode{"ambiguous-format", "more than one format could be meant", kNotRead, ""},
+    CheckCode{
+        "ambiguous-format", "more than one format could be meant", "fca-io does not guess.",
+        R"(The keys of two formats stand in one file, and the first line of the finding names both with the keys that speak for each.
+--from FORMAT decides. Usually one file was pasted into another: take them apart.)"},
     CheckCode{
         "ambiguous-model", "four distortion coefficients, and nothing says of which lens",
         "A program that takes them for the other lens is off by tens of degrees at the border.",
@@ -36,8 +39,12 @@ across the image: the lens's data sheet decides. Then give --opencv-model pinhol
 RIGHT.P(0, 3) = -b fx or in the second camera's pose. Checked to 5 %.)"},
     CheckCode{"bf-is-a-baseline", "ORB-SLAM's bf holds the baseline alone", "Depths come out fx (hundreds of) times too small.",
               "Camera.bf = baseline in metres times Camera.fx in pixels: 0.11 m and 435 px give 47.9."},
-    CheckCode{"binary-file", "the file is not text", kNotRead, ""},
-    CheckCode{"cannot-read", "the file cannot be read", "", ""},
+    CheckCode{
+        "binary-file", "the file is not text", kNotRead,
+        R"(A zero byte, or bytes that are no UTF-8 where a value stands. An image, an archive or a file saved as UTF-16: save it
+as UTF-8.)"},
+    CheckCode{"cannot-read", "the file cannot be read", "No program can read it.",
+              "The operating system refuses: the file does not exist, is a folder or may not be read."},
     CheckCode{
         "carla-translation", "SynWoodScape's translation in CARLA's frame",
         "WoodScape's projection.py stops with KeyError: 'translation'.",
@@ -53,24 +60,46 @@ out rather than guessed.)"},
         "centre-swapped", "OCamCalib's centre has column before row", kWrongPixels,
         R"(calib_results.txt has the centre as row, column and the size as height, width. MATLAB's DistortionCenter is column,
 row. The other order is said if it is nearer to the middle; on a square image nobody can tell.)"},
-    CheckCode{"comment-lines", "a line too many before a block", kGarbage, ""},
+    CheckCode{
+        "comment-lines", "a line too many before a block", kGarbage,
+        R"(get_ocam_model reads calib_results.txt by lines: one line skipped, one block read, five times over. With two comment
+lines before a block it takes the second for the numbers. Blank lines count, too.)"},
     CheckCode{"comment-missing", "no comment line before a block", kGarbage,
               "get_ocam_model skips exactly one line before each of its five blocks, whatever stands there."},
-    CheckCode{"comment-too-long", "a comment line longer than the reader's buffer", kGarbage, ""},
-    CheckCode{"degree-too-high", "a polynomial of a higher degree than fca-io holds", kNotRead, ""},
+    CheckCode{
+        "comment-too-long", "a comment line longer than the reader's buffer", kGarbage,
+        "get_ocam_model skips a comment with fgets into a buffer of 1024 bytes; the rest of a longer line is read as numbers."},
+    CheckCode{"degree-too-high", "a polynomial of a higher degree than fca-io holds",
+              "fca-io does not read the file; OCamCalib may.",
+              "MATLAB's default is degree 4; the message says up to which degree fca-io holds the polynomial."},
     CheckCode{
         "depth-threshold", "ThDepth is not in baselines",
         "Nearly all stereo points count as close, or nearly all as far, and their depths are weighted so.",
         R"(ORB-SLAM takes points nearer than ThDepth * baseline for close, whose depth one view gives. 35 to 60 in upstream's
 examples; 0.1 and 2000 are metres or millimetres.)"},
-    CheckCode{"distortion-missing", "no distortion coefficients beside a camera matrix", kWrongPixels, ""},
-    CheckCode{"duplicate-key", "a key stands twice", "Kalibr takes the last one, OpenCV and ORB-SLAM3 the first.", ""},
-    CheckCode{"empty-file", "the file is empty", kNotRead, ""},
-    CheckCode{"eucm-without-type", "EUCM's alpha and beta under ORB-SLAM2's k1 and k2",
-              "ORB-SLAM2 takes them for radial distortion: every pixel is wrong.", ""},
-    CheckCode{"file-version-missing", "ORB-SLAM3 V1.0's keys without File.version", kProgramStops, ""},
-    CheckCode{"file-version-not-string", "File.version is not the string \"1.0\"",
-              "ORB-SLAM3 silently runs its old parser and finds no camera.", ""},
+    CheckCode{
+        "distortion-missing", "no distortion coefficients beside a camera matrix", kWrongPixels,
+        R"(Without coefficients OpenCV's functions take a lens without distortion. If the images are rectified that is right; if
+not, D, distortion_coefficients or D1 belong beside the matrix.)"},
+    CheckCode{
+        "duplicate-key", "a key stands twice", "Kalibr takes the last one, OpenCV and ORB-SLAM3 the first.",
+        R"(PyYAML keeps the last of two equal keys, yaml-cpp and cv::FileStorage the first, and none says so. Two programs thus read
+two calibrations out of one file. Delete the one that is not meant.)"},
+    CheckCode{"empty-file", "the file is empty", kNotRead,
+              "Nothing but blanks. A program that died while it wrote, or a full disk, leaves such files."},
+    CheckCode{
+        "eucm-without-type", "EUCM's alpha and beta under ORB-SLAM2's k1 and k2",
+        "ORB-SLAM2 takes them for radial distortion: every pixel is wrong.",
+        R"(ns15417/slam_no_opt reads EUCM's alpha and beta from Camera.k1 and Camera.k2 when Camera.type says so. Without it they are
+radial distortion: alpha of 0.6 and beta of 1.1 as k1 and k2 bend the image beyond recognition.)"},
+    CheckCode{
+        "file-version-missing", "ORB-SLAM3 V1.0's keys without File.version", kProgramStops,
+        R"(ORB-SLAM3 V1.0 takes its new keys (Camera1.fx) only where File.version is the string "1.0"; without it, it looks for
+Camera.fx and stops.)"},
+    CheckCode{
+        "file-version-not-string", "File.version is not the string \"1.0\"",
+        "ORB-SLAM3 silently runs its old parser and finds no camera.",
+        R"(ORB-SLAM3 compares the string: File.version: "1.0". A bare 1.0 is a number to cv::FileStorage and compares unequal.)"},
     CheckCode{
         "focal-length-not-in-pixels", "the focal length does not belong to the image", kWrongPixels,
         R"(A focal length below 0.05 of the width would see more than 1100 deg across an equidistant image; above 20 times the
@@ -92,7 +121,9 @@ the second.)"},
 The angle is where the radius stops growing; the pixels are those of the image beyond that radius. Within 85 deg a warning:
 such a lens fills the image. Beyond, a note: a fisheye's image circle may end there. If it is within half the way to the
 border, an error. --max-angle says what counts as lens.)"},
-    CheckCode{"image-size-invalid", "an image cannot have that size", kNotRead, ""},
+    CheckCode{"image-size-invalid", "an image cannot have that size", kNotRead,
+              "Width and height are whole numbers of pixels, at least 1, and what a camera can have at most: a digit too many "
+              "or too few."},
     CheckCode{
         "imu-noise-too-large", "IMU noise above any sensor's", kWrongWeights,
         R"(Asked for is the continuous-time density sigma_c. A discrete deviation at rate f is  sigma_d = sigma_c sqrt(f): at
@@ -101,7 +132,9 @@ which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said.)"
     CheckCode{
         "imu-noise-too-small", "IMU noise below any sensor's", kWrongWeights,
         "A variance is the density squared: (1.7e-4)^2 = 2.9e-8. Below 2e-6 rad/s/sqrt(Hz) or 2e-5 m/s^2/sqrt(Hz) is said."},
-    CheckCode{"imu-rate", "a rate no IMU has", kWrongWeights, ""},
+    CheckCode{"imu-rate", "a rate no IMU has", kWrongWeights,
+              "IMUs of cameras run at 100 to 1000 Hz; below 20 and above 10000 Hz is said. 0.2 is kilohertz, 0.005 the step in "
+              "seconds."},
     CheckCode{"imu-sensors-swapped", "gyroscope noise above the accelerometer's", kWrongWeights,
               "In SI units a MEMS gyroscope has about 1e-4 and its accelerometer 1e-3."},
     CheckCode{
@@ -111,86 +144,147 @@ which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said.)"
         "int-for-real", "a whole number where the program wants a real one", kProgramStops,
         R"(Kalibr asks Python for a float, ORB-SLAM3 cv::FileNode for REAL: 190 and 20 are ints to both and refused. A decimal
 point mends it.)"},
-    CheckCode{"inverse-missing", "no inverse polynomial", "OCamCalib's world2cam cannot project.", ""},
-    CheckCode{"json-syntax", "not JSON", kNotRead, ""},
+    CheckCode{
+        "inverse-missing", "no inverse polynomial", "OCamCalib's world2cam cannot project.",
+        R"(calib_results.txt holds two polynomials: pixel to ray (the calibrated one) and ray to pixel (a fit to it). MATLAB's toolbox
+leaves the second out unless find_and_export_data was run. fca-io convert FILE --to ocamcalib computes it.)"},
+    CheckCode{"json-syntax", "not JSON", kNotRead,
+              "RFC 8259: double quotes, no comments, no comma behind the last item, no NaN. Python writes NaN and reads it; "
+              "others do not."},
     CheckCode{"left-handed", "a pose that mirrors", kWrongPose,
               "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
-    CheckCode{"matlab-origin", "MATLAB counts pixels from 1", "The principal point is one pixel off.", ""},
-    CheckCode{"matrix-corner", "K(2, 2) is not 1", "inv(K) and K * p come out wrong in programs that compute them.", ""},
+    CheckCode{"matlab-origin", "MATLAB counts pixels from 1", "The principal point is one pixel off.",
+              "In MATLAB the centre of the first pixel is (1, 1), in OpenCV (0, 0): subtract 1 from cx and cy."},
+    CheckCode{"matrix-corner", "K(2, 2) is not 1", "inv(K) and K * p come out wrong in programs that compute them.",
+              "A camera matrix is [fx s cx; 0 fy cy; 0 0 1]. MATLAB's is its transpose; projection matrices have three rows of "
+              "four."},
     CheckCode{"matrix-not-float", "a matrix of doubles where ORB-SLAM3 reads floats",
               "ORB-SLAM3 takes the first half of the bytes for its numbers: the pose is garbage, and nothing says so.",
               "Stereo.T_c1_c2, IMU.T_b_c1, Tbc and Tlr are read by .at<float>(); dt: d stores eight bytes per number."},
-    CheckCode{"matrix-transposed", "a camera matrix with its columns as rows", kWrongPixels, ""},
-    CheckCode{"matrix-type", "a matrix type that does not suit", kWrongPixels, ""},
-    CheckCode{"merge-conflict", "git's merge-conflict markers", kNotRead, ""},
-    CheckCode{"missing-block", "the file ends too early", kGarbage, ""},
-    CheckCode{"missing-key", "a key is missing", kProgramStops, ""},
-    CheckCode{"mode-refused", "ORB-SLAM3 starts, but not in the mode the keys are for",
-              "Started in that mode ORB-SLAM3 exits; started in another, the keys are not used.", ""},
-    CheckCode{"model-contradicts", "told to be read as another lens than the file says", kWrongPixels, ""},
-    CheckCode{"no-calibration", "neither a camera nor an IMU's noise", kNotRead, ""},
+    CheckCode{
+        "matrix-transposed", "a camera matrix with its columns as rows", kWrongPixels,
+        R"(MATLAB writes K' = [fx 0 0; s fy 0; cx cy 1] where OpenCV has [fx s cx; 0 fy cy; 0 0 1]. cx and cy then stand in the last
+row, and a program that reads K(0, 2) finds 0.)"},
+    CheckCode{
+        "matrix-type", "a matrix type that does not suit", kWrongPixels,
+        R"(dt of an !!opencv-matrix: d (double) or f (float), one channel. Integers (i, u) cut the decimals off; 2d has two numbers
+per place.)"},
+    CheckCode{"merge-conflict", "git's merge-conflict markers", kNotRead,
+              "<<<<<<<, ======= and >>>>>>> enclose two versions that git could not merge. Choose one and delete the markers."},
+    CheckCode{
+        "missing-block", "the file ends too early", kGarbage,
+        R"(calib_results.txt has five blocks: direct polynomial, inverse polynomial, centre, affine c d e, image size. A reader that
+finds fewer keeps whatever was in its memory.)"},
+    CheckCode{"missing-key", "a key is missing", kProgramStops,
+              "The message names the key and the program that stops without it."},
+    CheckCode{
+        "mode-refused", "ORB-SLAM3 starts, but not in the mode the keys are for",
+        "Started in that mode ORB-SLAM3 exits; started in another, the keys are not used.",
+        R"(A settings file has the keys of one mode: Camera2 and Stereo.* for stereo, RGBD.* for depth, IMU.* for inertial. The message
+names the first key that is missing or mistyped for the richest mode that its keys speak for.)"},
+    CheckCode{
+        "model-contradicts", "told to be read as another lens than the file says", kWrongPixels,
+        R"(--opencv-model says one lens and the file's own metadata (fisheye_model, distortion_type, xi) the other. One of the two is
+not meant.)"},
+    CheckCode{"no-calibration", "neither a camera nor an IMU's noise", "There is nothing in it to use.",
+              "The syntax is right and some keys are known; but no camera stands there, and no IMU with noise densities."},
     CheckCode{
         "not-a-camera", "a parameter no camera has", kWrongPixels,
         R"(The ranges: focal lengths > 0, alpha in [0, 1], beta > 0, xi of Double Sphere in (-1, 1]. Kalibr's lists begin with
 [alpha beta ..] for eucm, [xi alpha ..] for ds, [xi ..] for omni: exchanged, alpha leaves its range.)"},
-    CheckCode{"not-a-camera-matrix", "no camera matrix", kWrongPixels, ""},
-    CheckCode{"not-a-list", "a list is wanted", kProgramStops, ""},
-    CheckCode{"not-a-mapping", "keys and values are wanted", kProgramStops, ""},
-    CheckCode{"not-a-matrix", "an opencv-matrix is wanted", kProgramStops, ""},
-    CheckCode{"not-a-number", "a number is wanted", kProgramStops, ""},
+    CheckCode{"not-a-camera-matrix", "no camera matrix", kWrongPixels, "3 x 3, [fx s cx; 0 fy cy; 0 0 1], fx and fy above 0."},
+    CheckCode{"not-a-list", "a list is wanted", kProgramStops,
+              "The message names what the program asks for there. A list is [1.0, 2.0], or a line with a dash for each item."},
+    CheckCode{"not-a-mapping", "keys and values are wanted", kProgramStops,
+              "Keys with values are wanted: `key: value`, with a blank behind the colon."},
+    CheckCode{"not-a-matrix", "an opencv-matrix is wanted", kProgramStops,
+              "K: !!opencv-matrix with rows, cols, dt and data below it; cv::FileStorage makes a matrix of nothing else."},
+    CheckCode{"not-a-number", "a number is wanted", kProgramStops,
+              "Decimal comma, unit (190 px), letter O, typographic minus: none is part of a number. 190.97 and 1.9e+02 are."},
     CheckCode{
         "not-a-rotation", "the 3 x 3 part of a pose is not a rotation",
         "Distances and directions are sheared; Sophus (in ORB-SLAM3's old parser) aborts.",
         R"(R^T R = I for a rotation. Printed with three digits it is off by 2e-3 at most, with two by 2e-2: above the first is a
 warning, above the second an error. The nearest rotation is the orthogonal factor of the polar decomposition R = Q S.
 A quaternion must have length 1.)"},
-    CheckCode{"not-a-string", "a name is wanted", kProgramStops, ""},
+    CheckCode{"not-a-string", "a name is wanted", kProgramStops,
+              R"(A number or a list stands where a name is read. Quotes make text of what looks like a number: "1.0".)"},
     CheckCode{"not-a-transform", "the last row of a pose is not 0 0 0 1", kWrongPose,
               "If the last column is 0 0 0 1, the matrix is transposed."},
-    CheckCode{"not-an-integer", "a whole number is wanted", kProgramStops, ""},
-    CheckCode{"not-finite", "not a finite number", kProgramStops, ""},
+    CheckCode{"not-an-integer", "a whole number is wanted", kProgramStops, "A count of pixels or frames per second is wanted."},
+    CheckCode{"not-finite", "not a finite number", kProgramStops,
+              "NaN and infinity are what a calibration leaves that did not converge."},
     CheckCode{"not-in-pixels", "WoodScape's k1 is not in pixels", kWrongPixels,
               "rho = k1 theta + ... in pixels: k1 is 200 to 600. Normalised Kannala-Brandt coefficients (0.18) stand there in "
               "forks."},
-    CheckCode{"not-positive", "a number above 0 is wanted", kProgramStops, ""},
-    CheckCode{"not-settings", "no keys at the top level", kNotRead, ""},
+    CheckCode{"not-positive", "a number above 0 is wanted", kProgramStops,
+              "Focal lengths, image sizes, rates and noise densities are above 0."},
+    CheckCode{"not-settings", "no keys at the top level", kNotRead,
+              "ORB-SLAM's settings are `Camera.fx: 458.6`, one key below the other at the left margin."},
     CheckCode{
         "number-as-text", "a number the program reads as text", kProgramStops,
         R"(PyYAML (Kalibr) takes a number for a real one only with a point, and with a sign in the exponent: 1.0e-05. 1e-5 and 1e5
 are text to it.)"},
-    CheckCode{"octal", "a number with a leading 0", "The programs read 017 as fifteen.", ""},
+    CheckCode{"octal", "a number with a leading 0", "The programs read 017 as fifteen.",
+              "cv::FileStorage and PyYAML take a leading 0 for base 8, as C does: 017 is 15, and 09 is none."},
     CheckCode{
         "opencv-header", "OpenCV's first line in a file for YAML",
         "Kalibr stops at the first line; OpenVINS, which reads with OpenCV, does not.",
         R"(%YAML:1.0 is no YAML: the directive is %YAML 1.2 with a blank. One layout is read by PyYAML, yaml-cpp and OpenCV
 alike: first line %YAML 1.2, second line ---, lists indented deeper than their key, every real number with a point.)"},
-    CheckCode{"out-of-range", "a number beyond any camera's or rig's", kWrongPose, ""},
-    CheckCode{"polynomial-sign", "OCamCalib's a0 is positive", kWrongPixels, ""},
-    CheckCode{"pose-implausible", "a camera below the ground", kWrongPose, ""},
+    CheckCode{
+        "out-of-range", "a number beyond any camera's or rig's", kWrongPose,
+        R"(fca-io's limits are far beyond any camera's: they keep arithmetic from overflowing. A number like 1e300 is a digit too many
+or uninitialised memory.)"},
+    CheckCode{
+        "polynomial-sign", "OCamCalib's a0 is positive", kWrongPixels,
+        "OCamCalib's camera looks along -z: f(0) = a0 < 0, some -200 to -2000 px. A positive one is another toolbox's sign."},
+    CheckCode{"pose-implausible", "a camera below the ground", kWrongPose,
+              "WoodScape's frame stands on the ground: x ahead, y left, z up. Cameras of a car are 0.4 to 1.5 m above it."},
     CheckCode{
         "pose-inverted", "a pose in the other direction", kWrongPose,
         R"(T_a_b takes points in b to points in a. Kalibr: T_cam_imu (imu -> cam), T_cn_cnm1 (previous camera -> this one).
 ORB-SLAM3: IMU.T_b_c1 and Tbc (cam -> imu), Stereo.T_c1_c2 and Tlr (second -> first). WoodScape: camera -> vehicle.
 A pose and its inverse are equally long, so that a single one tells nothing; it is decided by the other poses of a loop,
 or by the height above a vehicle's ground.)"},
-    CheckCode{"pose-missing", "a second camera without a pose", "Stereo modes stop.", ""},
-    CheckCode{"pose-transposed", "a pose with its rotation transposed", kWrongPose, ""},
+    CheckCode{"pose-missing", "a second camera without a pose", "Stereo modes stop.",
+              "Two cameras, and no pose leads from one to the other (T_cn_cnm1, R and T, Stereo.T_c1_c2)."},
+    CheckCode{
+        "pose-transposed", "a pose with its rotation transposed", kWrongPose,
+        R"(R' is the inverse of R: the rotation goes the other way, and the translation, stated for the first, no longer fits.
+MATLAB multiplies rows (p' R), Eigen stores columns: either way rows become columns on the way into a file.)"},
     CheckCode{
         "poses-contradict", "two statements of one pose differ",
         "Programs that read the one and those that read the other disagree.",
         R"(T_cam1_imu = T_cam1_cam0 T_cam0_imu. Programs print them from one estimate, to 1e-15; edited files break the loop. Above
 0.06 deg or 1 mm a warning, above 1 deg or 1 cm an error. A pose whose inverse, transpose or millimetres would close the
 loop is named as such.)"},
-    CheckCode{"program-finds-no-camera", "no key that a program of OpenCV's samples reads",
-              "Programs written after OpenCV's samples find nothing; the program that wrote the file may.", ""},
-    CheckCode{"program-ignores", "something no program reads", "It has no effect.", ""},
-    CheckCode{"program-misreads", "the program loads the file and does not use all of it as it stands", "", ""},
-    CheckCode{"program-other-format", "the program reads another format", "", ""},
-    CheckCode{"program-refuses", "the program refuses the file", kProgramStops, ""},
+    CheckCode{
+        "program-finds-no-camera", "no key that a program of OpenCV's samples reads",
+        "Programs written after OpenCV's samples find nothing; the program that wrote the file may.",
+        R"(OpenCV prescribes no keys: every program looks for its own. Known are camera_matrix (the calibration sample), M1 and K1
+(stereo_calib), camera_matrix_left, camera_0.)"},
+    CheckCode{"program-ignores", "something no program reads", "It has no effect.",
+              "The key is right for another version or program. Harmless, unless you rely on it."},
+    CheckCode{"program-misreads", "the program loads the file and does not use all of it as it stands",
+              "Part of what the file says has no effect, or another one.",
+              "The program loads the file and then uses a part of it otherwise than it is meant, or not at all; the message "
+              "says which."},
+    CheckCode{"program-other-format", "the program reads another format",
+              "It does not start, or takes the file for something else.",
+              "Every program reads one format. The command below the finding writes it."},
+    CheckCode{
+        "program-refuses", "the program refuses the file", kProgramStops,
+        R"(The file was given to the program's reader, rebuilt from its source: the message says what it stumbles over. Where another
+spelling of the same value would do, --fix makes it.)"},
     CheckCode{"real-for-int", "a real number where the program wants a whole one", kProgramStops,
               "Kalibr's resolution, ORB-SLAM3's Camera.fps and sizes are ints: 30.0 is refused."},
-    CheckCode{"relative-by-centre", "a centre below 1 is taken as relative", kWrongPixels, ""},
-    CheckCode{"size-contradicts", "another image size was told than the file states", kWrongPixels, ""},
+    CheckCode{
+        "relative-by-centre", "a centre below 1 is taken as relative", kWrongPixels,
+        R"(DSO's camera.txt: centre and focal length below 1 are parts of the width and height, and half a pixel is subtracted. A
+centre of 0.5 px cannot be told from that.)"},
+    CheckCode{"size-contradicts", "another image size was told than the file states", kWrongPixels,
+              "--size tells what a file does not say. This one says otherwise."},
     CheckCode{
         "size-swapped", "width and height are exchanged", kWrongPixels,
         R"(The principal point is within a tenth of the middle of the image turned by 90 deg, and a fifth away from the middle of
@@ -199,8 +293,11 @@ the one stated.)"},
         "size-unlike-centre", "the image size is not the one of the calibration", kWrongPixels,
         R"(cx / (w / 2) and cy / (h / 2) are alike, and 30 % and more from 1: the intrinsics are those of another resolution.
 Scaled by s they become  f' = s f,  c' = s (c + 0.5) - 0.5.)"},
-    CheckCode{"skew", "a skew, which fca-io's models do not hold",
-              "Nothing, in a program that uses it (cv::omnidir); others ignore it.", ""},
+    CheckCode{
+        "skew", "a skew, which fca-io's models do not hold",
+        "Nothing, in a program that uses it (cv::omnidir); others ignore it.",
+        R"(K(0, 1): pixels whose rows and columns are not at right angles. Calibrated skews are noise; the models of the other formats
+have no place for one.)"},
     CheckCode{"stale-inverse", "OCamCalib's two polynomials are of different lenses",
               "Programs that project (world2cam) and those that unproject (cam2world) disagree by that many pixels.",
               "The inverse polynomial is a fit to the direct one, to 0.01 px when fresh. Above 1 px is said."},
@@ -208,12 +305,25 @@ Scaled by s they become  f' = s f,  c' = s (c + 0.5) - 0.5.)"},
         "stereo-order", "the second camera stands left of the first",
         "ORB-SLAM3 looks for disparities to one side only and finds no depth.",
         "T_c1_c2 takes points of camera 2 to camera 1: its translation is where camera 2 stands, x > 0 for the right one."},
-    CheckCode{"thin-prism", "thin-prism terms, which fca-io's models do not hold", "", ""},
-    CheckCode{"tilted-sensor", "a tilted sensor, which fca-io's models do not hold", "", ""},
-    CheckCode{"time-offset-large", "a time offset longer than a frame",
-              "The estimator starts with images of another moment; many refuse to correct that much.", ""},
-    CheckCode{"too-deep", "nested too deep", kNotRead, ""},
-    CheckCode{"too-large", "larger than any calibration", kNotRead, ""},
+    CheckCode{
+        "thin-prism", "thin-prism terms, which fca-io's models do not hold",
+        "Programs other than OpenCV leave these terms out.",
+        R"(s1 to s4, OpenCV's coefficients 9 to 12. Without them the pixels move by some 0.1 px at the border: calibrate again without
+CALIB_THIN_PRISM_MODEL.)"},
+    CheckCode{
+        "tilted-sensor", "a tilted sensor, which fca-io's models do not hold",
+        "Programs other than OpenCV leave these terms out.",
+        R"(tau_x and tau_y, OpenCV's coefficients 13 and 14, for Scheimpflug lenses. No other format has them: calibrate again without
+CALIB_TILTED_MODEL.)"},
+    CheckCode{
+        "time-offset-large", "a time offset longer than a frame",
+        "The estimator starts with images of another moment; many refuse to correct that much.",
+        R"(t_imu = t_cam + timeshift_cam_imu, in seconds. At 20 Hz a frame takes 0.05 s: more than that pairs images with the motion of
+another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
+    CheckCode{"too-deep", "nested too deep", "fca-io does not read the file; programs may end with a full stack.",
+              "More than 64 lists within lists. A calibration has three."},
+    CheckCode{"too-large", "larger than any calibration", "fca-io does not read the file; programs may, in seconds.",
+              "More than 2 MiB. The largest calibration seen has 193 kB; images and point lists make the rest."},
     CheckCode{
         "translation-in-mm", "a translation that is not in metres", kWrongPose,
         R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
@@ -227,12 +337,19 @@ read as metres are 110 m. OpenCV's stereo calibration has the unit of the board.
 and stops after five steps without looking at what is left. The steeper the distortion the slower it is, and where the
 radius of the image hardly grows with the angle it walks away. Told is how far the lens images the found ray from the pixel
 that was asked for; above 1 px is said. cv::undistort and remapping are not concerned: they go from ray to pixel.)"},
-    CheckCode{"units-not-stated", "a translation whose unit no file states", kWrongPose, ""},
-    CheckCode{"unknown-format", "no format fca-io reads", "", ""},
-    CheckCode{"unknown-model", "a camera model the program does not know", kProgramStops, ""},
+    CheckCode{
+        "units-not-stated", "a translation whose unit no file states", kWrongPose,
+        R"(OpenCV's stereo calibration gives T in the unit of the board's squares: metres, centimetres or millimetres. Compare its
+length with the distance of the two lenses.)"},
+    CheckCode{"unknown-format", "no format fca-io reads", "fca-io cannot tell what it says.",
+              "fca-io formats lists what is read, and by which keys it is told."},
+    CheckCode{"unknown-model", "a camera model the program does not know", kProgramStops,
+              "The message names those that the program knows. fca-io models has the other names of each."},
     CheckCode{"unquoted-text", "text without quotes", kProgramStops,
               "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes mend both."},
-    CheckCode{"wrong-count", "more or fewer numbers than announced", kGarbage, ""},
+    CheckCode{"wrong-count", "more or fewer numbers than announced", kGarbage,
+              "The first number of OCamCalib's polynomials is how many follow; rows x cols of a matrix is how many numbers "
+              "data holds."},
     CheckCode{"wrong-family", "another lens model's numbers", kWrongPixels,
               R"(Four numbers look alike in every file. What tells them apart:
 * radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not.
@@ -240,17 +357,26 @@ that was asked for; above 1 px is said. cv::undistort and remapping are not conc
 * an equidistant model with |k1| > 0.15 has higher terms of its size; radtan's -0.28 0.07 0.0002 -0.00002 under its name
   ends in next to nothing.
 Not decidable: small numbers of a narrow lens, where both readings see the same.)"},
-    CheckCode{"wrong-length", "a list of the wrong length", kProgramStops, ""},
-    CheckCode{"wrong-syntax", "not written as the format is", kNotRead, ""},
-    CheckCode{"xml-declaration", "a document type, entity or CDATA section in XML", kNotRead, ""},
-    CheckCode{"xml-mixed", "text between elements", kNotRead, ""},
-    CheckCode{"xml-place", "an XML element out of place", kNotRead, ""},
-    CheckCode{"xml-root", "not OpenCV's XML", kNotRead, ""},
-    CheckCode{"xml-syntax", "not XML", kNotRead, ""},
-    CheckCode{"yaml-alias", "a YAML alias", kNotRead, ""},
-    CheckCode{"yaml-anchor", "a YAML anchor", kNotRead, ""},
-    CheckCode{"yaml-documents", "more than one YAML document", kNotRead, ""},
-    CheckCode{"yaml-key", "a YAML key that is no text", kNotRead, ""},
+    CheckCode{"wrong-length", "a list of the wrong length", kProgramStops,
+              "The message says how many numbers the model has, and in which order."},
+    CheckCode{"wrong-syntax", "not written as the format is", kNotRead, "The message says what is expected in that line."},
+    CheckCode{"xml-declaration", "a document type, entity or CDATA section in XML", kNotRead,
+              "OpenCV's files have none. An entity can pull in other files or grow to gigabytes: it is not followed."},
+    CheckCode{"xml-mixed", "text between elements", kNotRead, "OpenCV's XML has either text or elements in an element."},
+    CheckCode{"xml-place", "an XML element out of place", kNotRead,
+              "Items of a list are <_>; elsewhere an element's name is its key."},
+    CheckCode{"xml-root", "not OpenCV's XML", kNotRead, R"(cv::FileStorage wants <?xml version="1.0"?> and <opencv_storage>.)"},
+    CheckCode{
+        "xml-syntax", "not XML", kNotRead,
+        "An unclosed element or a missing quote; the place is where the reader gave up, the cause is often a line before."},
+    CheckCode{"yaml-alias", "a YAML alias", "fca-io and OpenCV do not read the file; Kalibr does.",
+              "*name stands for another part of the file. PyYAML follows it, cv::FileStorage does not; write the values out."},
+    CheckCode{"yaml-anchor", "a YAML anchor", "fca-io and OpenCV do not read the file; Kalibr does.",
+              "&name marks a part for reuse. PyYAML follows it, cv::FileStorage does not; write the values out."},
+    CheckCode{"yaml-documents", "more than one YAML document", "OpenCV reads the first document, Kalibr stops.",
+              "A second --- begins a second document: programs read the first, or stop. Make two files of it."},
+    CheckCode{"yaml-key", "a YAML key that is no text", kNotRead,
+              "A list or map as a key, which no calibration has: usually a bracket or dash out of place."},
     CheckCode{
         "yaml-layout", "YAML laid out as OpenCV's reader does not take it", kProgramStops,
         R"(cv::FileStorage (OpenCV, ORB-SLAM, OpenVINS) wants a first line %YAML and lists indented deeper than their key; what
@@ -263,7 +389,10 @@ Kalibr writes has neither. This is read by PyYAML, yaml-cpp and OpenCV alike:
       - [0.1, 0.2, 0.3, 0.4]
 
 --fix adds the line and the blanks, and changes no number.)"},
-    CheckCode{"yaml-syntax", "not YAML", kNotRead, ""},
+    CheckCode{
+        "yaml-syntax", "not YAML", kNotRead,
+        R"(The place is where the reader gave up; the cause is often the line before: an open bracket or quote, a missing colon, an
+indentation that fits no key above it.)"},
     CheckCode{"yaml-tab", "a TAB as indentation", kNotRead,
               "YAML indents with blanks only; OpenCV and PyYAML both refuse TABs there."},
 };

@@ -32,6 +32,13 @@ INSTANTIATE_TEST_SUITE_P(All, CheckFile, testing::ValuesIn(check_files()), [](co
   return name;
 });
 
+TEST(CheckCodes, TellTheirStory) {
+  for (const CheckCode& code : check_codes()) {
+    EXPECT_FALSE(code.consequence.empty()) << code.code;
+    EXPECT_GT(code.story.size(), 40U) << code.code;
+  }
+}
+
 TEST(CheckCodes, AreSortedByName) {
   EXPECT_TRUE(std::ranges::is_sorted(check_codes(), {}, &CheckCode::code));
   for (const CheckCode& code : check_codes()) {
