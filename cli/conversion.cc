@@ -203,11 +203,10 @@ bool contradicts(const ConvertArguments& arguments, const Calibration& calibrati
   return true;
 }
 
-/// --into's file. Under --to, that must be its format.
+/// --into's file. Under --to, that must be its format. --size is about the input.
 std::optional<Calibration> read_into(const ConvertArguments& arguments, Console& console, ConvertOutcome& outcome) {
   ReadingOptions reading;
   reading.opencv_model = arguments.reading.opencv_model;
-  reading.size = arguments.reading.size;
   std::optional<Calibration> into = read_input(arguments.into, reading, console, outcome.diagnostics);
   if (into && into->rig.cameras.empty() && into->rig.poses.empty()) {
     outcome.diagnostics.error("into-without-camera", "there is no camera here that the input's could take the place of",
@@ -221,6 +220,18 @@ std::optional<Calibration> read_into(const ConvertArguments& arguments, Console&
                             {arguments.into, 0, 0}, "leave out --to");
   outcome.code = ExitCode::kUsage;
   return std::nullopt;
+}
+
+/// stereo_calib's extrinsics.yml holds a pose and no camera: an input without one would change nothing in it.
+bool has_use_for(const Calibration& into, const Rig& rig, const std::string& input, ConvertOutcome& outcome) {
+  if (!into.rig.cameras.empty() || says_a_pose_of(into.rig, rig)) return true;
+  const Rig& pose = into.rig;
+  outcome.diagnostics.error(
+      "pose-missing",
+      input + " states no pose between two cameras" + (rig.cameras.size() < 2 ? " (it has one)" : "") + ", and " +
+          into.documents.front().source().name + " holds only that of " + pose.poses.front().b + " and " + pose.poses.front().a,
+      {input, 0, 0}, "an input of both cameras and their pose goes into it; --to opencv -o OTHER.yml writes the cameras");
+  return false;
 }
 
 /// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
@@ -270,6 +281,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     return false;
   }
   if (contradicts(arguments, *calibration, outcome)) return false;
+  if (into && !has_use_for(*into, calibration->rig, outcome.input, outcome)) return false;
 
   Base base;
   if (into) {

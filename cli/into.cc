@@ -118,6 +118,11 @@ Rig with_names_of(const Rig& rig, Rig base) {
 
 }  // namespace
 
+bool says_a_pose_of(const Rig& base_as_named, const Rig& rig) {
+  const Rig base = with_names_of(rig, base_as_named);
+  return std::ranges::any_of(base.poses, [&rig](const PoseEdge& edge) { return rig.resolve(edge.a, edge.b).has_value(); });
+}
+
 Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Diagnostics& diagnostics) {
   const Rig base = with_names_of(rig, base_as_named);
   take_names(base, counterparts(base, rig, in_order), rig, diagnostics);

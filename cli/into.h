@@ -12,4 +12,8 @@ namespace fca::cli {
 /// topics what the rig states, else what the base states. Cameras that only the base has stay, with a note.
 [[nodiscard]] Rig put_into(const Rig& base, Rig rig, bool in_order, Diagnostics& diagnostics);
 
+/// Does the rig say one of the poses that `base` holds, of two cameras or frames, under its own names of them or, in order,
+/// under others?
+[[nodiscard]] bool says_a_pose_of(const Rig& base, const Rig& rig);
+
 }  // namespace fca::cli

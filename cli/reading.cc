@@ -22,7 +22,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                           ->type_name("FILE"));
   command.add_flag("--join", options.join, "All inputs are the cameras of one rig, in the order given");
   command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");
-  command.add_option("--size", options.size, "Image size for files that do not state one: 640x480")->type_name("WxH");
+  command.add_option("--size", options.size, "Image size of an input that does not state one: 640x480")->type_name("WxH");
   command.add_option("--crop", options.crop, "The images are this part of the calibrated ones; before --binning and --resize")
       ->type_name("X,Y,W,H");
   command.add_option("--binning", options.binning, "N x N pixels of the calibrated images are one; before --resize")

@@ -109,8 +109,9 @@ std::vector<std::pair<std::string, CameraKeys>> find_cameras(const Node& mapping
       const auto take = [&entry](std::string& key) {
         if (key.empty()) key = entry.key.value;
       };
-      // A matrix that the end of the file cuts off is an empty word: there, and no reason to read a lens without distortion.
-      const bool word = entry.value.is_scalar() && !entry.value.value.empty();
+      // A matrix that the end of the file cuts off is a word, too (nothing, or "rows"): there, and no reason to read a lens
+      // without distortion.
+      const bool word = entry.value.is_scalar() && !entry.value.value.empty() && entry.value.tag.empty();
       if (name.role == Role::kDistortion && !word) {
         keys.fisheye = keys.fisheye || (keys.distortion.empty() && name.fisheye);
         take(keys.distortion);

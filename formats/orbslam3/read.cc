@@ -5,6 +5,7 @@
 #include "../fields.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
 
 #include <algorithm>
 #include <array>
@@ -31,6 +32,7 @@ class SettingsReader {
     const Layout* layout = read_layout();
     if (layout == nullptr) return;
     if (!read_camera(*layout, camera_prefix(style_, 0), "cam0", rig)) return;
+    warn_of_missing_keys(*layout);
     warn_if_eucm_without_type(rig.cameras.front());
     read_second_camera(*layout, rig);
     read_baseline(rig);
@@ -149,6 +151,25 @@ class SettingsReader {
     const Node* height = find("Camera.height");
     if (width == nullptr || height == nullptr) return options_.image_size;
     return reader_.image_size(*width, *height, "Camera.");
+  }
+
+  /// What a file whose end is missing lacks, and its program demands or reads as 0: without it the camera may be another one.
+  void warn_of_missing_keys(const Layout& layout) {
+    std::vector<std::string> missing;
+    const auto want = [&](std::string key) {
+      if (find_key(document_, key) == nullptr) missing.push_back(std::move(key));
+    };
+    if (style_ == Style::kV1) {
+      want("Camera.width");
+      want("Camera.height");
+    } else if (layout.model == "radtan") {
+      for (const std::string_view key : {"k1", "k2", "p1", "p2"}) want(joined(camera_prefix(style_, 0), key));
+    }
+    if (missing.empty()) return;
+    reader_.warning(document_.root().entries.front().key, "missing-key",
+                    "there is no " + text::enumerated(missing) +
+                        (style_ == Style::kV1 ? ": ORB-SLAM3 stops" : "; read as 0, as ORB-SLAM2 does (ORB-SLAM3 stops)"),
+                    "is the file complete?");
   }
 
   /// ORB-SLAM2's layout says nothing of the model; fisheye-ORB-SLAM reads the same keys as EUCM.

@@ -112,6 +112,17 @@ text::Document edited(const text::Document& base, const Rig& old, const Camera& 
   return document;
 }
 
+/// CARLA's translation is the same pose in another frame: beside a new one it no longer holds.
+void list_stale_translation(const text::Document& base, const Rig& old, const std::string& camera, const Transform& pose,
+                            std::vector<Loss>& losses) {
+  const Transform* stated = old.stated(kVehicle, camera);
+  if (stated != nullptr && *stated == pose) return;
+  const Node* extrinsic = text::find(base.root(), "extrinsic", text::Dialect::kPyYaml);
+  if (extrinsic == nullptr || text::find(*extrinsic, kCarlaTranslation, text::Dialect::kPyYaml) == nullptr) return;
+  losses.push_back({"stale-derived", "extrinsic." + std::string(kCarlaTranslation),
+                    "it is kept as it was, and the pose beside it is another one", "remove it, or write the new pose's"});
+}
+
 /// The frame that stands for the vehicle: its own, else the first camera's. Identities for all would state that they sit in one
 /// place.
 std::string reference_frame(const Rig& rig) {
@@ -137,8 +148,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     const Transform* stated = rig.stated(parent, camera.name);
     const std::optional<Transform> pose = stated != nullptr ? *stated : rig.resolve(parent, camera.name);
     std::optional<text::Document> document;
+    std::vector<std::string> programs = {"woodscape"};
     if (of_base) {
       document = edited(*base, *old, camera, pose);
+      // SynWoodScape's JSONs, for one, belong to other programs: no pose is made up to please this one.
+      if (document->edited() && !pose) programs.clear();
+      if (pose && document->edited()) list_stale_translation(*base, *old, camera.name, *pose, written.losses);
     } else {
       document = text::parse_document({camera.name + ".json", compose(camera, pose.value_or(Transform{}))}, diagnostics);
       if (frame != kVehicle || !pose) {
@@ -148,7 +163,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       }
     }
     if (!document) return std::nullopt;
-    written.files.push_back({*std::move(document), {camera.name}, {"woodscape"}});
+    written.files.push_back({*std::move(document), {camera.name}, std::move(programs)});
   }
   list_camera_losses(rig, "WoodScape", written.losses);
   add_beyond_base(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>(),
@@ -156,8 +171,11 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (const std::optional<Rig> replaced =
           base != nullptr && options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt)
     add_not_carried(extras_beyond(replaced->as_read, rig.as_read), "the file is composed anew", written.losses);
-  written.headline =
-      rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py" : "one WoodScape JSON per camera for projection.py";
+  const bool for_projection_py =
+      std::ranges::none_of(written.files, [](const Written::File& file) { return file.programs.empty(); });
+  written.headline = !for_projection_py        ? "a WoodScape JSON without the pose that projection.py wants"
+                     : rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py"
+                                               : "one WoodScape JSON per camera for projection.py";
   return written;
 }
 

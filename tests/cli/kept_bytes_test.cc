@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an edit does not speak of stays, and what cannot be done is refused rather than done by halves.
+#include "cli/read_rig.h"
+#include "cli/run_program.h"
+
+namespace fca::test {
+namespace {
+
+const std::string kCarla = testdata("formats/woodscape/bad/carla.json");
+const std::string kExtrinsics = testdata("formats/opencv/good/extrinsics.yml");
+
+// SynWoodScape's JSONs have a rotation and no translation that projection.py reads: to compose the file anew would be to make
+// up a pose.
+TEST(KeptBytes, SynWoodScapesRotationOutlivesAnEdit) {
+  const std::string before = read_file(kCarla);
+  const RunResult run = run_program({"convert", kCarla, "--to", "woodscape", "--resize", "640x483"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.substr(0, run.out.find("\"intrinsic\"")), before.substr(0, before.find("\"intrinsic\"")));
+  EXPECT_TRUE(contains(run.err, "lost: nothing")) << run.err;
+  EXPECT_FALSE(contains(run.err, "identity")) << run.err;
+  EXPECT_EQ(rig_in(run.out).cameras.at(0).image_size, (ImageSize{640, 483}));
+}
+
+TEST(KeptBytes, CarlasTranslationBesideANewPoseIsListed) {
+  const RunResult run = run_program({"convert", testdata("formats/woodscape/good/front.json"), "--into", kCarla});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "extrinsic.translation used in CARLA (CARLA reference): it is kept")) << run.err;
+  EXPECT_EQ(rig_in(run.out).poses.size(), 1U);
+}
+
+// The base is for images of its own.
+TEST(KeptBytes, SizeIsTheInputsNotTheBases) {
+  const RunResult run = run_program({"convert", testdata("formats/opencv/good/k1d1.yml"), "--into",
+                                     testdata("formats/opencv/good/stereo-14.yml"), "--size", "700x500"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Rig rig = rig_in(run.out);
+  for (const Camera& camera : rig.cameras) EXPECT_EQ(camera.image_size, (ImageSize{700, 500}));
+}
+
+TEST(KeptBytes, AnInputWithoutAPairsPoseHasNoPlaceInOne) {
+  const TemporaryFolder folder;
+  const std::string base = folder.write("extrinsics.yml", read_file(kExtrinsics));
+  const std::string one = testdata("formats/kalibr/good/eucm.yaml");
+  for (const std::vector<std::string>& inputs : {std::vector<std::string>{one}, {kCarla, kCarla, "--join"}}) {
+    std::vector<std::string> words = {"convert", "--into", base, "--in-place"};
+    words.insert(words.end(), inputs.begin(), inputs.end());
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 2) << run.out << run.err;
+    EXPECT_TRUE(contains(run.err, inputs.front() + " states no pose between two cameras")) << run.err;
+    EXPECT_EQ(read_file(base), read_file(kExtrinsics));
+  }
+}
+
+}  // namespace
+}  // namespace fca::test

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A file of which the end is missing is refused, or it is read as what is whole says: no camera of it is silently another one.
+// (Two ends cannot be told: within the last line's number, and before ORB-SLAM's k3, which may be left out.)
+#include "formats/test_files.h"
+
+#include <cstdio>
+
+namespace fca::test {
+namespace {
+
+/// Every so many bytes: a prime, so that every kind of place is cut.
+constexpr std::size_t kStride = 3;
+
+/// Can the text end within a number or word that counts: "xi: 1.2" of "xi: 1.25", "- 0.1" of "- 0.125"?
+bool ends_in_a_value(const std::string& text, bool words) {
+  const std::string last = text.substr(text.find_last_of('\n') + 1);
+  const std::size_t begin = last.find_first_not_of(" \t\r");
+  if (begin == std::string::npos || last.back() == ']') return false;
+  const std::size_t colon = last.find(':');
+  const bool item = last[begin] == '-';
+  return words || item || (colon != std::string::npos && last.find_first_not_of(" \t", colon + 1) != std::string::npos);
+}
+
+/// The same camera, or without a k3.
+bool is_as_meant(const Camera& camera, const Camera& whole) {
+  CameraModel without_k3 = whole.model;
+  static_cast<void>(set_parameter(without_k3, "k3", 0.0));
+  return camera.model == whole.model || (model_info(camera.model).id == "radtan" && camera.model == without_k3);
+}
+
+class Truncated : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Truncated, IsRefusedOrSaysWhatIsMissing) {
+  const std::string bytes = read_file(GetParam());
+  const std::string name = GetParam().filename().string();
+  const Rig whole = calibration_of(bytes, name).rig;
+  int read = 0;
+  for (std::size_t length = GetParam().string().size() % kStride; length < bytes.size(); length += kStride) {
+    const std::string prefix = bytes.substr(0, length);
+    SCOPED_TRACE(prefix.substr(prefix.size() - std::min<std::size_t>(prefix.size(), 60)));
+    Parsed parsed = parse(prefix, name);
+    std::optional<Calibration> calibration;
+    if (parsed.document) calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
+    ASSERT_EQ(calibration.has_value(), !parsed.diagnostics.has_errors()) << parsed.rendered();
+    if (!calibration) continue;
+    ++read;
+    if (ends_in_a_value(prefix, parsed.document->syntax() == text::Syntax::kWords)) continue;
+    for (const Camera& camera : calibration->rig.cameras) {
+      const Camera* meant = whole.find_camera(camera.name);
+      const bool as_meant = meant != nullptr && is_as_meant(camera, *meant);
+      EXPECT_TRUE(as_meant || !parsed.diagnostics.entries().empty())
+          << camera.name << " is read as " << model_info(camera.model).id << " and nothing is said";
+    }
+  }
+  std::printf("  %d prefixes read\n", read);
+}
+
+std::string test_name(const testing::TestParamInfo<fs::path>& info) {
+  std::string name = info.param.parent_path().parent_path().filename().string() + "_" + info.param.filename().string();
+  std::ranges::replace_if(
+      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Truncated, testing::ValuesIn(files_of_all_formats("good")), test_name);
+
+}  // namespace
+}  // namespace fca::test
