@@ -91,9 +91,9 @@ class Editor {
       }
       if (needs_model_key(before, rig_.cameras[i], keys)) {
         if (keys.map.empty()) {
-          after_.model = {"fisheye_model", true, std::nullopt};
+          after_.model = {"fisheye_model", true, std::nullopt, false};
         } else {
-          keys.model = {"distortion_type", true, std::nullopt};
+          keys.model = {"distortion_type", true, std::nullopt, false};
         }
       }
       if (begins_to_say_size(i, keys)) keys.size = {"img_width", "img_height", "", false};
@@ -310,7 +310,9 @@ namespace {
 std::optional<Rig> read_anyhow(const text::Document& document, bool fisheye, bool& ambiguous) {
   Diagnostics ignored;
   std::optional<Rig> rig = read(std::span(&document, 1), {}, ignored);
-  ambiguous = std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) { return entry.code == "ambiguous-model"; });
+  ambiguous = std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) {
+    return entry.code == "ambiguous-model" || entry.code == "unknown-model";
+  });
   if (rig || !ambiguous) return rig;
   ReadOptions options;
   options.opencv_model = fisheye ? "fisheye" : "pinhole";

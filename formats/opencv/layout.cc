@@ -70,6 +70,14 @@ std::optional<bool> is_fisheye(const std::string& name) {
   return std::nullopt;
 }
 
+/// Does a key that is to name a model, or part of one, say one that OpenCV has no function for? Words under camera_model that
+/// are no model's may be the name of a device.
+bool says_foreign_model(const std::string& folded_key, const std::string& value) {
+  if (value.empty() || value == "0" || folded(value) == "none") return false;
+  const bool of_distortion = folded_key == "distortionmodel" || folded_key == "distortiontype";
+  return of_distortion || find_model(value) != nullptr;
+}
+
 /// A flag, 0 or 1, or a name of a model.
 ModelKey find_model_key(const Node& mapping) {
   constexpr std::array<std::string_view, 4> kFlags = {"fisheyemodel", "distortiontype", "isfisheye", "fisheye"};
@@ -77,16 +85,21 @@ ModelKey find_model_key(const Node& mapping) {
     const std::string key = key_folding_to(mapping, flag);
     const Node* node = key.empty() ? nullptr : text::find(mapping, key, kDialect);
     if (node == nullptr || !node->is_scalar()) continue;
-    if (const std::optional<double> value = text::parse_real(node->value)) return {key, true, *value != 0.0};
-    if (node->value == "true" || node->value == "false") return {key, false, node->value == "true"};
+    if (const std::optional<double> value = text::parse_real(node->value)) {
+      const bool is_flag = *value == 0.0 || *value == 1.0;
+      return {key, true, is_flag ? std::optional(*value != 0.0) : std::nullopt, !is_flag};
+    }
+    if (node->value == "true" || node->value == "false") return {key, false, node->value == "true", false};
   }
+  ModelKey foreign;
   for (const Entry& entry : mapping.entries) {
     const std::string key = folded(entry.key.value);
     const bool speaks = key.find("model") != std::string::npos || key.ends_with("type");
     if (!speaks || !entry.value.is_scalar()) continue;
-    if (const std::optional<bool> fisheye = is_fisheye(entry.value.value)) return {entry.key.value, false, fisheye};
+    if (const std::optional<bool> fisheye = is_fisheye(entry.value.value)) return {entry.key.value, false, fisheye, false};
+    if (foreign.key.empty() && says_foreign_model(key, entry.value.value)) foreign = {entry.key.value, false, {}, true};
   }
-  return {};
+  return foreign;
 }
 
 /// The cameras whose keys stand in one mapping, with the sides their keys name.

@@ -33,6 +33,7 @@ struct ModelKey {
   std::string key;  ///< Empty: there is none.
   bool numeric = true;
   std::optional<bool> fisheye;  ///< What it says.
+  bool foreign = false;         ///< It says a model that none of OpenCV's functions has.
 };
 
 struct CameraKeys {

@@ -20,6 +20,7 @@ class LensReader {
 
   /// The model with its distortion, the matrix still to be read.
   std::optional<CameraModel> read(const CameraKeys& keys, const Node& map) {
+    if (!check_foreign_model(keys, map)) return std::nullopt;
     if (!keys.radial.empty()) return read_matlab_lens(keys, map);
     Numbers D;
     if (!keys.distortion.empty()) {
@@ -36,12 +37,43 @@ class LensReader {
       return lens_of(keys, node, D);
     }
     if (!keys.xi.empty()) return read_omnidir(keys, map, *reader_.find(map, keys.xi), D);
-    reader_.warning(*reader_.find(map, keys.matrix), "distortion-missing",
-                    label(keys, keys.matrix) + " has no distortion coefficients beside it: read as a lens without distortion");
+    const Node& matrix = *reader_.find(map, keys.matrix);
+    const std::string missing = label(keys, keys.matrix) + " has no distortion coefficients beside it";
+    if (fisheye_said(keys).value_or(false)) {
+      reader_.error(matrix, "distortion-missing", missing + " and the file says fisheye; cv::fisheye wants 4");
+      return std::nullopt;
+    }
+    reader_.warning(matrix, "distortion-missing", missing + ": read as a lens without distortion");
+    warn_if_told_in_vain(matrix, missing);
     return make_model("pinhole");
   }
 
  private:
+  /// A model that OpenCV has no function for must not pass for one of its own.
+  bool check_foreign_model(const CameraKeys& keys, const Node& map) {
+    const bool own = !keys.model.key.empty();
+    const ModelKey& model = own ? keys.model : layout_.model;
+    if (!model.foreign || !keys.xi.empty()) return true;
+    const Node& node = *reader_.find(own ? map : reader_.document().root(), model.key);
+    const std::string problem = (own ? label(keys, model.key) : model.key) + " is '" + node.value +
+                                "': a model that none of cv::projectPoints, cv::fisheye and cv::omnidir has";
+    if (options_.opencv_model.empty()) {
+      reader_.error(
+          node, "unknown-model", problem,
+          "if the numbers are one of theirs all the same, say which: --opencv-model pinhole or --opencv-model fisheye");
+      return false;
+    }
+    reader_.warning(node, "unknown-model", problem + "; read as " + options_.opencv_model + ", as told");
+    return true;
+  }
+
+  /// --opencv-model decides what four numbers are; `why`: why there is nothing to decide.
+  void warn_if_told_in_vain(const Node& node, const std::string& why) {
+    if (options_.opencv_model != "fisheye") return;
+    reader_.warning(node, "model-contradicts",
+                    why + ": --opencv-model fisheye, which is about four coefficients, has no effect on this camera");
+  }
+
   std::optional<CameraModel> with(std::string_view id, std::initializer_list<std::string_view> names, const Numbers& D,
                                   const std::string& what) {
     std::optional<CameraModel> model = make_model(id);
@@ -56,18 +88,19 @@ class LensReader {
     const std::string what = label(keys, keys.distortion);
     const std::size_t count = D.values.size();
     const std::optional<bool> said = fisheye_said(keys);
-    if (count == 0) return make_model("pinhole");
     if (count == 4) {
       const std::optional<bool> fisheye = decide(said, node, what, D);
       if (!fisheye) return std::nullopt;
       if (*fisheye) return with("kb4", {"k1", "k2", "k3", "k4"}, D, what);
       return with("radtan", {"k1", "k2", "p1", "p2"}, D, what);
     }
-    if (said.value_or(false) && count != 4) {
+    if (said.value_or(false)) {
       reader_.error(node, "wrong-length",
                     what + " has " + std::to_string(count) + " numbers and the file says fisheye; cv::fisheye wants 4");
       return std::nullopt;
     }
+    warn_if_told_in_vain(node, what + " has " + std::to_string(count) + " numbers");
+    if (count == 0) return make_model("pinhole");
     if (count != 5 && count != 8 && count != 12 && count != 14) {
       reader_.error(node, "wrong-length",
                     what + " has " + std::to_string(count) + " numbers; OpenCV knows vectors of 0, 4, 5, 8, 12 and 14");
@@ -139,6 +172,7 @@ class LensReader {
   }
 
   std::optional<CameraModel> read_omnidir(const CameraKeys& keys, const Node& map, const Node& place, const Numbers& D) {
+    warn_if_told_in_vain(place, label(keys, keys.xi) + " says cv::omnidir");
     if (D.values.size() != 4) {
       reader_.error(place, "wrong-length",
                     label(keys, keys.xi) + " says cv::omnidir, which wants 4 distortion coefficients, not " +
@@ -165,6 +199,7 @@ class LensReader {
 
   std::optional<CameraModel> read_matlab_lens(const CameraKeys& keys, const Node& map) {
     const Node& node = *reader_.find(map, keys.radial);
+    warn_if_told_in_vain(node, keys.radial + " is MATLAB's");
     const std::optional<Numbers> radial = read_numbers(node, keys.radial, reader_);
     if (!radial) return std::nullopt;
     if (radial->values.size() != 2 && radial->values.size() != 3) {

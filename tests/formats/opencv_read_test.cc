@@ -109,6 +109,34 @@ TEST(OpenCvRead, FourNumbersAreNotGuessed) {
   EXPECT_EQ(model_info(model(head + D(5, "0.1, 0.2, 0.3, 0.4, 0.5"), kFisheye)).id, "radtan");
 }
 
+// What is told of a camera and cannot be so is not passed over.
+TEST(OpenCvRead, FisheyeWithoutFourNumbersIsSaidToHaveNoEffect) {
+  const std::string head = kHead + kSize + K();
+  const std::string five = D(5, "0.1, 0.2, 0.3, 0.4, 0.5");
+  EXPECT_EQ(codes(head, kFisheye), "distortion-missing model-contradicts");
+  EXPECT_EQ(codes(head, kPinhole), "distortion-missing");
+  EXPECT_EQ(codes(head + five, kFisheye), "model-contradicts");
+  EXPECT_EQ(codes(head + five, kPinhole), "");
+  EXPECT_EQ(codes(head + D(4, "0.1, 0.2, 0.3, 0.4") + "xi: 1.5\n", kFisheye), "model-contradicts");
+  EXPECT_EQ(model(head + five, kFisheye), model(head + five));
+}
+
+TEST(OpenCvRead, ModelsOfOthersAreNamedAndNotRead) {
+  const std::string head = kHead + kSize + K();
+  const std::string five = D(5, "0.1, 0.2, 0.3, 0.4, 0.5");
+  for (const char* key : {"distortion_model: radial_division\n", "distortion_type: 5\n", "camera_model: fov\n",
+                          "fisheye_model: 2\n", "distortion_model: \"kb6\"\n"}) {
+    SCOPED_TRACE(key);
+    EXPECT_EQ(codes(head + five + key), "unknown-model");
+    EXPECT_EQ(model(head + five + key, kPinhole), model(head + five));
+  }
+  for (const char* key : {"distortion_model: plumb_bob\n", "distortion_model: none\n", "distortion_type: 0\n",
+                          "camera_model: \"acA1920-40gm\"\n", "calibration_type: industrial\n", "pattern_type: dots\n",
+                          "distortion_model: radial-tangential\n", "distortion_model: rational_polynomial\n"}) {
+    EXPECT_EQ(codes(head + five + key), "") << key;
+  }
+}
+
 TEST(OpenCvRead, XiIsOmnidir) {
   const CameraModel expected = model_of("mei", {500.0, 501.0, 320.0, 240.0, 1.5, 0.1, 0.2, 0.3, 0.4});
   const std::string body = K() + D(4, "0.1, 0.2, 0.3, 0.4");
