@@ -21,7 +21,7 @@ std::vector<double> slot_values(const CameraModel& model, std::span<const Slot> 
 
 }  // namespace
 
-std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index) {
+std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index, const std::optional<fields::Field>& overlaps) {
   std::vector<fields::Field> result;
   const auto add_pose = [&](std::string_view key, const std::string& to) {
     if (const std::optional<Transform> T = pose_in(rig, rig.cameras[index].name, to))
@@ -29,6 +29,7 @@ std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index) {
   };
   add_pose("T_cam_imu", "imu0");
   if (index > 0) add_pose("T_cn_cnm1", rig.cameras[index - 1].name);
+  if (overlaps) result.push_back(*overlaps);
   const std::vector<fields::Field> lens = lens_fields(rig.cameras[index]);
   result.insert(result.end(), lens.begin(), lens.end());
   return result;

@@ -6,6 +6,7 @@
 
 #include <fca/rig/rig.h>
 
+#include <optional>
 #include <vector>
 
 namespace fca::kalibr {
@@ -13,8 +14,9 @@ namespace fca::kalibr {
 /// The fields of a camera without its poses, in Kalibr's (alphabetic) order.
 [[nodiscard]] std::vector<fields::Field> lens_fields(const Camera& camera);
 
-/// All fields of the camera of that index in a fresh chain.
-[[nodiscard]] std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index);
+/// All fields of the camera of that index in a fresh chain. `overlaps`: its cam_overlaps, if it is known.
+[[nodiscard]] std::vector<fields::Field> camera_fields(const Rig& rig, std::size_t index,
+                                                       const std::optional<fields::Field>& overlaps);
 
 /// The fields of an imu.yaml.
 [[nodiscard]] std::vector<fields::Field> imu_fields(const Imu& imu);

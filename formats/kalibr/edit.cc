@@ -3,6 +3,7 @@
 
 #include "blocks.h"
 #include "layout.h"
+#include "overlaps.h"
 #include "poses.h"
 
 #include "../sibling.h"
@@ -130,7 +131,7 @@ text::Document Editor::edited(std::vector<Loss>& losses) {
     if (name != camera.entry->key.value) document_.replace(camera.entry->key.span, name);
     fields::apply(document_, camera.entry->value, dialect_, fields_before(camera.entry->value, camera.before),
                   fields_after(camera.entry->value, camera.now));
-    if (!same_places) remove_overlaps(*camera.entry, losses);
+    if (!same_places) count_overlaps(*camera.entry, losses);
   }
   for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
     if (position_of(old_, as_named_.cameras[i].name)) continue;
@@ -143,12 +144,16 @@ text::Document Editor::edited(std::vector<Loss>& losses) {
   return std::move(document_);
 }
 
-/// cam_overlaps counts cameras by their old places.
-void Editor::remove_overlaps(const text::Entry& camera, std::vector<Loss>& losses) {
-  const text::Entry* overlaps = text::find_entry(camera.value, "cam_overlaps", dialect_);
+void Editor::count_overlaps(const text::Entry& camera, std::vector<Loss>& losses) {
+  const text::Entry* overlaps = text::find_entry(camera.value, kOverlaps, dialect_);
   if (overlaps == nullptr) return;
+  if (const std::optional<fields::Field> now = overlaps_among(base_, camera.key.value, as_named_)) {
+    fields::apply(document_, camera.value, dialect_, {}, std::vector{*now});
+    return;
+  }
   document_.remove_entry(camera.value, *overlaps);
-  losses.push_back({"not-carried", camera.key.value + " cam_overlaps", "it counts the cameras of the old chain", ""});
+  losses.push_back(
+      {"not-carried", camera.key.value + " cam_overlaps", "it is no list of this chain's cameras, which are counted anew", ""});
 }
 
 }  // namespace fca::kalibr

@@ -45,7 +45,8 @@ class Editor {
   [[nodiscard]] std::string_view imu_pose_key() const;
   /// Does a camera of the base state something under that key?
   [[nodiscard]] bool states(std::string_view key) const;
-  void remove_overlaps(const text::Entry& camera, std::vector<Loss>& losses);
+  /// cam_overlaps in the numbers of the chain as it will be.
+  void count_overlaps(const text::Entry& camera, std::vector<Loss>& losses);
 
   const text::Document& base_;
   text::Document document_;

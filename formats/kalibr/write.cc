@@ -3,6 +3,7 @@
 #include "edit.h"
 #include "kalibr.h"
 #include "layout.h"
+#include "overlaps.h"
 
 #include "../losses.h"
 
@@ -11,23 +12,29 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace fca::kalibr {
 
 namespace {
 
 /// A camera's block as lines.
-std::string block(const Rig& rig, std::size_t index) {
+std::string block(const Rig& rig, std::size_t index, const std::optional<fields::Field>& overlaps) {
   std::string lines = indexed("cam", index) + ":";
-  for (const fields::Field& field : camera_fields(rig, index)) lines += "\n" + fields::spell(field, 2);
+  for (const fields::Field& field : camera_fields(rig, index, overlaps)) lines += "\n" + fields::spell(field, 2);
   return lines;
 }
 
 /// A fresh camchain in Kalibr's own layout, but with the rows of transforms indented deeper than their key: OpenVINS then needs
-/// only its first line added.
-std::optional<text::Document> compose(const Rig& rig, Diagnostics& diagnostics) {
+/// only its first line added. Of `base`, if there is one, cam_overlaps is taken over: it still holds.
+std::optional<text::Document> compose(const text::Document* base, const Rig& rig_as_named, const Rig& rig,
+                                      Diagnostics& diagnostics) {
   std::string bytes;
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) bytes += block(rig, i) + "\n";
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const std::optional<fields::Field> overlaps =
+        base != nullptr ? overlaps_among(*base, rig_as_named.cameras[i].name, rig_as_named) : std::nullopt;
+    bytes += block(rig, i, overlaps) + "\n";
+  }
   return text::parse_document({"camchain.yaml", bytes}, diagnostics);
 }
 
@@ -93,6 +100,31 @@ void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
     written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
 }
 
+/// What a chain that was composed in the base's place says of it unchanged but for the order of its cameras: cam_overlaps.
+std::vector<AsRead> taken_over(const text::Document& base, const Rig& old, const Rig& rig_as_named) {
+  std::vector<AsRead> result;
+  for (const AsRead& extra : old.as_read) {
+    const std::string name = extra.key.substr(0, extra.key.find(' '));
+    if (!is_overlaps(extra) || rig_as_named.find_camera(name) == nullptr) continue;
+    const std::optional<fields::Field> before = overlaps_among(base, name, old);
+    const std::optional<fields::Field> now = overlaps_among(base, name, rig_as_named);
+    if (before && now && before->tokens.size() == now->tokens.size()) result.push_back(extra);
+  }
+  return result;
+}
+
+/// What the input says beside its rig, and the chain, which says `there`, does not. `base`: is there one?
+void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, bool base, std::vector<Loss>& losses) {
+  std::vector<AsRead> others(extras.begin(), extras.end());
+  const auto overlaps = std::stable_partition(others.begin(), others.end(), std::not_fn(is_overlaps));
+  const auto count = static_cast<std::size_t>(overlaps - others.begin());
+  add_beyond_base(std::span(others).first(count), there, "the camchain written has no place for it", losses);
+  add_beyond_base(
+      std::span(others).subspan(count), there,
+      base ? "a camera of which it speaks is not in the chain written" : "it counts the cameras of the file it stands in",
+      losses);
+}
+
 /// What a camchain has no key for.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   for (const Camera& camera : rig.cameras) {
@@ -135,7 +167,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   if (!can_store(kFormat, rig_as_named, edited, diagnostics) || !check_sizes(rig_as_named, edited, diagnostics))
     return std::nullopt;
 
-  std::optional<text::Document> document = editor ? editor->edited(written.losses) : compose(rig, diagnostics);
+  std::optional<text::Document> document =
+      editor ? editor->edited(written.losses) : compose(base, rig_as_named, rig, diagnostics);
   if (!document) return std::nullopt;
   written.files.push_back({*std::move(document), {}, {"kalibr"}});
   for (const Camera& camera : rig_as_named.cameras) written.files.front().cameras.push_back(camera.name);
@@ -143,11 +176,16 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const bool there = edited != nullptr && std::ranges::find(edited->imus, imu) != edited->imus.end();
     if (!there) add_imu_file(imu, written, diagnostics);
   }
-  const std::vector<AsRead> kept = editor ? old->as_read : std::vector<AsRead>();
-  add_beyond_base(rig.as_read, kept, "the camchain written has no place for it", written.losses);
+  std::vector<AsRead> kept;
+  if (old) kept = editor ? old->as_read : taken_over(*base, *old, rig_as_named);
+  list_extras(rig.as_read, kept, base != nullptr, written.losses);
   if (old && !editor) {
     add_composed_anew(*base, written.files.front().document, "", written.losses);
-    add_not_carried(extras_beyond(old->as_read, rig.as_read), "the file is composed anew", written.losses);
+    std::vector<AsRead> gone = extras_beyond(extras_beyond(old->as_read, rig.as_read), kept);
+    const auto overlaps = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
+    list_extras({overlaps, gone.end()}, {}, true, written.losses);
+    gone.erase(overlaps, gone.end());
+    add_not_carried(gone, "the file is composed anew", written.losses);
   }
   list_losses(rig_as_named, written.losses);
   written.headline = "a camchain for Kalibr";

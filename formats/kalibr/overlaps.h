@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// cam_overlaps: the numbers of the cameras that see something in common with one. A Rig has no member for it; a chain whose
+// cameras come, go or change places counts them anew.
+#pragma once
+
+#include "../fields.h"
+
+#include <string>
+#include <string_view>
+
+namespace fca::kalibr {
+
+inline constexpr std::string_view kOverlaps = "cam_overlaps";
+
+/// What the camera `name` of `base` says, in the numbers of the cameras `after` (by their names in the base): those that are
+/// gone are left out. Nothing if it says nothing, or no list of numbers of cameras.
+[[nodiscard]] std::optional<fields::Field> overlaps_among(const text::Document& base, const std::string& name,
+                                                          const Rig& after);
+
+/// Is that, of Rig::as_read, a camera's cam_overlaps?
+[[nodiscard]] bool is_overlaps(const AsRead& extra);
+
+}  // namespace fca::kalibr
