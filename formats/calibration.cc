@@ -2,6 +2,7 @@
 #include <fca/formats/calibration.h>
 
 #include "known_formats.h"
+#include "losses.h"
 #include "lost_poses.h"
 #include "remedies.h"
 
@@ -157,6 +158,9 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
                                          const WriteOptions& options, Diagnostics& diagnostics) {
   std::optional<Written> written = format.write(base, rig, options, diagnostics);
   if (!written) return std::nullopt;
+  for (const Written::File& file : written->files) {
+    if (file.document.edited()) add_lost_comments(file.document, written->losses);
+  }
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
   add_remedies(written->losses);

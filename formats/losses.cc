@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "losses.h"
 
+#include "text/comments.h"
+
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <map>
@@ -26,8 +29,9 @@ std::string in_words(const AsRead& extra) {
 
 bool holds_comments(const text::Document& document) {
   const std::string& bytes = document.source().bytes;
-  if (document.syntax() == text::Syntax::kXml) return bytes.find("<!--") != std::string::npos;
-  return document.syntax() != text::Syntax::kJson && bytes.find('#') != std::string::npos;
+  // In documents of words they are part of the layout, and yet somebody's.
+  if (document.syntax() == text::Syntax::kWords) return bytes.find('#') != std::string::npos;
+  return !text::comments_of(document).empty();
 }
 
 /// The line that cv::FileStorage asks for; "" if there is none.
@@ -49,6 +53,34 @@ void add_composed_anew(const text::Document& base, const text::Document& fresh, 
     losses.push_back({"header-dropped", "first line " + std::string(header) + " of " + base.source().name, reason,
                       "cv::FileStorage (OpenVINS) reads no file without it"});
   }
+}
+
+void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses) {
+  const std::vector<text::Span> before = text::comments_of(edited);
+  if (before.empty()) return;
+  Diagnostics ignored;
+  const std::optional<text::Document> result = text::parse_document({edited.source().name, edited.bytes()}, ignored);
+  if (!result) return;
+  const auto words = [](const text::Document& document, const text::Span& span) {
+    return document.source().bytes.substr(span.offset, span.length);
+  };
+  std::multiset<std::string> kept;
+  for (const text::Span& span : text::comments_of(*result)) kept.insert(words(*result, span));
+  std::vector<std::string> lost;
+  for (const text::Span& span : before) {
+    const auto there = kept.find(words(edited, span));
+    if (there == kept.end()) {
+      lost.push_back(text::shortened(words(edited, span)));
+    } else {
+      kept.erase(there);
+    }
+  }
+  constexpr std::size_t kNamed = 3;  // of more, their number
+  if (lost.empty()) return;
+  std::vector<std::string> named(lost.begin(), lost.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, lost.size())));
+  if (lost.size() > kNamed) named.push_back(std::to_string(lost.size() - kNamed) + " more");
+  losses.push_back({"comments-dropped", (lost.size() == 1 ? "comment " : "comments ") + text::enumerated(named),
+                    "what stood there is replaced or removed", ""});
 }
 
 void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses) {

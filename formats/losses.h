@@ -28,6 +28,9 @@ void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& l
 void add_beyond_base(std::span<const AsRead> extras, std::span<const AsRead> there, std::string_view why,
                      std::vector<Loss>& losses);
 
+/// The comments of the text that `edited` is an edit of, and that stood in what was replaced or removed there.
+void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses);
+
 /// What goes with a base's text where `fresh` is composed in its place: comments and its first line, "%YAML:1.0". `why`: why it
 /// is composed anew; may be empty. Its keys are the writer's affair.
 void add_composed_anew(const text::Document& base, const text::Document& fresh, std::string_view why,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sibling.h"
 
-#include "text/markup.h"
+#include "text/comments.h"
 
 #include <algorithm>
 #include <vector>
@@ -16,50 +16,25 @@ using text::Syntax;
 
 namespace {
 
-void collect_scalars(const Node& node, std::vector<Span>& spans) {
-  if (node.is_scalar()) spans.push_back(node.span);
-  for (const Node& item : node.items) collect_scalars(item, spans);
-  for (const Entry& entry : node.entries) {
-    spans.push_back(entry.key.span);
-    collect_scalars(entry.value, spans);
-  }
-}
+bool is_xml(const Document& document) { return document.syntax() == Syntax::kXml; }
 
-/// YAML: a '#' behind a blank, outside of all scalars.
-void remove_hash_comments(Document& document, const Node& value, const Span& region) {
+/// A comment belongs to the camera beside which it stands: with the blanks before it and, on a line of its own, the line.
+void remove_comments(Document& document, const Span& region) {
   const std::string& bytes = document.source().bytes;
-  std::vector<Span> scalars;
-  collect_scalars(value, scalars);
-  const auto in_scalar = [&scalars](std::size_t offset) {
-    return std::ranges::any_of(scalars, [offset](const Span& span) { return offset >= span.offset && offset < span.end(); });
-  };
-  for (std::size_t hash = bytes.find('#', region.offset); hash < region.end(); hash = bytes.find('#', hash + 1)) {
-    const bool begins = hash == 0 || std::string_view(" \t\n").find(bytes[hash - 1]) != std::string_view::npos;
-    if (!begins || in_scalar(hash)) continue;
-    const std::size_t newline = std::min(bytes.find('\n', hash), bytes.size());
-    const std::size_t behind_text = bytes.find_last_not_of(" \t", hash - 1) + 1;
-    const bool own_line = behind_text == 0 || bytes[behind_text - 1] == '\n';
-    std::size_t end = own_line ? std::min(newline + 1, bytes.size()) : newline;
-    if (!own_line && end > hash && bytes[end - 1] == '\r') --end;
+  const char* const blanks = is_xml(document) ? " \t\r\n" : " \t";
+  for (const Span& comment : text::comments_of(document)) {
+    if (comment.offset < region.offset || comment.offset >= region.end()) continue;
+    const std::size_t behind_text = comment.offset == 0 ? 0 : bytes.find_last_not_of(blanks, comment.offset - 1) + 1;
+    const bool own_line = !is_xml(document) && (behind_text == 0 || bytes[behind_text - 1] == '\n');
+    const std::size_t end = own_line ? std::min(bytes.find('\n', comment.end()), bytes.size() - 1) + 1 : comment.end();
     document.replace({behind_text, end - behind_text}, "");
-    hash = newline - 1;
-  }
-}
-
-void remove_xml_comments(Document& document, const Span& region) {
-  const std::string& bytes = document.source().bytes;
-  std::optional<text::Markup> markup = text::next_markup(bytes, region.offset);
-  for (; markup && markup->span.offset < region.end(); markup = text::next_markup(bytes, markup->span.end())) {
-    if (markup->kind != text::Markup::Kind::kComment) continue;
-    const std::size_t behind_text = bytes.find_last_not_of(" \t\r\n", markup->span.offset - 1) + 1;
-    document.replace({behind_text, markup->span.end() - behind_text}, "");
   }
 }
 
 void rename(Document& document, const Entry& entry, std::string_view key) {
   const std::string name = entry.key.quoted ? '"' + std::string(key) + '"' : std::string(key);
   document.replace(entry.key.span, name);
-  if (document.syntax() != Syntax::kXml) return;
+  if (!is_xml(document)) return;
   const std::size_t closing = document.source().bytes.rfind("</", document.extent(entry).end() - 1);
   document.replace({closing + 2, entry.key.value.size()}, name);
 }
@@ -75,7 +50,7 @@ std::string like_sibling(const Document& base, const Node& mapping, const Entry&
   Document copy = base;
   const std::string& bytes = base.source().bytes;
   Span region = base.extent(sibling);
-  const bool whole_lines = !mapping.flow && base.syntax() != Syntax::kXml;
+  const bool whole_lines = !mapping.flow && !is_xml(base);
   if (whole_lines) {
     const std::size_t newline = bytes.find('\n', region.end());
     region.length = (newline == std::string::npos ? bytes.size() : newline + 1) - region.offset;
@@ -87,11 +62,7 @@ std::string like_sibling(const Document& base, const Node& mapping, const Entry&
     if (!counts || !known) copy.remove_entry(sibling.value, entry);
   }
   apply(copy, sibling.value, dialect, before, after);
-  if (base.syntax() == Syntax::kXml) {
-    remove_xml_comments(copy, region);
-  } else if (base.syntax() != Syntax::kJson) {
-    remove_hash_comments(copy, sibling.value, region);
-  }
+  remove_comments(copy, region);
   const std::string edited = copy.bytes();
   const std::size_t behind = bytes.size() - region.end();
   std::string text = edited.substr(region.offset, edited.size() - behind - region.offset);
