@@ -22,6 +22,10 @@ std::optional<Intrinsics<Radtan>> as_radtan(const CameraModel& source) {
     const double denominator[] = {k4, k5, k6};
     if (all_zero(denominator)) return Intrinsics<Radtan>{{fx, fy, cx, cy, k1, k2, p1, p2, k3}};
   }
+  if (const auto* m = std::get_if<Intrinsics<Mei>>(&source)) {
+    const auto& [fx, fy, cx, cy, xi, k1, k2, p1, p2] = m->values;
+    if (xi == 0.0) return Intrinsics<Radtan>{{fx, fy, cx, cy, k1, k2, p1, p2, 0.0}};
+  }
   return std::nullopt;
 }
 
@@ -56,6 +60,12 @@ std::optional<Intrinsics<Pinhole>> as_pinhole(const CameraModel& source) {
     const auto& [fx, fy, cx, cy, alpha] = ucm->values;
     if (alpha == 0.0) return Intrinsics<Pinhole>{{fx, fy, cx, cy}};
   }
+  if (const auto* m = std::get_if<Intrinsics<Ocamcalib>>(&source)) {
+    const auto& [cx, cy, c, d, e, a0, a1, a2, a3, a4, a5, a6, a7, a8] = m->values;
+    const double others[] = {d, e, a1, a2, a3, a4, a5, a6, a7, a8};
+    // A ray ahead is at the height -a0 over the image, whatever its radius.
+    if (all_zero(others)) return Intrinsics<Pinhole>{{-a0, -a0 * c, cx, cy}};
+  }
   return std::nullopt;
 }
 
@@ -68,6 +78,7 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
   if (const std::optional<Intrinsics<Pinhole>> pinhole = as_pinhole(source)) {
     const auto& [fx, fy, cx, cy] = pinhole->values;
     if (target_id == Pinhole::kId) return *pinhole;
+    if (target_id == Ocamcalib::kId) return Intrinsics<Ocamcalib>{{cx, cy, fy / fx, 0, 0, -fx, 0, 0, 0, 0, 0, 0, 0, 0}};
     radtan = Intrinsics<Radtan>{{fx, fy, cx, cy, 0, 0, 0, 0, 0}};
     ucm = Intrinsics<Ucm>{{fx, fy, cx, cy, 0.0}};
   }
@@ -75,6 +86,7 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
     const auto& [fx, fy, cx, cy, k1, k2, p1, p2, k3] = radtan->values;
     if (target_id == Radtan::kId) return *radtan;
     if (target_id == Rational::kId) return Intrinsics<Rational>{{fx, fy, cx, cy, k1, k2, p1, p2, k3, 0, 0, 0}};
+    if (target_id == Mei::kId && k3 == 0.0) return Intrinsics<Mei>{{fx, fy, cx, cy, 0.0, k1, k2, p1, p2}};
   }
   if (ucm) {
     const auto& [fx, fy, cx, cy, alpha] = ucm->values;
@@ -94,8 +106,8 @@ std::string_view contained_model(std::string_view id) {
     std::string_view inner;
   };
   static constexpr Containment kContainments[] = {
-      {Radtan::kId, Pinhole::kId}, {Rational::kId, Radtan::kId}, {Ucm::kId, Pinhole::kId},
-      {Eucm::kId, Ucm::kId},       {Ds::kId, Ucm::kId},          {Mei::kId, Ucm::kId},
+      {Radtan::kId, Pinhole::kId}, {Rational::kId, Radtan::kId}, {Ucm::kId, Pinhole::kId},       {Eucm::kId, Ucm::kId},
+      {Ds::kId, Ucm::kId},         {Mei::kId, Ucm::kId},         {Ocamcalib::kId, Pinhole::kId},
   };
   for (const Containment& c : kContainments) {
     if (c.outer == id) return c.inner;

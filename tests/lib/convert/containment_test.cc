@@ -20,8 +20,8 @@ struct Pair {
   const char* outer;
   const char* inner;
 };
-constexpr Pair kPairs[] = {{"radtan", "pinhole"}, {"rational", "radtan"}, {"ucm", "pinhole"},
-                           {"eucm", "ucm"},       {"ds", "ucm"},          {"mei", "ucm"}};
+constexpr Pair kPairs[] = {{"radtan", "pinhole"}, {"rational", "radtan"}, {"ucm", "pinhole"},      {"eucm", "ucm"},
+                           {"ds", "ucm"},         {"mei", "ucm"},         {"ocamcalib", "pinhole"}};
 
 struct Source {
   Camera camera;

@@ -54,6 +54,15 @@ TEST(Convert, ContainedModelsAreExact) {
       {Intrinsics<Rational>{{400, 401, 320, 240, -0.2, 0.05, 1e-3, -2e-3, 0.01, 0, 0, 0}}, "radtan"},
       {Intrinsics<Pinhole>{{400, 401, 320, 240}}, "rational"},
       {Intrinsics<Rational>{{400, 401, 320, 240, 0, 0, 0, 0, 0, 0, 0, 0}}, "ucm"},
+      {Intrinsics<Pinhole>{{400, 401, 320, 240}}, "mei"},
+      {Intrinsics<Radtan>{{400, 401, 320, 240, -0.2, 0.05, 1e-3, -2e-3, 0}}, "mei"},
+      {Intrinsics<Rational>{{400, 401, 320, 240, -0.2, 0.05, 1e-3, -2e-3, 0, 0, 0, 0}}, "mei"},
+      {Intrinsics<Mei>{{400, 401, 320, 240, 0, -0.2, 0.05, 1e-3, -2e-3}}, "radtan"},
+      {Intrinsics<Mei>{{400, 401, 320, 240, 0, -0.2, 0.05, 1e-3, -2e-3}}, "rational"},
+      {Intrinsics<Mei>{{400, 401, 320, 240, 0, 0, 0, 0, 0}}, "pinhole"},
+      {Intrinsics<Pinhole>{{400, 401, 320, 240}}, "ocamcalib"},
+      {Intrinsics<Ocamcalib>{{320, 240, 1.0025, 0, 0, -400, 0, 0, 0, 0, 0, 0, 0, 0}}, "pinhole"},
+      {Intrinsics<Ocamcalib>{{320, 240, 1.0025, 0, 0, -400, 0, 0, 0, 0, 0, 0, 0, 0}}, "eucm"},
   };
   for (const Pair& pair : pairs) {
     const std::optional<Conversion> conversion = to(test::make_camera(pair.source, {640, 480}), pair.target);
