@@ -220,7 +220,7 @@ std::vector<Field> FieldMaker::map(std::size_t camera_index, const CameraKeys& k
   if (!keys.model.key.empty() && keys.model.numeric)
     fields.push_back(fields::integer(keys.model.key, kind_of(camera.model) == Kind::kFisheye ? 1 : 0));
   const std::optional<ReferencePose> pose = reference_pose(rig_, camera);
-  if (!keys.group.empty() && base_ == nullptr) fields.push_back(fields::integer(keys.group, pose ? pose->group : 0));
+  if (!keys.group.empty() && base_ == nullptr && pose) fields.push_back(fields::integer(keys.group, pose->group));
   add_size(keys.size, camera, mapping, fields);
   if (!keys.pose.empty() && pose) fields.push_back(matrix_as(keys.pose, pose->T.values, 4, there(mapping, keys.pose)));
   return fields;

@@ -72,6 +72,14 @@ class Text {
 std::optional<Written::File> compose_file(const Rig& rig, const std::string& name, Syntax syntax, const std::string& file_name,
                                           Diagnostics& diagnostics) {
   Layout layout = new_layout(name, rig.cameras.size(), all_of_kind(rig, Kind::kOmnidir));
+  // Poses to several references: which one is each to?
+  const bool groups = layout.in_maps() && std::ranges::any_of(rig.cameras, [&rig](const Camera& camera) {
+                        const std::optional<ReferencePose> pose = reference_pose(rig, camera);
+                        return pose && pose->group != 0;
+                      });
+  for (CameraKeys& keys : layout.cameras) {
+    if (groups) keys.group = "camera_group";
+  }
   const FieldMaker maker(rig, layout, nullptr);
   Text text(syntax);
   for (const fields::Field& field : maker.root(std::vector<bool>(rig.cameras.size(), false))) text.add(field);

@@ -270,6 +270,8 @@ std::vector<std::string> keys_of(const Layout& layout, const std::string& map) {
     }
     keys.insert(keys.end(),
                 {camera.matrix, camera.distortion, camera.radial, camera.tangential, camera.xi, camera.pose, camera.model.key});
+    // The frame of the pose is named after it: it is the pose's part, or a fact of its own.
+    if (!camera.pose.empty()) keys.push_back(camera.group);
     add_size(camera.size);
   }
   if (map.empty()) {

@@ -299,6 +299,26 @@ TEST(OpenCvRead, MapsKeepTheirReferenceFrame) {
   EXPECT_EQ(rig.resolve("cam0", "cam1").value(), *rig.stated("reference", "cam1"));
 }
 
+// MC-Calib's camera_group says to which reference a pose is: part of the pose, and of no meaning without one.
+TEST(OpenCvRead, AGroupIsPartOfItsPose) {
+  const std::string file = read_file(testdata_dir() / "opencv/good/cameras.yml");
+  for (const AsRead& extra : calibration_of(file, "cameras.yml").rig.as_read)
+    EXPECT_EQ(extra.key.find("camera_group"), std::string::npos) << extra.key;
+  std::string other = file;
+  other.replace(other.rfind("camera_group: 0"), 15, "camera_group: 1");
+  const Rig rig = calibration_of(other, "cameras.yml").rig;
+  EXPECT_FALSE(rig.resolve("cam0", "cam2")) << "the groups are not posed to each other";
+  EXPECT_TRUE(rig.resolve("reference1", "cam2"));
+  // A fresh file tells the references apart, too.
+  WriteOptions options;
+  options.layout = "cameras";
+  Diagnostics diagnostics;
+  const std::optional<Written> written = write_calibration(*find_format("opencv"), nullptr, rig, options, diagnostics);
+  ASSERT_TRUE(written);
+  EXPECT_TRUE(std::ranges::none_of(written->losses, [](const Loss& loss) { return loss.code == "pose-dropped"; }));
+  EXPECT_EQ(calibration_of(written->files.front().document.bytes(), "x.yml").rig.poses, rig.poses);
+}
+
 TEST(OpenCvDetect, TheKeyIsNamed) {
   Diagnostics ignored;
   const auto why = [&](const char* file) {
