@@ -3,9 +3,9 @@
 
 #include "calibration_files.h"
 #include "output_file.h"
+#include "program_reading.h"
 #include "words.h"
 
-#include <fca/folded_name.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -16,23 +16,10 @@ namespace fca::cli {
 
 namespace {
 
-std::vector<std::string> program_ids() {
-  std::vector<std::string> ids;
-  for (const consumers::Consumer& program : consumers::all_consumers()) ids.emplace_back(program.id);
-  return ids;
-}
-
 std::vector<std::string> code_names() {
   std::vector<std::string> names;
   for (const CheckCode& code : check_codes()) names.emplace_back(code.code);
   return names;
-}
-
-const consumers::Consumer* find_program(std::string_view typed) {
-  const auto all = consumers::all_consumers();
-  const auto found =
-      std::ranges::find_if(all, [typed](const consumers::Consumer& each) { return folded(each.id) == folded(typed); });
-  return found == all.end() ? nullptr : &*found;
 }
 
 /// What is wrong with the options, in words.
@@ -57,25 +44,13 @@ std::optional<std::string> problem_with(const CheckArguments& arguments) {
   return std::nullopt;
 }
 
-/// The program for which a file is meant. Kalibr and OpenVINS have two readers, the second for files without cameras.
-const consumers::Consumer* meant_program(const CheckArguments& arguments, bool with_cameras) {
-  if (arguments.program.empty()) return nullptr;
-  const consumers::Consumer* program = find_program(arguments.program);
-  if (program->cameras == with_cameras) return program;
-  const auto all = consumers::all_consumers();
-  const auto other = std::ranges::find_if(all, [&](const consumers::Consumer& each) {
-    return each.format == program->format && each.other_syntax == program->other_syntax && each.cameras == with_cameras;
-  });
-  return other == all.end() ? program : &*other;
-}
-
 /// What there is to check a file by, for one with cameras or without.
 CheckOptions options_for(const CheckArguments& arguments, bool with_cameras) {
   CheckOptions options;
   options.reading = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
   options.from = arguments.reading.from.empty() ? nullptr : find_format(arguments.reading.from);
   options.max_angle_rad = max_angle_rad(arguments.reading);
-  options.program = meant_program(arguments, with_cameras);
+  if (!arguments.program.empty()) options.program = &reader_of(*find_program(arguments.program), with_cameras);
   return options;
 }
 

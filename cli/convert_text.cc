@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
+#include "program_reading.h"
 #include "words.h"
 
 #include <fca/formats/text/numbers.h>
@@ -144,17 +145,7 @@ std::string proofs_text(const ConvertOutcome& outcome) {
     } else {
       text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
-    constexpr double kNoticeable = 1e-3;
-    const std::string of_image = outcome.max_angle_given ? " of the image within --max-angle" : " of the image";
-    if (proof.unanswered_share > kNoticeable) {
-      text += "  warning: it has no right pixel for " + percent(proof.unanswered_share) + of_image +
-              ", whose rays lie beyond what it can project\n";
-    }
-    if (proof.wrong_ray_share > kNoticeable) {
-      text += "  warning: it gives " + percent(proof.wrong_ray_share) + of_image +
-              " wrong rays: it projects rays beyond 90 deg from the axis, but takes their pixels for rays inside\n";
-    }
-    for (const std::string& warning : proof.warnings) text += "  warning: " + warning + "\n";
+    for (const std::string& warning : misreadings(proof, outcome.max_angle_given)) text += "  warning: " + warning + "\n";
     if (proof.misread_px > 0.0) {
       text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
       if (!remedy.empty()) text += "  do: " + remedy + "\n";

@@ -18,12 +18,25 @@ ShownFile read_files(const std::vector<std::string>& files, const ShowArguments&
   if (shown.calibration) {
     shown.readers = ask_readers(shown.calibration->format->id, shown.calibration->documents.front().source().bytes,
                                 !shown.calibration->rig.cameras.empty(), {{}, arguments.reading.opencv_model});
+    if (!arguments.program.empty()) {
+      shown.asked = ask_program(*find_program(arguments.program), *shown.calibration, max_angle_rad(arguments.reading),
+                                arguments.reading.opencv_model);
+    }
   }
   return shown;
 }
 
+std::optional<std::string> problem_with(const ShowArguments& arguments) {
+  if (const std::optional<std::string> error = check(arguments.reading)) return error;
+  if (arguments.program.empty()) return std::nullopt;
+  if (find_program(arguments.program) == nullptr) return unknown_word("program", arguments.program, program_ids());
+  if (arguments.reading.join || arguments.reading.cameras || changes_images(arguments.reading))
+    return "--for is about a file as it stands: --join, --camera, --crop, --binning and --resize have no use beside it";
+  return std::nullopt;
+}
+
 ExitCode run_show(const ShowArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
+  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
   ExitCode code = ExitCode::kGood;
   std::vector<ShownFile> files;
   for (const std::vector<std::string>& group : grouped(arguments.files, arguments.reading)) {
@@ -60,8 +73,14 @@ void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<Exi
       *app.add_subcommand("show", "What a file means: cameras, models, fields of view, poses, IMU, and who reads it");
   command.add_option("FILE", arguments.files, "Calibration file(s); '-' is standard input")->required();
   add_reading_options(command, arguments.reading);
+  command
+      .add_option("--for", arguments.program,
+                  "What this program makes of the file: whether it loads it, which cameras it sees, how far they are from what "
+                  "the file means: " +
+                      enumerated(program_ids(), "or"))
+      ->type_name("PROGRAM");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.footer("Example:\n  fca-io show camchain.yaml --with imu.yaml\n");
+  command.footer("Example:\n  fca-io show camchain.yaml --with imu.yaml\n  fca-io show settings.yaml --for orbslam3\n");
   command.callback([&] { run = [&arguments](Console& console) { return run_show(arguments, console); }; });
 }
 

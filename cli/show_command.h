@@ -2,6 +2,7 @@
 #pragma once
 
 #include "console.h"
+#include "program_reading.h"
 #include "reading.h"
 
 #include <fca/formats/proof.h>
@@ -20,6 +21,7 @@ namespace fca::cli {
 struct ShowArguments {
   std::vector<std::string> files;
   ReadingOptions reading;
+  std::string program;  ///< --for
   bool json = false;
 };
 
@@ -28,7 +30,8 @@ struct ShownFile {
   std::string file;
   std::optional<Calibration> calibration;
   Readers readers;
-  double limit_deg = 180.0;  ///< --max-angle
+  std::optional<ProgramReading> asked;  ///< --for
+  double limit_deg = 180.0;             ///< --max-angle
   Diagnostics diagnostics;
 };
 

@@ -43,6 +43,27 @@ void put_imu(Json& json, const Imu& imu) {
   if (!imu.topic.empty()) json.put("topic", imu.topic);
 }
 
+void put_mode(Json& json, const ProgramReading::Mode& mode, bool within_max_angle) {
+  const ProofResult& proof = mode.proof;
+  json.put("modes", std::span<const std::string>(mode.names));
+  json.put("loads", proof.loads);
+  json.put("refusals", std::span<const std::string>(proof.refusals));
+  json.array("cameras", proof.cameras, [&json](const CameraProof& camera) {
+    json.object([&] {
+      json.put("name", camera.name);
+      json.put("model", camera.model);
+      json.put("width_px", camera.width);
+      json.put("height_px", camera.height);
+      json.put("compared_share", camera.compared_share);
+      json.put("max_diff_px", camera.max_diff_px);
+      json.put("agrees", camera.agrees);
+    });
+  });
+  json.put("poses", std::span<const std::string>(proof.poses));
+  json.put("max_diff_pose", proof.max_diff_pose);
+  json.put("warnings", std::span<const std::string>(misreadings(proof, within_max_angle)));
+}
+
 void put_file(Json& json, const ShownFile& shown, const Console& console) {
   json.put("file", shown.file);
   if (shown.calibration) {
@@ -76,6 +97,16 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
         json.put("warnings", std::span<const std::string>(program.warnings));
       });
     });
+    if (shown.asked) {
+      json.object("for", [&] {
+        json.put("program", shown.asked->program->program);
+        json.put("reads_format", shown.asked->reads_format);
+        constexpr double kWholeSphere = 180.0;
+        json.array("as", shown.asked->modes, [&](const ProgramReading::Mode& mode) {
+          json.object([&] { put_mode(json, mode, shown.limit_deg < kWholeSphere); });
+        });
+      });
+    }
   }
   put_diagnostics(json, shown.diagnostics, console);
 }

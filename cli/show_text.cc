@@ -138,7 +138,10 @@ std::string show_text(const ShownFile& shown) {
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
   for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge, calibration.rig);
   text += others_text(calibration.rig);
-  return text + readers_text(shown.readers);
+  text += readers_text(shown.readers);
+  constexpr double kWholeSphere = 180.0;
+  if (shown.asked) text += program_reading_text(*shown.asked, calibration, shown.file, shown.limit_deg < kWholeSphere);
+  return text;
 }
 
 }  // namespace fca::cli

@@ -98,11 +98,13 @@ FieldsOfView fields_of_view(const Camera& camera, double limit_deg) {
     const double degrees = angle_from_axis(*ray) * kDegreesPerRadian;
     return degrees <= limit_deg ? std::optional(degrees) : std::nullopt;
   };
-  const auto across = [&angle](const Pixel& a, const Pixel& b) -> std::optional<double> {
+  const auto across = [&angle, &centre](const Pixel& a, const Pixel& b) -> std::optional<double> {
     const std::optional<double> first = angle(a);
     const std::optional<double> second = angle(b);
     if (!first || !second) return std::nullopt;
-    return *first + *second;
+    // The axis may lie beside the image, as in a crop.
+    const double between = (a[0] - (*centre)[0]) * (b[0] - (*centre)[0]) + (a[1] - (*centre)[1]) * (b[1] - (*centre)[1]);
+    return between > 0.0 ? std::abs(*first - *second) : *first + *second;
   };
   result.horizontal = across({0.0, (*centre)[1]}, {last[0], (*centre)[1]});
   result.vertical = across({(*centre)[0], 0.0}, {(*centre)[0], last[1]});

@@ -24,6 +24,16 @@ struct Comparison {
   double misread_area = 0.0;
   double wrong_rays = 0.0;
   bool agrees = true;
+
+  void add(const Comparison& other) {
+    worst = std::max(worst, other.worst);
+    misread = std::max(misread, other.misread);
+    asked += other.asked;
+    compared += other.compared;
+    misread_area += other.misread_area;
+    wrong_rays += other.wrong_rays;
+    agrees = agrees && other.agrees;
+  }
 };
 
 /// On the other side of the program's image centre? So the formulas that divide by z answer rays from behind.
@@ -117,7 +127,13 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   // The rig's cameras by position: formats may rename them.
   Comparison comparison;
   for (std::size_t i = 0; i < std::min(rig.cameras.size(), view.cameras.size()); ++i) {
-    compare_camera(rig.cameras[i], view.cameras[i], consumer.tolerance_px, max_angle_rad, comparison);
+    const consumers::ConsumerCamera& theirs = view.cameras[i];
+    Comparison one;
+    compare_camera(rig.cameras[i], theirs, consumer.tolerance_px, max_angle_rad, one);
+    comparison.add(one);
+    const bool agrees = one.agrees && one.misread == 0.0 && (one.compared > 0.0 || one.asked == 0.0);
+    result.cameras.push_back({rig.cameras[i].name, theirs.model, theirs.width, theirs.height, theirs.misread, agrees,
+                              std::max(one.worst, one.misread), one.asked > 0.0 ? one.compared / one.asked : 0.0});
   }
   result.without_cameras = rig.cameras.empty();
   result.max_diff_px = comparison.worst;
@@ -127,8 +143,10 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.unanswered_share = comparison.asked > 0.0 ? 1.0 - result.compared_share : 0.0;
   result.wrong_ray_share = comparison.asked > 0.0 ? comparison.wrong_rays / comparison.asked : 0.0;
   constexpr double kPosePrecision = 1e-6;  // float formats
-  for (const consumers::ConsumerPose& pose : view.poses)
+  for (const consumers::ConsumerPose& pose : view.poses) {
     result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));
+    result.poses.push_back("T_" + name_in(rig, view, pose.a) + "_" + name_in(rig, view, pose.b));
+  }
   result.pixels_agree = comparison.agrees && (comparison.compared > 0.0 || comparison.asked == 0.0);
   if (view.cameras.size() < rig.cameras.size()) result.pixels_agree = false;  // it does not see a camera at all
   result.poses_agree = result.max_diff_pose <= kPosePrecision;

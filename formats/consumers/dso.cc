@@ -24,6 +24,22 @@ using Ray = std::array<double, 3>;
 
 enum class Lens { kPinhole, kFov, kRadTan, kEquidistant, kKannalaBrandt };
 
+std::string_view name_of(Lens lens) {
+  switch (lens) {
+    case Lens::kPinhole:
+      break;
+    case Lens::kFov:
+      return "FOV";
+    case Lens::kRadTan:
+      return "RadTan";
+    case Lens::kEquidistant:
+      return "EquiDistant";
+    case Lens::kKannalaBrandt:
+      return "KannalaBrandt";
+  }
+  return "Pinhole";
+}
+
 struct DsoModel {
   Lens lens = Lens::kPinhole;
   std::array<double, 8> p{};  ///< fx fy cx cy and what the lens has; parsOrg
@@ -253,6 +269,7 @@ class Reader {
       }
       model_.lens = Lens::kPinhole;
     }
+    camera.model = name_of(model_.lens);
     camera.project = [model = model_](const Ray& ray) { return distort(model, ray); };
     view_.cameras.push_back(std::move(camera));
   }

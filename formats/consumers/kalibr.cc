@@ -188,6 +188,7 @@ class CameraReader {
     read_baseline();
     if (view_.refusals.size() != refusals_before) return;
     view_.cameras.push_back({name_, camera_.width, camera_.height, make_projection(camera_)});
+    view_.cameras.back().model = camera_.camera_model + "-" + camera_.distortion_model;
     // Near the axis FovDistortion.hpp takes a series instead of the formula.
     constexpr double kSeriesError = 3e-6;
     if (camera_.distortion_model == "fov") view_.cameras.back().approximation_px = kSeriesError;

@@ -225,6 +225,7 @@ ConsumerView load_ocamcalib(std::string_view bytes, const LoadOptions& /*options
   camera.name = "cam0";
   camera.width = model->width;
   camera.height = model->height;
+  camera.model = "OCamCalib's inverse polynomial";
   camera.project = [model = *model](const Vector& ray) -> std::optional<Pixel> {
     const Pixel pixel = world2cam(model, {ray[1], ray[0], -ray[2]});
     if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;

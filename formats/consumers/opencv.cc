@@ -56,6 +56,18 @@ constexpr std::array<const char*, 3> kSizePairKeys = {"imageSize", "image_size",
 
 enum class Function { kPinhole, kFisheye, kOmnidir };
 
+std::string_view name_of(Function function) {
+  switch (function) {
+    case Function::kFisheye:
+      return "cv::fisheye";
+    case Function::kOmnidir:
+      return "cv::omnidir";
+    case Function::kPinhole:
+      break;
+  }
+  return "cv::projectPoints";
+}
+
 std::string number(double value) {
   std::array<char, 32> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
@@ -209,14 +221,15 @@ class Reader {
   void add_camera(const CameraMatrix& K, const std::vector<double>& D, Function function, double xi, std::array<int, 2> size,
                   const std::string& name) {
     if (function != Function::kPinhole && D.size() != 4) {
-      refuse(name + ": " + std::to_string(D.size()) + " distortion coefficients; " +
-             (function == Function::kFisheye ? "cv::fisheye" : "cv::omnidir") + " wants 4");
+      refuse(name + ": " + std::to_string(D.size()) + " distortion coefficients; " + std::string(name_of(function)) +
+             " wants 4");
       return;
     }
     ConsumerCamera camera;
     camera.name = "cam" + std::to_string(view_.cameras.size());
     camera.width = size[0];
     camera.height = size[1];
+    camera.model = name_of(function);
     if (function == Function::kPinhole) {
       PinholeCoefficients k{};
       std::copy(D.begin(), D.end(), k.begin());

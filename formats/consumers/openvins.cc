@@ -153,6 +153,7 @@ void read_camera(Sensor& sensor, ConsumerView& view) {
   std::copy_n(coefficients->begin(), 4, values.begin() + 4);
   const bool is_equidistant = distortion == "equidistant";
   ConsumerCamera camera;
+  camera.model = is_equidistant ? "CamEqui" : "CamRadtan";
   camera.name = sensor.name();
   camera.width = cv::saturate_cast<int>((*resolution)[0]);
   camera.height = cv::saturate_cast<int>((*resolution)[1]);

@@ -64,6 +64,7 @@ void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerVi
   const int width = read_size(settings, "Camera.width");
   const int height = read_size(settings, "Camera.height");
   view.cameras.push_back({"cam0", width, height, pinhole(k, distortion), {1.0, 1.0}, other_model});
+  view.cameras.back().model = "PinHole";
   if (!sensor.stereo) return;
   view.cameras.push_back(view.cameras.front());  // the images are taken as rectified
   view.cameras.back().name = "cam1";
@@ -115,6 +116,7 @@ void read_right_camera(Settings& settings, const std::string& type, int width, i
   FourFloats coeffs{};
   for (int i = 0; i < 4; ++i) coeffs.at(static_cast<std::size_t>(i)) = d->at<float>(i);
   view.cameras.push_back({"cam1", width, height, make_camera(settings, type, intrinsics, coeffs, "RIGHT.D")});
+  view.cameras.back().model = type;
   ConsumerPose pose{"cam1", "cam0", {}};
   for (int row = 0; row < 3; ++row) {
     const auto base = static_cast<std::size_t>(4 * row);
@@ -155,6 +157,7 @@ void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, Consume
   const int width = read_size(settings, "Camera.width");
   const int height = read_size(settings, "Camera.height");
   view.cameras.push_back({"cam0", width, height, make_camera(settings, type, k, coeffs, "Camera.k1")});
+  view.cameras.back().model = type;
   if (sensor.stereo) read_right_camera(settings, type, width, height, view);
   read_tbc(settings, view);
 }

@@ -22,13 +22,13 @@ class Parser {
       : settings_(settings), sensor_(sensor), dialect_(dialect), view_(view) {}
 
   void run() {
-    const std::string type = read_type();
+    type_ = read_type();
     width_ = read_size("Camera.width");
     height_ = read_size("Camera.height");
     read_scale();
-    if (type == "PinHole") read_pinhole();
-    if (type == "KannalaBrandt8") read_fisheye(&Parser::read_kannala_brandt8);
-    if (type == "DoubleSphere") read_fisheye(&Parser::read_double_sphere);
+    if (type_ == "PinHole") read_pinhole();
+    if (type_ == "KannalaBrandt8") read_fisheye(&Parser::read_kannala_brandt8);
+    if (type_ == "DoubleSphere") read_fisheye(&Parser::read_double_sphere);
     read_depth();
     read_orb();
     if (sensor_.inertial) read_imu();
@@ -77,6 +77,7 @@ class Parser {
 
   void add_camera(std::string name, Projection project) {
     view_.cameras.push_back({std::move(name), width_, height_, std::move(project), {scale_, scale_}});
+    view_.cameras.back().model = type_;
   }
 
   void read_pinhole() {
@@ -206,6 +207,7 @@ class Parser {
   const Sensor& sensor_;
   const OldDialect& dialect_;
   ConsumerView& view_;
+  std::string type_;
   int width_ = 0;
   int height_ = 0;
   float scale_ = 1.0F;

@@ -270,6 +270,7 @@ class Parser {
     Projection project = is_fisheye() && !pinhole_depth_ ? kannala_brandt8(k, camera.radial) : pinhole(k, camera.pinhole);
     ConsumerCamera result = {std::move(name), width_, height_, std::move(project), {scale_x_, scale_y_}, camera.misread};
     if (is_fisheye()) result.right_rays_rad = kKannalaBrandt8RightRays;
+    result.model = type_;
     return result;
   }
 

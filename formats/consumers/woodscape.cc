@@ -251,6 +251,7 @@ class ProjectionPy {
     camera.name = "cam0";
     camera.width = *width;
     camera.height = *height;
+    camera.model = "radial_poly";
     camera.project = [lens](const Ray& ray) { return project(lens, ray); };
     view_.cameras.push_back(std::move(camera));
   }
@@ -337,6 +338,7 @@ class Omnidet {
     camera.name = "cam0";
     camera.width = kWidth;
     camera.height = kHeight;
+    camera.model = "radial_poly";
     camera.misread = true;
     camera.project = [lens](const Ray& ray) -> std::optional<Pixel> {
       const std::optional<Pixel> pixel = project(lens, ray);

@@ -15,6 +15,18 @@
 
 namespace fca {
 
+/// What one program makes of one camera.
+struct CameraProof {
+  std::string name;   ///< The rig's.
+  std::string model;  ///< What the program takes the lens for, in its own words.
+  int width = 0;      ///< Of the image the program works on, in pixels; 0 where the file does not state it.
+  int height = 0;
+  bool misread = false;         ///< The program is known to take its numbers from the wrong place of a right file.
+  bool agrees = true;           ///< To what the program's precision allows.
+  double max_diff_px = 0.0;     ///< Between the program's pixels and ours, where both have one.
+  double compared_share = 0.0;  ///< Of the image asked about, how much both answer.
+};
+
 /// What one program makes of a file that is to say `rig`.
 struct ProofResult {
   std::string program;
@@ -29,6 +41,8 @@ struct ProofResult {
   double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
   bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
+  std::vector<CameraProof> cameras;  ///< Those that it sees, in its order.
+  std::vector<std::string> poses;    ///< Those that it holds: "T_cam0_cam1".
   std::vector<std::string> refusals;
   std::vector<std::string> warnings;  ///< What it silently misreads or ignores.
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }

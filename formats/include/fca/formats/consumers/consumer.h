@@ -36,6 +36,7 @@ struct ConsumerCamera {
   /// Half the field, in radians from the axis, from which the program's other direction, pixel to ray, is right; the pixels of
   /// rays beyond get wrong ones, whatever `project` says. Where nothing is known of one: no limit.
   double right_rays_rad = std::numbers::pi;
+  std::string model = {};  ///< What the program takes the lens for, in its own words: "KannalaBrandt8", "cv::fisheye".
 };
 
 /// T_a_b as the program holds it: takes points in b to points in a. Row-major 4 x 4, metres.

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `show` says: poses as sentences, the three fields of view, and what a given program would make of the file.
+#include "cli/read_rig.h"
+#include "cli/run_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <rapidjson/document.h>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+
+/// A pinhole of 200 x 100 px and 100 px focal length with its centre at (`cx`, 49.5), and what follows it.
+std::string pinhole_chain(double cx, const std::string& more) {
+  std::ostringstream text;
+  text << "cam0:\n  camera_model: pinhole\n  intrinsics: [100.0, 100.0, " << cx
+       << ", 49.5]\n  distortion_model: none\n  distortion_coeffs: []\n  resolution: [200, 100]\n"
+       << more;
+  return text.str();
+}
+
+std::string shown(const std::string& bytes) {
+  const RunResult run = run_program({"show", "-"}, {.input = bytes});
+  EXPECT_EQ(run.code, 0) << run.err;
+  return run.out;
+}
+
+// An IMU with x ahead, y to the left and z up, and a camera that looks ahead, 2 cm ahead, 4.5 cm to the left and 3 cm above it:
+// x of the camera is -y, its y is -z and its z is +x of the IMU.
+TEST(Show, PosesAreSentences) {
+  const std::string T_cam_imu =
+      "  T_cam_imu:\n  - [0.0, -1.0, 0.0, 0.045]\n  - [0.0, 0.0, -1.0, 0.03]\n  - [1.0, 0.0, 0.0, -0.02]\n"
+      "  - [0.0, 0.0, 0.0, 1.0]\n";
+  const std::string text = shown(pinhole_chain(99.5, T_cam_imu));
+  EXPECT_TRUE(contains(text, "T_cam0_imu0: imu0 -> cam0, takes points in imu0 to points in cam0")) << text;
+  EXPECT_TRUE(
+      contains(text, "cam0 sits 2.00 cm towards +x, 4.50 cm towards +y and 3.00 cm towards +z of imu0; it looks along +x\n"))
+      << text;
+}
+
+// 2 atan(99.5 / 100), 2 atan(49.5 / 100) and 2 atan(|(99.5, 49.5)| / 100).
+TEST(Show, FieldsOfViewOfAPinhole) {
+  EXPECT_TRUE(contains(shown(pinhole_chain(99.5, "")), "horizontal 89.7 deg, vertical 52.7 deg, diagonal 96.0 deg"));
+  // The axis outside the image, as in a crop: atan(299 / 100) - atan(100 / 100).
+  EXPECT_TRUE(contains(shown(pinhole_chain(-100.0, "")), "horizontal 26.5 deg"));
+}
+
+std::string settings() {
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  return run.out;
+}
+
+/// The reading of one of the program's modes ("": it has none) under show --for --json.
+rapidjson::Document json_of(const std::string& bytes, const std::vector<std::string>& options) {
+  std::vector<std::string> words = {"show", "-", "--json"};
+  words.insert(words.end(), options.begin(), options.end());
+  const RunResult run = run_program(words, {.input = bytes});
+  EXPECT_EQ(run.code, 0) << run.err;
+  rapidjson::Document document;
+  document.Parse(run.out.c_str());
+  EXPECT_FALSE(document.HasParseError());
+  return document;
+}
+
+const rapidjson::Value* mode_of(const rapidjson::Document& document, const std::string& mode) {
+  for (const rapidjson::Value& each : document["files"][0]["for"]["as"].GetArray()) {
+    const auto names = each["modes"].GetArray();
+    if (names.Empty() && mode.empty()) return &each;
+    for (const rapidjson::Value& name : names) {
+      if (name.GetString() == mode) return &each;
+    }
+  }
+  return nullptr;
+}
+
+// V1.0 gives the second fisheye camera the first one's k1..k4: what that costs is known without asking it.
+TEST(Show, ForAProgramThatMisreadsACamera) {
+  const std::string bytes = settings();
+  const Rig rig = rig_in(bytes);
+  Camera confused = rig.cameras.at(1);
+  const std::vector<double> first(parameter_values(rig.cameras[0].model).begin(), parameter_values(rig.cameras[0].model).end());
+  std::vector<double> values(parameter_values(confused.model).begin(), parameter_values(confused.model).end());
+  std::copy(first.begin() + 4, first.end(), values.begin() + 4);
+  confused.model = Intrinsics<Kb4>{{values[0], values[1], values[2], values[3], values[4], values[5], values[6], values[7]}};
+  double cost = 0.0;
+  for (int u = 0; u < 512; u += 7) {
+    for (int v = 0; v < 512; v += 7) {
+      const Pixel pixel = {static_cast<double>(u), static_cast<double>(v)};
+      const std::optional<Ray> ray = unproject(rig.cameras[1].model, pixel);
+      const std::optional<Pixel> theirs = ray ? project(confused.model, *ray) : std::nullopt;
+      if (theirs) cost = std::max(cost, std::hypot((*theirs)[0] - pixel[0], (*theirs)[1] - pixel[1]));
+    }
+  }
+  const rapidjson::Document json = json_of(bytes, {"--for", "orbslam3"});
+  const rapidjson::Value* stereo = mode_of(json, "stereo-inertial");
+  ASSERT_NE(stereo, nullptr);
+  EXPECT_TRUE((*stereo)["loads"].GetBool());
+  ASSERT_EQ((*stereo)["cameras"].Size(), 2U);
+  EXPECT_STREQ((*stereo)["cameras"][0]["model"].GetString(), "KannalaBrandt8");
+  EXPECT_TRUE((*stereo)["cameras"][0]["agrees"].GetBool());
+  EXPECT_FALSE((*stereo)["cameras"][1]["agrees"].GetBool());
+  EXPECT_NEAR((*stereo)["cameras"][1]["max_diff_px"].GetDouble(), cost, 0.05 * cost);
+  // As mono it is told of one camera, and has nothing to confuse.
+  const rapidjson::Value* mono = mode_of(json, "mono");
+  ASSERT_NE(mono, nullptr);
+  EXPECT_EQ((*mono)["cameras"].Size(), 1U);
+  EXPECT_TRUE((*mono)["cameras"][0]["agrees"].GetBool());
+  EXPECT_FALSE((*mode_of(json, "rgbd"))["loads"].GetBool());
+
+  const RunResult words = run_program({"show", "-", "--for", "ORB-SLAM3"}, {.input = bytes});
+  EXPECT_TRUE(contains(words.out, "as mono: loads it\n    cam0: KannalaBrandt8, 512 x 512 px: within ")) << words.out;
+  EXPECT_TRUE(contains(words.out, "cam1: KannalaBrandt8, 512 x 512 px: misread, up to ")) << words.out;
+  EXPECT_TRUE(contains(words.out, "but: Camera2.k1..k4 differ from Camera1.k1..k4 and are ignored")) << words.out;
+  EXPECT_TRUE(contains(words.out, "as rgbd: refuses it\n    RGBD.DepthMapFactor is missing")) << words.out;
+}
+
+TEST(Show, ForAProgramOfItsFormat) {
+  const RunResult run = run_program({"show", kTumvi, "--with", kImu, "--for", "kalibr"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "what Kalibr makes of it\n  loads it\n    cam0: pinhole-equidistant, 512 x 512 px: within "))
+      << run.out;
+  EXPECT_TRUE(contains(run.out, "as the file means")) << run.out;
+  // The part without cameras has a reader of its own.
+  EXPECT_TRUE(contains(run_program({"show", kImu, "--for", "kalibr"}).out, "what Kalibr (imu.yaml) makes of it\n  loads it"));
+}
+
+TEST(Show, ForAProgramOfAnotherFormat) {
+  const RunResult run = run_program({"show", kTumvi, "--for", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "does not read the Kalibr camchain format")) << run.out;
+  EXPECT_TRUE(contains(run.out, "fca-io convert " + kTumvi + " --to orbslam3")) << run.out;
+}
+
+TEST(Show, ForWantsAProgramAndAFileAsItStands) {
+  const RunResult unknown = run_program({"show", kTumvi, "--for", "orbslam4"});
+  EXPECT_EQ(unknown.code, 3);
+  EXPECT_TRUE(contains(unknown.err, "did you mean orbslam")) << unknown.err;
+  EXPECT_EQ(run_program({"show", kTumvi, "--for", "kalibr", "--resize", "256x256"}).code, 3);
+}
+
+}  // namespace
+}  // namespace fca::test
