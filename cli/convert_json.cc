@@ -2,6 +2,7 @@
 #include "convert_command.h"
 #include "diagnostics_json.h"
 #include "json.h"
+#include "judgement_json.h"
 #include "parameters_json.h"
 
 #include <fca/formats/text/numbers.h>
@@ -11,41 +12,10 @@ namespace fca::cli {
 namespace {
 
 void put_report(Json& json, const ConversionReport& report) {
-  const Coverage& coverage = report.judgement.coverage;
-  const ErrorSummary& error = report.judgement.error;
   json.put("at_bound", std::span<const std::string>(report.at_bound));
-  json.object("domain", [&] {
-    json.put("max_angle_deg", coverage.max_angle_deg);
-    json.put("why", coverage.why);
-    json.put("scored_to_deg", report.scored_to_deg);
-    json.put("scored_share", coverage.scored);
-    json.put("outside_lens_share", coverage.outside_lens);
-    json.put("unrepresentable_share", coverage.unrepresentable);
-    if (coverage.scored_pixels > 0) {
-      json.put("scored_pixels", static_cast<double>(coverage.scored_pixels));
-      json.put("outside_lens_pixels", static_cast<double>(coverage.outside_lens_pixels));
-      json.put("unrepresentable_pixels", static_cast<double>(coverage.unrepresentable_pixels));
-    }
-  });
-  json.object("error_px", [&] {
-    json.put("rms", error.rms);
-    json.put("mean", error.mean);
-    json.put("p50", error.p50);
-    json.put("p95", error.p95);
-    json.put("p99", error.p99);
-    json.put("max", error.max);
-    json.put("max_at", std::span<const double>(error.max_at));
-    json.put("bound", error.bound);  // null where nothing is proven
-  });
-  json.array("bands", report.judgement.bands, [&](const ErrorBand& band) {
-    json.object([&] {
-      json.put("from_deg", band.from_deg);
-      json.put("to_deg", band.to_deg);
-      json.put("share", band.share);
-      json.put("rms_px", band.rms_px);
-      json.put("max_px", band.max_px);
-    });
-  });
+  put_domain(json, report.judgement.coverage, report.scored_to_deg);
+  put_error(json, report.judgement.error);
+  json.array("bands", report.judgement.bands, [&](const ErrorBand& band) { json.object([&] { put_band(json, band); }); });
   json.array("reach", report.reach, [&](const ReachRow& row) {
     json.object([&] {
       json.put("max_angle_deg", row.max_angle_deg);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
+#include "judgement_text.h"
 #include "program_reading.h"
 #include "words.h"
 
@@ -19,29 +20,6 @@ std::string camera_line(const CameraOutcome& camera) {
   return from + " -> " + to + (camera.report && camera.report->exact ? ", exact" : ", fitted");
 }
 
-/// What was scored, and the parts of the image that were not.
-std::string coverage_text(const ConversionReport& report) {
-  const Coverage& coverage = report.judgement.coverage;
-  std::string result = percent(coverage.scored) + " of the image scored";
-  constexpr double kNoticeable = 0.01;  // deg
-  if (report.scored_to_deg < coverage.max_angle_deg - kNoticeable)
-    result += " (up to " + text::format_short(report.scored_to_deg, 4) + " deg from the axis)";
-  if (coverage.outside_lens > 0.0005) result += ", " + percent(coverage.outside_lens) + " outside the lens";
-  if (coverage.unrepresentable > 0.0005) result += ", " + percent(coverage.unrepresentable) + " beyond what was scored";
-  return result;
-}
-
-std::string band_table(const std::vector<ErrorBand>& bands) {
-  constexpr std::size_t kWidth = 12;
-  std::string text = "    " + padded("deg", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
-  for (const ErrorBand& band : bands) {
-    if (band.share <= 0.0) continue;
-    text += "    " + padded(fixed(band.from_deg, 0) + "-" + fixed(band.to_deg, 0), kWidth) +
-            padded(percent(band.share), kWidth) + padded(pixels(band.rms_px), kWidth) + pixels(band.max_px) + "\n";
-  }
-  return text;
-}
-
 /// A file cannot tell black corners from glass, and the choice changes the error tenfold.
 std::string reach_text(const std::vector<ReachRow>& rows) {
   if (rows.empty()) return "";
@@ -53,10 +31,6 @@ std::string reach_text(const std::vector<ReachRow>& rows) {
             padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) + "\n";
   }
   return text;
-}
-
-std::string domain_text(const Judgement& j) {
-  return "  domain: " + angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + "\n";
 }
 
 /// The program's reason, where it is the program's range that ends there and not the model's.
@@ -85,11 +59,9 @@ std::string objective_text(const ConversionReport& report) {
 
 std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const Judgement& j = report.judgement;
-  std::string text = domain_text(j);
-  text += "          " + coverage_text(report) + "\n";
-  text += "  error:  rms " + pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px at (" +
-          fixed(j.error.max_at[0], 1) + ", " + fixed(j.error.max_at[1], 1) + ")" +
-          (std::isfinite(j.error.bound) ? ", proven below " + pixels(j.error.bound) + " everywhere" : "") + "\n";
+  std::string text = domain_text(j.coverage);
+  text += "          " + coverage_text(j.coverage, report.scored_to_deg) + "\n";
+  text += "  error:  " + error_text(j.error) + "\n";
   if (!report.exact) {
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";
@@ -162,7 +134,8 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report)
-      text += kept ? domain_text(camera.report->judgement) : report_text(*camera.report, *outcome.to, camera.target.model);
+      text +=
+          kept ? domain_text(camera.report->judgement.coverage) : report_text(*camera.report, *outcome.to, camera.target.model);
     if (kept) text += "  error:  none: the same model and parameters\n";
   }
   text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome);

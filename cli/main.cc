@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
+#include "compare_command.h"
 #include "convert_command.h"
 #include "evaluate_command.h"
 #include "list_commands.h"
@@ -71,12 +72,14 @@ int run(int argc, char** argv) {
   ConvertArguments convert_arguments;
   ShowArguments show_arguments;
   CheckArguments check_arguments;
+  CompareArguments compare_arguments;
   ProjectArguments project_arguments;
   ListArguments list_arguments;
   EvaluateArguments evaluate_arguments;
   add_convert_command(app, convert_arguments, chosen);
   add_show_command(app, show_arguments, chosen);
   add_check_command(app, check_arguments, chosen);
+  add_compare_command(app, compare_arguments, chosen);
   add_project_commands(app, project_arguments, chosen);
   add_list_commands(app, list_arguments, chosen);
   add_evaluate_command(app, evaluate_arguments, chosen);

@@ -2,11 +2,11 @@
 #include "topics.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/pose_slip.h>
 #include <fca/rig/rotation.h>
 #include <fca/rig/stereo_order.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -69,38 +69,6 @@ void check_rotation(const Subject& subject, std::size_t index, Findings& finding
                 subject.places.pose(index, worst.row, worst.column)});
 }
 
-/// A slip of the pen that turns one statement of a pose into another.
-struct Slip {
-  std::string_view code;
-  std::string_view does;  ///< What the file does instead, behind "T_a_b ".
-  std::string_view fix;
-  std::optional<Transform> (*undo)(const Transform& stated);
-};
-
-std::optional<Transform> transposed(const Transform& T) {
-  Transform result = T;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) result(row, column) = T(column, row);
-  }
-  return result;
-}
-
-std::optional<Transform> scaled(const Transform& T, double factor) {
-  Transform result = T;
-  for (int row = 0; row < 3; ++row) result(row, 3) *= factor;
-  return result;
-}
-
-constexpr std::array kSlips = {
-    Slip{"pose-inverted", "holds the other direction (its inverse agrees with the other poses)", "invert it: R^T and -R^T t",
-         [](const Transform& T) { return inverse(T); }},
-    Slip{"pose-transposed", "holds the transposed rotation", "write the rotation's columns as rows", &transposed},
-    Slip{"translation-in-mm", "has its translation in millimetres", "divide the translation by 1000",
-         [](const Transform& T) { return scaled(T, 1e-3); }},
-    Slip{"translation-in-mm", "has its translation 1000 times too small", "multiply the translation by 1000",
-         [](const Transform& T) { return scaled(T, 1e3); }},
-};
-
 bool close(const Transform& a, const Transform& b) {
   constexpr double kAngle = 0.5 / kDegreesPerRadian;
   constexpr double kDistance = 5e-3;
@@ -131,7 +99,7 @@ std::vector<Contradiction> contradictions_of(const Rig& rig, bool& any_redundant
 
 bool name_slip(const Subject& subject, const Contradiction& contradiction, Findings& findings) {
   const PoseEdge& edge = subject.rig().poses[contradiction.index];
-  for (const Slip& slip : kSlips) {
+  for (const PoseSlip& slip : pose_slips()) {
     const std::optional<Transform> undone = slip.undo(edge.T_a_b);
     if (!undone || close(edge.T_a_b, contradiction.around) || !close(*undone, contradiction.around)) continue;
     findings.add({Severity::kError,

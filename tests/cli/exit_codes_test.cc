@@ -8,8 +8,8 @@ namespace {
 const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
 const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
-const std::vector<std::string> kSubcommands = {"convert", "show",   "check",    "project", "unproject",
-                                               "formats", "models", "programs", "evaluate"};
+const std::vector<std::string> kSubcommands = {"convert",   "show",    "check",  "compare",  "project",
+                                               "unproject", "formats", "models", "programs", "evaluate"};
 
 void expect_failure(const RunResult& run, int code, const std::string& word = "error") {
   EXPECT_EQ(run.signal, 0);

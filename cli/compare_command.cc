@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare_command.h"
+
+#include "words.h"
+
+#include <fca/compare/compare.h>
+#include <fca/formats/stated_as.h>
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+std::optional<std::string> problem_with(const CompareArguments& arguments) {
+  if (const std::optional<std::string> error = check(arguments.reading)) return error;
+  if (arguments.reading.join) return "compare lays each FILE beside REF by itself: --join has no use here";
+  if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
+  const std::ptrdiff_t from_stdin = std::ranges::count(arguments.files, "-") + (arguments.reference == "-" ? 1 : 0);
+  if (from_stdin > 1) return "standard input can be read only once";
+  return std::nullopt;
+}
+
+/// What of the reading options is REF's alone is not the files'.
+ReadingOptions of_file(const CompareArguments& arguments) {
+  ReadingOptions options = arguments.reading;
+  options.with = arguments.with_of_file;
+  options.crop.clear();
+  options.binning = 1;
+  options.resize.clear();
+  return options;
+}
+
+/// A file with one camera needs no --camera, which then says which of REF's cameras it is.
+bool has_one_camera(const std::string& file, ReadingOptions options, Console& console) {
+  Diagnostics unheard;
+  options.cameras.reset();
+  const std::optional<Calibration> calibration = read_input(file, options, console, unheard);
+  return calibration && calibration->rig.cameras.size() == 1;
+}
+
+std::optional<Calibration> read_file(const std::string& file, const CompareArguments& arguments, Console& console,
+                                     Diagnostics& diagnostics) {
+  ReadingOptions options = of_file(arguments);
+  const bool one_asked = options.cameras && options.cameras->find(',') == std::string::npos;
+  if (one_asked && file != "-" && has_one_camera(file, options, console)) options.cameras.reset();
+  return read_input(file, options, console, diagnostics);
+}
+
+/// Poses by the names under which the file states them.
+void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& mistakes) {
+  for (Mistake& mistake : mistakes) {
+    if (!mistake.pose) continue;
+    const std::string key = key_of_pose(calibration, *mistake.pose);
+    if (!key.empty()) mistake.subject = key;
+  }
+}
+
+void judge_limit(double limit_px, ComparedFile& compared) {
+  for (const CameraComparison& camera : compared.comparison->cameras) {
+    const Judgement& judgement = camera.difference.judgement;
+    const bool nothing = !(judgement.coverage.scored > 0.0);
+    if (!nothing && judgement.error.max <= limit_px) continue;
+    compared.diagnostics.error("error-limit", camera.other + ": " +
+                                                  (nothing ? "no pixel could be compared"
+                                                           : "the worst pixel is off by " + pixels(judgement.error.max) +
+                                                                 " px, more than --max-error " + pixels(limit_px)));
+    compared.code = worse(compared.code, ExitCode::kJudgedBad);
+  }
+}
+
+ComparedFile compared_file(const std::string& file, const ReferenceFile& reference, const CompareArguments& arguments,
+                           Console& console) {
+  ComparedFile compared;
+  compared.file = file;
+  compared.calibration = read_file(file, arguments, console, compared.diagnostics);
+  if (compared.calibration) {
+    const CompareOptions options = {.max_angle_rad = max_angle_rad(arguments.reading),
+                                    .every_pixel = arguments.every_pixel,
+                                    .by_order = arguments.reading.cameras.has_value()};
+    compared.comparison = compare(reference.calibration->rig, compared.calibration->rig, options, compared.diagnostics);
+    name_poses_as_stated(*compared.calibration, compared.comparison->mistakes);
+  }
+  compared.code = code_of(compared.diagnostics);
+  if (compared.code != ExitCode::kGood) {
+    const auto& entries = compared.diagnostics.entries();
+    const auto error = std::ranges::find(entries, Severity::kError, &Diagnostic::severity);
+    compared.verdict = "not compared: " + error->message;
+  } else {
+    compared.verdict = verdict_of(*compared.comparison);
+    if (arguments.max_error_px) judge_limit(*arguments.max_error_px, compared);
+  }
+  return compared;
+}
+
+ExitCode run_compare(const CompareArguments& arguments, Console& console) {
+  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
+  ReferenceFile reference{arguments.reference, {}, {}};
+  reference.calibration = read_input(arguments.reference, arguments.reading, console, reference.diagnostics);
+  if (!reference.calibration) {
+    // Nothing can be laid beside it.
+    const ExitCode code = worse(code_of(reference.diagnostics), ExitCode::kBadInput);
+    return console.refuse(code, reference.diagnostics);
+  }
+  if (!arguments.json) console.show(reference.diagnostics);
+  ExitCode code = code_of(reference.diagnostics);
+  std::vector<ComparedFile> files;
+  for (const std::string& file : arguments.files) {
+    files.push_back(compared_file(file, reference, arguments, console));
+    const ComparedFile& compared = files.back();
+    code = worse(code, compared.code);
+    if (arguments.json) continue;
+    const bool some = compared.comparison && (compared.code <= ExitCode::kJudgedBad || !compared.comparison->cameras.empty());
+    if (some) {
+      console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared));
+    } else {
+      console.say_aside("verdict: " + file + ": " + compared.verdict + "\n");
+    }
+    console.show(compared.diagnostics);
+  }
+  if (arguments.json) console.out(compare_json(reference, files, console));
+  return code;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, CompareArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  CLI::App& command = *app.add_subcommand(
+      "compare",
+      "How calibrations of any formats and models differ: pixels, degrees, poses, IMU, time; and which mistake it is");
+  command.add_option("REF", arguments.reference, "The calibration that counts as right; '-' is standard input")->required();
+  command.add_option("FILE", arguments.files, "Calibration file(s) to lay beside it, each by itself")->required();
+  add_reading_options(command, arguments.reading);
+  command.get_option("--join")->group("");  // refused: not worth a line of the help
+  take_one_each_time(*command
+                          .add_option("--with-file", arguments.with_of_file,
+                                      "A further part of FILE, as --with is one of REF; may be given several times")
+                          ->type_name("FILE"));
+  command.add_option("--max-error", arguments.max_error_px, "Exit with 1 if a camera's worst pixel is off by more")
+      ->type_name("PX")
+      ->check(decimal_number());
+  command.add_flag("--every-pixel", arguments.every_pixel, "Score every pixel of the image instead of a lattice");
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer(
+      "Errors are measured as convert measures them: a pixel of REF's image, its ray by REF, the pixel of that ray by FILE. "
+      "Cameras\n"
+      "are matched by name, else by order; with --camera by the order given there. --with, --crop, --binning and --resize are\n"
+      "REF's. Images of another size and the same proportions are scaled.\n\n"
+      "Exit codes: 0 compared, whatever the differences; 1 --max-error exceeded; 2 bad input; 3 usage; 4 input/output.\n\n"
+      "Example:\n"
+      "  fca-io compare camchain.yaml --with imu.yaml settings.yaml\n"
+      "  fca-io compare camchain-before.yaml camchain-after.yaml --max-angle 97.5 --max-error 0.5\n");
+  command.callback([&] { run = [&arguments](Console& console) { return run_compare(arguments, console); }; });
+}
+
+}  // namespace fca::cli

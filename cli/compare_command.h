@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "console.h"
+#include "reading.h"
+
+#include <fca/compare/report.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace fca::cli {
+
+struct CompareArguments {
+  std::string reference;
+  std::vector<std::string> files;
+  ReadingOptions reading;
+  std::vector<std::string> with_of_file;  ///< Further parts of each FILE; those of --with are REF's.
+  std::optional<double> max_error_px;
+  bool every_pixel = false;
+  bool json = false;
+};
+
+/// The reference, as read.
+struct ReferenceFile {
+  std::string file;
+  std::optional<Calibration> calibration;
+  Diagnostics diagnostics;
+};
+
+/// What one file is beside the reference.
+struct ComparedFile {
+  std::string file;
+  std::optional<Calibration> calibration;
+  std::optional<RigComparison> comparison;
+  std::string verdict;  ///< One line.
+  ExitCode code = ExitCode::kGood;
+  Diagnostics diagnostics;
+};
+
+void add_compare_command(CLI::App& app, CompareArguments& arguments, std::function<ExitCode(Console&)>& run);
+
+/// "IMU.T_b_c1 is the inverse of what it should be: it holds T_cam0_imu0"
+[[nodiscard]] std::string sentence(const Mistake& mistake);
+/// What matters most, in one line: slips of the pen, else the largest differences.
+[[nodiscard]] std::string verdict_of(const RigComparison& comparison);
+/// "0.31 deg: its rays lie 0.3 to the right and 0.08 up": how the rays of a camera lie that is turned by that vector
+/// (BestRotation).
+[[nodiscard]] std::string rotation_in_words(const BestRotation& rotation);
+
+[[nodiscard]] std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared);
+[[nodiscard]] std::string compare_json(const ReferenceFile& reference, const std::vector<ComparedFile>& files,
+                                       const Console& console);
+
+}  // namespace fca::cli

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a comparison comes to, in one line.
+#include "compare_command.h"
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fca::cli {
+
+namespace {
+
+std::string in_degrees(double radians) { return text::format_short(radians * kDegreesPerRadian, 3) + " deg"; }
+std::string in_millimetres(double metres) { return text::format_short(metres * 1000.0, 3) + " mm"; }
+std::string in_tenths(double degrees) { return fixed(degrees, 1) + " deg"; }
+
+bool same(const CameraComparison& camera) {
+  const Judgement& judgement = camera.difference.judgement;
+  return camera.identical || camera.difference.same_to_deg >= judgement.coverage.max_angle_deg;
+}
+
+/// "the cameras are the same (within 0.12 px)"
+std::string same_cameras(const std::vector<CameraComparison>& cameras) {
+  double worst = 0.0;
+  for (const CameraComparison& camera : cameras) worst = std::max(worst, camera.difference.judgement.error.max);
+  const std::string what = cameras.size() == 1 ? "the same camera" : "the same cameras";
+  return worst == 0.0 ? what : what + ", within " + pixels(worst) + " px";
+}
+
+/// "cam0 is up to 4.2 px off"
+std::string different_camera(const CameraComparison& camera) {
+  const CameraDifference& difference = camera.difference;
+  if (!(difference.judgement.coverage.scored > 0.0)) return camera.other + " shares no ray with the reference's";
+  constexpr double kNoticeable = 1.0;
+  std::string text = camera.other + " ";
+  if (difference.same_to_deg >= kNoticeable) {
+    text += "is the same camera up to " + in_tenths(difference.same_to_deg) + " from the axis, beyond ";
+  } else {
+    text += "is ";
+  }
+  text += "up to " + pixels(difference.judgement.error.max) + " px off";
+  const double lost = difference.judgement.coverage.unrepresentable;
+  if (lost > 0.0005) text += ", and has no pixel for " + percent(lost) + " of the image";
+  if (!camera.rotated) return text;
+  const double after = camera.rotated->difference.judgement.error.rms;
+  constexpr double kExplains = 0.5;
+  if (after < kExplains * difference.judgement.error.rms) {
+    text += " (turned by " + in_degrees(camera.rotated->angle_rad) + ": up to " +
+            pixels(camera.rotated->difference.judgement.error.max) + " px)";
+  }
+  return text;
+}
+
+/// The poses furthest apart.
+std::string different_poses(const std::vector<PoseComparison>& poses) {
+  const auto angle = std::ranges::max_element(poses, {}, &PoseComparison::angle_rad);
+  const auto distance = std::ranges::max_element(poses, {}, &PoseComparison::distance_m);
+  if (angle == poses.end()) return "";
+  if (std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding)) return "the same poses";
+  const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
+  if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
+    const PoseComparison& worst = distance->distance_m == 0.0 ? *angle : *distance;
+    return name(worst) + " differs by " + in_degrees(worst.angle_rad) + " and " + in_millimetres(worst.distance_m);
+  }
+  return name(*angle) + " differs by " + in_degrees(angle->angle_rad) + ", " + name(*distance) + " by " +
+         in_millimetres(distance->distance_m);
+}
+
+/// "imu0's gyroscope noise is 10 times the reference's"
+std::string different_fact(const FactComparison& fact) {
+  const std::string what = (fact.owner.empty() ? "" : fact.owner + " ") + fact.name + " ";
+  if (fact.unit == "s")
+    return what + "differs by " + text::format_short(std::abs(fact.other - fact.reference) * 1000.0, 3) + " ms";
+  if (fact.unit == "m") return what + "differs by " + in_millimetres(std::abs(fact.other - fact.reference));
+  return what + "is " + text::format_short(fact.other / fact.reference, 3) + " times the reference's";
+}
+
+}  // namespace
+
+std::string sentence(const Mistake& mistake) { return mistake.subject + " " + mistake.message; }
+
+std::string verdict_of(const RigComparison& comparison) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::string> parts;
+  if (!comparison.mistakes.empty()) {
+    for (const Mistake& mistake : comparison.mistakes) parts.push_back(sentence(mistake));
+  } else if (comparison.identical()) {
+    const bool all = comparison.only_in_reference.empty() && comparison.only_in_other.empty();
+    return all ? "the same" : "the same in all that both state";
+  } else {
+    const bool all_same = std::ranges::all_of(comparison.cameras, same);
+    if (all_same && !comparison.cameras.empty()) parts.push_back(same_cameras(comparison.cameras));
+    for (const CameraComparison& camera : comparison.cameras) {
+      if (!same(camera)) parts.push_back(different_camera(camera));
+    }
+    if (const std::string poses = different_poses(comparison.poses); !poses.empty()) parts.push_back(poses);
+    for (const FactComparison& fact : comparison.facts) {
+      if (fact.reference != fact.other) parts.push_back(different_fact(fact));
+    }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, parts.size()); ++i) text += (i == 0 ? "" : "; ") + parts[i];
+  if (parts.size() > kMost) text += "; and " + std::to_string(parts.size() - kMost) + " more";
+  return text;
+}
+
+std::string rotation_in_words(const BestRotation& rotation) {
+  struct Axis {
+    double radians;
+    const char* positive;
+    const char* negative;
+  };
+  // Ahead is z: about x (right) it goes up, about y (down) to the right; about z, right goes down.
+  const std::array axes = {Axis{rotation.vector_rad[1], "to the right", "to the left"},
+                           Axis{rotation.vector_rad[0], "up", "down"},
+                           Axis{rotation.vector_rad[2], "clockwise", "counter-clockwise"}};
+  std::vector<std::string> parts;
+  for (const Axis& axis : axes) {
+    // A hundredth of the whole says nothing.
+    if (std::abs(axis.radians) < 0.01 * rotation.angle_rad || axis.radians == 0.0) continue;
+    parts.push_back(text::format_short(std::abs(axis.radians) * kDegreesPerRadian, 3) + " " +
+                    (axis.radians > 0.0 ? axis.positive : axis.negative));
+  }
+  return in_degrees(rotation.angle_rad) + (parts.empty() ? "" : ": its rays lie " + enumerated(parts, "and"));
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "judgement_text.h"
+
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <cmath>
+
+namespace fca::cli {
+
+std::string domain_text(const Coverage& coverage) {
+  return "  domain: " + angle_in_words(coverage.max_angle_deg) + ": " + coverage.why + "\n";
+}
+
+std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
+  std::string result = percent(coverage.scored) + " of the image scored";
+  constexpr double kNoticeable = 0.01;  // deg
+  if (scored_to_deg < coverage.max_angle_deg - kNoticeable)
+    result += " (up to " + text::format_short(scored_to_deg, 4) + " deg from the axis)";
+  if (coverage.outside_lens > 0.0005) result += ", " + percent(coverage.outside_lens) + " outside the lens";
+  if (coverage.unrepresentable > 0.0005) result += ", " + percent(coverage.unrepresentable) + " beyond what was scored";
+  return result;
+}
+
+std::string error_text(const ErrorSummary& error) {
+  return "rms " + pixels(error.rms) + " px, max " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " +
+         fixed(error.max_at[1], 1) + ")" +
+         (std::isfinite(error.bound) ? ", proven below " + pixels(error.bound) + " everywhere" : "");
+}
+
+std::string band_table(const std::vector<ErrorBand>& bands, std::span<const BandColumn> further) {
+  constexpr std::size_t kWidth = 12;
+  const auto row = [](const std::vector<std::string>& cells) {
+    std::string text = "   ";
+    // The last cell has nothing to be aligned with.
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      text += (i == 0 ? " " : "") + (i + 1 < cells.size() ? padded(cells[i], kWidth) : cells[i]);
+    return text + "\n";
+  };
+  std::vector<std::string> titles = {"deg", "share", "rms px", "max px"};
+  for (const BandColumn& column : further) titles.push_back(column.title);
+  std::string text = row(titles);
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const ErrorBand& band = bands[i];
+    if (band.share <= 0.0) continue;
+    std::vector<std::string> cells = {fixed(band.from_deg, 0) + "-" + fixed(band.to_deg, 0), percent(band.share),
+                                      pixels(band.rms_px), pixels(band.max_px)};
+    for (const BandColumn& column : further) cells.push_back(i < column.values.size() ? pixels(column.values[i]) : "");
+    text += row(cells);
+  }
+  return text;
+}
+
+}  // namespace fca::cli

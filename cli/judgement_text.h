@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the judge says of two cameras, for people: lines behind two blanks.
+#pragma once
+
+#include <fca/convert/report.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fca::cli {
+
+/// "  domain: 115.3 deg from the axis (230.5 deg in full): the whole image"
+[[nodiscard]] std::string domain_text(const Coverage& coverage);
+/// "100.0 % of the image scored, 3.0 % outside the lens": what was scored, and the parts of the image that were not.
+[[nodiscard]] std::string coverage_text(const Coverage& coverage, double scored_to_deg);
+/// "rms 0.118 px, max 2.96 px at (511.0, 0.0), proven below 2.98 everywhere"
+[[nodiscard]] std::string error_text(const ErrorSummary& error);
+
+/// A further column of the table of bands, a cell for each band.
+struct BandColumn {
+  std::string title;
+  std::vector<double> values;
+};
+/// Share, rms and max of each band of angles.
+[[nodiscard]] std::string band_table(const std::vector<ErrorBand>& bands, std::span<const BandColumn> further = {});
+
+}  // namespace fca::cli

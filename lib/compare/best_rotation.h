@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rotation that brings the rays of one camera nearest to those of another.
+#pragma once
+
+#include <fca/convert/domain.h>
+#include <fca/models/camera_model.h>
+#include <fca/rig/transform.h>
+
+#include <optional>
+
+namespace fca::internal {
+
+/// Begins with the solution of Wahba's problem for the weighted rays of sample() (Kabsch 1976: from a singular value
+/// decomposition), which makes angles small, and ends, by Gauss-Newton steps, where the root mean square of the judge's errors
+/// is smallest: in pixels of `other`. Nothing where too few pixels have a ray in both.
+[[nodiscard]] std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const Domain& domain);
+
+[[nodiscard]] Ray rotated(const Transform& T, const Ray& ray);
+
+/// Along the axis of a rotation, as long as its angle [rad].
+[[nodiscard]] std::array<double, 3> rotation_vector(const Transform& T);
+
+}  // namespace fca::internal

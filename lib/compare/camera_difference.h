@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two camera models over a domain: what the judge of conversions says, in pixels and in degrees.
+#pragma once
+
+#include <fca/compare/report.h>
+#include <fca/convert/domain.h>
+#include <fca/convert/judge.h>
+#include <fca/models/camera_model.h>
+
+namespace fca::internal {
+
+/// Two models; the reference's rays are turned by `T_other_reference` if there is one.
+struct ModelPair {
+  const CameraModel& reference;
+  const CameraModel& other;
+  const Transform* T_other_reference = nullptr;
+};
+
+[[nodiscard]] CameraDifference difference_of(const ModelPair& pair, const Domain& domain, const JudgeOptions& options);
+
+/// The root mean square of the errors [px] in which a pixel that the other does not have counts as wrong by the image's
+/// diagonal: one number to choose among explanations.
+[[nodiscard]] double misfit_px(const CameraModel& reference, const CameraModel& other, const Domain& domain);
+
+}  // namespace fca::internal

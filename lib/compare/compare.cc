@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/compare/compare.h>
+
+#include "best_rotation.h"
+#include "camera_difference.h"
+#include "fact_comparison.h"
+#include "matching.h"
+#include "mistaken_camera.h"
+#include "pose_comparison.h"
+
+#include <fca/rig/image_change.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace fca {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+std::string in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height) + " px"; }
+
+/// The two cameras for images of one size: the reference's.
+struct CameraPair {
+  Camera reference;
+  Camera other;
+  std::optional<ImageSize> scaled_from;
+  double scale = 1.0;  ///< Reference's pixels per pixel of the other.
+};
+
+std::optional<CameraPair> at_one_size(const Camera& reference, const Camera& other, Diagnostics& diagnostics) {
+  CameraPair pair{reference, other, {}};
+  if (!pair.reference.image_size) pair.reference.image_size = other.image_size;
+  if (!pair.other.image_size) pair.other.image_size = reference.image_size;
+  if (pair.reference.image_size == pair.other.image_size) return pair;
+  const ImageSize& right = *pair.reference.image_size;
+  const ImageSize& left = *pair.other.image_size;
+  if (static_cast<long long>(right.width) * left.height != static_cast<long long>(left.width) * right.height) {
+    diagnostics.error("resolution-differs",
+                      reference.name + " has images of " + in_words(right) + " in the reference and of " + in_words(left) +
+                          " in the other, and neither is the other scaled",
+                      {},
+                      "if one was cropped from the other, say how the reference's images become the other's: --crop X,Y,W,H");
+    return std::nullopt;
+  }
+  const std::optional<Camera> scaled = with_changed_images(pair.other, {.resize = right}, diagnostics);
+  if (!scaled) return std::nullopt;
+  pair.scaled_from = left;
+  pair.scale = static_cast<double>(right.width) / left.width;
+  pair.other = *scaled;
+  return pair;
+}
+
+/// Everything a comparison of two cameras needs to go on.
+struct PreparedPair {
+  CameraPair cameras;
+  Domain domain;
+};
+
+std::optional<PreparedPair> prepared(const Camera& reference, const Camera& other, const CompareOptions& options,
+                                     Diagnostics& diagnostics) {
+  std::optional<CameraPair> pair = at_one_size(reference, other, diagnostics);
+  if (!pair) return std::nullopt;
+  const std::vector<std::string> problems = validate(pair->other.model);
+  for (const std::string& problem : problems) diagnostics.error("not-a-camera", other.name + ": " + problem);
+  if (!problems.empty()) return std::nullopt;
+  std::optional<Domain> domain = domain_of(pair->reference, options.max_angle_rad, diagnostics);
+  if (!domain) return std::nullopt;
+  return PreparedPair{*std::move(pair), *std::move(domain)};
+}
+
+CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& options) {
+  const Camera& reference = pair.cameras.reference;
+  const Camera& other = pair.cameras.other;
+  CameraComparison result;
+  result.reference = reference.name;
+  result.other = other.name;
+  result.reference_model = model_info(reference.model).id;
+  result.other_model = model_info(other.model).id;
+  result.size = pair.domain.size;
+  result.other_size = pair.cameras.scaled_from;
+  result.identical = reference.model == other.model && !result.other_size;
+  result.scored_to_deg = std::min(pair.domain.max_angle_rad, max_angle(other.model)) * kDegreesPerRadian;
+  const JudgeOptions judged = {.every_pixel = options.every_pixel, .bound = options.bound};
+  result.difference = internal::difference_of({reference.model, other.model}, pair.domain, judged);
+  if (reference.model == other.model) return result;
+  const std::optional<Transform> rotation = internal::best_rotation(reference.model, other.model, pair.domain);
+  if (!rotation) return result;
+  BestRotation best;
+  best.T_other_reference = *rotation;
+  best.vector_rad = internal::rotation_vector(*rotation);
+  best.angle_rad = std::hypot(best.vector_rad[0], best.vector_rad[1], best.vector_rad[2]);
+  JudgeOptions unproven = judged;
+  unproven.bound = false;
+  best.difference = internal::difference_of({reference.model, other.model, &best.T_other_reference}, pair.domain, unproven);
+  result.rotated = std::move(best);
+  return result;
+}
+
+/// The cameras of a rig, matched and, where they can be, prepared.
+struct RigPair {
+  const Rig& reference;
+  const Rig& other;
+  internal::Matching matching;
+  std::vector<std::optional<PreparedPair>> cameras;  ///< As matching.cameras.
+};
+
+/// Two cameras each of whom is what the other should be.
+struct Exchange {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  bool lenses = false;
+  bool poses = false;
+};
+
+bool lenses_exchanged(const RigPair& rigs, std::size_t first, std::size_t second) {
+  for (const auto& [here, there] : {std::pair(first, second), std::pair(second, first)}) {
+    if (!rigs.cameras[here] || !rigs.cameras[there]) return false;
+    const PreparedPair& right = *rigs.cameras[here];
+    const PreparedPair& left = *rigs.cameras[there];
+    if (right.domain.size != left.domain.size) return false;
+    const CameraModel& reference = right.cameras.reference.model;
+    const double as_stated = internal::misfit_px(reference, right.cameras.other.model, right.domain);
+    const double exchanged = internal::misfit_px(reference, left.cameras.other.model, right.domain);
+    if (as_stated <= kSamePx || exchanged > internal::kExplained * as_stated) return false;
+  }
+  return true;
+}
+
+std::optional<Exchange> find_exchange(const RigPair& rigs, const internal::PoseTask& poses) {
+  // Rigs have a handful of cameras; a file of hundreds would take minutes.
+  constexpr std::size_t kMostCameras = 16;
+  const std::size_t count = std::min(kMostCameras, rigs.cameras.size());
+  for (std::size_t first = 0; first < count; ++first) {
+    for (std::size_t second = first + 1; second < count; ++second) {
+      Exchange exchange{first, second, lenses_exchanged(rigs, first, second), false};
+      exchange.poses = internal::exchange_explains_poses(poses, first, second);
+      // One statement between two cameras says the same exchanged as inverted: then it is called inverted.
+      if (exchange.lenses || (exchange.poses && internal::comparable_poses(poses) > 1)) return exchange;
+    }
+  }
+  return std::nullopt;
+}
+
+Mistake mistake_of(const Exchange& exchange, const RigPair& rigs) {
+  const std::string first = rigs.other.cameras[rigs.matching.cameras[exchange.first].other].name;
+  const std::string second = rigs.other.cameras[rigs.matching.cameras[exchange.second].other].name;
+  const std::string both = first + " and " + second;
+  if (exchange.lenses && exchange.poses) return {"cameras-exchanged", both, "are exchanged", {}};
+  if (exchange.lenses) return {"cameras-exchanged", both, "have each other's intrinsics", {}};
+  return {"poses-exchanged", both, "have each other's poses", {}};
+}
+
+void find_mistakes(const RigPair& rigs, const internal::PoseTask& poses, RigComparison& result) {
+  const std::optional<Exchange> exchange = find_exchange(rigs, poses);
+  if (exchange) result.mistakes.push_back(mistake_of(*exchange, rigs));
+  for (std::size_t i = 0; i < rigs.cameras.size(); ++i) {
+    if (!rigs.cameras[i] || (exchange && exchange->lenses && (i == exchange->first || i == exchange->second))) continue;
+    const PreparedPair& pair = *rigs.cameras[i];
+    const auto compared = std::ranges::find(result.cameras, pair.cameras.reference.name, &CameraComparison::reference);
+    std::optional<Mistake> mistake =
+        internal::mistake_in(pair.cameras.reference, pair.cameras.other, pair.cameras.scale, compared->difference, pair.domain);
+    if (mistake) result.mistakes.push_back(*std::move(mistake));
+  }
+  if (exchange && exchange->poses) return;
+  for (Mistake& mistake : internal::mistaken_poses(poses)) result.mistakes.push_back(std::move(mistake));
+}
+
+template <class Thing>
+void list_unmatched(const std::vector<Thing>& things, const std::set<std::size_t>& matched, std::vector<std::string>& list) {
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    if (!matched.contains(i)) list.push_back(things[i].name);
+  }
+}
+
+void list_unmatched(const RigPair& rigs, RigComparison& result) {
+  const auto list = [&](const auto& reference, const auto& other, const std::vector<internal::Match>& matches) {
+    std::set<std::size_t> right;
+    std::set<std::size_t> left;
+    for (const internal::Match& match : matches) {
+      right.insert(match.reference);
+      left.insert(match.other);
+    }
+    list_unmatched(reference, right, result.only_in_reference);
+    list_unmatched(other, left, result.only_in_other);
+  };
+  list(rigs.reference.cameras, rigs.other.cameras, rigs.matching.cameras);
+  list(rigs.reference.imus, rigs.other.imus, rigs.matching.imus);
+}
+
+}  // namespace
+
+bool PoseComparison::same_but_for_rounding() const {
+  constexpr double kRounding = 1e-9;
+  return angle_rad <= kRounding && distance_m <= kRounding;
+}
+
+bool RigComparison::identical() const {
+  return std::ranges::all_of(cameras, &CameraComparison::identical) &&
+         std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding) &&
+         std::ranges::all_of(facts, [](const FactComparison& fact) { return fact.reference == fact.other; });
+}
+
+std::optional<CameraComparison> compare(const Camera& reference, const Camera& other, const CompareOptions& options,
+                                        Diagnostics& diagnostics) {
+  const std::optional<PreparedPair> pair = prepared(reference, other, options, diagnostics);
+  if (!pair) return std::nullopt;
+  return comparison_of(*pair, options);
+}
+
+RigComparison compare(const Rig& reference, const Rig& other, const CompareOptions& options, Diagnostics& diagnostics) {
+  RigComparison result;
+  RigPair rigs{reference, other, internal::match(reference, other, options.by_order), {}};
+  for (const internal::Match& match : rigs.matching.cameras) {
+    rigs.cameras.push_back(prepared(reference.cameras[match.reference], other.cameras[match.other], options, diagnostics));
+    if (rigs.cameras.back()) result.cameras.push_back(comparison_of(*rigs.cameras.back(), options));
+  }
+  const internal::PoseTask poses(reference, other, rigs.matching);
+  internal::compare_poses(poses, result);
+  internal::compare_facts(reference, other, rigs.matching, result);
+  find_mistakes(rigs, poses, result);
+  list_unmatched(rigs, result);
+  if (result.cameras.empty() && result.poses.empty() && result.facts.empty() && !diagnostics.has_errors())
+    diagnostics.error("nothing-to-compare", "the two have nothing in common: no camera, pose or IMU");
+  return result;
+}
+
+}  // namespace fca

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fact_comparison.h"
+
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fca::internal {
+
+namespace {
+
+struct Density {
+  std::optional<double> Imu::*member;
+  const char* name;
+  const char* unit;
+  bool walk;  ///< Its step per sample shrinks with the rate, where white noise grows.
+};
+constexpr std::array kDensities = {
+    Density{&Imu::gyroscope_noise_density, "gyroscope noise", "rad/s/sqrt(Hz)", false},
+    Density{&Imu::gyroscope_random_walk, "gyroscope random walk", "rad/s^2/sqrt(Hz)", true},
+    Density{&Imu::accelerometer_noise_density, "accelerometer noise", "m/s^2/sqrt(Hz)", false},
+    Density{&Imu::accelerometer_random_walk, "accelerometer random walk", "m/s^3/sqrt(Hz)", true},
+};
+
+struct Fact {
+  std::string owner;  ///< The reference's name.
+  std::string name;
+  std::string unit;
+  std::optional<double> reference;
+  std::optional<double> other;
+};
+
+void add(const Fact& fact, RigComparison& result) {
+  if (fact.reference && fact.other) {
+    result.facts.push_back({fact.owner, fact.name, fact.unit, *fact.reference, *fact.other});
+  } else if (fact.reference || fact.other) {
+    (fact.reference ? result.only_in_reference : result.only_in_other)
+        .push_back(fact.owner.empty() ? fact.name : fact.owner + " " + fact.name);
+  }
+}
+
+/// Is b as near to a as a number that was printed with three digits is to itself?
+bool near(double a, double b) {
+  constexpr double kPrinted = 0.005;
+  return std::abs(a - b) <= kPrinted * std::abs(a);
+}
+
+void find_wrong_sign(const Camera& reference, const Camera& other, RigComparison& result) {
+  if (!reference.time_offset_s || !other.time_offset_s || *reference.time_offset_s == 0.0) return;
+  if (!near(*reference.time_offset_s, -*other.time_offset_s)) return;
+  result.mistakes.push_back({"time-offset-sign",
+                             other.name,
+                             "has the time offset with the other sign: it should be t_imu = t_cam + offset, and it holds "
+                             "t_cam = t_imu + offset",
+                             {}});
+}
+
+/// The slip by which the reference's density becomes the other's.
+struct NoiseSlip {
+  const char* code;
+  const char* message;
+  double (*made)(double density, double root_rate, bool walk);
+};
+constexpr std::array kNoiseSlips = {
+    NoiseSlip{"imu-noise-discrete", "holds discrete deviations (of one sample, times sqrt(rate)) where densities belong",
+              [](double density, double root_rate, bool walk) { return walk ? density / root_rate : density * root_rate; }},
+    NoiseSlip{"imu-noise-discrete", "holds densities divided by sqrt(rate): they were taken for discrete deviations",
+              [](double density, double root_rate, bool walk) { return walk ? density * root_rate : density / root_rate; }},
+    NoiseSlip{"imu-noise-variance", "holds variances (squares) where standard deviations belong",
+              [](double density, double, bool) { return density * density; }},
+    NoiseSlip{"imu-noise-variance", "holds square roots of the densities: they were taken for variances",
+              [](double density, double, bool) { return std::sqrt(density); }},
+};
+
+/// A slip that explains every density that differs.
+void find_noise_slip(const Imu& reference, const Imu& other, RigComparison& result) {
+  const std::optional<double> rate = other.rate_hz ? other.rate_hz : reference.rate_hz;
+  for (const NoiseSlip& slip : kNoiseSlips) {
+    bool explains = true;
+    std::vector<std::string> which;
+    for (const Density& density : kDensities) {
+      const std::optional<double>& right = reference.*density.member;
+      const std::optional<double>& left = other.*density.member;
+      if (!right || !left || near(*right, *left)) continue;
+      // sqrt(NaN) explains nothing: a slip that asks for the rate needs one.
+      const double made = slip.made(*right, std::sqrt(rate.value_or(std::nan(""))), density.walk);
+      explains = explains && near(made, *left);
+      which.emplace_back(density.name);
+    }
+    if (!explains || which.empty()) continue;
+    std::string names;
+    for (const std::string& name : which) names += (names.empty() ? "" : ", ") + name;
+    result.mistakes.push_back({slip.code, other.name, std::string(slip.message) + ": " + names, {}});
+    return;
+  }
+}
+
+/// Of a rectified pair, or how far the second camera is from the first.
+std::optional<double> baseline_of(const Rig& rig) {
+  if (rig.baseline_m || rig.cameras.size() != 2) return rig.baseline_m;
+  const std::optional<Transform> T = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
+  return T ? std::optional(distance_of(*T)) : std::nullopt;
+}
+
+}  // namespace
+
+void compare_facts(const Rig& reference, const Rig& other, const Matching& matching, RigComparison& result) {
+  for (const Match& match : matching.cameras) {
+    const Camera& right = reference.cameras[match.reference];
+    const Camera& left = other.cameras[match.other];
+    add({right.name, "time offset", "s", right.time_offset_s, left.time_offset_s}, result);
+    add({right.name, "frame rate", "Hz", right.frame_rate_hz, left.frame_rate_hz}, result);
+    find_wrong_sign(right, left, result);
+  }
+  for (const Match& match : matching.imus) {
+    const Imu& right = reference.imus[match.reference];
+    const Imu& left = other.imus[match.other];
+    for (const Density& density : kDensities)
+      add({right.name, density.name, density.unit, right.*density.member, left.*density.member}, result);
+    add({right.name, "rate", "Hz", right.rate_hz, left.rate_hz}, result);
+    find_noise_slip(right, left, result);
+  }
+  if (reference.baseline_m || other.baseline_m) add({"", "baseline", "m", baseline_of(reference), baseline_of(other)}, result);
+}
+
+}  // namespace fca::internal

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How two calibrations of the same cameras differ. "Reference" is the one that counts as right, "other" the one looked at.
+#pragma once
+
+#include <fca/convert/report.h>
+#include <fca/rig/rig.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// No more than this many pixels apart, two cameras count as the same: less than a corner detector is off.
+inline constexpr double kSamePx = 0.25;
+
+/// A slip of the pen that explains a difference: with it undone the two agree, without they do not.
+struct Mistake {
+  std::string code;                 ///< Stable, kebab-case: "pose-inverted".
+  std::string subject;              ///< What it is about, in the other's names: "cam0", "T_imu0_cam0".
+  std::string message;              ///< Behind the subject: "is the inverse of what it should be: it holds T_cam0_imu0".
+  std::optional<std::size_t> pose;  ///< Which of the other's poses it is about.
+};
+
+/// Angles between the rays that the two give for the same pixel, between two angles from the reference's axis.
+struct AngleBand {
+  double from_deg = 0.0;
+  double to_deg = 0.0;
+  double rms_deg = 0.0;
+  double max_deg = 0.0;
+};
+
+/// The same over all that was scored.
+struct AngleSummary {
+  double rms_deg = 0.0;
+  double max_deg = 0.0;
+  Pixel max_at{};  ///< The reference's pixel where it is.
+  std::vector<AngleBand> bands;
+};
+
+/// How far two cameras are apart.
+struct CameraDifference {
+  Judgement judgement;  ///< The judge of conversions: pixel -> ray by the reference -> pixel by the other.
+  AngleSummary angle;
+  /// No pixel up to that angle from the reference's axis is further off than kSamePx; the domain's angle where none is at all.
+  double same_to_deg = 0.0;
+};
+
+/// The rotation with which two cameras come nearest to each other.
+struct BestRotation {
+  Transform T_other_reference;  ///< A rotation: takes the reference's rays to the other's.
+  double angle_rad = 0.0;
+  std::array<double, 3> vector_rad{};  ///< Along its axis (x right, y down, z forward), as long as its angle.
+  CameraDifference difference;         ///< With the reference's rays turned by it.
+};
+
+/// Two cameras.
+struct CameraComparison {
+  std::string reference;  ///< Name.
+  std::string other;
+  std::string reference_model;
+  std::string other_model;
+  ImageSize size;                       ///< The reference's image, in whose pixels everything is said.
+  std::optional<ImageSize> other_size;  ///< The other's image, where it was scaled to that.
+  bool identical = false;               ///< Same model, parameters and image size, to the last bit.
+  double scored_to_deg = 0.0;           ///< Nothing further from the axis was scored.
+  CameraDifference difference;
+  std::optional<BestRotation> rotated;  ///< Nothing for identical cameras.
+};
+
+/// How the same two things sit to each other in the two rigs. T_a_b as each resolves it.
+struct PoseComparison {
+  std::string a;  ///< The reference's names.
+  std::string b;
+  double angle_rad = 0.0;           ///< Between the rotations.
+  double distance_m = 0.0;          ///< Between the two positions of b in a.
+  double reference_length_m = 0.0;  ///< How far b is from a.
+  double other_length_m = 0.0;
+
+  /// Up to 1e-9 rad and m: what remains where one rig states a pose and the other implies it.
+  [[nodiscard]] bool same_but_for_rounding() const;
+};
+
+/// A number that both state.
+struct FactComparison {
+  std::string owner;  ///< The reference's name: "cam0", "imu0".
+  std::string name;   ///< "time offset", "gyroscope noise"
+  std::string unit;   ///< "s", "rad/s/sqrt(Hz)"
+  double reference = 0.0;
+  double other = 0.0;
+};
+
+/// Two rigs.
+struct RigComparison {
+  std::vector<CameraComparison> cameras;
+  std::vector<PoseComparison> poses;
+  std::vector<FactComparison> facts;  ///< Time offsets, IMU noise and rates, baseline, frame rates.
+  std::vector<Mistake> mistakes;
+  std::vector<std::string> only_in_reference;  ///< What one of them does not say, in words: "cam1", "imu0 rate".
+  std::vector<std::string> only_in_other;
+
+  /// Does nothing that both say differ? Cameras and numbers to the last bit, poses but for rounding.
+  [[nodiscard]] bool identical() const;
+};
+
+}  // namespace fca

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command around comparisons: what it prints, its exit codes, its document, and that it says what convert said.
+#include "cli/run_program.h"
+
+#include <rapidjson/document.h>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
+const std::string kOrbslam3 = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
+
+rapidjson::Document document_of(const RunResult& run) {
+  rapidjson::Document document;
+  document.Parse(run.out.c_str());
+  EXPECT_FALSE(document.HasParseError()) << run.out << run.err;
+  return document;
+}
+
+std::string last_line(std::string text) {
+  if (text.ends_with('\n')) text.pop_back();
+  return text.substr(text.rfind('\n') + 1);
+}
+
+TEST(Compare, AFileBesideItselfIsTheSame) {
+  const RunResult run = run_program({"compare", kTumvi, kTumvi, "--max-error", "0"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(last_line(run.out), "verdict: " + kTumvi + ": the same");
+  const rapidjson::Document document = document_of(run_program({"compare", kTumvi, kTumvi, "--json"}));
+  const auto& file = document["files"][0];
+  EXPECT_TRUE(file["identical"].GetBool());
+  EXPECT_EQ(file["cameras"].Size(), 2U);
+  for (const auto& camera : file["cameras"].GetArray()) EXPECT_EQ(camera["error_px"]["max"].GetDouble(), 0.0);
+}
+
+// Through the bytes of the file: formats have other pixel conventions, whose rounding comes back.
+TEST(Compare, AConversionIsWhatConvertReported) {
+  struct Case {
+    std::string input;
+    const char* format;
+    const char* model;
+    const char* max_angle;
+  };
+  const TemporaryFolder folder;
+  for (const Case& each :
+       {Case{kTumvi, "orbslam3", "eucm", "97.5"}, Case{kTumvi, "kalibr", "ds", "180"},
+        Case{kDs, "ocamcalib", "ocamcalib", "80"}, Case{kDs, "woodscape", "woodscape", "60"},
+        Case{kOrbslam3, "opencv", "mei", "70"}, Case{testdata("formats/woodscape/good/front.json"), "kalibr", "kb4", "90"},
+        Case{testdata("formats/ocamcalib/good/toolbox.txt"), "kalibr", "eucm", "85"}}) {
+    SCOPED_TRACE(each.input + " to " + each.format);
+    const std::string output = folder / "converted";
+    const RunResult converting =
+        run_program({"convert", each.input, "--camera", "0", "--to", each.format, "--model", each.model, "--max-angle",
+                     each.max_angle, "-o", output, "--force", "--json", "--no-verify"});
+    ASSERT_EQ(converting.code, 0) << converting.err << converting.out;
+    const rapidjson::Document converted = document_of(converting);
+    const RunResult comparing =
+        run_program({"compare", each.input, output, "--camera", "0", "--max-angle", each.max_angle, "--json"});
+    ASSERT_EQ(comparing.code, 0) << comparing.err << comparing.out;
+    const rapidjson::Document compared = document_of(comparing);
+    const auto& theirs = converted["cameras"][0];
+    const auto& ours = compared["files"][0]["cameras"][0];
+    for (const char* key : {"max_angle_deg", "scored_to_deg", "scored_share", "outside_lens_share", "unrepresentable_share"})
+      EXPECT_NEAR(ours["domain"][key].GetDouble(), theirs["domain"][key].GetDouble(), 1e-9) << key;
+    EXPECT_STREQ(ours["domain"]["why"].GetString(), theirs["domain"]["why"].GetString());
+    for (const char* key : {"rms", "mean", "p50", "p95", "p99", "max"})
+      EXPECT_NEAR(ours["error_px"][key].GetDouble(), theirs["error_px"][key].GetDouble(), 1e-9) << key;
+    EXPECT_STREQ(ours["to_model"].GetString(), theirs["to_model"].GetString());
+    ASSERT_EQ(ours["bands"].Size(), theirs["bands"].Size());
+    for (rapidjson::SizeType i = 0; i < ours["bands"].Size(); ++i) {
+      for (const char* key : {"from_deg", "to_deg", "share", "rms_px", "max_px"})
+        EXPECT_NEAR(ours["bands"][i][key].GetDouble(), theirs["bands"][i][key].GetDouble(), 1e-9) << key;
+    }
+  }
+}
+
+TEST(Compare, TheWorstPixelDecidesTheExitCode) {
+  const TemporaryFolder folder;
+  const std::string moved = folder.write("moved.yaml", with_replaced(read_file(kTumvi), "254.9317", "255.9317"));
+  EXPECT_EQ(run_program({"compare", kTumvi, moved}).code, 0);
+  EXPECT_EQ(run_program({"compare", kTumvi, moved, "--max-error", "1.5"}).code, 0);
+  const RunResult over = run_program({"compare", kTumvi, moved, "--max-error", "0.5"});
+  EXPECT_EQ(over.code, 1);
+  EXPECT_TRUE(contains(over.err, "more than --max-error 0.5")) << over.err;
+  // All are tried, the worst code counts.
+  const RunResult many = run_program({"compare", kTumvi, moved, kTumvi, "--max-error", "0.5", "--json"});
+  EXPECT_EQ(many.code, 1);
+  const rapidjson::Document document = document_of(many);
+  EXPECT_EQ(document["files"][0]["exit_code"].GetInt(), 1);
+  EXPECT_EQ(document["files"][1]["exit_code"].GetInt(), 0);
+  EXPECT_EQ(run_program({"compare", kTumvi, moved, "--max-error", "much"}).code, 3);
+  EXPECT_EQ(run_program({"compare", kTumvi, moved, "--max-error", "-1"}).code, 3);
+  EXPECT_EQ(run_program({"compare", kTumvi, moved, "--join"}).code, 3);
+  EXPECT_EQ(run_program({"compare", kTumvi}).code, 3);
+  EXPECT_EQ(run_program({"compare", "-", "-"}).code, 3);
+}
+
+TEST(Compare, BadInputsAreToldAndTheOthersStillCompared) {
+  const TemporaryFolder folder;
+  const std::string empty = folder.write("empty.yaml", "");
+  const std::string missing = folder / "missing.yaml";
+  for (const auto& [bad, code] : {std::pair(empty, 2), std::pair(folder.path().string(), 4), std::pair(missing, 4)}) {
+    SCOPED_TRACE(bad);
+    const RunResult as_file = run_program({"compare", kTumvi, bad, kTumvi});
+    EXPECT_EQ(as_file.code, code) << as_file.err;
+    EXPECT_TRUE(contains(as_file.err, "verdict: " + bad + ": not compared")) << as_file.err;
+    EXPECT_TRUE(contains(as_file.out, "verdict: " + kTumvi + ": the same")) << as_file.out;
+    const RunResult as_reference = run_program({"compare", bad, kTumvi});
+    EXPECT_EQ(as_reference.code, code) << as_reference.err;
+    EXPECT_EQ(as_reference.out, "");
+    const RunResult in_json = run_program({"compare", kTumvi, bad, kTumvi, "--json"});
+    EXPECT_EQ(in_json.code, code);
+    const rapidjson::Document document = document_of(in_json);
+    EXPECT_EQ(document["files"].Size(), 2U);
+    EXPECT_TRUE(document["files"][0]["diagnostics"].Size() > 0);
+  }
+}
+
+TEST(Compare, AnImuBesideACameraHasNothingInCommonAndBesideAnImuAll) {
+  const RunResult nothing = run_program({"compare", kTumvi, kImu});
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_TRUE(contains(nothing.err, "nothing in common")) << nothing.err;
+  const TemporaryFolder folder;
+  const RunResult same = run_program({"compare", kImu, kImu});
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_TRUE(contains(same.out, "gyroscope noise")) << same.out;
+  EXPECT_TRUE(contains(last_line(same.out), ": the same"));
+}
+
+TEST(Compare, TheSizeMayComeFromEither) {
+  const TemporaryFolder folder;
+  std::string text = read_file(kDs);
+  const std::size_t at = text.find("  resolution:");
+  ASSERT_NE(at, std::string::npos);
+  text.erase(at, text.find('\n', at) + 1 - at);
+  const std::string without = folder.write("without.yaml", text);
+  EXPECT_EQ(run_program({"compare", kDs, without}).code, 0);
+  EXPECT_EQ(run_program({"compare", without, kDs}).code, 0);
+  const RunResult neither = run_program({"compare", without, without, "--camera", "0"});
+  EXPECT_EQ(neither.code, 2) << neither.out;
+  EXPECT_TRUE(contains(neither.err, "--size")) << neither.err;
+}
+
+TEST(Compare, OtherSizesAreScaledOrRefused) {
+  const TemporaryFolder folder;
+  const std::string half = folder / "half.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--resize", "256x256", "-o", half}).code, 0);
+  const rapidjson::Document scaled = document_of(run_program({"compare", kTumvi, half, "--json"}));
+  EXPECT_LT(scaled["files"][0]["cameras"][0]["error_px"]["max"].GetDouble(), 1e-9);
+  EXPECT_EQ(scaled["files"][0]["cameras"][0]["scaled_from_px"][0].GetDouble(), 256.0);
+  const std::string cut = folder / "cut.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--crop", "0,16,512,480", "-o", cut}).code, 0);
+  const RunResult refused = run_program({"compare", kTumvi, cut});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "--crop")) << refused.err;
+  const RunResult told = run_program({"compare", kTumvi, cut, "--crop", "0,16,512,480"});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(contains(told.out, "the same")) << told.out;
+}
+
+TEST(Compare, CamerasAreMatchedByNameOrAsChosen) {
+  const TemporaryFolder folder;
+  const std::string second = folder / "second.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "1", "--to", "orbslam3", "-o", second}).code, 0);
+  // Its only camera is called cam0 by itself.
+  const RunResult by_choice = run_program({"compare", kTumvi, second, "--camera", "cam1"});
+  EXPECT_EQ(by_choice.code, 0) << by_choice.err;
+  EXPECT_TRUE(contains(by_choice.out, "none: the same model and parameters")) << by_choice.out;
+  EXPECT_EQ(run_program({"compare", kTumvi, second, "--camera", "cam7"}).code, 3);
+}
+
+TEST(Compare, MistakesAreCalledByName) {
+  const TemporaryFolder folder;
+  const std::string good = folder / "good.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "-o", good}).code, 0);
+  // The pose as Kalibr has it, where ORB-SLAM3 wants the other direction.
+  const std::string text = read_file(good);
+  const std::size_t key = text.find("IMU.T_b_c1");
+  ASSERT_NE(key, std::string::npos);
+  const std::size_t begin = text.find('[', key);
+  const std::size_t end = text.find(']', begin);
+  const rapidjson::Document shown = document_of(run_program({"show", kTumvi, "--json"}));
+  std::string matrix;
+  for (const auto& pose : shown["files"][0]["poses"].GetArray()) {
+    if (std::string(pose["a"].GetString()) != "cam0" || std::string(pose["b"].GetString()) != "imu0") continue;
+    for (const auto& row : pose["T_a_b"].GetArray()) {
+      if (!row.IsArray()) {
+        matrix += (matrix.empty() ? "" : ", ") + std::to_string(row.GetDouble());
+        continue;
+      }
+      for (const auto& value : row.GetArray()) matrix += (matrix.empty() ? "" : ", ") + std::to_string(value.GetDouble());
+    }
+  }
+  ASSERT_FALSE(matrix.empty());
+  const std::string wrong = folder.write("wrong.yaml", text.substr(0, begin + 1) + matrix + text.substr(end));
+  const RunResult run = run_program({"compare", kTumvi, "--with", kImu, wrong});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(last_line(run.out), "verdict: " + wrong + ": IMU.T_b_c1 is the inverse of what it should be: it holds T_cam0_imu0");
+  const rapidjson::Document document = document_of(run_program({"compare", kTumvi, "--with", kImu, wrong, "--json"}));
+  EXPECT_STREQ(document["files"][0]["mistakes"][0]["code"].GetString(), "pose-inverted");
+  EXPECT_STREQ(document["files"][0]["mistakes"][0]["subject"].GetString(), "IMU.T_b_c1");
+}
+
+TEST(Compare, TheDocumentHasItsKeys) {
+  const RunResult run = run_program({"compare", kTumvi, kDs, kOrbslam3, "--json"});
+  const rapidjson::Document document = document_of(run);
+  for (const char* key : {"fca_io", "reference", "format", "files", "diagnostics"}) EXPECT_TRUE(document.HasMember(key)) << key;
+  for (const auto& file : document["files"].GetArray()) {
+    for (const char* key : {"file", "format", "exit_code", "verdict", "identical", "mistakes", "cameras", "poses", "numbers",
+                            "only_in_reference", "only_in_file", "diagnostics"})
+      EXPECT_TRUE(file.HasMember(key)) << key;
+    EXPECT_GT(file["verdict"].GetStringLength(), 0U);
+    for (const auto& camera : file["cameras"].GetArray()) {
+      for (const char* key : {"name", "other_name", "from_model", "to_model", "image_size_px", "scaled_from_px", "identical",
+                              "domain", "error_px", "error_deg", "bands", "same_to_deg", "rotated"})
+        EXPECT_TRUE(camera.HasMember(key)) << key;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fca::test
