@@ -314,7 +314,9 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (needs_folder(arguments, *written)) {
     outcome.diagnostics.error(
         "one-camera-per-file",
-        std::string(outcome.to->title) + " holds one camera per file, and here are " + std::to_string(camera_files(*written)),
+        // An OpenCV file of camera_calibration's keys, for one, though there are others for several cameras.
+        (outcome.to->many_cameras ? written->headline + ": one" : std::string(outcome.to->title) + " holds one") +
+            " camera per file, and here are " + std::to_string(camera_files(*written)),
         {},
         "-o FOLDER/, a pattern such as -o '{stem}.{camera}" + extension_of(written->files.front(), *outcome.to) +
             "', or --camera to choose one");

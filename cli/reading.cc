@@ -219,8 +219,11 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
       std::move(documents), format, {parse_size(options.size), options.opencv_model, options.join}, diagnostics);
   if (!calibration) return std::nullopt;
   if (const std::optional<ImageSize> size = parse_size(options.size)) {
+    // Of several files those that state a size may state another one.
+    const bool of_one_of_many = options.join && std::ranges::find(calibration->rig.cameras, size, &Camera::image_size) !=
+                                                    calibration->rig.cameras.end();
     for (const Camera& camera : calibration->rig.cameras) {
-      if (camera.image_size == size) continue;
+      if (camera.image_size == size || of_one_of_many) continue;
       diagnostics.error("size-contradicts",
                         camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " +
                             size_in_words(*size),

@@ -102,12 +102,19 @@ ModelKey find_model_key(const Node& mapping) {
   return foreign;
 }
 
+/// Is that what the end of a file leaves of a matrix: nothing, or "rows", behind its tag? Beside another camera's the tag may
+/// be missing, too.
+bool is_cut_off(const Node& value, bool beside_another) {
+  const bool nothing = value.kind == text::NodeKind::kNull || (value.is_scalar() && value.value.empty());
+  return (value.is_scalar() && !value.tag.empty()) || (nothing && beside_another);
+}
+
 /// The cameras whose keys stand in one mapping, with the sides their keys name.
 std::vector<std::pair<std::string, CameraKeys>> find_cameras(const Node& mapping) {
   std::vector<std::pair<std::string, CameraKeys>> cameras;
   for (const Entry& entry : mapping.entries) {
     const Name name = name_of(entry.key.value);
-    if (name.role != Role::kMatrix || !is_matrix(entry.value)) continue;
+    if (name.role != Role::kMatrix || !(is_matrix(entry.value) || is_cut_off(entry.value, !cameras.empty()))) continue;
     const bool known = std::ranges::any_of(cameras, [&name](const auto& camera) { return camera.first == name.side; });
     if (known) continue;
     CameraKeys keys;
@@ -122,9 +129,8 @@ std::vector<std::pair<std::string, CameraKeys>> find_cameras(const Node& mapping
       const auto take = [&entry](std::string& key) {
         if (key.empty()) key = entry.key.value;
       };
-      // A matrix that the end of the file cuts off is a word, too (nothing, or "rows"): there, and no reason to read a lens
-      // without distortion.
-      const bool word = entry.value.is_scalar() && !entry.value.value.empty() && entry.value.tag.empty();
+      // One that is cut off is there, and no reason to read a lens without distortion.
+      const bool word = entry.value.is_scalar() && !is_cut_off(entry.value, true);
       if (name.role == Role::kDistortion && !word) {
         keys.fisheye = keys.fisheye || (keys.distortion.empty() && name.fisheye);
         take(keys.distortion);

@@ -37,6 +37,18 @@ TEST(KeptBytes, SizeIsTheInputsNotTheBases) {
   for (const Camera& camera : rig.cameras) EXPECT_EQ(camera.image_size, (ImageSize{700, 500}));
 }
 
+// Of several inputs, it is that of those which state none.
+TEST(KeptBytes, SizeIsThatOfTheJoinedFilesWithoutOne) {
+  const RunResult run =
+      run_program({"convert", testdata("formats/opencv/good/k1d1.yml"), testdata("formats/kalibr/good/eucm.yaml"), "--join",
+                   "--size", "700x500", "--to", "opencv"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Rig rig = rig_in(run.out);
+  ASSERT_EQ(rig.cameras.size(), 3U);
+  EXPECT_EQ(rig.cameras[1].image_size, (ImageSize{700, 500}));
+  EXPECT_EQ(rig.cameras[2].image_size, (ImageSize{512, 512}));
+}
+
 TEST(KeptBytes, AnInputWithoutAPairsPoseHasNoPlaceInOne) {
   const TemporaryFolder folder;
   const std::string base = folder.write("extrinsics.yml", read_file(kExtrinsics));

@@ -2,6 +2,7 @@
 // A file of which the end is missing is refused, or it is read as what is whole says: no camera of it is silently another one.
 // (Two ends cannot be told: within the last line's number, and before ORB-SLAM's k3, which may be left out.)
 #include "formats/test_files.h"
+#include "opencv/layout.h"
 
 #include <cstdio>
 
@@ -28,12 +29,27 @@ bool is_as_meant(const Camera& camera, const Camera& whole) {
   return camera.model == whole.model || (model_info(camera.model).id == "radtan" && camera.model == without_k3);
 }
 
+/// Under which keys an OpenCV file's camera matrices stand at its top level.
+std::vector<std::string> matrix_keys(const text::Document& document) {
+  std::vector<std::string> keys;
+  const std::optional<opencv::Layout> layout = opencv::find_layout(document);
+  if (!layout || layout->in_maps()) return keys;
+  for (const opencv::CameraKeys& camera : layout->cameras) keys.push_back(camera.matrix);
+  return keys;
+}
+
+std::size_t begun_cameras(const std::string& prefix, const std::vector<std::string>& keys) {
+  const auto begun = [&prefix](const std::string& key) { return prefix.find("\n" + key + ":") != std::string::npos; };
+  return static_cast<std::size_t>(std::ranges::count_if(keys, begun));
+}
+
 class Truncated : public testing::TestWithParam<fs::path> {};
 
 TEST_P(Truncated, IsRefusedOrSaysWhatIsMissing) {
   const std::string bytes = read_file(GetParam());
   const std::string name = GetParam().filename().string();
   const Rig whole = calibration_of(bytes, name).rig;
+  const std::vector<std::string> keys = matrix_keys(document_of(bytes, name));
   int read = 0;
   for (std::size_t length = GetParam().string().size() % kStride; length < bytes.size(); length += kStride) {
     const std::string prefix = bytes.substr(0, length);
@@ -44,6 +60,8 @@ TEST_P(Truncated, IsRefusedOrSaysWhatIsMissing) {
     ASSERT_EQ(calibration.has_value(), !parsed.diagnostics.has_errors()) << parsed.rendered();
     if (!calibration) continue;
     ++read;
+    EXPECT_TRUE(calibration->rig.cameras.size() >= begun_cameras(prefix, keys) || !parsed.diagnostics.entries().empty())
+        << "a camera has begun and is gone";
     if (ends_in_a_value(prefix, parsed.document->syntax() == text::Syntax::kWords)) continue;
     for (const Camera& camera : calibration->rig.cameras) {
       const Camera* meant = whole.find_camera(camera.name);
