@@ -244,19 +244,28 @@ void add_reach(const Format& to, const ModelChoice& choice, std::vector<CameraOu
   }
 }
 
-/// A base tuned for images of one size is not silently made one for images of another.
-void warn_of_other_size(const Rig& base, const Rig& rig, const ConvertArguments& arguments, Diagnostics& diagnostics) {
-  if (changes_images(arguments.reading)) return;  // the size was asked for
+/// A base for images of one size is not silently made one for images of another, whose thresholds and columns differ: false
+/// with an error. An input that is written into itself is the owner's to change.
+bool sizes_agree(const Calibration& base, const Calibration& input, const Rig& rig, const ConvertArguments& arguments,
+                 Diagnostics& diagnostics) {
+  if (!arguments.reading.resize.empty()) return true;
+  const auto& bytes = base.documents.front().source().bytes;
+  if (changes_images(arguments.reading) && input.documents[input.with_cameras].source().bytes == bytes) return true;
   for (const Camera& camera : rig.cameras) {
-    const Camera* before = base.find_camera(camera.name);
+    const Camera* before = base.rig.find_camera(camera.name);
     if (before == nullptr || !before->image_size || !camera.image_size || before->image_size == camera.image_size) continue;
-    diagnostics.warning("size-replaced",
-                        camera.name + ": the base is for images of " + size_in_words(*before->image_size) +
-                            " px, what is written is for the input's, " + size_in_words(*camera.image_size) + " px",
-                        {arguments.into, 0, 0},
-                        "if the images are scaled to the base's size: --resize " + std::to_string(before->image_size->width) +
-                            "x" + std::to_string(before->image_size->height));
+    const auto resize = [](const ImageSize& size) {
+      return "--resize " + std::to_string(size.width) + "x" + std::to_string(size.height);
+    };
+    diagnostics.error("size-contradicts",
+                      camera.name + ": the base is for images of " + size_in_words(*before->image_size) +
+                          " px, and the input's are of " + size_in_words(*camera.image_size) + " px",
+                      {arguments.into, 0, 0},
+                      resize(*before->image_size) + " if the base's images are the input's, scaled; " +
+                          resize(*camera.image_size) + " if the base is to become one for the input's");
+    return false;
   }
+  return true;
 }
 
 /// The steps of one conversion; false with errors.
@@ -302,7 +311,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (into) {
     const bool order_given = arguments.reading.cameras.value_or("").find(',') != std::string::npos;
     rig = put_into(into->rig, std::move(rig), order_given, outcome.diagnostics);
-    warn_of_other_size(into->rig, rig, arguments, outcome.diagnostics);
+    if (!sizes_agree(*into, *calibration, rig, arguments, outcome.diagnostics)) return false;
     for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
   }
 

@@ -33,6 +33,16 @@ std::optional<std::string> not_among(const std::string& value, std::string_view 
   return unknown_word(kind, value, names);
 }
 
+/// The key of two settings.
+std::optional<std::string> key_set_twice(const std::vector<std::string>& settings) {
+  std::set<std::string> keys;
+  for (const std::string& setting : settings) {
+    const std::string key = setting.substr(0, setting.find('='));
+    if (!keys.insert(key).second) return key;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (arguments.in_place && arguments.into.empty()) {
@@ -55,6 +65,8 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
     if (setting.find('=') == std::string::npos || setting.starts_with('='))
       return "--set wants KEY=VALUE, such as Viewer.PointSize=3.0; got '" + setting + "'";
   }
+  if (const std::optional<std::string> twice = key_set_twice(arguments.settings))
+    return "--set " + *twice + " comes twice; one value can stand there";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
   if (const Format* to = find_format(arguments.to)) {
     if (const auto error = option_without_use(arguments, *to)) return error;
@@ -157,6 +169,7 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
                   "A path, a folder, or a pattern with {stem}, {camera}, {format} (default: standard output)")
       ->type_name("PATH");
   add_reading_options(command, arguments.reading);
+  add_imu_option(command, arguments.reading);
   command
       .add_option("--sensor", arguments.sensor,
                   "orbslam3: mono, stereo, rgbd, mono-inertial or stereo-inertial (default: the richest the input serves)")

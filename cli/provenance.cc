@@ -61,19 +61,6 @@ std::string camera_line(const CameraOutcome& camera, bool other_images) {
          text::format_short(j.coverage.max_angle_deg, 4) + " deg from the axis";
 }
 
-/// As a shell would take it.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kSafe = "_-./=,:+@%{}";
-  const bool plain = !word.empty() && std::ranges::all_of(word, [kSafe](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-           kSafe.find(c) != std::string_view::npos;
-  });
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 /// The command's words without what says only where the file goes and how it is told: the same conversion gives the same file.
 std::string command(const std::vector<std::string>& words) {
   constexpr std::array<std::string_view, 5> kOfNoMatter = {"--json", "--force", "--fsync", "--dry-run", "--provenance"};
@@ -84,7 +71,7 @@ std::string command(const std::vector<std::string>& words) {
       ++i;
     } else if (!(word.starts_with("-o") || word.starts_with("--output=")) &&
                std::ranges::find(kOfNoMatter, word) == kOfNoMatter.end()) {
-      text += (text.empty() ? "" : " ") + quoted(word);
+      text += (text.empty() ? "" : " ") + shell_word(word);
     }
   }
   return text;

@@ -9,6 +9,7 @@
 #include <fca/rig/leave_out.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
 
@@ -38,6 +39,15 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                   "What counts as lens, in degrees from the axis (default: the whole image)")
       ->type_name("DEG")
       ->check(decimal_number());
+}
+
+void add_imu_option(CLI::App& command, ReadingOptions& options) {
+  command
+      .add_option(
+          "--imu-noise", options.imu_noise,
+          "What the input's IMU noise is: continuous (densities, the default) or discrete (standard deviations of single "
+          "samples, converted with the rate)")
+      ->type_name("KIND");
 }
 
 void take_one_each_time(CLI::Option& option) { option.expected(1)->allow_extra_args(false)->take_all(); }
@@ -103,6 +113,31 @@ bool change_images(const ReadingOptions& options, const std::string& input, Rig&
     diagnostics.note("images-changed", camera.name + ": " + in_words(change) + ", from " + size_in_words(*camera.image_size) +
                                            " px: " + in_words(map, 0) + ", " + in_words(map, 1));
     camera = *changed;
+  }
+  return true;
+}
+
+/// IMU noise of single samples as densities: white noise is sigma / sqrt(rate), a random walk's step sigma * sqrt(rate)
+/// (Kalibr's wiki, "IMU Noise Model": sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
+bool make_noise_continuous(const ReadingOptions& options, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
+  if (options.imu_noise != "discrete") return true;
+  if (rig.imus.empty()) {
+    diagnostics.error("imu-missing", "--imu-noise is about an IMU, and the input has none", {input, 0, 0}, "--with imu.yaml");
+    return false;
+  }
+  for (Imu& imu : rig.imus) {
+    if (!imu.rate_hz) {
+      diagnostics.error("imu-rate-missing", "--imu-noise discrete needs the rate of " + imu.name + ", and nothing states it",
+                        {input, 0, 0}, "add update_rate to the IMU's file");
+      return false;
+    }
+    const double root = std::sqrt(*imu.rate_hz);
+    for (std::optional<double>* white : {&imu.gyroscope_noise_density, &imu.accelerometer_noise_density})
+      if (*white) **white /= root;
+    for (std::optional<double>* walk : {&imu.gyroscope_random_walk, &imu.accelerometer_random_walk})
+      if (*walk) **walk *= root;
+    diagnostics.note("imu-noise-converted", imu.name + ": noise of single samples at " + text::format_short(*imu.rate_hz) +
+                                                " Hz, made densities: white noise / sqrt(rate), random walks * sqrt(rate)");
   }
   return true;
 }
@@ -175,6 +210,8 @@ std::optional<std::string> check(const ReadingOptions& options) {
     return "--resize wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.resize + "'";
   if (!options.opencv_model.empty() && options.opencv_model != "pinhole" && options.opencv_model != "fisheye")
     return "--opencv-model is pinhole or fisheye, not '" + options.opencv_model + "'";
+  if (!options.imu_noise.empty() && options.imu_noise != "continuous" && options.imu_noise != "discrete")
+    return "--imu-noise is continuous or discrete, not '" + options.imu_noise + "'";
   if (options.max_angle_deg && !(*options.max_angle_deg > 0.0 && *options.max_angle_deg <= 180.0)) {
     return "--max-angle wants degrees from the axis in (0, 180]";
   }
@@ -237,6 +274,7 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
     keep_only(*indices, calibration->rig);
   }
   if (!change_images(options, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
+  if (!make_noise_continuous(options, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
   return calibration;
 }
 

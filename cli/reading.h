@@ -30,10 +30,14 @@ struct ReadingOptions {
   int binning = 1;
   std::string resize;  ///< "640x480"
   std::optional<double> max_angle_deg;
+  std::string imu_noise;  ///< "continuous" or "discrete"; empty: continuous
 };
 
 /// --from, --with, --join, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle
 void add_reading_options(CLI::App& command, ReadingOptions& options);
+
+/// --imu-noise, for commands that say or write what an IMU is like.
+void add_imu_option(CLI::App& command, ReadingOptions& options);
 
 /// The inputs as calibrations are read from them: each by itself, or all together under --join.
 [[nodiscard]] std::vector<std::vector<std::string>> grouped(const std::vector<std::string>& inputs,

@@ -4,6 +4,7 @@
 #include "words.h"
 
 #include <fca/formats/set_value.h>
+#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 
@@ -11,14 +12,26 @@ namespace fca::cli {
 
 namespace {
 
-bool apply(const KeyValue& setting, const Format& format, const ReadOptions& options, Written& written,
-           Diagnostics& diagnostics) {
+/// The frame rate that a document states; nothing where it states none.
+std::optional<double> frame_rate(const Format& format, const text::Document& document, const ReadOptions& options) {
+  Diagnostics ignored;
+  const std::optional<Rig> rig = format.read(std::span(&document, 1), options, ignored);
+  return rig && !rig->cameras.empty() ? rig->cameras.front().frame_rate_hz : std::nullopt;
+}
+
+bool apply(const KeyValue& setting, const Format& format, const ReadOptions& options, std::optional<double> fps,
+           Written& written, Diagnostics& diagnostics) {
   const auto has_key = [&setting](const Written::File& file) { return has_value(file.document, setting.key); };
   const bool nowhere = std::ranges::none_of(written.files, has_key);
   for (Written::File& file : written.files) {
     if (!nowhere && !has_key(file)) continue;
     std::optional<text::Document> document = set_value(format, file.document, setting, options, diagnostics);
     if (!document) return false;
+    if (fps && frame_rate(format, *document, options) != frame_rate(format, file.document, options)) {
+      diagnostics.error("set-contradicts", "--set " + setting.key + "=" + setting.value + " and --fps " +
+                                               text::format_short(*fps) + " contradict each other");
+      return false;
+    }
     file.document = *std::move(document);
   }
   std::erase_if(written.defaults, [&setting](const DefaultedValue& value) { return value.key == setting.key; });
@@ -31,7 +44,7 @@ bool apply_settings(const ConvertArguments& arguments, const Format& format, Wri
   const ReadOptions options = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
   return std::ranges::all_of(arguments.settings, [&](const std::string& setting) {
     const std::size_t equals = setting.find('=');
-    return apply({setting.substr(0, equals), setting.substr(equals + 1)}, format, options, written, diagnostics);
+    return apply({setting.substr(0, equals), setting.substr(equals + 1)}, format, options, arguments.fps, written, diagnostics);
   });
 }
 

@@ -5,6 +5,8 @@
 
 #include <fca/rig/stereo_order.h>
 
+#include <algorithm>
+
 namespace fca::cli {
 
 namespace {
@@ -14,28 +16,29 @@ std::string command_with_cameras(const std::vector<std::string>& words, const st
   std::string command = "fca-io";
   bool skip = false;
   for (const std::string& word : words) {
-    if (!skip && word != "--camera" && !word.starts_with("--camera=")) command += " " + word;
+    if (!skip && word != "--camera" && !word.starts_with("--camera=")) command += " " + shell_word(word);
     skip = word == "--camera";
   }
-  return command + " --camera " + cameras;
+  return command + " --camera " + shell_word(cameras);
 }
 
-/// The two cameras the other way round, as --camera named them ("cam0,cam1").
+/// The first two cameras the other way round, as --camera named them ("cam0,cam1"); the others behind them.
 std::string swapped(const std::optional<std::string>& cameras) {
   if (!cameras) return "1,0";
   const std::size_t comma = cameras->find(',');
-  return cameras->substr(comma + 1) + "," + cameras->substr(0, comma);
+  const std::size_t rest = std::min(cameras->find(',', comma + 1), cameras->size());
+  return cameras->substr(comma + 1, rest - comma - 1) + "," + cameras->substr(0, comma) + cameras->substr(rest);
 }
 
 }  // namespace
 
 void warn_of_wrong_side(const Rig& rig, const ConvertArguments& arguments, const Written& written, Diagnostics& diagnostics) {
-  if (!written.sensor.starts_with("stereo")) return;
+  if (written.first_is_left.empty()) return;
   const std::optional<double> left = second_left_of_first(rig);
   if (!left) return;
   diagnostics.warning("stereo-order",
                       rig.cameras[1].name + " sits " + fixed(100.0 * *left, 2) + " cm to the left of " + rig.cameras[0].name +
-                          "; ORB-SLAM3 takes the first camera of a stereo pair for the left one",
+                          "; " + written.first_is_left,
                       {}, command_with_cameras(arguments.words, swapped(arguments.reading.cameras)));
 }
 

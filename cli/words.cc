@@ -75,6 +75,18 @@ std::string padded(std::string_view text, std::size_t width) {
   return result;
 }
 
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kSafe = "_-./=,:+@%{}";
+  const bool plain = !word.empty() && std::ranges::all_of(word, [kSafe](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           kSafe.find(c) != std::string_view::npos;
+  });
+  if (plain) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 std::string size_in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 std::optional<ImageSize> parse_size(std::string_view text) {

@@ -37,6 +37,8 @@ using text::nearest;
 /// the list, where that is long.
 [[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
                                        std::string_view otherwise = {});
+/// A word of a command as a shell takes it, in quotes where it needs them.
+[[nodiscard]] std::string shell_word(const std::string& word);
 /// "640 x 480"
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
 /// "640x480"

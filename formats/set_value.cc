@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fca {
 
@@ -77,10 +78,14 @@ std::optional<std::string> spelled_like(const text::Document& document, const No
   return quote + setting.value + quote;
 }
 
-/// The rig a document states, without what --set may change.
-std::optional<Rig> stated_rig(const Format& format, const text::Document& document, const ReadOptions& options) {
+/// The rig a document states.
+std::optional<Rig> rig_of(const Format& format, const text::Document& document, const ReadOptions& options) {
   Diagnostics ignored;
-  std::optional<Rig> rig = format.read(std::span(&document, 1), options, ignored);
+  return format.read(std::span(&document, 1), options, ignored);
+}
+
+/// The same without what --set may change.
+std::optional<Rig> without_settings(std::optional<Rig> rig) {
   if (!rig) return std::nullopt;
   for (Camera& camera : rig->cameras) {
     camera.frame_rate_hz.reset();
@@ -89,6 +94,30 @@ std::optional<Rig> stated_rig(const Format& format, const text::Document& docume
   for (Imu& imu : rig->imus) imu.topic.clear();
   rig->as_read.clear();
   return rig;
+}
+
+/// Is the number one that the key's program can use? Else an error.
+bool in_range(const Format& format, const Rig& rig, const KeyValue& setting, const SourceRange& where,
+              Diagnostics& diagnostics) {
+  const std::optional<ValueRange> range = format.range_of != nullptr ? format.range_of(setting.key, rig) : std::nullopt;
+  const std::optional<double> number = text::parse_real(setting.value);
+  if (!range || !number) return true;
+  const auto [lowest, highest] = *range;
+  if (*number >= lowest && *number <= highest) return true;
+  const std::string wanted = lowest == std::numeric_limits<double>::min()
+                                 ? "a number above 0"
+                                 : "a number from " + text::format_short(lowest) + " to " + text::format_short(highest);
+  diagnostics.error("set-out-of-range", "--set " + setting.key + " wants " + wanted + ", not " + setting.value, where);
+  return false;
+}
+
+/// Does a key say how its matrix is laid out?
+bool is_of_layout(const text::Document& document, const std::string& key) {
+  const std::size_t slash = key.rfind('/');
+  if (slash == std::string::npos) return false;
+  const std::string name = key.substr(slash + 1);
+  return (name == "rows" || name == "cols" || name == "dt") &&
+         find_scalar(document, key.substr(0, slash + 1) + "dt") != nullptr;
 }
 
 /// Removes the line above the entry where it is our comment that the value is a default.
@@ -127,12 +156,20 @@ std::optional<text::Document> set_value(const Format& format, const text::Docume
   }
   const std::optional<std::string> spelling = spelled_like(*before, entry->value, setting, diagnostics);
   if (!spelling) return std::nullopt;
+  const std::optional<Rig> rig = rig_of(format, *before, options);
+  if (rig && !in_range(format, *rig, setting, before->range(entry->value), diagnostics)) return std::nullopt;
   text::Document edited = *before;
   edited.replace(entry->value.span, *spelling);
   remove_default_comment(*entry, edited);
   std::optional<text::Document> after = parsed(edited.bytes());
   if (!after) return std::nullopt;
-  if (stated_rig(format, *before, options) != stated_rig(format, *after, options)) {
+  const std::optional<Rig> changed = rig_of(format, *after, options);
+  if (is_of_layout(*before, setting.key) || (rig && !changed)) {
+    diagnostics.error("set-contradicts",
+                      "--set: " + setting.key + " is how the file states its calibration, which would be lost", {}, "leave it");
+    return std::nullopt;
+  }
+  if (without_settings(rig) != without_settings(changed)) {
     diagnostics.error("set-contradicts", "--set: " + setting.key + " is a part of the calibration, which says otherwise", {},
                       "change the input; --resize, --crop and --binning are for other images");
     return std::nullopt;

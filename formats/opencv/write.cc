@@ -98,6 +98,12 @@ std::pair<std::string, std::string> pair_in(const Rig& rig) {
   return {rig.cameras[0].name, rig.cameras[1].name};
 }
 
+/// Files of one pair are for rectification and matching; MC-Calib's are for rigs of any shape.
+std::string why_first_is_left(const std::string& layout, const Rig& rig) {
+  if (rig.cameras.size() != 2 || layout == "cameras") return "";
+  return "StereoBM and StereoSGBM take the first camera of a rectified pair for the left one";
+}
+
 /// Takes R and T from saying what they say to the pose of the rig's pair; a rig without one leaves them alone.
 std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
   Diagnostics ignored;
@@ -115,6 +121,7 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
   Written written;
   written.files.push_back({std::move(document), {}, {}});
   written.headline = "the pose of a stereo pair";
+  written.first_is_left = why_first_is_left("stereo", rig);
   StaleKeys stale;
   const Transform* was = old->stated("cam1", "cam0");
   const bool moved = !after.empty() && was != nullptr && rig.resolve(second, first) != *was;
@@ -205,6 +212,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (samples_read(edited->layout, rig, edited->ambiguous)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
     written.headline = headline(name_of_layout(edited->layout), rig);
+    written.first_is_left = why_first_is_left(name_of_layout(edited->layout), rig);
     if (edited->ambiguous) tell_ambiguous(rig, written, diagnostics);
     edited->stale.tell(*base, written.losses, diagnostics);
     list_extras(rig.as_read, edited->old.as_read, written.losses);
@@ -215,6 +223,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     const text::Syntax syntax = options.extension.empty() && base != nullptr ? base->syntax() : syntax_for(options.extension);
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
     written.headline = headline(*layout, rig);
+    written.first_is_left = why_first_is_left(*layout, rig);
     list_extras(rig.as_read, {}, written.losses);
     if (base != nullptr) {
       add_composed_anew(*base, written.files.front().document, why, written.losses);

@@ -74,6 +74,7 @@ const Format kFormat = {
     .of_the_images = kOfTheImages,
     .models = kModels,
     .probe = probe,
+    .range_of = range_of,
     .read = read,
     .write = write,
 };

@@ -92,16 +92,8 @@ void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields
   // Tlr is read as 3 x 4 (Tracking.cc), T_c1_c2 as 4 x 4.
   fields.push_back(
       fields::matrix(std::string(pose_keys(target.style).T_c1_c2), std::span(T.values).first(v1 ? 16 : 12), 4, "f"));
-  if (!has_overlap(layout) || !rig.cameras[0].image_size) return;
-  const auto add_columns = [&](std::size_t from, std::size_t to, const TuningKey& begin, const TuningKey& end) {
-    // Where they share nothing no column is left out.
-    const ColumnRange all = {0, rig.cameras[from].image_size->width - 1};
-    const ColumnRange columns = columns_of(rig, target, from, to).value_or(all);
-    fields.push_back(target.tuning.field(begin, target.style, columns.first));
-    fields.push_back(target.tuning.field(end, target.style, columns.last));
-  };
-  add_columns(0, 1, tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1);
-  add_columns(1, 0, tuning_key::kOverlapBegin2, tuning_key::kOverlapEnd2);
+  for (const OverlapColumn& column : overlap_columns(rig, target))
+    fields.push_back(target.tuning.field(*column.key, target.style, column.computed));
 }
 
 void add_image(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -156,14 +148,44 @@ void add_program_tuning(const Target& target, std::vector<Field>& fields) {
   }
 }
 
-}  // namespace
-
-bool is_rectified_pair(const Rig& rig) {
-  if (rig.cameras.size() != 1 || !rig.baseline_m) return false;
-  const CameraModel& model = rig.cameras.front().model;
+/// Has the camera no lens to speak of, as those of rectified images?
+bool is_straight(const CameraModel& model) {
   if (model_info(model).id == "pinhole") return true;
   const std::span<const double> lens = parameter_values(model).subspan(kFocalAndCentre);
   return model_info(model).id == "radtan" && std::ranges::all_of(lens, [](double value) { return value == 0.0; });
+}
+
+/// What one camera lacks to stand for a pair.
+std::string missing_for_pair(const Rig& rig) {
+  const Camera& camera = rig.cameras.front();
+  const std::string second = "a second camera (--join CAM0 CAM1";
+  if (is_straight(camera.model)) return second + ", or --baseline METRES for one of a rectified pair)";
+  const std::string model(model_info(camera.model).id);
+  if (!rig.baseline_m) return second + ")";
+  return second + "): one camera and a baseline are a pair only where the images are rectified, without distortion, and " +
+         camera.name + " is " + model +
+         " with distortion (rectify with cv::stereoRectify, or --sensor rgbd for a depth sensor)";
+}
+
+}  // namespace
+
+bool is_rectified_pair(const Rig& rig) {
+  return rig.cameras.size() == 1 && rig.baseline_m && is_straight(rig.cameras.front().model);
+}
+
+std::vector<OverlapColumn> overlap_columns(const Rig& rig, const Target& target) {
+  const bool pair = target.sensor.two_cameras && rig.cameras.size() > 1 && target.style != Style::kSlamNoOpt;
+  if (!pair || !rig.cameras[0].image_size) return {};
+  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
+  if (layout == nullptr || !has_overlap(*layout)) return {};
+  std::vector<OverlapColumn> result;
+  for (std::size_t i = 0; i < tuning_key::kOverlap.size(); ++i) {
+    const ColumnRange all = {0, rig.cameras[i].image_size.value_or(*rig.cameras[0].image_size).width - 1};
+    const ColumnRange columns = columns_of(rig, target, i, 1 - i).value_or(all);
+    result.push_back({tuning_key::kOverlap.at(i).begin, columns.first});
+    result.push_back({tuning_key::kOverlap.at(i).end, columns.last});
+  }
+  return result;
 }
 
 bool shares_no_columns(const Rig& rig, const Target& target) {
@@ -182,8 +204,7 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   std::vector<std::string> missing;
   const Camera& first = rig.cameras.front();
   const bool second = rig.cameras.size() > 1;
-  if (sensor.two_cameras && !second && !is_rectified_pair(rig))
-    missing.emplace_back("a second camera (--join CAM0 CAM1, or --baseline METRES for one of a rectified pair)");
+  if (sensor.two_cameras && !second && !is_rectified_pair(rig)) missing.push_back(missing_for_pair(rig));
   if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name)) {
     missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name + " (--with extrinsics.yml)");
   }

@@ -17,21 +17,30 @@ constexpr TuningKey same_name(std::string_view key, bool whole, double upstream,
   return {key, key, whole, upstream, optional};
 }
 
+constexpr TuningKey within(TuningKey key, double lowest, double highest) {
+  key.lowest = lowest;
+  key.highest = highest;
+  return key;
+}
+
+constexpr double kBrightest = 255.0;
+constexpr double kFar = 1e6;  // of the viewer's camera, metres
+
 constexpr std::array kProgramTuning = {
-    same_name("ORBextractor.nFeatures", true, 1000.0),
-    same_name("ORBextractor.scaleFactor", false, 1.2),
-    same_name("ORBextractor.nLevels", true, 8.0),
-    same_name("ORBextractor.iniThFAST", true, 20.0),
-    same_name("ORBextractor.minThFAST", true, 7.0),
+    within(same_name("ORBextractor.nFeatures", true, 1000.0), 1.0, 1e6),
+    within(same_name("ORBextractor.scaleFactor", false, 1.2), 1.001, 10.0),
+    within(same_name("ORBextractor.nLevels", true, 8.0), 1.0, 64.0),
+    within(same_name("ORBextractor.iniThFAST", true, 20.0), 1.0, kBrightest),
+    within(same_name("ORBextractor.minThFAST", true, 7.0), 1.0, kBrightest),
     same_name("Viewer.KeyFrameSize", false, 0.05),
     same_name("Viewer.KeyFrameLineWidth", false, 1.0),
     same_name("Viewer.GraphLineWidth", false, 0.9),
     same_name("Viewer.PointSize", false, 2.0),
     same_name("Viewer.CameraSize", false, 0.08),
     same_name("Viewer.CameraLineWidth", false, 3.0),
-    same_name("Viewer.ViewpointX", false, 0.0),
-    same_name("Viewer.ViewpointY", false, -0.7),
-    same_name("Viewer.ViewpointZ", false, -3.5),
+    within(same_name("Viewer.ViewpointX", false, 0.0), -kFar, kFar),
+    within(same_name("Viewer.ViewpointY", false, -0.7), -kFar, kFar),
+    within(same_name("Viewer.ViewpointZ", false, -3.5), -kFar, kFar),
     same_name("Viewer.ViewpointF", false, 500.0),
     same_name("Viewer.imageViewScale", false, 0.0, true),
     TuningKey{"System.thFarPoints", "thFarPoints", false, 0.0, true},
@@ -53,6 +62,16 @@ std::optional<double> number_at(const text::Document& document, std::string_view
 
 }  // namespace
 
+std::optional<ValueRange> range_of(std::string_view key, const Rig& rig) {
+  constexpr ValueRange kFrameRate = {1.0, 1e6};
+  if (key == "Camera.fps") return kFrameRate;
+  const TuningKey* row = find_tuning_key(key);
+  if (row == nullptr) return std::nullopt;
+  const std::optional<ImageSize> size = rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size;
+  const bool column = row->note == tuning_key::kOverlapNote && size;
+  return ValueRange{row->lowest, column ? size->width - 1.0 : row->highest};
+}
+
 std::span<const TuningKey> program_tuning() { return kProgramTuning; }
 
 const TuningKey* find_tuning_key(std::string_view key) {
@@ -72,10 +91,23 @@ Tuning::Tuning(const text::Document& document) {
   }
 }
 
-void Tuning::forget_overlap() {
-  for (const TuningKey& key :
-       {tuning_key::kOverlapBegin1, tuning_key::kOverlapEnd1, tuning_key::kOverlapBegin2, tuning_key::kOverlapEnd2})
-    stated_.erase(key.key);
+void Tuning::move_overlap(const std::array<std::optional<std::size_t>, 2>& from) {
+  const std::map<std::string_view, double> before = stated_;
+  const auto move = [&](const TuningKey& to, const TuningKey* source) {
+    stated_.erase(to.key);
+    const auto found = source != nullptr ? before.find(source->key) : before.end();
+    if (found != before.end()) stated_.emplace(to.key, found->second);
+  };
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const tuning_key::OverlapKeys* source = from.at(i) ? &tuning_key::kOverlap.at(*from.at(i)) : nullptr;
+    move(*tuning_key::kOverlap.at(i).begin, source != nullptr ? source->begin : nullptr);
+    move(*tuning_key::kOverlap.at(i).end, source != nullptr ? source->end : nullptr);
+  }
+}
+
+std::optional<double> Tuning::stated(const TuningKey& key) const {
+  const auto found = stated_.find(key.key);
+  return found == stated_.end() ? std::nullopt : std::optional(found->second);
 }
 
 fields::Field Tuning::field(const TuningKey& key, Style style, std::optional<double> otherwise) const {

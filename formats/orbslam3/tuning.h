@@ -7,6 +7,10 @@
 
 #include "../fields.h"
 
+#include <fca/formats/format.h>
+
+#include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -23,13 +27,16 @@ struct TuningKey {
   bool optional = false;       ///< Upstream's value is not written where the input states none.
   std::string_view note = {};  ///< What to tell people, in a comment, beside a value that no input states.
   bool look_at_it = false;     ///< They must check it; the others are tuning.
+  /// What makes sense: the first positive double for sizes, rates and thresholds that are divided by or drawn with.
+  double lowest = std::numeric_limits<double>::min();
+  double highest = 1e9;
 };
 
 namespace tuning_key {
 inline constexpr TuningKey kColourOrder{
     "Camera.RGB", "Camera.RGB", true,
     1.0,          false,        "Default. Colour order (0: BGR, 1: RGB; no matter for grey images): not in the input.",
-    true};
+    true,         0.0,          1.0};
 inline constexpr TuningKey kThDepth{
     "Stereo.ThDepth", "ThDepth", false, 40.0, false, "Default. Close/far threshold in baselines: tuning, upstream's value."};
 inline constexpr TuningKey kDepthMapFactor{"RGBD.DepthMapFactor",
@@ -41,12 +48,26 @@ inline constexpr TuningKey kDepthMapFactor{"RGBD.DepthMapFactor",
                                            true};
 /// Columns of each image that both cameras see.
 inline constexpr std::string_view kOverlapNote = "Column range that both cameras see, from their poses and fields of view.";
-inline constexpr TuningKey kOverlapBegin1{"Camera1.overlappingBegin", "Camera.lappingBegin", true, 0.0, true, kOverlapNote};
-inline constexpr TuningKey kOverlapEnd1{"Camera1.overlappingEnd", "Camera.lappingEnd", true, 0.0, true, kOverlapNote};
-inline constexpr TuningKey kOverlapBegin2{"Camera2.overlappingBegin", "Camera2.lappingBegin", true, 0.0, true, kOverlapNote};
-inline constexpr TuningKey kOverlapEnd2{"Camera2.overlappingEnd", "Camera2.lappingEnd", true, 0.0, true, kOverlapNote};
-inline constexpr TuningKey kInsertKeyFrames{"IMU.InsertKFsWhenLost", "InsertKFsWhenLost", true, 0.0, true};
+inline constexpr TuningKey kOverlapBegin1{
+    "Camera1.overlappingBegin", "Camera.lappingBegin", true, 0.0, true, kOverlapNote, false, 0.0};
+inline constexpr TuningKey kOverlapEnd1{
+    "Camera1.overlappingEnd", "Camera.lappingEnd", true, 0.0, true, kOverlapNote, false, 0.0};
+inline constexpr TuningKey kOverlapBegin2{
+    "Camera2.overlappingBegin", "Camera2.lappingBegin", true, 0.0, true, kOverlapNote, false, 0.0};
+inline constexpr TuningKey kOverlapEnd2{
+    "Camera2.overlappingEnd", "Camera2.lappingEnd", true, 0.0, true, kOverlapNote, false, 0.0};
+/// Of the first camera and of the second.
+struct OverlapKeys {
+  const TuningKey* begin;
+  const TuningKey* end;
+};
+inline constexpr std::array kOverlap = {OverlapKeys{&kOverlapBegin1, &kOverlapEnd1},
+                                        OverlapKeys{&kOverlapBegin2, &kOverlapEnd2}};
+inline constexpr TuningKey kInsertKeyFrames{"IMU.InsertKFsWhenLost", "InsertKFsWhenLost", true, 0.0, true, {}, false, 0.0, 1.0};
 }  // namespace tuning_key
+
+/// Format::range_of
+[[nodiscard]] std::optional<ValueRange> range_of(std::string_view key, const Rig& rig);
 
 /// ORBextractor.* and Viewer.*, in upstream's order: every mode exits without them.
 [[nodiscard]] std::span<const TuningKey> program_tuning();
@@ -59,8 +80,11 @@ class Tuning {
 
   /// Does the input state it?
   [[nodiscard]] bool states(const TuningKey& key) const { return stated_.contains(key.key); }
-  /// What the input states of the columns that both cameras see: true of its images alone.
-  void forget_overlap();
+  /// What the input states of the columns that both cameras see, as those of other cameras: `from` tells for the first and the
+  /// second which of the input's it is; nothing where its images are others, and their columns are forgotten.
+  void move_overlap(const std::array<std::optional<std::size_t>, 2>& from);
+  /// The value that the input states.
+  [[nodiscard]] std::optional<double> stated(const TuningKey& key) const;
   /// The key as that style spells it, with the input's value, else with `otherwise`, else with upstream's.
   [[nodiscard]] fields::Field field(const TuningKey& key, Style style, std::optional<double> otherwise = {}) const;
 

@@ -274,11 +274,57 @@ std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteO
   return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
 }
 
-/// Are the columns of the base's images those of the rig's: the same camera first, of the same size?
-bool same_images(const Rig& base, const Rig& rig) {
-  const Camera& before = base.cameras.front();
-  const Camera& now = rig.cameras.front();
-  return before.name == now.name && before.image_size == now.image_size;
+/// Which of the base's cameras the first and the second are, where their images have the same columns.
+std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig) {
+  std::array<std::optional<std::size_t>, 2> result;
+  for (std::size_t i = 0; i < std::min(result.size(), rig.cameras.size()); ++i) {
+    const auto before = std::ranges::find(base.cameras, rig.cameras[i].name, &Camera::name);
+    if (before == base.cameras.end() || before->image_size != rig.cameras[i].image_size) continue;
+    const std::size_t index = static_cast<std::size_t>(before - base.cameras.begin());
+    if (index < result.size()) result.at(i) = index;
+  }
+  return result;
+}
+
+/// The base's columns, as far as somebody set them by hand.
+std::vector<OverlapColumn> columns_set_by_hand(const Base& base) {
+  std::vector<OverlapColumn> columns = overlap_columns(base.rig, base.target);
+  std::erase_if(columns, [&base](const OverlapColumn& column) {
+    const std::optional<double> stated = base.target.tuning.stated(*column.key);
+    return !stated || *stated == column.computed;
+  });
+  return columns;
+}
+
+/// Columns that the new cameras would have otherwise, and those that somebody set by hand and that are true of other images
+/// alone: kept or not, it is said.
+void tell_of_columns(const Base& base, const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  const bool same = std::ranges::equal(base.rig.cameras, rig.cameras) && base.rig.poses == rig.poses && !target.max_angle_rad;
+  std::vector<std::string> kept;
+  for (const OverlapColumn& column : overlap_columns(rig, target)) {
+    const std::optional<double> stated = target.tuning.stated(*column.key);
+    if (same || !stated || *stated == column.computed) continue;
+    kept.push_back(target.tuning.field(*column.key, target.style).key + " " + text::format_short(*stated) + " (" +
+                   std::to_string(column.computed) + ")");
+  }
+  if (!kept.empty()) {
+    diagnostics.note(
+        "columns-kept",
+        text::enumerated(kept, "and") + ": kept as the base has it; in brackets what follows from the poses and fields of view",
+        {}, "--set KEY=VALUE writes another");
+  }
+  const std::array<std::optional<std::size_t>, 2> from = same_images(base.rig, rig);
+  std::vector<std::string> gone;
+  for (const OverlapColumn& column : columns_set_by_hand(base)) {
+    const std::size_t of_second = column.key == &tuning_key::kOverlapBegin2 || column.key == &tuning_key::kOverlapEnd2 ? 1 : 0;
+    if (std::ranges::find(from, std::optional(of_second)) != from.end()) continue;
+    const fields::Field was = base.target.tuning.field(*column.key, base.target.style);
+    gone.push_back(was.key + " " + was.tokens.front());
+  }
+  if (gone.empty() || overlap_columns(rig, target).empty()) return;
+  diagnostics.note("columns-computed",
+                   text::enumerated(gone, "and") + " of the base: of images of another size, so the columns are computed anew",
+                   {}, "--set KEY=VALUE writes another");
 }
 
 bool check_rates(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
@@ -317,11 +363,11 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
   target.max_angle_rad = options.max_angle_rad;
   if (base != nullptr) target.tuning = base->target.tuning;
-  if (base != nullptr && !same_images(base->rig, rig)) target.tuning.forget_overlap();
+  if (base != nullptr) target.tuning.move_overlap(same_images(base->rig, rig));
   if (base != nullptr && !options.anew && base->target.style == target.style) {
     // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
-    if (!leaves_inertial) target.imu_pose_key = base->target.imu_pose_key;
+    if (!leaves_inertial && (options.sensor.empty() || target.sensor.inertial)) target.imu_pose_key = base->target.imu_pose_key;
   }
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
   return target;
@@ -338,15 +384,56 @@ std::string way_out_of_confusion(const Rig& rig) {
          "--sensor stereo; or --model kb4 --orbslam3-layout old, where V1.0 reads both cameras rightly";
 }
 
-/// What the base says in a mode that the rig leaves, and the rig still says: it stays, for it is as true as before.
-std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span<const fields::Field> after) {
+/// Keys that one sensor mode or another asks for, in both styles.
+bool is_of_a_mode(std::string_view key) {
+  constexpr std::array<std::string_view, 4> kGroups = {"Camera2.", "Stereo.", "RGBD.", "IMU."};
+  constexpr std::array<std::string_view, 10> kKeys = {"Tlr",
+                                                      "Tbc",
+                                                      "ThDepth",
+                                                      "Camera.bf",
+                                                      "DepthMapFactor",
+                                                      "InsertKFsWhenLost",
+                                                      "Camera1.overlappingBegin",
+                                                      "Camera1.overlappingEnd",
+                                                      "Camera.lappingBegin",
+                                                      "Camera.lappingEnd"};
+  return std::ranges::any_of(kGroups, [key](std::string_view group) { return key.starts_with(group); }) ||
+         std::ranges::find(kKeys, key) != kKeys.end();
+}
+
+/// The fields that the base is taken from. A mode that was asked for has exactly its keys: the base's of other modes are among
+/// them, to go. Else what the base says in a mode that the rig leaves, and the rig still says, stays, for it is as true as
+/// before.
+std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span<const fields::Field> after,
+                                     const WriteOptions& options) {
   std::vector<fields::Field> before = settings_fields(base.rig, base.target);
+  const auto is_among = [](std::span<const fields::Field> fields, std::string_view key) {
+    return std::ranges::find(fields, key, &fields::Field::key) != fields.end();
+  };
+  if (!options.sensor.empty()) {
+    for (const text::Entry& entry : base.document.root().entries) {
+      const std::string& key = entry.key.value;
+      if (is_of_a_mode(key) && !is_among(before, key) && !is_among(after, key)) before.push_back(fields::scalar(key, ""));
+    }
+    return before;
+  }
   if (base.rig.baseline_m != rig.baseline_m) return before;
-  std::erase_if(before, [after](const fields::Field& field) {
+  std::erase_if(before, [&](const fields::Field& field) {
     const bool of_baseline = field.key == "Stereo.b" || field.key == "Stereo.ThDepth";
-    return of_baseline && std::ranges::find(after, field.key, &fields::Field::key) == after.end();
+    return of_baseline && !is_among(after, field.key);
   });
   return before;
+}
+
+/// Values of the base that no rig states and that the mode asked for has no use for.
+void list_left_keys(const Base& base, std::span<const fields::Field> after, const Target& target, std::vector<Loss>& losses) {
+  const std::vector<OverlapColumn> by_hand = columns_set_by_hand(base);
+  std::vector<AsRead> left;
+  for (const AsRead& extra : base.rig.as_read) {
+    if (is_of_a_mode(extra.key) && std::ranges::find(after, extra.key, &fields::Field::key) == after.end())
+      left.push_back(extra);
+  }
+  add_not_carried(left, std::string(target.sensor.id) + " settings have no such key", losses);
 }
 
 /// Of the values that no input states, those that the base does not already have.
@@ -389,10 +476,11 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   if (edited != nullptr) {
     text::Document document = edited->document;
     fields::apply(document, document.root(), text::Dialect::kOpenCv,
-                  shaped_as(fields_of(*edited, rig, fields), edited->document), shaped_as(fields, edited->document));
+                  shaped_as(fields_of(*edited, rig, fields, options), edited->document), shaped_as(fields, edited->document));
     written.files.push_back({std::move(document), {}, {}});
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
     add_beyond_base(rig.as_read, edited->rig.as_read, "the settings have no place for it", written.losses);
+    if (!options.sensor.empty()) list_left_keys(*edited, fields, *target, written.losses);
   } else {
     std::optional<text::Document> document =
         text::parse_document({"settings.yaml", compose(fields, *target, rig, audience.headline)}, diagnostics);
@@ -407,7 +495,8 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   }
   const std::string program(audience.program);
   list_camera_losses(rig, *target, program, written.losses);
-  list_mode_losses(rig, *target, edited, program, written.losses);
+  list_mode_losses(rig, *target, options.sensor.empty() ? edited : nullptr, program, written.losses);
+  if (base) tell_of_columns(*base, rig, *target, diagnostics);
   list_rounded_rates(rig, *target, written);
   Written::File& file = written.files.front();
   const std::size_t used = std::min<std::size_t>(target->sensor.two_cameras ? 2 : 1, rig.cameras.size());
@@ -416,6 +505,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   // The first line people see: who reads the file, the mode, and what is missing for a richer one.
   written.headline = std::string(audience.headline) + ", " + std::string(target->sensor.id) + (next.empty() ? "" : "; " + next);
   written.sensor = target->sensor.id;
+  if (target->sensor.two_cameras) written.first_is_left = "ORB-SLAM3 takes the first camera of a stereo pair for the left one";
   if (target->style == Style::kV1 && target->sensor.two_cameras) written.misread_remedy = way_out_of_confusion(rig);
   return written;
 }

@@ -23,7 +23,10 @@ TEST(CameraTxt, AnotherModelIsAnotherLineOfDsos) {
 
 TEST(CameraTxt, TheInputsLensGoesInto) {
   for (const std::string& input : {kFov, testdata("formats/tumvi/good/radtan-bare.txt")}) {
-    const RunResult run = run_program({"convert", input, "--into", kEquidistant});
+    const RunResult other_size = run_program({"convert", input, "--into", kEquidistant});
+    EXPECT_EQ(other_size.code, 2) << other_size.err;
+    const std::string size = input == kFov ? "1280x1024" : "752x480";
+    const RunResult run = run_program({"convert", input, "--into", kEquidistant, "--resize", size});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(run.out.starts_with(input == kFov ? "FOV " : "RadTan ")) << run.out;
     EXPECT_TRUE(contains(run.err, "kept")) << run.err;

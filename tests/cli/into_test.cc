@@ -60,22 +60,39 @@ double largest_difference(const Transform& a, const Transform& b) {
 }
 
 // Thresholds are tuned for images of one size.
-TEST(Into, ABaseForOtherImagesIsWarnedOf) {
+TEST(Into, ABaseForOtherImagesIsRefused) {
   const TemporaryFolder folder;
   const std::string base = testdata("formats/orbslam3/good/v1-pinhole.yaml");
   const ImageSize size = rig_in(read_file(base)).cameras.at(0).image_size.value();
   const std::string resize = std::to_string(size.width) + "x" + std::to_string(size.height);
   const std::vector<std::string> words = {"convert", folder.write("ds.yaml", kBareDs), "--into", base, "--max-angle", "60"};
   const RunResult other = run_program(words);
-  EXPECT_EQ(other.code, 0) << other.err;
-  EXPECT_TRUE(contains(other.err, "[size-replaced]")) << other.err;
+  EXPECT_EQ(other.code, 2) << other.err;
+  EXPECT_EQ(other.out, "");
+  EXPECT_TRUE(contains(other.err, "[size-contradicts]")) << other.err;
   EXPECT_TRUE(contains(other.err, "--resize " + resize)) << other.err;
   std::vector<std::string> proposed = words;
   proposed.insert(proposed.end(), {"--resize", resize});
   const RunResult resized = run_program(proposed);
   EXPECT_EQ(resized.code, 0) << resized.err;
-  EXPECT_FALSE(contains(resized.err, "size-replaced")) << resized.err;
+  EXPECT_FALSE(contains(resized.err, "size-contradicts")) << resized.err;
   EXPECT_EQ(rig_in(resized.out).cameras.at(0).image_size, size);
+}
+
+// Who names the input's own size wants the base to be for that; who changes the images of a file changes its size.
+TEST(Into, ABaseTakesAnotherSizeWhenToldTo) {
+  const TemporaryFolder folder;
+  const std::string base = testdata("formats/orbslam3/good/v1-pinhole.yaml");
+  const std::string ds = folder.write("ds.yaml", kBareDs);
+  const ImageSize size = rig_in(kBareDs).cameras.at(0).image_size.value();
+  const std::string own = std::to_string(size.width) + "x" + std::to_string(size.height);
+  const RunResult told = run_program({"convert", ds, "--into", base, "--max-angle", "60", "--resize", own});
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_EQ(rig_in(told.out).cameras.at(0).image_size, size);
+  const RunResult itself = run_program({"convert", base, "--into", base, "--binning", "2"});
+  EXPECT_EQ(itself.code, 0) << itself.err;
+  const ImageSize before = rig_in(read_file(base)).cameras.at(0).image_size.value();
+  EXPECT_EQ(rig_in(itself.out).cameras.at(0).image_size, (ImageSize{before.width / 2, before.height / 2}));
 }
 
 TEST(Into, OnlyTheCamerasNumbersChange) {
@@ -142,7 +159,8 @@ TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
   const TemporaryFolder folder;
   const std::string bytes = read_file(kOpenVins);
   const std::string base = folder.write("base.yaml", bytes);
-  const RunResult run = run_program({"convert", kTumvi, "--camera", "cam0", "--into", base, "--model", "kb4"});
+  const RunResult run =
+      run_program({"convert", kTumvi, "--camera", "cam0", "--into", base, "--model", "kb4", "--resize", "512x512"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_FALSE(contains(run.err, "layout-not-kept")) << run.err;
   EXPECT_TRUE(contains(run.err, "program-refuses")) << run.err;
@@ -157,7 +175,8 @@ TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
 TEST(Into, WhatIsComposedAnewListsWhatGoes) {
   const TemporaryFolder folder;
   const std::string base = folder.write("base.yaml", read_file(kOpenVins) + "\n  cam_overlaps: []\n  line_delay: 0.001\n");
-  const std::vector<std::string> words = {"convert", kTumvi, "--camera", "cam0", "--into", base, "--anew"};
+  const std::vector<std::string> words = {"convert", kTumvi,   "--camera", "cam0",   "--into",
+                                          base,      "--anew", "--resize", "512x512"};
   const RunResult run = run_program(words);
   EXPECT_EQ(run.code, 0) << run.err;
   for (const char* lost : {"comments of", "%YAML:1.0", "line_delay"}) EXPECT_TRUE(contains(run.err, lost)) << run.err;
@@ -219,7 +238,8 @@ TEST(Into, TheBasesBaselineStays) {
   EXPECT_EQ(old_run.code, 0) << old_run.err;
   EXPECT_TRUE(contains(old_run.out, "Camera.bf: 400.0")) << old_run.out;
   EXPECT_TRUE(contains(old_run.out, "ThDepth: 40\n")) << old_run.out;
-  const RunResult run = run_program({"convert", input, "--into", folder.write("v1.yaml", rectified), "--no-verify"});
+  const RunResult run =
+      run_program({"convert", input, "--into", folder.write("v1.yaml", rectified), "--no-verify", "--resize", "1241x376"});
   EXPECT_EQ(run.code, 0) << run.err;
   for (const std::string kept : {"Stereo.b: 0.11007784219\n", "Stereo.ThDepth: 40.0\n"}) {
     EXPECT_TRUE(contains(rectified, kept));

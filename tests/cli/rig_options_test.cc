@@ -6,6 +6,7 @@
 #include <fca/formats/calibration.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fca::test {
 namespace {
@@ -71,6 +72,30 @@ TEST(RigOptions, ASecondCameraOnTheLeftIsWarnedOfWithTheCommand) {
   EXPECT_FALSE(contains(mono.err, "stereo-order")) << mono.err;
 }
 
+// cv::stereoRectify and the matchers behind it have a left and a right image, too; MC-Calib's files are of no pair.
+TEST(RigOptions, AnOpenCvPairWithTheSecondCameraOnTheLeft) {
+  const TemporaryFolder folder;
+  const auto said = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"convert", kTumvi, "--to", "opencv", "--dry-run"});
+    const RunResult run = run_program(options);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.err;
+  };
+  EXPECT_FALSE(contains(said({}), "stereo-order"));
+  const std::string left = said({"--camera", "cam1,cam0"});
+  EXPECT_TRUE(contains(left, "cam0 sits 10.11 cm to the left of cam1")) << left;
+  EXPECT_TRUE(contains(left, "--camera cam0,cam1")) << left;
+  EXPECT_FALSE(contains(said({"--camera", "1,0", "--opencv-layout", "cameras"}), "stereo-order"));
+  EXPECT_TRUE(contains(said({"--camera", "1,0", "--opencv-layout", "left-right"}), "stereo-order"));
+}
+
+TEST(RigOptions, TheProposedCommandIsOneThatAShellTakes) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a b.yaml", read_file(kTumvi));
+  const RunResult run = run_program({"convert", path, "--camera", "1,0", "--to", "orbslam3"});
+  EXPECT_TRUE(contains(run.err, "convert '" + path + "' --to orbslam3 --camera 0,1")) << run.err;
+}
+
 TEST(RigOptions, SetWritesAValueInItsType) {
   const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--set", "Viewer.PointSize=3",
                                      "--set", "ORBextractor.nFeatures=1500", "--set", "Camera.RGB=0"});
@@ -100,6 +125,28 @@ TEST(RigOptions, SetDoesNotChangeTheCalibration) {
   EXPECT_TRUE(contains(refusal("Camera.RGB"), "KEY=VALUE"));
 }
 
+TEST(RigOptions, SetKnowsWhatAValueMayBe) {
+  const auto refusal = [](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"convert", kTumvi, "--to", "orbslam3"};
+    words.insert(words.end(), options.begin(), options.end());
+    const RunResult run = run_program(words);
+    EXPECT_NE(run.code, 0) << options.back();
+    EXPECT_EQ(run.out, "") << options.back();
+    return run.err;
+  };
+  for (const char* setting :
+       {"Camera.fps=-5", "Camera.fps=0", "Camera.RGB=7", "ORBextractor.nLevels=0", "ORBextractor.scaleFactor=1.0",
+        "Stereo.ThDepth=-3", "Viewer.PointSize=0", "Camera1.overlappingEnd=512", "Camera1.overlappingBegin=-1"})
+    EXPECT_TRUE(contains(refusal({"--set", setting}), "set-out-of-range")) << setting;
+  EXPECT_TRUE(contains(refusal({"--set", "Camera.fps=20", "--set", "Camera.fps=30"}), "--set Camera.fps comes twice"));
+  EXPECT_TRUE(contains(refusal({"--fps", "20", "--set", "Camera.fps=30"}), "--fps 20 contradict each other"));
+  EXPECT_TRUE(contains(refusal({"--set", "Stereo.T_c1_c2/dt=d"}), "is how the file states its calibration"));
+  // What agrees is no contradiction.
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--fps", "30", "--set", "Camera.fps=30"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(value_of(run.out, "Camera.fps"), "30");
+}
+
 // Columns are of the images that they were counted in.
 TEST(RigOptions, OverlappingColumnsFollowTheImages) {
   const auto columns = [](const std::string& bytes) {
@@ -113,9 +160,16 @@ TEST(RigOptions, OverlappingColumnsFollowTheImages) {
   EXPECT_EQ(columns(run_program({"convert", path, "--to", "orbslam3"}).out), columns(settings));
   const RunResult half = run_program({"convert", path, "--to", "orbslam3", "--binning", "2"});
   EXPECT_EQ(columns(half.out), (std::vector<std::string>{"0", "255", "0", "255"})) << half.err;
+  EXPECT_TRUE(contains(half.err, "Camera1.overlappingBegin 7 of the base: of images of another size")) << half.err;
   // Swapped cameras have each other's columns.
   const RunResult swapped = run_program({"convert", path, "--to", "orbslam3", "--camera", "1,0"});
-  EXPECT_EQ(columns(swapped.out), (std::vector<std::string>{"0", "511", "0", "511"})) << swapped.err;
+  EXPECT_EQ(columns(swapped.out), (std::vector<std::string>{"0", "511", "7", "511"})) << swapped.err;
+  // Other lenses in the same images: kept, and said.
+  const std::string narrower = folder.write("narrower.yaml", with_replaced(read_file(kTumvi), "190.978", "290.978"));
+  const RunResult into = run_program({"convert", narrower, "--into", path});
+  EXPECT_EQ(columns(into.out), columns(settings)) << into.err;
+  EXPECT_TRUE(contains(into.err, "Camera1.overlappingBegin 7 (")) << into.err;
+  EXPECT_FALSE(contains(run_program({"convert", path, "--to", "orbslam3", "--set", "Camera.fps=30"}).err, "columns-"));
   // A cone of 40 degrees around axes that lie 2.7 degrees apart: both see its middle.
   const RunResult narrow = run_program({"convert", kTumvi, "--to", "orbslam3", "--max-angle", "40"});
   const int begin = std::stoi(columns(narrow.out).at(0));
@@ -136,6 +190,11 @@ TEST(RigOptions, WhatAModeLacksIsSaidWithTheOptionThatGivesIt) {
   EXPECT_TRUE(contains(error({kTumvi, "--sensor", "stereo-inertial"}), "--with imu.yaml"));
   EXPECT_TRUE(contains(error({kTumvi, "--camera", "0", "--sensor", "rgbd"}), "--baseline"));
   EXPECT_TRUE(contains(error({kTumvi, "--camera", "0", "--sensor", "stereo"}), "--join"));
+  // A baseline makes a pair of rectified images only: not to be proposed, and not to be proposed again.
+  EXPECT_FALSE(contains(error({kTumvi, "--camera", "0", "--sensor", "stereo"}), "--baseline"));
+  const std::string bent = error({kTumvi, "--camera", "0", "--sensor", "stereo", "--baseline", "0.1"});
+  EXPECT_TRUE(contains(bent, "cam0 is kb4 with distortion")) << bent;
+  EXPECT_FALSE(contains(bent, "--baseline METRES")) << bent;
 }
 
 /// The keys at the beginning of lines, ORBextractor's and Viewer's left out: every mode has them.
@@ -190,7 +249,38 @@ TEST(RigOptions, EveryModeHasExactlyTheKeysItNeeds) {
     for (const Keys* group : mode.groups) expected.insert(expected.end(), group->begin(), group->end());
     std::ranges::sort(expected);
     EXPECT_EQ(keys_in(run.out), expected) << mode.name;
+    // The same of settings that had the keys of every mode.
+    if (mode.groups.size() > 1 && mode.groups[1] == &depth) continue;
+    const RunResult edited = run_program({"convert", "-", "--to", "orbslam3", "--sensor", mode.name},
+                                         {.input = read_file(kSettings) + "RGBD.DepthMapFactor: 5000.0\n"});
+    ASSERT_EQ(edited.code, 0) << mode.name << edited.err;
+    EXPECT_EQ(keys_in(edited.out), expected) << mode.name;
+    EXPECT_TRUE(contains(edited.err, "RGBD.DepthMapFactor 5000.0: " + std::string(mode.name) + " settings have no such key"))
+        << edited.err;
   }
+}
+
+// Kalibr's imu.yaml wants densities. What was measured per sample is converted when that is said, and only then.
+TEST(RigOptions, ImuNoiseOfSingleSamples) {
+  const auto imu = [](const std::vector<std::string>& options) {
+    std::vector<std::string> words = {"convert", kTumvi, "--with", kImu, "--to", "orbslam3"};
+    words.insert(words.end(), options.begin(), options.end());
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return rig_in(run.out).imus.at(0);
+  };
+  const Imu stated = imu({});
+  EXPECT_EQ(imu({"--imu-noise", "continuous"}), stated);
+  const Imu converted = imu({"--imu-noise", "discrete"});
+  const double root = std::sqrt(200.0);
+  EXPECT_DOUBLE_EQ(*converted.gyroscope_noise_density, *stated.gyroscope_noise_density / root);
+  EXPECT_DOUBLE_EQ(*converted.accelerometer_noise_density, *stated.accelerometer_noise_density / root);
+  EXPECT_DOUBLE_EQ(*converted.gyroscope_random_walk, *stated.gyroscope_random_walk * root);
+  EXPECT_DOUBLE_EQ(*converted.accelerometer_random_walk, *stated.accelerometer_random_walk * root);
+  const RunResult none = run_program({"convert", kTumvi, "--to", "orbslam3", "--imu-noise", "discrete"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_TRUE(contains(none.err, "--with imu.yaml")) << none.err;
+  EXPECT_EQ(run_program({"show", kImu, "--imu-noise", "variance"}).code, 3);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ struct Written {
   std::string headline;        ///< First line for people: mode, who reads it, who does not.
   std::string sensor;          ///< orbslam3: the mode written for.
   std::string opencv_model;    ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
+  std::string first_is_left;   ///< Why the first of two cameras is to be the left one, for people; empty: nothing asks for it.
   std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
@@ -90,6 +91,12 @@ inline constexpr int kHint = 60;    ///< Less than that: a key without what belo
 struct ProbeResult {
   int score = 0;
   std::string why;  ///< "top-level cam0 with camera_model and intrinsics"
+};
+
+/// Between which numbers a value makes sense to the program that reads it.
+struct ValueRange {
+  double lowest = 0.0;
+  double highest = 0.0;
 };
 
 /// A row of the registry.
@@ -122,6 +129,10 @@ struct Format {
   std::span<const StoredModel> models;
 
   ProbeResult (*probe)(const text::Document& document);
+
+  /// The range of a value that no calibration states (--set), in a file that says `rig`; nothing where none is known. Null: of
+  /// none.
+  std::optional<ValueRange> (*range_of)(std::string_view key, const Rig& rig) = nullptr;
 
   /// Documents that together are one calibration, or nothing with errors.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);
