@@ -113,12 +113,9 @@ ExitCode run_compare(const CompareArguments& arguments, Console& console) {
     code = worse(code, compared.code);
     if (arguments.json) continue;
     const bool some = compared.comparison && (compared.code <= ExitCode::kJudgedBad || !compared.comparison->cameras.empty());
-    if (some) {
-      console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared));
-    } else {
-      console.say_aside("verdict: " + file + ": " + compared.verdict + "\n");
-    }
+    if (some) console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared));
     console.show(compared.diagnostics);
+    if (!some) console.say_aside("verdict: " + file + ": " + compared.verdict + "\n");
   }
   if (arguments.json) console.out(compare_json(reference, files, console));
   return code;

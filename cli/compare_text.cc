@@ -64,6 +64,22 @@ std::vector<BandColumn> further_columns(const CameraComparison& camera) {
   return columns;
 }
 
+/// A file cannot tell black corners from glass, and what lies there drowns the rest.
+std::string corners_text(const Judgement& judgement) {
+  constexpr double kWide = 80.0;
+  constexpr double kMostOfIt = 0.1;
+  double inside = 0.0;
+  double to_deg = 0.0;
+  for (const ErrorBand& band : judgement.bands) {
+    inside = std::max(inside, band.max_px);
+    if (inside > kMostOfIt * judgement.error.max) break;
+    to_deg = band.to_deg;
+  }
+  if (to_deg < kWide || to_deg >= judgement.coverage.max_angle_deg || judgement.error.max <= kSamePx) return "";
+  const std::string limit = fixed(to_deg, 0);
+  return "  if the corners are black beyond " + limit + " deg, --max-angle " + limit + " compares only the lens\n";
+}
+
 std::string camera_text(const CameraComparison& camera) {
   std::string text = heading(camera);
   if (camera.identical) return text + "  error:  none: the same model and parameters\n";
@@ -76,7 +92,7 @@ std::string camera_text(const CameraComparison& camera) {
   text += "          rms " + pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
   text += "          " + same_text(difference) + "\n";
   text += turned_text(camera);
-  return text + band_table(judgement.bands, further_columns(camera));
+  return text + band_table(judgement.bands, further_columns(camera)) + corners_text(judgement);
 }
 
 std::string poses_text(const std::vector<PoseComparison>& poses) {
@@ -106,9 +122,9 @@ std::string facts_text(const std::vector<FactComparison>& facts) {
       continue;
     }
     text += " " + fact.unit + ", here " + text::format_short(fact.other);
-    if (fact.unit == "s") {
-      const double more = fact.other - fact.reference;
-      text += ": " + text::format_short(std::abs(more) * 1000.0, 3) + " ms " + (more > 0.0 ? "more" : "less");
+    const double more = fact.other - fact.reference;
+    if (fact.unit == "s" || fact.unit == "m") {
+      text += ": " + text::format_short(std::abs(more) * 1000.0, 3) + " m" + fact.unit + (more > 0.0 ? " more" : " less");
     } else if (fact.reference != 0.0) {
       text += ": " + text::format_short(fact.other / fact.reference, 4) + " times as much";
     }

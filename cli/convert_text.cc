@@ -133,9 +133,10 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
   for (const CameraOutcome& camera : outcome.cameras) {
     text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
-    if (camera.report)
+    if (camera.report) {
       text +=
           kept ? domain_text(camera.report->judgement.coverage) : report_text(*camera.report, *outcome.to, camera.target.model);
+    }
     if (kept) text += "  error:  none: the same model and parameters\n";
   }
   text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome);

@@ -43,7 +43,8 @@ std::optional<CameraPair> at_one_size(const Camera& reference, const Camera& oth
                       reference.name + " has images of " + in_words(right) + " in the reference and of " + in_words(left) +
                           " in the other, and neither is the other scaled",
                       {},
-                      "if one was cropped from the other, say how the reference's images become the other's: --crop X,Y,W,H");
+                      "say how the reference's images become the other's: --crop X,Y,W,H, --binning N, --resize " +
+                          std::to_string(left.width) + "x" + std::to_string(left.height));
     return std::nullopt;
   }
   const std::optional<Camera> scaled = with_changed_images(pair.other, {.resize = right}, diagnostics);

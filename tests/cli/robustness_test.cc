@@ -25,6 +25,7 @@ const std::vector<std::vector<std::string>> kCommands = {{"show"},
                                                          {"convert", "--to", "woodscape"},
                                                          {"convert", "--to", "tumvi"},
                                                          {"convert", "--to", "orbslam3", "--model", "eucm", "--json"},
+                                                         {"compare", testdata("formats/kalibr/good/tumvi.yaml")},
                                                          {"project", "--camera", "0"},
                                                          {"unproject", "--camera", "0"}};
 
