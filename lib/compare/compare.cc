@@ -39,9 +39,11 @@ std::optional<CameraPair> at_one_size(const Camera& reference, const Camera& oth
   const ImageSize& right = *pair.reference.image_size;
   const ImageSize& left = *pair.other.image_size;
   if (static_cast<long long>(right.width) * left.height != static_cast<long long>(left.width) * right.height) {
+    const bool exchanged = right.width == left.height && right.height == left.width;
     diagnostics.error("resolution-differs",
                       reference.name + " has images of " + in_words(right) + " in the reference and of " + in_words(left) +
-                          " in the other, and neither is the other scaled",
+                          " in the other" +
+                          (exchanged ? ": width and height are exchanged" : ", and neither is the other scaled"),
                       {},
                       "say how the reference's images become the other's: --crop X,Y,W,H, --binning N, --resize " +
                           std::to_string(left.width) + "x" + std::to_string(left.height));

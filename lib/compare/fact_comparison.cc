@@ -104,6 +104,19 @@ std::optional<double> baseline_of(const Rig& rig) {
   return T ? std::optional(distance_of(*T)) : std::nullopt;
 }
 
+void compare_baselines(const Rig& reference, const Rig& other, RigComparison& result) {
+  if (!reference.baseline_m && !other.baseline_m) return;
+  const Fact fact = {"", "baseline", "m", baseline_of(reference), baseline_of(other)};
+  add(fact, result);
+  if (!fact.reference || !fact.other) return;
+  constexpr double kMillimetres = 1000.0;
+  if (near(*fact.reference * kMillimetres, *fact.other)) {
+    result.mistakes.push_back({"translation-in-mm", "the baseline", "is in millimetres", {}});
+  } else if (near(*fact.reference, *fact.other * kMillimetres)) {
+    result.mistakes.push_back({"translation-in-mm", "the baseline", "is 1000 times too small", {}});
+  }
+}
+
 }  // namespace
 
 void compare_facts(const Rig& reference, const Rig& other, const Matching& matching, RigComparison& result) {
@@ -122,7 +135,7 @@ void compare_facts(const Rig& reference, const Rig& other, const Matching& match
     add({right.name, "rate", "Hz", right.rate_hz, left.rate_hz}, result);
     find_noise_slip(right, left, result);
   }
-  if (reference.baseline_m || other.baseline_m) add({"", "baseline", "m", baseline_of(reference), baseline_of(other)}, result);
+  compare_baselines(reference, other, result);
 }
 
 }  // namespace fca::internal

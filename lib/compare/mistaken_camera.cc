@@ -58,12 +58,19 @@ void add_exchanged_centre(const CameraModel& other, Candidates& candidates) {
                         with_pixels(other, {{1.0, 1.0}, {difference, -difference}})});
 }
 
-void add_scales(const CameraModel& other, Candidates& candidates) {
-  for (const double scale : {0.5, 2.0}) {
-    const double shift = 0.5 * (scale - 1.0);
+void add_scales(const CameraModel& other, double scale, Candidates& candidates) {
+  const auto scaled_by = [&other](double factor) {
+    const double shift = 0.5 * (factor - 1.0);
+    return with_pixels(other, {{factor, factor}, {shift, shift}});
+  };
+  for (const double factor : {0.5, 2.0}) {
     candidates.push_back({"other-resolution",
-                          std::string("holds the numbers of images ") + (scale < 1.0 ? "twice" : "half") + " that size",
-                          with_pixels(other, {{scale, scale}, {shift, shift}})});
+                          std::string("holds the numbers of images ") + (factor < 1.0 ? "twice" : "half") + " that size",
+                          scaled_by(factor)});
+  }
+  if (scale != 1.0) {
+    candidates.push_back(
+        {"other-resolution", "states another image size and holds the numbers of the reference's", scaled_by(1.0 / scale)});
   }
 }
 
@@ -134,7 +141,7 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
   Candidates candidates;
   add_shifts(other.model, scale, candidates);
   add_exchanged_centre(other.model, candidates);
-  add_scales(other.model, candidates);
+  add_scales(other.model, scale, candidates);
   add_other_orders(other.model, candidates);
   add_other_name(reference.model, other.model, candidates);
 

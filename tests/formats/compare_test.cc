@@ -116,6 +116,49 @@ TEST(CompareFiles, AFileIsExactlyItself) {
   }
 }
 
+// Which way a file states a pose is its own affair.
+TEST(CompareFiles, APoseStatedTheOtherWayIsTheSame) {
+  for (const auto& [name, rig] : good_rigs()) {
+    SCOPED_TRACE(name);
+    Rig other = rig;
+    for (PoseEdge& edge : other.poses) edge = {edge.b, edge.a, *inverse(edge.T_a_b)};
+    const RigComparison result = compared(rig, other);
+    EXPECT_EQ(said(result), "");
+    EXPECT_TRUE(result.identical());
+    EXPECT_EQ(result.poses.size(), compared(rig, rig).poses.size());
+  }
+}
+
+TEST(CompareFiles, PosesAndNumbersDifferAsMuchInBothDirections) {
+  std::size_t poses = 0;
+  for (auto one = good_rigs().begin(); one != good_rigs().end(); ++one) {
+    for (auto two = std::next(one); two != good_rigs().end(); ++two) {
+      constexpr std::ptrdiff_t kNeighbours = 8;
+      if (std::distance(one, two) > kNeighbours || one->second.poses.empty() || two->second.poses.empty()) continue;
+      Rig reference = one->second;
+      Rig other = two->second;
+      for (Rig* rig : {&reference, &other}) {
+        for (Camera& camera : rig->cameras) camera.model = Intrinsics<Pinhole>{{100.0, 100.0, 50.0, 50.0}};  // quick
+        for (Camera& camera : rig->cameras) camera.image_size = ImageSize{101, 101};
+      }
+      const RigComparison there = compared(reference, other);
+      const RigComparison back = compared(other, reference);
+      for (const PoseComparison& pose : there.poses) {
+        const auto same = std::ranges::find_if(
+            back.poses, [&pose](const PoseComparison& each) { return (each.a == pose.a && each.b == pose.b); });
+        if (same == back.poses.end()) continue;  // its names are the reference's
+        EXPECT_NEAR(same->angle_rad, pose.angle_rad, 1e-9);
+        EXPECT_NEAR(same->distance_m, pose.distance_m, 1e-9);
+        EXPECT_EQ(same->reference_length_m, pose.other_length_m);
+        ++poses;
+      }
+      ASSERT_EQ(there.facts.size(), back.facts.size());
+      for (std::size_t i = 0; i < there.facts.size(); ++i) EXPECT_EQ(there.facts[i].reference, back.facts[i].other);
+    }
+  }
+  EXPECT_GT(poses, 20U);
+}
+
 /// Makes a slip of the pen in a rig; false where it changes nothing that could be told.
 struct Plant {
   std::string code;
@@ -200,19 +243,19 @@ Transform transposed(const Transform& T) {
 
 const std::vector<Plant>& plants() {
   static const std::vector<Plant> kPlants = {
-      {"pose-inverted", 6, [](Rig& rig) { return change_pose(rig, [](const Transform& T) { return inverse(T); }); }},
-      {"pose-transposed", 6,
+      {"pose-inverted", 3, [](Rig& rig) { return change_pose(rig, [](const Transform& T) { return inverse(T); }); }},
+      {"pose-transposed", 3,
        [](Rig& rig) {
          return change_pose(rig, [](const Transform& T) -> std::optional<Transform> {
            // Of a pose without translation it is the inverse.
            return distance_of(T) > 0.02 ? std::optional(transposed(T)) : std::nullopt;
          });
        }},
-      {"translation-in-mm", 6,
+      {"translation-in-mm", 3,
        [](Rig& rig) { return change_pose(rig, [](const Transform& T) { return std::optional(scaled(T, 1000.0)); }); }},
-      {"translation-in-mm", 6,
+      {"translation-in-mm", 3,
        [](Rig& rig) { return change_pose(rig, [](const Transform& T) { return std::optional(scaled(T, 0.001)); }); }},
-      {"time-offset-sign", 6,
+      {"time-offset-sign", 3,
        [](Rig& rig) {
          bool any = false;
          for (Camera& camera : rig.cameras) {
@@ -222,16 +265,16 @@ const std::vector<Plant>& plants() {
          }
          return any;
        }},
-      {"imu-noise-discrete", 6,
+      {"imu-noise-discrete", 3,
        [](Rig& rig) { return change_noise(rig, [](double density, double rate) { return density * std::sqrt(rate); }); }},
-      {"imu-noise-discrete", 6,
+      {"imu-noise-discrete", 3,
        [](Rig& rig) { return change_noise(rig, [](double density, double rate) { return density / std::sqrt(rate); }); }},
-      {"imu-noise-variance", 6,
+      {"imu-noise-variance", 3,
        [](Rig& rig) { return change_noise(rig, [](double density, double) { return density * density; }); }},
-      {"half-pixel", 6, [](Rig& rig) { return shift_centre(rig, 0.5); }},
-      {"half-pixel", 6, [](Rig& rig) { return shift_centre(rig, -0.5); }},
-      {"one-pixel", 6, [](Rig& rig) { return shift_centre(rig, 1.0); }},
-      {"centre-swapped", 6,
+      {"half-pixel", 3, [](Rig& rig) { return shift_centre(rig, 0.5); }},
+      {"half-pixel", 3, [](Rig& rig) { return shift_centre(rig, -0.5); }},
+      {"one-pixel", 3, [](Rig& rig) { return shift_centre(rig, 1.0); }},
+      {"centre-swapped", 3,
        [](Rig& rig) {
          bool any = false;
          for (Camera& camera : rig.cameras) {
@@ -242,10 +285,22 @@ const std::vector<Plant>& plants() {
          }
          return any;
        }},
-      {"other-resolution", 6,
+      {"other-resolution", 3,
        [](Rig& rig) {
          for (Camera& camera : rig.cameras) camera.model = with_pixels(camera.model, {{2.0, 2.0}, {0.5, 0.5}});
          return !rig.cameras.empty();
+       }},
+      {"other-resolution", 3,
+       [](Rig& rig) {
+         for (Camera& camera : rig.cameras)
+           camera.image_size = ImageSize{3 * camera.image_size->width, 3 * camera.image_size->height};
+         return !rig.cameras.empty();
+       }},
+      {"translation-in-mm", 2,
+       [](Rig& rig) {
+         if (!rig.baseline_m) return false;
+         rig.baseline_m = *rig.baseline_m * 1000.0;
+         return true;
        }},
       {"parameters-swapped", 2, [](Rig& rig) { return exchange(rig, "xi", "alpha"); }},
       {"parameters-swapped", 2, [](Rig& rig) { return exchange(rig, "alpha", "beta"); }},
@@ -292,7 +347,7 @@ TEST(CompareFiles, PlantedSlipsAreNamed) {
   rigs.insert(good_rigs().begin(), good_rigs().end());
   for (std::size_t i = 0; i < plants().size(); ++i) {
     const Plant& plant = plants()[i];
-    constexpr std::size_t kMost = 6;  // all, they take too long
+    constexpr std::size_t kMost = 3;  // all of them take too long
     std::size_t planted = 0;
     // Begins elsewhere in the list for each.
     auto at = std::next(rigs.begin(), static_cast<std::ptrdiff_t>(7 * i % rigs.size()));
@@ -323,7 +378,7 @@ std::size_t expect_no_slips(const std::map<std::string, Rig>& rigs, int neighbou
   return pairs;
 }
 
-TEST(CompareFiles, NoSlipIsClaimedOfHonestPairs) { EXPECT_GT(expect_no_slips(good_rigs(), 3), 100U); }
+TEST(CompareFiles, NoSlipIsClaimedOfHonestPairs) { EXPECT_GT(expect_no_slips(good_rigs(), 2), 70U); }
 
 TEST(CompareFiles, PosesHaveTheNamesOfTheirFiles) {
   const std::map<std::string, std::vector<std::string>> expected = {
@@ -350,12 +405,14 @@ TEST(CompareFiles, NoSlipIsClaimedOfRealPairs) {
   std::size_t pairs = 0;
   for (const char* format : {"kalibr", "opencv", "ocamcalib", "orbslam3", "tumvi", "woodscape"}) {
     std::map<std::string, Rig> rigs;
+    std::size_t at = 0;
     for (const fs::path& path : files_in(corpus / format)) {
+      if (at++ % 4 >= 2) continue;  // pairs of neighbours; all of them take too long
       if (std::optional<Calibration> calibration = read(path)) rigs[path.filename().string()] = calibration->rig;
     }
     pairs += expect_no_slips(rigs, 1);
   }
-  EXPECT_GT(pairs, 200U);
+  EXPECT_GT(pairs, 100U);
 }
 
 }  // namespace
