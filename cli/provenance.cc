@@ -58,7 +58,7 @@ std::string camera_line(const CameraOutcome& camera, bool other_images) {
   const Judgement& j = camera.report->judgement;
   return text + from + std::string(kArrow) + to + (camera.report->exact ? ", exact" : "") + std::string(kRms) +
          pixels(j.error.rms) + " px, max " + pixels(j.error.max) + " px up to " +
-         text::format_short(j.coverage.max_angle_deg, 4) + " deg from the axis";
+         text::format_short(camera.report->scored_to_deg, 4) + " deg from the axis";
 }
 
 /// The command's words without what says only where the file goes and how it is told: the same conversion gives the same file.

@@ -172,6 +172,14 @@ void find_mistakes(const RigPair& rigs, const internal::PoseTask& poses, RigComp
   for (Mistake& mistake : internal::mistaken_poses(poses)) result.mistakes.push_back(std::move(mistake));
 }
 
+/// "2 cameras and 1 IMU"
+std::string contents_of(const Rig& rig) {
+  const auto counted = [](std::size_t count, const std::string& what) {
+    return (count == 0 ? "no" : std::to_string(count)) + " " + what + (count == 1 ? "" : "s");
+  };
+  return counted(rig.cameras.size(), "camera") + " and " + counted(rig.imus.size(), "IMU");
+}
+
 template <class Thing>
 void list_unmatched(const std::vector<Thing>& things, const std::set<std::size_t>& matched, std::vector<std::string>& list) {
   for (std::size_t i = 0; i < things.size(); ++i) {
@@ -227,7 +235,8 @@ RigComparison compare(const Rig& reference, const Rig& other, const CompareOptio
   find_mistakes(rigs, poses, result);
   list_unmatched(rigs, result);
   if (result.cameras.empty() && result.poses.empty() && result.facts.empty() && !diagnostics.has_errors())
-    diagnostics.error("nothing-to-compare", "the two have nothing in common: no camera, pose or IMU");
+    diagnostics.error("nothing-to-compare", "the two have nothing in common: the reference holds " + contents_of(reference) +
+                                                ", the other " + contents_of(other));
   return result;
 }
 

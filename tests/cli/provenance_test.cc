@@ -28,6 +28,9 @@ TEST(Provenance, SaysTheInputTheCommandAndTheError) {
   const RunResult fitted = run_program({"convert", kDs, "--to", "orbslam3", "--max-angle", "50"});
   EXPECT_TRUE(contains(fitted.out, "# cam0: ds -> kb4, rms ")) << fitted.out;
   EXPECT_TRUE(contains(fitted.out, "up to 50 deg from the axis")) << fitted.out;
+  // A model that cannot reach the whole lens is scored inside a cone.
+  const RunResult cone = run_program({"convert", kTumvi, "--camera", "0", "--to", "opencv", "--model", "radtan"});
+  EXPECT_TRUE(contains(cone.out, "up to 60 deg from the axis")) << cone.out;
 }
 
 TEST(Provenance, IsTheSameInEveryRunAndCanBeLeftOut) {
