@@ -67,9 +67,11 @@ std::optional<ValueRange> range_of(std::string_view key, const Rig& rig) {
   if (key == "Camera.fps") return kFrameRate;
   const TuningKey* row = find_tuning_key(key);
   if (row == nullptr) return std::nullopt;
-  const std::optional<ImageSize> size = rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size;
-  const bool column = row->note == tuning_key::kOverlapNote && size;
-  return ValueRange{row->lowest, column ? size->width - 1.0 : row->highest};
+  ValueRange range = {row->lowest, row->highest};
+  const bool is_column = row->note == tuning_key::kOverlapNote;
+  if (is_column && !rig.cameras.empty() && rig.cameras.front().image_size)
+    range.highest = rig.cameras.front().image_size->width - 1.0;
+  return range;
 }
 
 std::span<const TuningKey> program_tuning() { return kProgramTuning; }
