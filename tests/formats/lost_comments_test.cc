@@ -50,8 +50,8 @@ TEST(LostComments, ThoseInAReplacedListAreListedAndNoOther) {
 }
 
 TEST(LostComments, OfManyTheNumberIsSaid) {
-  const std::string bytes = with_replaced(
-      kFlowList, "    # the centre\n    254.0, 256.0]", "    # a\n    254.0,  # b\n    # c\n    256.0 # d\n    ]");
+  const std::string bytes = with_replaced(kFlowList, "    # the centre\n    254.0, 256.0]",
+                                          "    # a\n    254.0,  # b\n    # c\n    256.0 # d\n    ]");
   EXPECT_EQ(lost_comments(as_model(bytes, "chain.yaml", sample_model("eucm"))),
             std::vector<std::string>{"comments # k1, # a, # b and 2 more"});
 }

@@ -139,7 +139,7 @@ struct Format {
 
   /// Edits `base` (a document this format read) so that it says what `rig` says; only fields in which the two differ are
   /// touched; cameras are recognised by their names. With no base a fresh file is composed. Every model of `rig` must be one of
-  /// `models`. Losses are listed but for those of poses: write_calibration() finds them.
+  /// `models`. Losses are listed but for those of poses and comments: write_calibration() finds them.
   std::optional<Written> (*write)(const text::Document* base, const Rig& rig, const WriteOptions& options,
                                   Diagnostics& diagnostics);
 };
