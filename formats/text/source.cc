@@ -2,6 +2,7 @@
 #include <fca/formats/text/source.h>
 
 #include <algorithm>
+#include <array>
 
 namespace fca::text {
 
@@ -77,6 +78,11 @@ std::string printable(std::string_view bytes, bool keep_line_breaks) {
     // U+0080 .. U+009F are control characters, too: U+009B opens an escape sequence.
     const bool c1 = byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
     if (c1) text.replace(i, 2, "?");
+    // U+2028 and U+2029 end a line, and with it a comment, to PyYAML; U+FFFE and U+FFFF are no characters to it and to XML.
+    constexpr std::array<std::string_view, 4> kNotInALine = {"\xE2\x80\xA8", "\xE2\x80\xA9", "\xEF\xBF\xBE", "\xEF\xBF\xBF"};
+    const std::string_view rest = std::string_view(text).substr(i);
+    if (std::ranges::any_of(kNotInALine, [rest](std::string_view each) { return rest.starts_with(each); }))
+      text.replace(i, 3, "?");
   }
   return text;
 }

@@ -122,5 +122,36 @@ TEST(Provenance, NamesCannotBreakOut) {
   EXPECT_EQ(xml.code, 0) << xml.err;
 }
 
+// Whatever the name, whatever the program: it loads the file, and finds in it what it finds without the comment. U+2028 ends a
+// line to PyYAML, and with it a comment.
+TEST(Provenance, EveryProgramReadsPastAnyName) {
+  const TemporaryFolder folder;
+  const std::string name = "a\"--> \n]]>&\xC3\xA9\xFF\t%YAML\r\nx: 1 <b> --\\\x7F\xE2\x80\xA8x: [\xC2\x85{'";
+  const std::string input = folder.write(name, kBytes);
+  struct Target {
+    const char* format;
+    const char* file;
+  };
+  for (const Target& target : {Target{"opencv", "c.xml"}, Target{"opencv", "c.yml"}, Target{"opencv", "c.json"},
+                               Target{"kalibr", "c.yaml"}, Target{"orbslam3", "s.yaml"}, Target{"ocamcalib", "o.txt"},
+                               Target{"woodscape", "w.json"}, Target{"tumvi", "t.yaml"}, Target{"tumvi", "t.txt"}}) {
+    const std::string path = folder / target.file;
+    const RunResult run = run_program(
+        {"convert", input, "--camera", "0", "--to", target.format, "--anew", "--provenance", "--max-angle", "60", "-o", path});
+    EXPECT_EQ(run.code, 0) << target.file << run.err;
+    EXPECT_TRUE(contains(run.out, "proof: ")) << target.file << run.out;
+    const std::string bytes = read_file(path);
+    for (const char* line_end : {"\xE2\x80\xA8", "\xC2\x85", "\r"}) EXPECT_FALSE(contains(bytes, line_end)) << target.file;
+    EXPECT_FALSE(contains(bytes, "\nx: 1")) << bytes;
+  }
+}
+
+// The program that proves a camchain sees what PyYAML sees.
+TEST(Provenance, ALineSeparatorInACommentIsRefusedAsByPyYaml) {
+  const RunResult run = run_program({"check", "-"}, {.input = std::string("# a\xE2\x80\xA8x: [\n") + kBytes});
+  EXPECT_EQ(run.code, 1) << run.out;
+  EXPECT_TRUE(contains(run.out, "PyYAML ends a line")) << run.out;
+}
+
 }  // namespace
 }  // namespace fca::test
