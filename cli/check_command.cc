@@ -33,8 +33,12 @@ std::optional<std::string> problem_with(const CheckArguments& arguments) {
   }
   if (arguments.fail_on != "error" && arguments.fail_on != "warning")
     return "--fail-on is error or warning, not '" + arguments.fail_on + "'";
-  if (!arguments.reading.with.empty() || arguments.reading.join || arguments.reading.cameras)
-    return "check looks at every file by itself and at all its cameras: --with, --join and --camera have no use here";
+  if (!arguments.reading.with.empty() || arguments.reading.join || arguments.reading.cameras ||
+      changes_images(arguments.reading)) {
+    return "check looks at every file by itself, as it stands: --with, --join, --camera, --crop, --binning and --resize have "
+           "no "
+           "use here";
+  }
   if (arguments.write && !arguments.fix) return "--write is for --fix";
   if (arguments.fix && (arguments.json || arguments.sarif))
     return "--fix shows a diff: --json and --sarif have no use beside it";

@@ -30,9 +30,10 @@ bool come_to_the_same(const ProofResult& a, const ProofResult& b) {
 std::string camera_text(const CameraProof& camera) {
   std::string text = camera.name + ": " + camera.model;
   if (camera.width > 0 && camera.height > 0) text += ", " + size_in_words({camera.width, camera.height}) + " px";
-  if (camera.compared_share == 0.0)
+  if (camera.compared_share == 0.0) {
     return text + (camera.agrees ? ": no pixels compared, as the file states no image size (--size WxH)"
                                  : ": it has no pixel where the file means one");
+  }
   if (camera.agrees) return text + ": within " + pixels(camera.max_diff_px) + " px of what the file means";
   return text + ": misread, up to " + pixels(camera.max_diff_px) + " px from what the file means";
 }

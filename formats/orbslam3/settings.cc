@@ -209,14 +209,16 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
     missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name + " (--with extrinsics.yml)");
   }
   if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras)
-    missing.emplace_back("one image size for both cameras");
+    missing.emplace_back("one image size for both cameras (--resize WxH)");
   if (sensor.depth && !rig.baseline_m) missing.emplace_back("the baseline (--baseline METRES)");
   if (!sensor.inertial) return missing;
   if (style == Style::kSlamNoOpt) {
     missing.emplace_back("an inertial mode in slam_no_opt");
     return missing;
   }
-  if (!rig.resolve("imu0", first.name)) missing.push_back("the pose of " + first.name + " to the IMU (T_cam_imu)");
+  if (!rig.resolve("imu0", first.name)) {
+    missing.push_back("the pose of " + first.name + " to the IMU (T_cam_imu, in Kalibr's camchain-imucam.yaml)");
+  }
   const Imu imu = rig.imus.empty() ? Imu{} : rig.imus.front();
   const bool noise = imu.gyroscope_noise_density && imu.accelerometer_noise_density && imu.gyroscope_random_walk &&
                      imu.accelerometer_random_walk;
@@ -224,8 +226,8 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
     missing.emplace_back("the IMU's noise and rate (--with imu.yaml)");
     return missing;
   }
-  if (!noise) missing.emplace_back("the IMU's noise densities and random walks");
-  if (!imu.rate_hz) missing.emplace_back("the IMU's rate (update_rate)");
+  if (!noise) missing.emplace_back("the IMU's noise densities and random walks (add them to the file of --with imu.yaml)");
+  if (!imu.rate_hz) missing.emplace_back("the IMU's rate (update_rate in the file of --with imu.yaml)");
   return missing;
 }
 
