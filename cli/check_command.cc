@@ -35,9 +35,7 @@ std::optional<std::string> problem_with(const CheckArguments& arguments) {
     return "--fail-on is error or warning, not '" + arguments.fail_on + "'";
   if (!arguments.reading.with.empty() || arguments.reading.join || arguments.reading.cameras ||
       changes_images(arguments.reading)) {
-    return "check looks at every file by itself, as it stands: --with, --join, --camera, --crop, --binning and --resize have "
-           "no "
-           "use here";
+    return "check looks at every file as it stands: --with, --join, --camera, --crop, --binning and --resize have no use here";
   }
   if (arguments.write && !arguments.fix) return "--write is for --fix";
   if (arguments.fix && (arguments.json || arguments.sarif))
