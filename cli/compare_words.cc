@@ -78,6 +78,21 @@ std::string different_fact(const FactComparison& fact) {
   return what + "is " + text::format_short(fact.other / fact.reference, 3) + " times the reference's";
 }
 
+/// One for each kind: "cam0 has ... (cam1 as well)".
+std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
+  std::vector<std::string> result;
+  for (auto first = mistakes.begin(); first != mistakes.end(); ++first) {
+    const auto like_first = [&first](const Mistake& mistake) { return mistake.message == first->message; };
+    if (std::find_if(mistakes.begin(), first, like_first) != first) continue;
+    std::vector<std::string> others;
+    for (auto other = std::next(first); other != mistakes.end(); ++other) {
+      if (like_first(*other)) others.push_back(other->subject);
+    }
+    result.push_back(sentence(*first) + (others.empty() ? "" : " (" + enumerated(others, "and") + " as well)"));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string sentence(const Mistake& mistake) { return mistake.subject + " " + mistake.message; }
@@ -86,7 +101,7 @@ std::string verdict_of(const RigComparison& comparison) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> parts;
   if (!comparison.mistakes.empty()) {
-    for (const Mistake& mistake : comparison.mistakes) parts.push_back(sentence(mistake));
+    parts = sentences(comparison.mistakes);
   } else if (comparison.identical()) {
     const bool all = comparison.only_in_reference.empty() && comparison.only_in_other.empty();
     return all ? "the same" : "the same in all that both state";

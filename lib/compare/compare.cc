@@ -234,9 +234,10 @@ RigComparison compare(const Rig& reference, const Rig& other, const CompareOptio
   internal::compare_facts(reference, other, rigs.matching, result);
   find_mistakes(rigs, poses, result);
   list_unmatched(rigs, result);
-  if (result.cameras.empty() && result.poses.empty() && result.facts.empty() && !diagnostics.has_errors())
+  if (result.cameras.empty() && result.poses.empty() && result.facts.empty() && !diagnostics.has_errors()) {
     diagnostics.error("nothing-to-compare", "the two have nothing in common: the reference holds " + contents_of(reference) +
                                                 ", the other " + contents_of(other));
+  }
   return result;
 }
 

@@ -203,6 +203,15 @@ TEST(Compare, MistakesAreCalledByName) {
   EXPECT_STREQ(document["files"][0]["mistakes"][0]["subject"].GetString(), "IMU.T_b_c1");
 }
 
+TEST(Compare, TheSameMistakeIsToldOnce) {
+  const TemporaryFolder folder;
+  std::string text = read_file(kTumvi);
+  for (int i = 0; i < 2; ++i) text = with_replaced(text, "[512, 512]", "[1024, 1024]");
+  const std::string wrong = folder.write("wrong.yaml", text);
+  EXPECT_EQ(last_line(run_program({"compare", kTumvi, wrong}).out),
+            "verdict: " + wrong + ": cam0 states another image size and holds the numbers of the reference's (cam1 as well)");
+}
+
 TEST(Compare, TheDocumentHasItsKeys) {
   const RunResult run = run_program({"compare", kTumvi, kDs, kOrbslam3, "--json"});
   const rapidjson::Document document = document_of(run);
