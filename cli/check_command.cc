@@ -2,6 +2,7 @@
 #include "check_command.h"
 
 #include "calibration_files.h"
+#include "conversion_preview.h"
 #include "output_file.h"
 #include "program_reading.h"
 #include "words.h"
@@ -81,6 +82,15 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
   return ExitCode::kIo;
 }
 
+/// For a program of another format: what it would be given instead.
+std::optional<ConvertOutcome> instead_of(const std::string& file, const CheckReport& report, const CheckArguments& arguments,
+                                         Console& console) {
+  const bool other_format =
+      std::ranges::any_of(report.findings, [](const Finding& finding) { return finding.code == "program-other-format"; });
+  if (!other_format || file == "-") return std::nullopt;
+  return preview_conversion(file, arguments.reading, find_program(arguments.program)->format, console);
+}
+
 ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
   if (!report.is_calibration) return ExitCode::kBadInput;
   const bool bad = report.has(Severity::kError) || (arguments.fail_on == "warning" && report.has(Severity::kWarning));
@@ -125,7 +135,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
       }
       console.show(diagnostics);
       exit_code = worse(exit_code, ExitCode::kIo);
-      all.files.push_back({{file.path, {}}, unreadable(diagnostics)});
+      all.files.push_back({{file.path, {}}, unreadable(diagnostics), {}});
       continue;
     }
     if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
@@ -135,7 +145,8 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
       continue;
     }
     exit_code = worse(exit_code, code_of(report, arguments));
-    all.files.push_back({*std::move(source), std::move(report)});
+    std::optional<ConvertOutcome> instead = instead_of(file.path, report, arguments, console);
+    all.files.push_back({*std::move(source), std::move(report), std::move(instead)});
     if (!for_people) continue;
     // A file that is no calibration has no result.
     const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back());
@@ -147,7 +158,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     exit_code = worse(exit_code, ExitCode::kBadInput);
   }
   if (for_people) console.say(check_summary(all));
-  if (arguments.json) console.out(check_json(all));
+  if (arguments.json) console.out(check_json(all, console));
   if (arguments.sarif) console.out(check_sarif(all));
   return exit_code;
 }
@@ -160,7 +171,8 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
   add_reading_options(command, arguments.reading);
   command
       .add_option("--for", arguments.program,
-                  "The program the file is meant for: " + enumerated(program_ids(), "or") + " (default: the format's own)")
+                  "The program the file is meant for; if it reads another format, what convert would make of it: " +
+                      enumerated(program_ids(), "or") + " (default: the format's own)")
       ->type_name("PROGRAM");
   command.add_option("--explain", arguments.explain, "The story behind a finding's code")->type_name("CODE");
   command.add_flag("--list-codes", arguments.list_codes, "All codes with what they mean");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "console.h"
+#include "conversion.h"
 #include "reading.h"
 
 #include <fca/formats/check.h>
@@ -36,6 +37,7 @@ struct CheckArguments {
 struct CheckedFile {
   text::Source source;
   CheckReport report;
+  std::optional<ConvertOutcome> instead;  ///< What `convert` would make of it for a program that does not read its format.
 };
 
 /// Everything that was checked.
@@ -49,7 +51,7 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
 [[nodiscard]] std::string check_text(const CheckedFile& file);
 /// One line for all, where there are several.
 [[nodiscard]] std::string check_summary(const CheckedFiles& checked);
-[[nodiscard]] std::string check_json(const CheckedFiles& checked);
+[[nodiscard]] std::string check_json(const CheckedFiles& checked, const Console& console);
 /// SARIF 2.1.0, as CI services show it beside the lines.
 [[nodiscard]] std::string check_sarif(const CheckedFiles& checked);
 /// What changed between two texts, line by line: "-" and "+" lines behind "@ LINE" of the old text.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
+#include "conversion_json.h"
 #include "diagnostics_json.h"
 #include "json.h"
 
@@ -24,7 +25,7 @@ void put_finding(Json& json, const Finding& finding, const text::Source& source)
   json.put("fix", finding.fix);
 }
 
-void put_file(Json& json, const CheckedFile& file) {
+void put_file(Json& json, const CheckedFile& file, const Console& console) {
   const CheckReport& report = file.report;
   json.put("file", file.source.name);
   report.format != nullptr ? json.put("format", report.format->id) : json.null("format");
@@ -38,6 +39,7 @@ void put_file(Json& json, const CheckedFile& file) {
       json.put("why", undecided.why);
     });
   });
+  if (file.instead) json.object("conversion", [&] { put_conversion(json, *file.instead, console); });
 }
 
 /// A path as SARIF wants it (RFC 3986): absolute ones as file://, everything but plain letters encoded.
@@ -91,11 +93,11 @@ void put_rule(Json& json, const CheckCode& code) {
 
 }  // namespace
 
-std::string check_json(const CheckedFiles& checked) {
+std::string check_json(const CheckedFiles& checked, const Console& console) {
   Json json;
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
-    json.array("files", checked.files, [&](const CheckedFile& file) { json.object([&] { put_file(json, file); }); });
+    json.array("files", checked.files, [&](const CheckedFile& file) { json.object([&] { put_file(json, file, console); }); });
     json.put("skipped", std::span<const std::string>(checked.skipped));
   });
   return json.document();

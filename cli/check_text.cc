@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
+#include "conversion_preview.h"
 #include "words.h"
 
 #include <fca/formats/text/render.h>
@@ -55,6 +56,7 @@ std::string check_text(const CheckedFile& file) {
   text += verdict(report) + "\n";
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;
+  if (file.instead) text += preview_text(*file.instead, "  ");
   text += readers_line(report.readers);
   if (!report.checked.empty()) text += paragraph("checked: " + enumerated(report.checked), "  ");
   for (const Undecided& undecided : report.undecided)
@@ -74,9 +76,8 @@ std::string check_summary(const CheckedFiles& checked) {
     bad += error ? 1 : 0;
     doubtful += !error && file.report.has(Severity::kWarning) ? 1 : 0;
   }
-  std::string text = "\n" + counted(calibrations, "calibration") + " checked: " + std::to_string(bad) +
-                     " with errors, " + std::to_string(doubtful) + " with warnings, " +
-                     std::to_string(calibrations - bad - doubtful) + " without";
+  std::string text = "\n" + counted(calibrations, "calibration") + " checked: " + std::to_string(bad) + " with errors, " +
+                     std::to_string(doubtful) + " with warnings, " + std::to_string(calibrations - bad - doubtful) + " without";
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
   return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "conversion_json.h"
 #include "convert_command.h"
 #include "diagnostics_json.h"
 #include "json.h"
@@ -87,6 +88,8 @@ void put_losses(Json& json, const ConvertOutcome& outcome) {
   });
 }
 
+}  // namespace
+
 void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
   json.put("input", outcome.input);
   if (outcome.from != nullptr) json.put("from", outcome.from->id);
@@ -120,8 +123,6 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
   put_losses(json, outcome);
   put_diagnostics(json, outcome.diagnostics, console);
 }
-
-}  // namespace
 
 std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
   Json json;

@@ -139,6 +139,32 @@ TEST(Check, ForAnotherProgram) {
   EXPECT_EQ(run_program({"check", orbslam2, "--for", "orbslam4"}).code, 3);
 }
 
+// A program of another format: what it would be given, from convert itself.
+TEST(Check, ForAProgramOfAnotherFormat) {
+  const std::string chain = check_file("clean-pair.yaml");
+  const RunResult run = run_program({"check", chain, "--for", "orbslam3", "--json"});
+  EXPECT_EQ(run.code, 1);
+  rapidjson::Document checked;
+  checked.Parse(run.out.c_str());
+  ASSERT_FALSE(checked.HasParseError()) << run.out;
+  const auto& file = checked["files"][0];
+  EXPECT_STREQ(file["findings"][0]["code"].GetString(), "program-other-format");
+  ASSERT_TRUE(file.HasMember("conversion")) << run.out;
+  rapidjson::Document converted;
+  const RunResult convert = run_program({"convert", chain, "--to", "orbslam3", "--dry-run", "--json"});
+  converted.Parse(convert.out.c_str());
+  ASSERT_FALSE(converted.HasParseError()) << convert.out;
+  for (const char* key : {"losses", "defaults", "proof"}) EXPECT_EQ(file["conversion"][key], converted[key]) << key;
+  EXPECT_GT(converted["losses"].Size() + converted["defaults"].Size(), 0U);
+  const RunResult text = run_program({"check", chain, "--for", "orbslam3"});
+  EXPECT_TRUE(contains(text.out, "convert would write settings for ORB-SLAM3 V1.0")) << text.out;
+  EXPECT_TRUE(contains(text.out, "made up: Camera.fps")) << text.out;
+  // What convert cannot write is said with its reason.
+  const RunResult imu = run_program({"check", check_file("clean-imu.yaml"), "--for", "opencv"});
+  EXPECT_EQ(imu.code, 1);
+  EXPECT_TRUE(contains(imu.out, "convert would not write it: ")) << imu.out;
+}
+
 TEST(Check, ReadsStandardInput) {
   const RunResult run = run_program({"check", "-"}, {.input = read_file(check_file("int-for-real.yaml"))});
   EXPECT_EQ(run.code, 1);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conversion_preview.h"
+
+#include "words.h"
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+std::string camera_text(const CameraOutcome& camera) {
+  const std::string from(model_info(camera.source.model).id);
+  const std::string to(model_info(camera.target.model).id);
+  if (!camera.report || camera.report->exact)
+    return camera.source.name + ": " + from + (from == to ? ", kept" : " -> " + to + ", exact");
+  const ErrorSummary& error = camera.report->judgement.error;
+  return camera.source.name + ": " + from + " -> " + to + ", fitted: rms " + pixels(error.rms) + " px, max " +
+         pixels(error.max) + " px";
+}
+
+/// "a; b; c" in lines behind `indent`, or nothing.
+std::string list_text(const std::string& heading, const std::vector<std::string>& parts, const std::string& indent) {
+  if (parts.empty()) return "";
+  std::string text = heading;
+  for (const std::string& part : parts) text += (&part == &parts.front() ? "" : "; ") + part;
+  return paragraph(text, indent);
+}
+
+}  // namespace
+
+ConvertOutcome preview_conversion(const std::string& file, const ReadingOptions& reading, std::string_view format,
+                                  Console& console) {
+  ConvertArguments arguments;
+  arguments.inputs = {file};
+  arguments.reading = reading;
+  arguments.to = format;
+  arguments.dry_run = true;
+  ConvertOutcome outcome = convert_inputs(arguments.inputs, arguments, console);
+  outcome.outputs.clear();
+  return outcome;
+}
+
+std::string preview_text(const ConvertOutcome& outcome, const std::string& indent) {
+  const auto& entries = outcome.diagnostics.entries();
+  const auto error = std::ranges::find(entries, Severity::kError, &Diagnostic::severity);
+  if (error != entries.end()) {
+    return paragraph("convert would not write it: " + error->message + (error->fix.empty() ? "" : " (" + error->fix + ")"),
+                     indent);
+  }
+  std::string text = paragraph("convert would write " + outcome.written.headline, indent);
+  for (const CameraOutcome& camera : outcome.cameras) text += indent + "  " + camera_text(camera) + "\n";
+  std::vector<std::string> losses;
+  for (const Loss& loss : outcome.written.losses) losses.push_back(loss.what + " (" + loss.why + ")");
+  std::vector<std::string> made_up;
+  for (const DefaultedValue& value : outcome.written.defaults) made_up.push_back(value.key + " " + value.value);
+  text += list_text("lost: ", losses, indent + "  ") + list_text("made up: ", made_up, indent + "  ");
+  for (const ProofResult& proof : outcome.proofs) {
+    if (proof.misread_px > 0.0)
+      text += paragraph(proof.program + " misreads it by up to " + pixels(proof.misread_px) + " px", indent + "  ");
+  }
+  return text;
+}
+
+}  // namespace fca::cli
