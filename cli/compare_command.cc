@@ -58,17 +58,29 @@ void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& 
   }
 }
 
-void judge_limit(double limit_px, ComparedFile& compared) {
+void exceed(ComparedFile& compared, const std::string& message, const std::string& fix = {}) {
+  compared.diagnostics.error("error-limit", message, {}, fix);
+  compared.code = worse(compared.code, ExitCode::kJudgedBad);
+}
+
+/// A pixel that is not there is off by more than any limit.
+void judge_limit(double limit_px, const ReferenceFile& reference, ComparedFile& compared) {
   for (const CameraComparison& camera : compared.comparison->cameras) {
     const Judgement& judgement = camera.difference.judgement;
-    const bool nothing = !(judgement.coverage.scored > 0.0);
-    if (!nothing && judgement.error.max <= limit_px) continue;
-    compared.diagnostics.error("error-limit", camera.other + ": " +
-                                                  (nothing ? "no pixel could be compared"
-                                                           : "the worst pixel is off by " + pixels(judgement.error.max) +
-                                                                 " px, more than --max-error " + pixels(limit_px)));
-    compared.code = worse(compared.code, ExitCode::kJudgedBad);
+    constexpr double kNoticeable = 1e-3;
+    const double missing = judgement.coverage.unrepresentable;
+    if (!(judgement.coverage.scored > 0.0)) {
+      exceed(compared, camera.other + ": no pixel could be compared");
+    } else if (judgement.error.max > limit_px) {
+      exceed(compared, camera.other + ": the worst pixel is off by " + pixels(judgement.error.max) +
+                           " px, more than --max-error " + pixels(limit_px));
+    } else if (missing > kNoticeable) {
+      exceed(compared, camera.other + " has no pixel for " + percent(missing) + " of the image",
+             "if the lens ends before, --max-angle DEG says where");
+    }
   }
+  if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size())
+    exceed(compared, "not every camera of the reference is there", "--camera chooses those to compare");
 }
 
 ComparedFile compared_file(const std::string& file, const ReferenceFile& reference, const CompareArguments& arguments,
@@ -90,7 +102,7 @@ ComparedFile compared_file(const std::string& file, const ReferenceFile& referen
     compared.verdict = "not compared: " + error->message;
   } else {
     compared.verdict = verdict_of(*compared.comparison);
-    if (arguments.max_error_px) judge_limit(*arguments.max_error_px, compared);
+    if (arguments.max_error_px) judge_limit(*arguments.max_error_px, reference, compared);
   }
   return compared;
 }
@@ -135,7 +147,9 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
                           .add_option("--with-file", arguments.with_of_file,
                                       "A further part of FILE, as --with is one of REF; may be given several times")
                           ->type_name("FILE"));
-  command.add_option("--max-error", arguments.max_error_px, "Exit with 1 if a camera's worst pixel is off by more")
+  command
+      .add_option("--max-error", arguments.max_error_px,
+                  "Exit with 1 if a camera's worst pixel is off by more, or a camera or a part of its image is missing")
       ->type_name("PX")
       ->check(decimal_number());
   command.add_flag("--every-pixel", arguments.every_pixel, "Score every pixel of the image instead of a lattice");

@@ -14,6 +14,10 @@ std::array<double, 2> pair_of(const ImageSize& size) {
 }
 
 void put_difference(Json& json, const CameraDifference& difference) {
+  if (!(difference.judgement.coverage.scored > 0.0)) {  // no pixel has a ray in both
+    for (const char* key : {"error_px", "error_deg", "bands", "same_to_deg"}) json.null(key);
+    return;
+  }
   put_error(json, difference.judgement.error);
   json.object("error_deg", [&] {
     json.put("rms", difference.angle.rms_deg);
@@ -60,8 +64,13 @@ void put_camera(Json& json, const CameraComparison& camera) {
   });
 }
 
+/// Is there nothing that differs, or that only one of them says?
+bool is_identical(const ComparedFile& compared) {
+  return compared.comparison && compared.code <= ExitCode::kJudgedBad && compared.comparison->identical() &&
+         compared.comparison->only_in_reference.empty() && compared.comparison->only_in_other.empty();
+}
+
 void put_comparison(Json& json, const RigComparison& comparison) {
-  json.put("identical", comparison.identical());
   json.array("mistakes", comparison.mistakes, [&](const Mistake& mistake) {
     json.object([&] {
       json.put("code", mistake.code);
@@ -109,6 +118,7 @@ std::string compare_json(const ReferenceFile& reference, const std::vector<Compa
         compared.calibration ? json.put("format", compared.calibration->format->id) : json.null("format");
         json.put("exit_code", static_cast<int>(compared.code));
         json.put("verdict", compared.verdict);
+        json.put("identical", is_identical(compared));
         put_comparison(json, compared.comparison.value_or(RigComparison()));
         put_diagnostics(json, compared.diagnostics, console);
       });

@@ -13,8 +13,10 @@ namespace fca::cli {
 
 namespace {
 
-std::string in_degrees(double radians) { return text::format_short(radians * kDegreesPerRadian, 3) + " deg"; }
-std::string in_millimetres(double metres) { return text::format_short(metres * 1000.0, 3) + " mm"; }
+/// Rounding is no difference: 1.8e-14 deg reads as 0.
+double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
+std::string in_degrees(double radians) { return text::format_short(without_rounding(radians) * kDegreesPerRadian, 3) + " deg"; }
+std::string in_millimetres(double metres) { return text::format_short(without_rounding(metres) * 1000.0, 3) + " mm"; }
 std::string in_tenths(double degrees) { return fixed(degrees, 1) + " deg"; }
 
 bool same(const CameraComparison& camera) {
@@ -113,7 +115,7 @@ std::string verdict_of(const RigComparison& comparison) {
     }
     if (const std::string poses = different_poses(comparison.poses); !poses.empty()) parts.push_back(poses);
     for (const FactComparison& fact : comparison.facts) {
-      if (fact.reference != fact.other) parts.push_back(different_fact(fact));
+      if (!fact.same_but_for_rounding()) parts.push_back(different_fact(fact));
     }
   }
   std::string text;

@@ -4,6 +4,7 @@
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/limits.h>
+#include <fca/rig/rotation.h>
 
 #include <cmath>
 #include <set>
@@ -39,6 +40,18 @@ bool may_be_written(const Rig& rig, Diagnostics& diagnostics) {
   const std::vector<std::string> problems = validate(rig);
   for (const std::string& problem : problems) diagnostics.error("out-of-range", problem);
   return problems.empty();
+}
+
+bool has_no_mirror(const Rig& rig, Diagnostics& diagnostics) {
+  for (const PoseEdge& edge : rig.poses) {
+    if (!(rotation_determinant(edge.T_a_b) < 0.0)) continue;
+    diagnostics.error(
+        "left-handed",
+        "T_" + edge.a + "_" + edge.b + " mirrors (its determinant is -1): no program can use it, and none is told", {},
+        "mend the sign or the order of its rows first; fca-io check shows the place");
+    return false;
+  }
+  return true;
 }
 
 bool holds_finite_numbers(const Written& written, const text::Document* base, Diagnostics& diagnostics) {

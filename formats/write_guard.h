@@ -9,16 +9,21 @@ namespace fca {
 /// False with errors if the rig states what no file may (rig/limits.h).
 [[nodiscard]] bool may_be_written(const Rig& rig, Diagnostics& diagnostics);
 
+/// False with an error if a pose is no motion but a mirror image.
+[[nodiscard]] bool has_no_mirror(const Rig& rig, Diagnostics& diagnostics);
+
 /// False with an error if a number in what was written is not finite, where the base (may be null) does not say it already.
 [[nodiscard]] bool holds_finite_numbers(const Written& written, const text::Document* base, Diagnostics& diagnostics);
 
-/// The row with both checks around its writer.
+/// The row with these checks around its writer.
 template <const Format& kFormat>
 Format guarded() {
   Format format = kFormat;
   format.write = [](const text::Document* base, const Rig& rig, const WriteOptions& options,
                     Diagnostics& diagnostics) -> std::optional<Written> {
     if (!may_be_written(rig, diagnostics)) return std::nullopt;
+    // An edit keeps what its base says, right or wrong.
+    if (base == nullptr && !has_no_mirror(rig, diagnostics)) return std::nullopt;
     std::optional<Written> written = kFormat.write(base, rig, options, diagnostics);
     if (written && !holds_finite_numbers(*written, base, diagnostics)) return std::nullopt;
     return written;

@@ -84,6 +84,8 @@ std::optional<Mend> layout_mend(const text::Document& document) {
   const text::Source& source = document.source();
   std::vector<Span> shallow;
   collect_shallow(source, document.root(), shallow);
+  // A header behind comments: which of the two is meant to go is not certain.
+  if (source.bytes.find("\n%YAML") != std::string::npos) return std::nullopt;
   const std::size_t start = source.byte_order_mark();
   const bool has_header = std::string_view(source.bytes).substr(start).starts_with("%YAML");
   if (has_header && shallow.empty()) return std::nullopt;

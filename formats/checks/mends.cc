@@ -62,6 +62,15 @@ consumers::ConsumerView view_after(text::Document document, const Mend& mend, co
   return program.load(document.bytes(), options);
 }
 
+/// The same complaint, be it about another line?
+bool says_alike(const std::vector<std::string>& refusals, const std::string& sentence) {
+  const auto without_digits = [](std::string text) {
+    std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+    return text;
+  };
+  return std::ranges::find(refusals, without_digits(sentence), without_digits) != refusals.end();
+}
+
 bool says(const std::vector<std::string>& refusals, const std::string& sentence) {
   return std::ranges::find(refusals, sentence) != refusals.end();
 }
@@ -119,7 +128,7 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
   // Behind the header the program sees the file for the first time: it may go on to refuse something else.
   for (std::optional<Mend> (*layout)(const text::Document&) : {&header_mend, &layout_mend}) {
     std::optional<Mend> mend = layout(document);
-    if (mend && says(before, complaint) && !says(view_after(document, *mend, program, options).refusals, complaint))
+    if (mend && says(before, complaint) && !says_alike(view_after(document, *mend, program, options).refusals, complaint))
       return mend;
   }
   const Node* named = named_in(document, complaint);

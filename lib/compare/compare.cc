@@ -209,6 +209,11 @@ bool PoseComparison::same_but_for_rounding() const {
   return angle_rad <= kRounding && distance_m <= kRounding;
 }
 
+bool FactComparison::same_but_for_rounding() const {
+  constexpr double kRounding = 1e-9;
+  return std::abs(other - reference) <= kRounding * std::abs(reference);
+}
+
 bool RigComparison::identical() const {
   return std::ranges::all_of(cameras, &CameraComparison::identical) &&
          std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding) &&

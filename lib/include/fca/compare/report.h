@@ -89,6 +89,7 @@ struct FactComparison {
   std::string unit;   ///< "s", "rad/s/sqrt(Hz)"
   double reference = 0.0;
   double other = 0.0;
+  [[nodiscard]] bool same_but_for_rounding() const;
 };
 
 /// Two rigs.
