@@ -3,6 +3,7 @@
 
 #include "assumptions.h"
 #include "into.h"
+#include "joined_files.h"
 #include "option_use.h"
 #include "output_name.h"
 #include "provenance.h"
@@ -156,8 +157,15 @@ WriteOptions write_options(const ConvertArguments& arguments, const Base& base) 
 }
 
 /// Writes the rig in memory: into the base, or anew where its program would refuse what the base's own layout makes of it.
-std::optional<Written> write_rig(const Rig& rig, const Base& base, const ConvertArguments& arguments, ConvertOutcome& outcome) {
+std::optional<Written> write_rig(const Calibration& source, const Rig& rig, const Base& base, const ConvertArguments& arguments,
+                                 ConvertOutcome& outcome) {
   WriteOptions options = write_options(arguments, base);
+  if (source.documents.size() > 1 && base.into == nullptr && !arguments.anew && arguments.reading.join) {
+    std::optional<Written> each = write_each_into_its_own(source, rig, *outcome.to, options, outcome.diagnostics);
+    if (each || outcome.diagnostics.has_errors()) return each;
+    // The first file may be edited; the others' text is gone in any case.
+    if (source.format == outcome.to) options.joined = std::span(source.documents).subspan(base.document != nullptr ? 1 : 0);
+  }
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
   drop_byte_order_mark(*written, outcome.diagnostics);
@@ -268,6 +276,12 @@ bool sizes_agree(const Calibration& base, const Calibration& input, const Rig& r
   return true;
 }
 
+/// Of joined files of the target's own format the first is edited, and takes the others' cameras.
+bool edits_first(const Calibration& calibration, const ConvertArguments& arguments, const Format& to) {
+  return arguments.reading.join && !arguments.anew && calibration.one_format && calibration.format == &to && to.many_cameras &&
+         calibration.with_cameras == 0;
+}
+
 /// The steps of one conversion; false with errors.
 bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
                   ConvertOutcome& outcome) {
@@ -296,7 +310,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (into) {
     base = {&into->documents.front(), &*into};
   } else if (const text::Document& main_file = calibration->documents[calibration->with_cameras];
-             inputs.size() == 1 && is_base_of(*calibration->format, main_file, *outcome.to)) {
+             (inputs.size() == 1 || edits_first(*calibration, arguments, *outcome.to)) &&
+             is_base_of(*calibration->format, main_file, *outcome.to)) {
     base = {&main_file, nullptr, calibration->format != outcome.to};
   }
   const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
@@ -315,7 +330,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
   }
 
-  std::optional<Written> written = write_rig(rig, base, arguments, outcome);
+  std::optional<Written> written = write_rig(*calibration, rig, base, arguments, outcome);
   if (!written || !keeps_syntax(arguments, base, *written, outcome.diagnostics)) return false;
   list_assumed_units(*calibration, *outcome.to, *written);
   if (!into && base.document != nullptr && changes_images(arguments.reading))

@@ -161,6 +161,8 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   for (const Written::File& file : written->files) {
     if (file.document.edited()) add_lost_comments(file.document, written->losses);
   }
+  for (const text::Document& document : options.joined)
+    add_composed_anew(document, written->files.front().document, "several files become one", written->losses);
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
   add_remedies(written->losses);

@@ -112,6 +112,18 @@ TEST(Layout, ACommentMakesAFisheyeRadialTangential) {
   }
 }
 
+// A mend is one only if the program's complaint is gone, not if it names another line.
+TEST(Layout, WhatNoLayoutMendsIsLeftAlone) {
+  CheckOptions options;
+  options.program = consumers::find_consumer("kalibr");
+  std::string tab(kChain);
+  tab.replace(tab.find("camera_model: pinhole"), 21, "camera_model:\tpinhole");
+  EXPECT_FALSE(mended({"camchain.yaml", tab}, options));
+  // A header that a comment keeps from the first line: two would be worse.
+  options.program = consumers::find_consumer("openvins");
+  EXPECT_FALSE(mended({"camchain.yaml", "# mine\n%YAML:1.0\n" + std::string(kChain)}, options));
+}
+
 // OpenVINS never looks at camera_model.
 TEST(Layout, AnotherModelIsAnErrorForOpenVins) {
   std::string bytes = "%YAML:1.0\n" + std::string(kChain);

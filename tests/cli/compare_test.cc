@@ -97,6 +97,28 @@ TEST(Compare, TheWorstPixelDecidesTheExitCode) {
   EXPECT_EQ(run_program({"compare", "-", "-"}).code, 3);
 }
 
+// What is missing is off by more than any limit, and not identical.
+TEST(Compare, AMissingCameraOrImagePartIsNoPass) {
+  const TemporaryFolder folder;
+  const std::string text = read_file(kTumvi);
+  const std::string one = folder.write("one.yaml", text.substr(0, text.find("cam1:")));
+  EXPECT_EQ(run_program({"compare", kTumvi, one}).code, 0);
+  EXPECT_EQ(run_program({"compare", kTumvi, one, "--max-error", "1"}).code, 1);
+  EXPECT_EQ(run_program({"compare", kTumvi, one, "--max-error", "1", "--camera", "0"}).code, 0);
+  // A radial-tangential lens ends long before this one's border.
+  const std::string narrow = folder / "narrow.yaml";
+  ASSERT_EQ(
+      run_program({"convert", kTumvi, "--camera", "0", "--to", "kalibr", "--model", "radtan", "-o", narrow, "--no-verify"})
+          .code,
+      0);
+  const RunResult missing = run_program({"compare", kTumvi, narrow, "--camera", "0", "--max-error", "1000"});
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_TRUE(contains(missing.err, "has no pixel for ")) << missing.err;
+  const std::string empty = folder.write("empty.yaml", "");
+  const rapidjson::Document document = document_of(run_program({"compare", kTumvi, one, empty, "--json"}));
+  for (const auto& file : document["files"].GetArray()) EXPECT_FALSE(file["identical"].GetBool());
+}
+
 TEST(Compare, BadInputsAreToldAndTheOthersStillCompared) {
   const TemporaryFolder folder;
   const std::string empty = folder.write("empty.yaml", "");

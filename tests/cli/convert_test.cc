@@ -447,6 +447,16 @@ TEST(Convert, ASettingsFileWithoutASizeIsNotCalledWrong) {
 }
 
 // Exactness through any language: the numbers do not depend on the locale's decimal sign.
+// No motion mirrors: what such a pose means nobody knows, and no program is given its inverse.
+TEST(Convert, AMirroredPoseIsRefused) {
+  const RunResult run = run_program({"convert", testdata("checks/left-handed.yaml"), "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(contains(run.err, "left-handed")) << run.err;
+  // Within its format it is the owner's, and stays.
+  EXPECT_EQ(run_program({"convert", testdata("checks/left-handed.yaml"), "--to", "kalibr"}).code, 0);
+}
+
 TEST(Convert, LocalesDoNotMatter) {
   ::setenv("LC_ALL", "de_DE.UTF-8", 1);
   const RunResult german = run_program({"convert", kTumvi, "--to", "orbslam3"});

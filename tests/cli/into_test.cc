@@ -341,6 +341,55 @@ TEST(Join, TwoChainsAreOneRig) {
   EXPECT_FALSE(joined.resolve("cam2", "cam1"));
 }
 
+// Formats of one camera per file: every file is its own base, whatever the others are.
+TEST(Join, FilesOfOneCameraComeBackByteForByte) {
+  const std::pair<const char*, std::vector<const char*>> formats[] = {
+      {"woodscape", {"front.json", "crlf-tabs.json", "ints-and-more.json", "one-line.json"}},
+      {"ocamcalib", {"toolbox.txt", "degree-eight.txt", "free-layout.txt"}}};
+  for (const auto& [format, names] : formats) {
+    SCOPED_TRACE(format);
+    const TemporaryFolder folder;
+    std::vector<std::string> arguments = {"convert", "--join", "--to", format, "-o", folder / "{camera}", "--strict", "--json"};
+    std::vector<std::string> inputs;
+    for (const char* name : names) {
+      inputs.push_back(read_file(testdata("formats/" + std::string(format) + "/good/" + name)));
+      arguments.push_back(testdata("formats/" + std::string(format) + "/good/" + name));
+    }
+    const RunResult run = run_program(arguments);
+    ASSERT_EQ(run.code, 0) << run.err << run.out;
+    std::vector<std::string> outputs;
+    for (const auto& entry : fs::directory_iterator(folder.path())) outputs.push_back(read_file(entry.path().string()));
+    std::ranges::sort(inputs);
+    std::ranges::sort(outputs);
+    EXPECT_EQ(outputs, inputs);
+  }
+}
+
+// Where one file holds them all the first is edited; of the others only the cameras come.
+TEST(Join, TheFirstFileIsEditedAndTheOthersCommentsAreListed) {
+  const std::vector<std::string> command = {"convert", kTumvi, kDs, "--join", "--to", "kalibr", "--max-angle", "97.5"};
+  const RunResult run = run_program(command);
+  EXPECT_EQ(run.code, 0) << run.err;
+  const std::string first = read_file(kTumvi);
+  EXPECT_TRUE(run.out.starts_with(first.substr(0, first.find("cam1:")))) << run.out;
+  EXPECT_TRUE(contains(run.err, "comments of " + kDs)) << run.err;
+  std::vector<std::string> strict = command;
+  strict.push_back("--strict");
+  EXPECT_EQ(run_program(strict).code, 1);
+}
+
+// Settings that nobody can compute stay the first file's.
+TEST(Join, SettingsOfTheFirstFileStay) {
+  const TemporaryFolder folder;
+  const std::string mine =
+      folder.write("mine.yaml", with_replaced(read_file(testdata("formats/orbslam3/good/v1-pinhole.yaml")),
+                                              "ORBextractor.nFeatures: 1000", "ORBextractor.nFeatures: 1777  # tuned"));
+  const RunResult run = run_program(
+      {"convert", "--join", mine, testdata("formats/orbslam3/good/v1-pinhole.yaml"), "--camera", "0", "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "ORBextractor.nFeatures: 1777  # tuned")) << run.out;
+}
+
 TEST(Join, ShowNamesTheJoinedCameras) {
   const RunResult run = run_program({"show", kTumvi, kDs, "--join"});
   EXPECT_EQ(run.code, 0) << run.err;

@@ -58,6 +58,8 @@ struct WriteOptions {
   std::string
       extension;      ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
   bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
+  /// Further files whose cameras are in the rig (--join): only the base can be edited, their comments go.
+  std::span<const text::Document> joined = {};
   bool adopted = false;  ///< The base was read as another format of the same layout: a camchain that is to become TUM-VI's.
 };
 
