@@ -125,12 +125,18 @@ std::string readers_text(const Readers& readers) {
   return text;
 }
 
+/// What a part without cameras holds: Kalibr's imu.yaml, stereo_calib's extrinsics.yml.
+std::string parts_in_words(const Rig& rig) {
+  if (!rig.cameras.empty()) return "";
+  return rig.imus.empty() ? ", a pose without cameras" : ", an IMU without cameras";
+}
+
 }  // namespace
 
 std::string show_text(const ShownFile& shown) {
   const Calibration& calibration = *shown.calibration;
-  std::string text = shown.file + ": " + std::string(calibration.format->title) +
-                     (calibration.rig.cameras.empty() ? ", an IMU without cameras" : "") + " (" + calibration.why + ")\n";
+  std::string text = shown.file + ": " + std::string(calibration.format->title) + parts_in_words(calibration.rig) + " (" +
+                     calibration.why + ")\n";
   for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera, calibration.rig.as_read, shown.limit_deg);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)

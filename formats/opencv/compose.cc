@@ -96,6 +96,10 @@ std::optional<Written::File> compose_file(const Rig& rig, const std::string& nam
 
 }  // namespace
 
+bool names_syntax(std::string_view extension) {
+  return extension == ".yml" || extension == ".yaml" || extension == ".xml" || extension == ".json";
+}
+
 Syntax syntax_for(std::string_view extension) {
   if (extension == ".xml") return Syntax::kXml;
   return extension == ".json" ? Syntax::kJson : Syntax::kOpenCvYaml;

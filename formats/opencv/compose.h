@@ -11,6 +11,8 @@
 
 namespace fca::opencv {
 
+/// Is it the extension of one of cv::FileStorage's syntaxes? ".calib" says nothing.
+[[nodiscard]] bool names_syntax(std::string_view extension);
 /// cv::FileStorage's YAML unless the extension is .xml or .json.
 [[nodiscard]] text::Syntax syntax_for(std::string_view extension);
 /// Plain YAML (without its first line) and cv::FileStorage's count as one.

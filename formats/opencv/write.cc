@@ -51,7 +51,7 @@ bool is_pose_alone(const text::Document* base) {
 
 /// Does another syntax than the base's follow from the name of the file to be written?
 bool wants_other_syntax(const text::Document& base, const WriteOptions& options) {
-  return !options.extension.empty() && !same_syntax(base.syntax(), syntax_for(options.extension));
+  return names_syntax(options.extension) && !same_syntax(base.syntax(), syntax_for(options.extension));
 }
 
 /// The base's edit, if there is a base that can be edited; else `why` says what stands against it.
@@ -220,7 +220,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
     if (!layout) return std::nullopt;
-    const text::Syntax syntax = options.extension.empty() && base != nullptr ? base->syntax() : syntax_for(options.extension);
+    const bool as_base = base != nullptr && !names_syntax(options.extension);
+    const text::Syntax syntax = as_base ? base->syntax() : syntax_for(options.extension);
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
     written.headline = headline(*layout, rig);
     written.first_is_left = why_first_is_left(*layout, rig);

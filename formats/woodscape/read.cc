@@ -99,7 +99,7 @@ class CameraReader {
 
   /// k1 is the radius per radian near the axis, in pixels: 200 to 600 for the dataset's cameras.
   bool check_scale(const Node& k1, const CameraModel& model) {
-    constexpr double kFewestPixels = 10.0;
+    constexpr double kFewestPixels = 20.0;  // 10.3 are a dataset camera's pixels per degree
     const double value = *parameter(model, "k1");
     if (value >= kFewestPixels) return true;
     const double per_radian = value * 180.0 / std::numbers::pi;

@@ -341,6 +341,17 @@ TEST(Join, TwoChainsAreOneRig) {
   EXPECT_FALSE(joined.resolve("cam2", "cam1"));
 }
 
+// A name that says nothing of the syntax is no wish for another one.
+TEST(Into, AnUnknownExtensionKeepsTheSyntax) {
+  const std::string input = testdata("formats/opencv/good/calibration-old.xml");
+  const TemporaryFolder folder;
+  for (const char* name : {"out.calib", "out.xml.new", "out"}) {
+    const RunResult run = run_program({"convert", input, "--to", "opencv", "-o", folder / name});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(read_file(folder / name), read_file(input)) << name;
+  }
+}
+
 // Formats of one camera per file: every file is its own base, whatever the others are.
 TEST(Join, FilesOfOneCameraComeBackByteForByte) {
   const std::pair<const char*, std::vector<const char*>> formats[] = {
