@@ -71,10 +71,13 @@ void judge_limit(double limit_px, const ReferenceFile& reference, ComparedFile& 
     const double missing = judgement.coverage.unrepresentable;
     if (!(judgement.coverage.scored > 0.0)) {
       exceed(compared, camera.other + ": no pixel could be compared");
-    } else if (judgement.error.max > limit_px) {
+      continue;
+    }
+    if (judgement.error.max > limit_px) {
       exceed(compared, camera.other + ": the worst pixel is off by " + pixels(judgement.error.max) +
                            " px, more than --max-error " + pixels(limit_px));
-    } else if (missing > kNoticeable) {
+    }
+    if (missing > kNoticeable) {
       exceed(compared, camera.other + " has no pixel for " + percent(missing) + " of the image",
              "if the lens ends before, --max-angle DEG says where");
     }

@@ -53,7 +53,11 @@ std::string preview_text(const ConvertOutcome& outcome, const std::string& inden
   std::vector<std::string> losses;
   for (const Loss& loss : outcome.written.losses) losses.push_back(loss.what + " (" + loss.why + ")");
   std::vector<std::string> made_up;
-  for (const DefaultedValue& value : outcome.written.defaults) made_up.push_back(value.key + " " + value.value);
+  for (const bool look_at_it : {true, false}) {  // those first
+    for (const DefaultedValue& value : outcome.written.defaults) {
+      if (value.look_at_it == look_at_it) made_up.push_back(value.key + " " + value.value);
+    }
+  }
   text += list_text("lost: ", losses, indent + "  ") + list_text("made up: ", made_up, indent + "  ");
   for (const ProofResult& proof : outcome.proofs) {
     if (proof.misread_px > 0.0)

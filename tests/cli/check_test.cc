@@ -158,7 +158,7 @@ TEST(Check, ForAProgramOfAnotherFormat) {
   EXPECT_GT(converted["losses"].Size() + converted["defaults"].Size(), 0U);
   const RunResult text = run_program({"check", chain, "--for", "orbslam3"});
   EXPECT_TRUE(contains(text.out, "convert would write settings for ORB-SLAM3 V1.0")) << text.out;
-  EXPECT_TRUE(contains(text.out, "made up: Camera.fps")) << text.out;
+  EXPECT_TRUE(contains(text.out, "made up: Camera.fps 20; Camera.RGB 1; ")) << text.out;
   // What convert cannot write is said with its reason.
   const RunResult imu = run_program({"check", check_file("clean-imu.yaml"), "--for", "opencv"});
   EXPECT_EQ(imu.code, 1);

@@ -394,7 +394,7 @@ TEST(Join, SettingsOfTheFirstFileStay) {
   const TemporaryFolder folder;
   const std::string mine =
       folder.write("mine.yaml", with_replaced(read_file(testdata("formats/orbslam3/good/v1-pinhole.yaml")),
-                                              "ORBextractor.nFeatures: 1000", "ORBextractor.nFeatures: 1777  # tuned"));
+                                              "ORBextractor.nFeatures: 1500", "ORBextractor.nFeatures: 1777  # tuned"));
   const RunResult run = run_program(
       {"convert", "--join", mine, testdata("formats/orbslam3/good/v1-pinhole.yaml"), "--camera", "0", "--to", "orbslam3"});
   EXPECT_EQ(run.code, 0) << run.err;
