@@ -282,6 +282,16 @@ bool edits_first(const Calibration& calibration, const ConvertArguments& argumen
          calibration.with_cameras == 0;
 }
 
+/// Of joined files the one that an output is an edit of; null if it is none.
+const text::Document* input_of(const ConvertOutcome::Output& output, const Written& written, const Calibration& calibration) {
+  const auto file = std::ranges::find(written.files, output.cameras, &Written::File::cameras);
+  if (file == written.files.end()) return nullptr;
+  const auto input = std::ranges::find_if(calibration.documents, [&file](const text::Document& document) {
+    return document.source().bytes == file->document.source().bytes;
+  });
+  return input == calibration.documents.end() ? nullptr : &*input;
+}
+
 /// The steps of one conversion; false with errors.
 bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
                   ConvertOutcome& outcome) {
@@ -355,7 +365,10 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   place_outputs(arguments, outcome);
   if (!arguments.no_verify) {
     const Rig meant = as_restated(rig, outcome.written);
-    for (const ConvertOutcome::Output& output : outcome.outputs) verify(meant, output, arguments, base.document, outcome);
+    for (const ConvertOutcome::Output& output : outcome.outputs) {
+      const text::Document* own = base.document != nullptr ? base.document : input_of(output, outcome.written, *calibration);
+      verify(meant, output, arguments, own, outcome);
+    }
   }
   warn_of_poor_fits(outcome);
   judge_limits(arguments, outcome);
