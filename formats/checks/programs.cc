@@ -49,9 +49,10 @@ class ProgramsCheck {
     report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(""));
     const Consumer* own = options_.program != nullptr ? options_.program : format_program();
     if (own == nullptr) {
-      if (with_cameras_)
+      if (with_cameras_) {
         findings_.undecided("program-refuses", "whether a program loads the file",
                             "none that fca-io knows reads such a file alone");
+      }
       return;
     }
     if (!own->reads(format_.id)) {

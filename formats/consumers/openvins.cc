@@ -69,8 +69,7 @@ cv::FileNode item(const cv::FileNode& list, int index) {
 /// A sensor's map in a file, and the sentences about it.
 class Sensor {
  public:
-  Sensor(cv::FileNode node, std::string name, ConsumerView& view)
-      : node_(std::move(node)), name_(std::move(name)), view_(view) {}
+  Sensor(const cv::FileNode& node, std::string name, ConsumerView& view) : node_(node), name_(std::move(name)), view_(view) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] cv::FileNode node(const std::string& key) const { return node_[key]; }

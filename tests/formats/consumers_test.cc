@@ -457,7 +457,8 @@ TEST(OrbSlam3, AMatrixLargerThanItsNumbersIsNotAllocated) {
   for (const char* length : {"rows: 1048576", "rows: 1073741824", "rows: -4", "rows: 4.5", "rows: \"4\""}) {
     expect_refused(load("orbslam3", kV1Pinhole + edited(kImu, "rows: 4", length), "mono-inertial"), "IMU.T_b_c1");
   }
-  expect_refused(load("orbslam3", kV1Pinhole + edited(kImu, "dt: f", "dt: \"512f\""), "mono-inertial"), "16 numbers for 8192 places");
+  expect_refused(load("orbslam3", kV1Pinhole + edited(kImu, "dt: f", "dt: \"512f\""), "mono-inertial"),
+                 "16 numbers for 8192 places");
 }
 
 // --- the old parser and the forks

@@ -78,8 +78,8 @@ struct Consumer {
   bool cameras = true;  ///< false: it reads files without a camera (Kalibr's imu.yaml).
   /// Id of a second format whose files it reads, or "": TUM-VI's chains are Kalibr's.
   std::string_view second_format = {};
-  /// It reads the format's keys in another syntax than the format's own program: a file that only it reads has the format's keys
-  /// and is not of the format (OpenVINS: Kalibr's keys through cv::FileStorage).
+  /// It reads the format's keys in another syntax than the format's own program: a file that only it reads has the format's
+  /// keys and is not of the format (OpenVINS: Kalibr's keys through cv::FileStorage).
   bool other_syntax = false;
   [[nodiscard]] constexpr bool reads(std::string_view format_id) const {
     return !format_id.empty() && (format_id == format || format_id == second_format);
