@@ -117,7 +117,7 @@ std::string facts_text(const std::vector<FactComparison>& facts) {
   std::string text = "\nnumbers\n";
   for (const FactComparison& fact : facts) {
     text += "  " + (fact.owner.empty() ? "" : fact.owner + " ") + fact.name + ": " + text::format_short(fact.reference);
-    if (fact.reference == fact.other) {
+    if (fact.same_but_for_rounding()) {
       text += " " + fact.unit + ", the same\n";
       continue;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversion_preview.h"
 
+#include "convert_command.h"
 #include "words.h"
 
 #include <algorithm>
@@ -10,13 +11,10 @@ namespace fca::cli {
 namespace {
 
 std::string camera_text(const CameraOutcome& camera) {
-  const std::string from(model_info(camera.source.model).id);
-  const std::string to(model_info(camera.target.model).id);
-  if (!camera.report || camera.report->exact)
-    return camera.source.name + ": " + from + (from == to ? ", kept" : " -> " + to + ", exact");
+  const std::string text = camera.source.name + ": " + camera_line(camera);
+  if (!camera.report || camera.report->exact) return text;
   const ErrorSummary& error = camera.report->judgement.error;
-  return camera.source.name + ": " + from + " -> " + to + ", fitted: rms " + pixels(error.rms) + " px, max " +
-         pixels(error.max) + " px";
+  return text + ": rms " + pixels(error.rms) + " px, max " + pixels(error.max) + " px";
 }
 
 /// "a; b; c" in lines behind `indent`, or nothing.

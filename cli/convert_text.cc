@@ -11,14 +11,14 @@
 
 namespace fca::cli {
 
-namespace {
-
 std::string camera_line(const CameraOutcome& camera) {
   const std::string from(model_info(camera.source.model).id);
   const std::string to(model_info(camera.target.model).id);
   if (from == to && camera.source.model == camera.target.model) return from + ", kept";
   return from + " -> " + to + (camera.report && camera.report->exact ? ", exact" : ", fitted");
 }
+
+namespace {
 
 /// A file cannot tell black corners from glass, and the choice changes the error tenfold.
 std::string reach_text(const std::vector<ReachRow>& rows) {

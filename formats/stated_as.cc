@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/stated_as.h>
 
-#include "checks/places.h"
+#include "places.h"
 
 #include <cmath>
 
@@ -32,7 +32,7 @@ std::string key_of_pose(const Calibration& calibration, std::size_t index) {
     if (std::abs(T(other, 3)) > std::abs(T(row, 3))) row = other;
   }
   const text::Document& document = calibration.documents.at(calibration.with_cameras);
-  const SourceRange range = checks::Places(document, calibration).pose(index, row, 3);
+  const SourceRange range = Places(document, calibration).pose(index, row, 3);
   std::vector<std::string> keys;
   if (range.length == 0 || !find_keys(document.root(), range.offset, keys)) return "";
   // Numbers of an opencv-matrix.

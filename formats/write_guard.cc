@@ -4,7 +4,6 @@
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/limits.h>
-#include <fca/rig/rotation.h>
 
 #include <cmath>
 #include <set>

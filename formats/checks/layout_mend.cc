@@ -11,11 +11,14 @@ namespace {
 using text::Node;
 using text::Span;
 
+/// In bytes from the line's first.
+std::size_t column_of(const text::Source& source, const Span& span) { return span.offset - source.line_at(span.offset).offset; }
+
 /// The block sequences whose dashes stand no deeper than their key, in file order; what is inside one moves with it.
 void collect_shallow(const text::Source& source, const Node& node, std::vector<Span>& spans) {
   for (const text::Entry& entry : node.entries) {
     const bool is_block = entry.value.is_sequence() && !entry.value.flow && entry.value.span.length > 0;
-    if (is_block && source.position(entry.value.span.offset).column <= source.position(entry.key.span.offset).column) {
+    if (is_block && column_of(source, entry.value.span) <= column_of(source, entry.key.span)) {
       spans.push_back(entry.value.span);
     } else {
       collect_shallow(source, entry.value, spans);
@@ -82,10 +85,10 @@ std::optional<Mend> header_mend(const text::Document& document) {
 std::optional<Mend> layout_mend(const text::Document& document) {
   if (document.syntax() != text::Syntax::kYaml) return std::nullopt;
   const text::Source& source = document.source();
-  std::vector<Span> shallow;
-  collect_shallow(source, document.root(), shallow);
   // A header behind comments: which of the two is meant to go is not certain.
   if (source.bytes.find("\n%YAML") != std::string::npos) return std::nullopt;
+  std::vector<Span> shallow;
+  collect_shallow(source, document.root(), shallow);
   const std::size_t start = source.byte_order_mark();
   const bool has_header = std::string_view(source.bytes).substr(start).starts_with("%YAML");
   if (has_header && shallow.empty()) return std::nullopt;

@@ -21,6 +21,9 @@ struct Attempt {
   ConsumerView view;
 };
 
+/// Sentences of a program that are told one by one: for each its parser is asked again and again for a mend.
+constexpr std::size_t kMostSaid = 10;
+
 /// The modes that a file's keys speak for, the richest first; the others would not use what stands there.
 std::string meant_mode(const text::Document& document) {
   const auto has = [&document](std::string_view key) {
@@ -152,16 +155,14 @@ class ProgramsCheck {
       return;
     }
     if (raise_wrong_parser()) return;
-    constexpr std::size_t kMostSaid = 10;
     for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) say_refusal(own, fewest->mode, refusals[i]);
-    if (refusals.size() > kMostSaid) {
-      findings_.add({Severity::kError,
-                     "program-refuses",
-                     std::to_string(refusals.size() - kMostSaid) + " refusals more",
-                     {},
-                     {},
-                     {document_.source().name, 0, 0}});
-    }
+    say_more(refusals.size(), "refusals", "program-refuses", Severity::kError);
+  }
+
+  void say_more(std::size_t count, const std::string& what, const std::string& code, Severity severity) {
+    if (count <= kMostSaid) return;
+    findings_.add(
+        {severity, code, std::to_string(count - kMostSaid) + " " + what + " more", {}, {}, {document_.source().name, 0, 0}});
   }
 
   /// With the wrong parser chosen every key is missing: one reason for all refusals, which the reader has said.
@@ -195,12 +196,14 @@ class ProgramsCheck {
 
   void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {
     if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
-    for (const std::string& warning : view.warnings) {
+    for (std::size_t i = 0; i < std::min(kMostSaid, view.warnings.size()); ++i) {
+      const std::string& warning = view.warnings[i];
       // Asked for that program, a camera that it takes for another is what one wanted to know.
       const bool wrong = options_.program != nullptr && misreads(view, warning);
       const std::string who = warning.find(own.program) == std::string::npos ? std::string(own.program) + ": " : std::string();
       say({wrong ? Severity::kError : Severity::kWarning, "program-misreads", who + warning, {}, {}, {}}, own, mode, warning);
     }
+    say_more(view.warnings.size(), "warnings", "program-misreads", Severity::kWarning);
   }
 
   /// Is the warning about a camera that the program takes for another?

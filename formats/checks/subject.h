@@ -2,7 +2,7 @@
 // Private: what a check looks at and where it puts what it finds.
 #pragma once
 
-#include "places.h"
+#include "../places.h"
 
 #include <fca/formats/check.h>
 

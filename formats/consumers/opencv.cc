@@ -15,11 +15,13 @@
 
 #include "opencv_formulas.h"
 #include "programs.h"
-#include "storage_limits.h"
+#include "storage.h"
 
 namespace fca::consumers {
 namespace opencv {
 namespace {
+
+using storage::is_number;
 
 using Names = std::array<const char*, 3>;
 
@@ -195,7 +197,6 @@ class Reader {
     return {0, 0};
   }
 
-  static bool is_number(const cv::FileNode& found) { return found.isInt() || found.isReal(); }
 
   /// Which function a program calls: the caller's word, then the file's, then the length of the vector, then pinhole.
   Function choose(std::size_t length, std::optional<bool> file_says_fisheye, const std::string& name) {
@@ -418,34 +419,9 @@ class Reader {
 }  // namespace opencv
 
 ConsumerView load_opencv(std::string_view bytes, const LoadOptions& options) {
-  ConsumerView view;
-  std::string obstacle = storage::find_obstacle(bytes);
-  if (!obstacle.empty()) {
-    view.refusals.push_back(std::move(obstacle));
-    return view;
-  }
-  // From memory it skips the mark, from a file its parsers meet it and throw (persistence_yml.cpp:824, OpenCV 4.6).
-  if (bytes.starts_with("\xEF\xBB\xBF")) {
-    view.refusals.emplace_back("the file begins with a byte order mark (BOM), which cv::FileStorage does not parse");
-    return view;
-  }
-  try {
-    const cv::FileStorage file(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    if (file.isOpened()) {
-      opencv::Reader(file, options, view).run();
-    } else {
-      view.refusals.emplace_back("cv::FileStorage finds no document in the file");
-    }
-  } catch (const cv::Exception& error) {
-    view.refusals.push_back("cv::FileStorage does not take the file: " + storage::one_line(error.err));
-  } catch (const std::exception& error) {
-    view.refusals.push_back("OpenCV stops: " + storage::one_line(error.what()));
-  }
-  if (!view.loads()) {
-    view.cameras.clear();
-    view.poses.clear();
-  }
-  return view;
+  return storage::read(bytes, "OpenCV", "cv::FileStorage", [&options](const cv::FileStorage& file, ConsumerView& view) {
+    opencv::Reader(file, options, view).run();
+  });
 }
 
 }  // namespace fca::consumers

@@ -10,9 +10,8 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
-#include "orbslam_shared.h"
 #include "programs.h"
-#include "storage_limits.h"
+#include "storage.h"
 
 namespace fca::consumers {
 namespace {
@@ -20,6 +19,8 @@ namespace {
 using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Projection = std::function<std::optional<Pixel>(const Ray&)>;
+
+constexpr std::string_view kReader = "OpenCV's reader, which OpenVINS uses,";
 
 /// camera_values: fx fy cx cy and four coefficients, in double; points come and go in float.
 using CameraValues = std::array<double, 8>;
@@ -59,8 +60,7 @@ Projection projection(const CameraValues& values, bool is_equidistant) {
   };
 }
 
-bool is_number(const cv::FileNode& node) { return node.isInt() || node.isReal(); }
-
+using storage::is_number;
 /// list[index], or an empty node.
 cv::FileNode item(const cv::FileNode& list, int index) {
   return list.isSeq() && index < static_cast<int>(list.size()) ? list[index] : cv::FileNode();
@@ -173,30 +173,6 @@ void read_camera(Sensor& sensor, ConsumerView& view) {
       {extrinsics->is_T_imu_cam ? "imu0" : sensor.name(), extrinsics->is_T_imu_cam ? sensor.name() : "imu0", extrinsics->T});
 }
 
-/// Runs `body` on the bytes as cv::FileStorage holds them; what it throws is a refusal.
-ConsumerView with_storage(std::string_view bytes, void (*body)(const cv::FileStorage&, ConsumerView&)) {
-  ConsumerView view;
-  std::string obstacle = storage::find_obstacle(bytes);
-  if (!obstacle.empty()) {
-    view.refusals.push_back(std::move(obstacle));
-    return view;
-  }
-  try {
-    const cv::FileStorage storage(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    if (!storage.isOpened()) throw cv::Exception(0, "no document", "", "", 0);
-    body(storage, view);
-  } catch (const cv::Exception& error) {
-    view.refusals.push_back("OpenCV's reader, which OpenVINS uses, does not take the file: " + storage::one_line(error.err));
-  } catch (const std::exception& error) {
-    view.refusals.push_back("OpenVINS stops: " + storage::one_line(error.what()));
-  }
-  if (!view.loads()) {
-    view.cameras.clear();
-    view.poses.clear();
-  }
-  return view;
-}
-
 void read_chain(const cv::FileStorage& storage, ConsumerView& view) {
   if (storage["cam0"].empty()) {
     view.refusals.emplace_back("cam0 is missing; OpenVINS stops");
@@ -222,15 +198,19 @@ void read_imu(const cv::FileStorage& storage, ConsumerView& view) {
        {"gyroscope_noise_density", "gyroscope_random_walk", "accelerometer_noise_density", "accelerometer_random_walk"}) {
     if (!imu.require(key)) continue;
     const cv::FileNode value = imu.node(key);
-    if (!is_number(value)) imu.refuse(key, "is " + orbslam::describe(value) + ", not a number");
+    if (!is_number(value)) imu.refuse(key, "is " + storage::describe(value) + ", not a number");
   }
   for (const char* key : {"Tw", "Ta", "R_IMUtoACC", "R_IMUtoGYRO", "Tg"}) imu.require(key);
 }
 
 }  // namespace
 
-ConsumerView load_openvins(std::string_view bytes, const LoadOptions&) { return with_storage(bytes, &read_chain); }
+ConsumerView load_openvins(std::string_view bytes, const LoadOptions&) {
+  return storage::read(bytes, "OpenVINS", kReader, &read_chain);
+}
 
-ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions&) { return with_storage(bytes, &read_imu); }
+ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions&) {
+  return storage::read(bytes, "OpenVINS", kReader, &read_imu);
+}
 
 }  // namespace fca::consumers

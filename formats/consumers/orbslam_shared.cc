@@ -7,8 +7,6 @@
 #include <cstring>
 #include <limits>
 
-#include "storage_limits.h"
-
 namespace fca::consumers::orbslam {
 namespace {
 
@@ -30,20 +28,6 @@ std::string find_obstacle(std::string_view bytes) {
            "it)";
   }
   return {};
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text.substr(0, 80)) result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  return result + "\"";
-}
-
-std::string shortest(double value) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  std::string text(buffer.data(), result.ptr);
-  const bool is_plain = text.find_first_not_of("-0123456789") == std::string::npos;
-  return is_plain ? text + ".0" : text;
 }
 
 std::string suggest_int(const cv::FileNode& node) {
@@ -136,14 +120,6 @@ Projection eucm(const Intrinsics& k, float alpha, float beta) {
   };
 }
 
-std::string describe(const cv::FileNode& node) {
-  if (node.isInt()) return std::to_string(static_cast<int>(node));
-  if (node.isReal()) return shortest(node.real());
-  if (node.isString()) return "the string " + quoted(node.string());
-  if (node.isSeq()) return "a list";
-  return node.isMap() ? "a map" : "nothing";
-}
-
 void Settings::refuse_missing(std::string_view key) { refuse(std::string(key) + " is missing; " + program_ + " exits"); }
 
 float Settings::real(std::string_view key, bool required) {
@@ -189,7 +165,7 @@ std::string Settings::text(std::string_view key, bool required) {
 float Settings::loose(std::string_view key) {
   const cv::FileNode found = node(key);
   if (found.empty()) return 0.0F;
-  if (found.isInt() || found.isReal()) return static_cast<float>(found);
+  if (storage::is_number(found)) return static_cast<float>(found);
   warn(std::string(key) + " is " + describe(found) + ", not a number; " + program_ + " takes OpenCV's largest number for it");
   return std::numeric_limits<float>::max();  // cv::read(FileNode, float&)
 }
@@ -218,22 +194,11 @@ ConsumerView with_settings(std::string_view bytes, std::string_view program, con
     view.refusals.push_back(std::move(obstacle));
     return view;
   }
-  try {
-    cv::FileStorage storage(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
-    if (!storage.isOpened()) throw cv::Exception(0, "no document", "", "", 0);
-    Settings settings(storage, program, view);
-    body(settings, *sensor, view);
-  } catch (const cv::Exception& error) {
-    view.refusals.push_back("OpenCV's reader, which " + std::string(program) +
-                            " uses, does not take the file: " + storage::one_line(error.err));
-  } catch (const std::exception& error) {
-    view.refusals.push_back(std::string(program) + " stops: " + storage::one_line(error.what()));
-  }
-  if (!view.loads()) {
-    view.cameras.clear();
-    view.poses.clear();
-  }
-  return view;
+  return storage::read(bytes, program, "OpenCV's reader, which " + std::string(program) + " uses,",
+                       [&](const cv::FileStorage& storage, ConsumerView& opened) {
+                         Settings settings(storage, program, opened);
+                         body(settings, *sensor, opened);
+                       });
 }
 
 std::optional<std::array<double, 16>> rows_as_float(const cv::Mat& matrix) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fca/formats/consumers/consumer.h"
+#include "storage.h"
 
 namespace fca::consumers::orbslam {
 
@@ -43,8 +44,7 @@ inline constexpr double kKannalaBrandt8RightRays = std::numbers::pi / 2.0;
 [[nodiscard]] Projection double_sphere(const Intrinsics& k, float xi, float alpha);
 [[nodiscard]] Projection eucm(const Intrinsics& k, float alpha, float beta);
 
-/// "20.0", "the string \"x\"", "a list": a node for sentences. Reals keep a '.', so that they differ from ints.
-[[nodiscard]] std::string describe(const cv::FileNode& node);
+using storage::describe;
 
 /// A settings file that is open in cv::FileStorage, and the sentences about it.
 class Settings {

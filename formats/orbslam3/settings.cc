@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.h"
 
+#include "columns.h"
+
 #include <fca/formats/text/numbers.h>
-#include <fca/rig/overlap.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +26,7 @@ const Transform* stated_or(const Rig& rig, std::string_view a, std::string_view 
 double baseline(const Rig& rig, const Sensor& sensor) {
   if (sensor.depth || rig.cameras.size() < 2) return rig.baseline_m.value_or(0.0);
   const std::optional<Transform> T = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
-  return T ? std::hypot((*T)(0, 3), (*T)(1, 3), (*T)(2, 3)) : 0.0;
+  return T ? distance_of(*T) : 0.0;
 }
 
 /// The numbers without a lens, as every layout begins.
@@ -64,17 +66,6 @@ void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& 
   fields.push_back(fields::matrix(
       "CAMERA.R", std::array{T(0, 0), T(0, 1), T(0, 2), T(1, 0), T(1, 1), T(1, 2), T(2, 0), T(2, 1), T(2, 2)}, 3, "d"));
   fields.push_back(fields::matrix("CAMERA.T", std::array{T(0, 3), T(1, 3), T(2, 3)}, 3, "d"));
-}
-
-bool has_overlap(const Layout& layout) { return layout.type == "KannalaBrandt8" || layout.type == "DoubleSphere"; }
-
-/// The columns of one camera that another sees, too.
-std::optional<ColumnRange> columns_of(const Rig& rig, const Target& target, std::size_t from, std::size_t to) {
-  const Camera& camera = rig.cameras[from];
-  const Camera& other = rig.cameras[to];
-  const std::optional<Transform> T_other_camera = rig.resolve(other.name, camera.name);
-  if (!T_other_camera) return std::nullopt;
-  return columns_shared(camera, other, *T_other_camera, target.max_angle_rad.value_or(std::numbers::pi));
 }
 
 void add_stereo(const Rig& rig, const Target& target, std::vector<Field>& fields) {
@@ -171,28 +162,6 @@ std::string missing_for_pair(const Rig& rig) {
 
 bool is_rectified_pair(const Rig& rig) {
   return rig.cameras.size() == 1 && rig.baseline_m && is_straight(rig.cameras.front().model);
-}
-
-std::vector<OverlapColumn> overlap_columns(const Rig& rig, const Target& target) {
-  const bool pair = target.sensor.two_cameras && rig.cameras.size() > 1 && target.style != Style::kSlamNoOpt;
-  if (!pair || !rig.cameras[0].image_size) return {};
-  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
-  if (layout == nullptr || !has_overlap(*layout)) return {};
-  std::vector<OverlapColumn> result;
-  for (std::size_t i = 0; i < tuning_key::kOverlap.size(); ++i) {
-    const ColumnRange all = {0, rig.cameras[i].image_size.value_or(*rig.cameras[0].image_size).width - 1};
-    const ColumnRange columns = columns_of(rig, target, i, 1 - i).value_or(all);
-    result.push_back({tuning_key::kOverlap.at(i).begin, columns.first});
-    result.push_back({tuning_key::kOverlap.at(i).end, columns.last});
-  }
-  return result;
-}
-
-bool shares_no_columns(const Rig& rig, const Target& target) {
-  if (!target.sensor.two_cameras || rig.cameras.size() < 2 || !rig.cameras[0].image_size || !rig.cameras[1].image_size)
-    return false;
-  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
-  return layout != nullptr && has_overlap(*layout) && !columns_of(rig, target, 0, 1);
 }
 
 const Sensor* find_sensor(std::string_view id) {

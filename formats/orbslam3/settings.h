@@ -51,17 +51,6 @@ struct Target {
 /// nothing, and the style can store the models.
 [[nodiscard]] std::vector<fields::Field> settings_fields(const Rig& rig, const Target& target);
 
-/// Is the target a fisheye pair, between whose cameras ORB-SLAM3 matches only in columns that both see, and there are none?
-[[nodiscard]] bool shares_no_columns(const Rig& rig, const Target& target);
-
-/// A column that bounds what one camera sees in common with the other, as it follows from their poses and fields of view.
-struct OverlapColumn {
-  const TuningKey* key = nullptr;
-  int computed = 0;
-};
-/// Those that the target states; empty where it states none. Where the cameras share nothing, the whole width.
-[[nodiscard]] std::vector<OverlapColumn> overlap_columns(const Rig& rig, const Target& target);
-
 /// What the rig lacks for a sensor mode, in words with the option that would give it; empty: it serves.
 [[nodiscard]] std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style);
 

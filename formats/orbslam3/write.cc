@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base_shape.h"
+#include "columns.h"
 #include "orbslam3.h"
 #include "settings.h"
 
@@ -274,59 +275,6 @@ std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteO
   return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
 }
 
-/// Which of the base's cameras the first and the second are, where their images have the same columns.
-std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig) {
-  std::array<std::optional<std::size_t>, 2> result;
-  for (std::size_t i = 0; i < std::min(result.size(), rig.cameras.size()); ++i) {
-    const auto before = std::ranges::find(base.cameras, rig.cameras[i].name, &Camera::name);
-    if (before == base.cameras.end() || before->image_size != rig.cameras[i].image_size) continue;
-    const std::size_t index = static_cast<std::size_t>(before - base.cameras.begin());
-    if (index < result.size()) result.at(i) = index;
-  }
-  return result;
-}
-
-/// The base's columns, as far as somebody set them by hand.
-std::vector<OverlapColumn> columns_set_by_hand(const Base& base) {
-  std::vector<OverlapColumn> columns = overlap_columns(base.rig, base.target);
-  std::erase_if(columns, [&base](const OverlapColumn& column) {
-    const std::optional<double> stated = base.target.tuning.stated(*column.key);
-    return !stated || *stated == column.computed;
-  });
-  return columns;
-}
-
-/// Columns that the new cameras would have otherwise, and those that somebody set by hand and that are true of other images
-/// alone: kept or not, it is said.
-void tell_of_columns(const Base& base, const Rig& rig, const Target& target, Diagnostics& diagnostics) {
-  const bool same = std::ranges::equal(base.rig.cameras, rig.cameras) && base.rig.poses == rig.poses && !target.max_angle_rad;
-  std::vector<std::string> kept;
-  for (const OverlapColumn& column : overlap_columns(rig, target)) {
-    const std::optional<double> stated = target.tuning.stated(*column.key);
-    if (same || !stated || *stated == column.computed) continue;
-    kept.push_back(target.tuning.field(*column.key, target.style).key + " " + text::format_short(*stated) + " (" +
-                   std::to_string(column.computed) + ")");
-  }
-  if (!kept.empty()) {
-    diagnostics.note(
-        "columns-kept",
-        text::enumerated(kept, "and") + ": kept as the base has it; in brackets what follows from the poses and fields of view",
-        {}, "--set KEY=VALUE writes another");
-  }
-  const std::array<std::optional<std::size_t>, 2> from = same_images(base.rig, rig);
-  std::vector<std::string> gone;
-  for (const OverlapColumn& column : columns_set_by_hand(base)) {
-    const std::size_t of_second = column.key == &tuning_key::kOverlapBegin2 || column.key == &tuning_key::kOverlapEnd2 ? 1 : 0;
-    if (std::ranges::find(from, std::optional(of_second)) != from.end()) continue;
-    const fields::Field was = base.target.tuning.field(*column.key, base.target.style);
-    gone.push_back(was.key + " " + was.tokens.front());
-  }
-  if (gone.empty() || overlap_columns(rig, target).empty()) return;
-  diagnostics.note("columns-computed",
-                   text::enumerated(gone, "and") + " of the base: of images of another size, so the columns are computed anew",
-                   {}, "--set KEY=VALUE writes another");
-}
-
 bool check_rates(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   constexpr double kLargestRate = 1e6;
   constexpr double kRoundsToOne = 0.5;
@@ -387,18 +335,12 @@ std::string way_out_of_confusion(const Rig& rig) {
 /// Keys that one sensor mode or another asks for, in both styles.
 bool is_of_a_mode(std::string_view key) {
   constexpr std::array<std::string_view, 4> kGroups = {"Camera2.", "Stereo.", "RGBD.", "IMU."};
-  constexpr std::array<std::string_view, 10> kKeys = {"Tlr",
-                                                      "Tbc",
-                                                      "ThDepth",
-                                                      "Camera.bf",
-                                                      "DepthMapFactor",
-                                                      "InsertKFsWhenLost",
-                                                      "Camera1.overlappingBegin",
-                                                      "Camera1.overlappingEnd",
-                                                      "Camera.lappingBegin",
-                                                      "Camera.lappingEnd"};
-  return std::ranges::any_of(kGroups, [key](std::string_view group) { return key.starts_with(group); }) ||
-         std::ranges::find(kKeys, key) != kKeys.end();
+  if (std::ranges::any_of(kGroups, [key](std::string_view group) { return key.starts_with(group); })) return true;
+  const PoseKeys old = pose_keys(Style::kOld);
+  if (key == old.T_c1_c2 || key == old.T_imu_c1 || key == "Camera.bf") return true;
+  const TuningKey* tuning = find_tuning_key(key);
+  if (tuning == nullptr || tuning->key == tuning_key::kColourOrder.key) return false;
+  return std::ranges::find(program_tuning(), tuning->key, &TuningKey::key) == program_tuning().end();  // those are of all
 }
 
 /// The fields that the base is taken from. A mode that was asked for has exactly its keys: the base's of other modes are among
@@ -427,7 +369,6 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
 
 /// Values of the base that no rig states and that the mode asked for has no use for.
 void list_left_keys(const Base& base, std::span<const fields::Field> after, const Target& target, std::vector<Loss>& losses) {
-  const std::vector<OverlapColumn> by_hand = columns_set_by_hand(base);
   std::vector<AsRead> left;
   for (const AsRead& extra : base.rig.as_read) {
     if (is_of_a_mode(extra.key) && std::ranges::find(after, extra.key, &fields::Field::key) == after.end())
@@ -496,7 +437,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   const std::string program(audience.program);
   list_camera_losses(rig, *target, program, written.losses);
   list_mode_losses(rig, *target, options.sensor.empty() ? edited : nullptr, program, written.losses);
-  if (base) tell_of_columns(*base, rig, *target, diagnostics);
+  if (base) tell_of_columns(base->rig, base->target, rig, *target, diagnostics);
   list_rounded_rates(rig, *target, written);
   Written::File& file = written.files.front();
   const std::size_t used = std::min<std::size_t>(target->sensor.two_cameras ? 2 : 1, rig.cameras.size());

@@ -127,13 +127,6 @@ std::optional<Transform> best_rotation(const Lens& reference, const CameraModel&
   return T;
 }
 
-Ray rotated(const Transform& T, const Ray& ray) {
-  Ray result{};
-  for (int row = 0; row < 3; ++row)
-    result[static_cast<std::size_t>(row)] = T(row, 0) * ray[0] + T(row, 1) * ray[1] + T(row, 2) * ray[2];
-  return result;
-}
-
 std::array<double, 3> rotation_vector(const Transform& T) {
   const Eigen::AngleAxisd rotation{Eigen::Quaterniond(matrix_of(T))};
   const Eigen::Vector3d vector = rotation.angle() * rotation.axis();

@@ -15,8 +15,6 @@ namespace fca::internal {
 /// is smallest: in pixels of `other`. Nothing where too few pixels have a ray in both.
 [[nodiscard]] std::optional<Transform> best_rotation(const Lens& reference, const CameraModel& other, const Domain& domain);
 
-[[nodiscard]] Ray rotated(const Transform& T, const Ray& ray);
-
 /// Along the axis of a rotation, as long as its angle [rad].
 [[nodiscard]] std::array<double, 3> rotation_vector(const Transform& T);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera_difference.h"
 
-#include "best_rotation.h"
+#include <fca/rig/rotation.h>
 
 #include <cmath>
 #include <numbers>

@@ -103,18 +103,11 @@ void add_other_orders(const CameraModel& other, Candidates& candidates) {
   }
 }
 
-/// fx fy cx cy and what follows.
-bool begins_with_focal_lengths(const ModelInfo& model) {
-  constexpr std::array<std::string_view, 4> kFirst = {"fx", "fy", "cx", "cy"};
-  return std::ranges::equal(kFirst, model.parameters.first(std::min(kFirst.size(), model.parameters.size())), {}, {},
-                            &Parameter::name);
-}
-
 /// The other's numbers, in their order, as the reference's model has them.
 void add_other_name(const CameraModel& reference, const CameraModel& other, Candidates& candidates) {
   const ModelInfo& right = model_info(reference);
   const ModelInfo& wrong = model_info(other);
-  if (right.id == wrong.id || !begins_with_focal_lengths(right) || !begins_with_focal_lengths(wrong)) return;
+  if (right.id == wrong.id || !right.focal_lengths_first || !wrong.focal_lengths_first) return;
   constexpr std::size_t kBefore = 4;
   const std::span<const double> numbers = parameter_values(other);
   CameraModel undone = reference;

@@ -13,7 +13,7 @@ namespace {
 
 template <CameraModelType M>
 constexpr ModelInfo info_of() {
-  return {M::kId, M::kTitle, M::kAliases, M::kParameters};
+  return {M::kId, M::kTitle, M::kAliases, M::kParameters, std::is_base_of_v<internal::FocalLengthsFirst, M>};
 }
 
 template <CameraModelType... Ms>

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/rig/overlap.h>
 
+#include <fca/rig/rotation.h>
+
 #include <cmath>
 #include <cstdlib>
 
 namespace fca {
 
 namespace {
-
-Ray turned(const Transform& T, const Ray& ray) {
-  Ray result{};
-  for (int row = 0; row < 3; ++row)
-    result[static_cast<std::size_t>(row)] = T(row, 0) * ray[0] + T(row, 1) * ray[1] + T(row, 2) * ray[2];
-  return result;
-}
 
 /// Pixels are areas: an image ends half a pixel beyond its last centres.
 bool inside(const ImageSize& size, const Pixel& pixel) {
@@ -30,7 +25,7 @@ std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& ot
   const auto shares_pixel = [&](int column, int row) {
     const std::optional<Ray> ray = unproject(camera.model, {static_cast<double>(column), static_cast<double>(row)});
     if (!ray || angle_from_axis(*ray) > max_angle_rad) return false;
-    const Ray there = turned(T_other_camera, *ray);
+    const Ray there = rotated(T_other_camera, *ray);
     if (angle_from_axis(there) > max_angle_rad) return false;
     const std::optional<Pixel> pixel = project(other.model, there);
     return pixel && inside(*other.image_size, *pixel);

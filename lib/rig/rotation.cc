@@ -22,6 +22,13 @@ std::optional<Transform> nearest_rotation(const Transform& T_a_b) {
   return X;
 }
 
+std::array<double, 3> rotated(const Transform& T_a_b, const std::array<double, 3>& p) {
+  std::array<double, 3> result{};
+  for (int row = 0; row < 3; ++row)
+    result[static_cast<std::size_t>(row)] = T_a_b(row, 0) * p[0] + T_a_b(row, 1) * p[1] + T_a_b(row, 2) * p[2];
+  return result;
+}
+
 ElementDifference largest_difference(const Transform& a, const Transform& b) {
   ElementDifference largest;
   for (int row = 0; row < 3; ++row) {

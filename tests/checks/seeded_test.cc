@@ -4,7 +4,6 @@
 #include "places.h"
 #include "seeded_files.h"
 
-#include <cstdio>
 #include <functional>
 
 namespace fca::test {
@@ -182,43 +181,17 @@ std::optional<std::string> planted(const Good& good, const Defect& defect) {
   return written->files.front().document.bytes();
 }
 
+/// Is the place a number that was not there before?
+bool is_new_number(const Good& good, const text::Source& damaged, const Finding& finding) {
+  const text::Source& before = good.calibration.documents.front().source();
+  const text::Span span = {finding.where.offset, finding.where.length};
+  return span.length > 0 && (span.end() > before.bytes.size() || before.text(span) != damaged.text(span));
+}
+
 TEST(SeededDefects, AreFoundWhereTheyStand) {
-  const std::size_t stride = has_corpus() ? 2 : 1;
   for (const Defect& defect : defects()) {
-    int planted_count = 0;
-    int found = 0;
-    int placed = 0;
-    std::string missed;
-    std::string misplaced;
-    for (const Good* each : some_good(stride)) {
-      const Good& good = *each;
-      if (planted_count == kEnough) break;
-      const text::Source& before = good.calibration.documents.front().source();
-      if (find_any(good.report, defect.codes) != nullptr) continue;  // it has that defect already
-      const std::optional<std::string> bytes = planted(good, defect);
-      if (!bytes || *bytes == before.bytes) continue;  // the writer leaves an imu.yaml alone
-      ++planted_count;
-      const text::Source source = {good.name, *bytes};
-      const CheckReport report = checked(source);
-      const Finding* finding = find_any(report, defect.codes);
-      if (finding == nullptr) {
-        missed += "\n  " + good.name + (report.findings.empty() ? "" : ": " + line_of(report.findings.front(), source));
-        continue;
-      }
-      ++found;
-      // The place is a number that was not there before.
-      const text::Span span = {finding->where.offset, finding->where.length};
-      const std::string_view number = std::string_view(*bytes).substr(span.offset, span.length);
-      if (span.length > 0 && (span.end() > before.bytes.size() || before.text(span) != number)) {
-        ++placed;
-      } else {
-        misplaced += "\n  " + good.name + ": " + line_of(*finding, source);
-      }
-    }
-    std::printf("%-42s %3d of %3d found, %3d at the number\n", defect.name, found, planted_count, placed);
-    EXPECT_GE(planted_count, has_corpus() ? defect.at_least : 1) << defect.name;
-    EXPECT_GE(found, 0.95 * planted_count) << defect.name << missed;
-    EXPECT_GE(placed, 0.9 * found) << defect.name << misplaced;
+    const auto plant = [&defect](const Good& good) { return planted(good, defect); };
+    expect_found(defect.name, tally_of(defect.codes, plant, &is_new_number), has_corpus() ? defect.at_least : 1, 0.9);
   }
 }
 
@@ -227,7 +200,7 @@ TEST(Places, HoldTheNumberOfTheFact) {
   int checked_places = 0;
   for (const Good& good : all_good()) {
     const text::Document& document = good.calibration.documents.front();
-    const checks::Places places(document, good.calibration);
+    const Places places(document, good.calibration);
     for (const Camera& camera : good.calibration.rig.cameras) {
       for (const std::string_view name : {"fx", "cy"}) {
         const std::optional<double> value = parameter(camera.model, name);

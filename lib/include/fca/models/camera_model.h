@@ -64,6 +64,7 @@ struct ModelInfo {
   std::string_view title;
   std::span<const std::string_view> aliases;
   std::span<const Parameter> parameters;
+  bool focal_lengths_first = false;  ///< The parameters begin with fx, fy, cx, cy.
 };
 
 /// All models, in the order of ModelList.

@@ -4,6 +4,7 @@
 
 #include <fca/rig/transform.h>
 
+#include <array>
 #include <optional>
 
 namespace fca {
@@ -11,6 +12,9 @@ namespace fca {
 /// The pose with the rotation nearest to its 3 x 3 part (polar decomposition; Higham 1986); nothing if that is singular. Of a
 /// mirror image it is the nearest mirror image.
 [[nodiscard]] std::optional<Transform> nearest_rotation(const Transform& T_a_b);
+
+/// R p of a direction p.
+[[nodiscard]] std::array<double, 3> rotated(const Transform& T_a_b, const std::array<double, 3>& p);
 
 /// An element of the 3 x 3 part and by how much it differs from another's.
 struct ElementDifference {

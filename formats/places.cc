@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace fca::checks {
+namespace fca {
 
 namespace {
 
@@ -122,4 +122,4 @@ SourceRange Places::baseline() const {
       calibration_->rig.baseline_m);
 }
 
-}  // namespace fca::checks
+}  // namespace fca

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "storage_limits.h"
+#include "storage.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 
@@ -56,6 +57,20 @@ bool has_too_many_elements(std::string_view text) {
   return false;
 }
 
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text.substr(0, 80)) result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  return result + "\"";
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  std::string text(buffer.data(), result.ptr);
+  const bool is_plain = text.find_first_not_of("-0123456789") == std::string::npos;
+  return is_plain ? text + ".0" : text;
+}
+
 [[noreturn]] void refuse(const std::string& sentence) {
   throw cv::Exception(cv::Error::StsParseError, sentence, "read_matrix", __FILE__, __LINE__);
 }
@@ -91,6 +106,46 @@ std::string find_obstacle(std::string_view bytes) {
   if (is_nested_too_deep(bytes, head.starts_with("{")))
     return "more than 64 nested lists or maps, or an indentation beyond 200";
   return {};
+}
+
+ConsumerView read(std::string_view bytes, std::string_view program, std::string_view reader,
+                  const std::function<void(const cv::FileStorage&, ConsumerView&)>& body) {
+  ConsumerView view;
+  std::string obstacle = find_obstacle(bytes);
+  // From memory it skips the mark, from a file its parsers meet it and throw (persistence_yml.cpp:824, OpenCV 4.6).
+  if (obstacle.empty() && bytes.starts_with("\xEF\xBB\xBF"))
+    obstacle = "the file begins with a byte order mark (BOM), which cv::FileStorage does not parse";
+  if (!obstacle.empty()) {
+    view.refusals.push_back(std::move(obstacle));
+    return view;
+  }
+  try {
+    const cv::FileStorage storage(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    if (storage.isOpened()) {
+      body(storage, view);
+    } else {
+      view.refusals.emplace_back("cv::FileStorage finds no document in the file");
+    }
+  } catch (const cv::Exception& error) {
+    view.refusals.push_back(std::string(reader) + " does not take the file: " + one_line(error.err));
+  } catch (const std::exception& error) {
+    view.refusals.push_back(std::string(program) + " stops: " + one_line(error.what()));
+  }
+  if (!view.loads()) {
+    view.cameras.clear();
+    view.poses.clear();
+  }
+  return view;
+}
+
+bool is_number(const cv::FileNode& node) { return node.isInt() || node.isReal(); }
+
+std::string describe(const cv::FileNode& node) {
+  if (node.isInt()) return std::to_string(static_cast<int>(node));
+  if (node.isReal()) return shortest(node.real());
+  if (node.isString()) return "the string " + quoted(node.string());
+  if (node.isSeq()) return "a list";
+  return node.isMap() ? "a map" : "nothing";
 }
 
 cv::Mat read_matrix(const cv::FileNode& node) {

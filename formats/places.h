@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace fca::checks {
+namespace fca {
 
 class Places {
  public:
@@ -43,4 +43,4 @@ class Places {
 /// The smallest node that holds the byte; null if none does.
 [[nodiscard]] const text::Node* node_at(const text::Node& root, std::size_t offset);
 
-}  // namespace fca::checks
+}  // namespace fca
