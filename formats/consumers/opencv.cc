@@ -197,7 +197,6 @@ class Reader {
     return {0, 0};
   }
 
-
   /// Which function a program calls: the caller's word, then the file's, then the length of the vector, then pinhole.
   Function choose(std::size_t length, std::optional<bool> file_says_fisheye, const std::string& name) {
     const bool told = !options_.opencv_model.empty();
