@@ -6,6 +6,7 @@
 #include <fca/compare/compare.h>
 #include <fca/convert/convert.h>
 #include <fca/rig/image_change.h>
+#include <fca/rig/rotation.h>
 
 #include <cmath>
 
@@ -132,7 +133,7 @@ TEST(CompareCameras, TheBestRotationIsFound) {
     const Lens lens(
         [&](const Pixel& pixel) -> std::optional<Ray> {
           const std::optional<Ray> ray = unproject(camera.model, pixel);
-          return ray ? std::optional(internal::rotated(back, *ray)) : std::nullopt;
+          return ray ? std::optional(rotated(back, *ray)) : std::nullopt;
         },
         {central_focal_lengths(camera.model), principal_point(camera.model)});
     const std::optional<Domain> domain = domain_of(lens, *camera.image_size, std::nullopt, "lens", diagnostics);
