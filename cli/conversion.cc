@@ -364,6 +364,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   warn_of_wrong_side(rig, arguments, outcome.written, outcome.diagnostics);
   place_outputs(arguments, outcome);
   if (!arguments.no_verify) {
+    const bool edits_it = base.document != nullptr && base.into == nullptr;  // then the proof says so
+    if (!edits_it) warn_if_refused(*calibration, arguments.reading.opencv_model, outcome.diagnostics);
     const Rig meant = as_restated(rig, outcome.written);
     for (const ConvertOutcome::Output& output : outcome.outputs) {
       const text::Document* own = base.document != nullptr ? base.document : input_of(output, outcome.written, *calibration);

@@ -48,7 +48,7 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
     json.object([&] {
       json.put("program", proof.program);
       json.put("loads", proof.loads);
-      json.put("agrees", proof.agrees());
+      json.put("agrees", proof.understood());
       json.put("max_diff_px", proof.max_diff_px);
       json.put("misread_px", proof.misread_px);
       json.put("compared_share", proof.compared_share);

@@ -98,6 +98,14 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
   return text;
 }
 
+std::vector<std::string> rightly_read(const ProofResult& proof) {
+  std::vector<std::string> names;
+  for (const CameraProof& camera : proof.cameras) {
+    if (!camera.misread) names.push_back(camera.name);
+  }
+  return names;
+}
+
 std::string proofs_text(const ConvertOutcome& outcome) {
   const std::string& remedy = outcome.written.misread_remedy;
   std::string text;
@@ -115,7 +123,8 @@ std::string proofs_text(const ConvertOutcome& outcome) {
     } else if (proof.agrees() && proof.compared_share == 0.0) {
       text += "loads it; no pixels were compared, as nothing states the image's size (--size WxH)\n";
     } else {
-      text += "loads it; its pixels differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
+      text += "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
+              " differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
     for (const std::string& warning : misreadings(proof, outcome.max_angle_given)) text += "  warning: " + warning + "\n";
     if (proof.misread_px > 0.0) {

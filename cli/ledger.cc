@@ -86,7 +86,9 @@ LedgerRow row(const Format& from, const Format& to) {
   if (from.many_cameras && to.many_cameras && from.most_cameras > to.most_cameras)
     result.dropped.push_back("cameras beyond " + std::to_string(to.most_cameras));
   if (!from.frame.empty() && from.frame != to.frame) result.dropped.push_back("poses in the frame " + std::string(from.frame));
-  if (!from.own_facts.empty() && to.layout_of != from.id) result.dropped.emplace_back(from.own_facts);
+  for (const std::string_view fact : from.own_facts) {
+    if (std::ranges::find(to.own_facts, fact) == to.own_facts.end()) result.dropped.emplace_back(fact);
+  }
   for (const std::string_view value : to.defaulted) {
     if (is_defaulted(value, from)) result.defaulted.emplace_back(value);
   }

@@ -60,6 +60,15 @@ void drop_byte_order_mark(Written& written, Diagnostics& diagnostics) {
   written = std::move(without);
 }
 
+void warn_if_refused(const Calibration& calibration, const std::string& opencv_model, Diagnostics& diagnostics) {
+  const text::Source& source = calibration.documents[calibration.with_cameras].source();
+  const std::optional<std::string> refusal =
+      refused_by_all(calibration.format->id, source.bytes, !calibration.rig.cameras.empty(), {"", opencv_model});
+  if (!refusal) return;
+  diagnostics.warning("program-refuses", source.name + " is read, but its own program would refuse it, " + *refusal, {},
+                      "fca-io check " + source.name + " says where, and how to mend it");
+}
+
 void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, const text::Document* base,
             ConvertOutcome& outcome) {
   bool judged = false;

@@ -15,6 +15,9 @@ namespace fca::cli {
 /// A byte order mark that came from the base and that a program stumbles over goes, where it is all that the program minds.
 void drop_byte_order_mark(Written& written, Diagnostics& diagnostics);
 
+/// A warning if the input's own program would not load it: it is read all the same, and may not be what that program used.
+void warn_if_refused(const Calibration& calibration, const std::string& opencv_model, Diagnostics& diagnostics);
+
 /// Adds to the outcome what the programs of one output make of it. Where the output is an edit of a file that the program
 /// refuses itself, that is the file's own defect: told, not held against us. An output without a program is told, too. `base`:
 /// null if the output is no edit.

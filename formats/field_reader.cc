@@ -5,6 +5,7 @@
 #include <fca/rig/limits.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -233,16 +234,38 @@ void collect_numbers(const Node& node, std::vector<const Node*>& numbers) {
   for (const Node& item : node.items) collect_numbers(item, numbers);
 }
 
+/// The numbers of a pose or of a part of it, row by row: those of a list, of rows, or of an opencv-matrix.
+std::vector<const Node*> numbers_of(const Node& pose, text::Dialect dialect) {
+  const Node* data = pose.is_mapping() ? text::find(pose, "data", dialect) : &pose;
+  std::vector<const Node*> numbers;
+  if (data != nullptr) collect_numbers(*data, numbers);
+  return numbers;
+}
+
+double value_of(const Node& number) { return text::parse_real(number.value).value_or(0.0); }
+
 /// The first number of a part of a pose that is larger than `limit`; the whole node where none is. Of a pose of 12 or 16
 /// numbers every fourth is of the translation; else the node holds the part alone.
 const Node& first_beyond(double limit, Part part, const Node& node, text::Dialect dialect) {
-  const Node* data = node.is_mapping() ? text::find(node, "data", dialect) : &node;
-  std::vector<const Node*> numbers;
-  if (data != nullptr) collect_numbers(*data, numbers);
+  const std::vector<const Node*> numbers = numbers_of(node, dialect);
   const bool whole = numbers.size() == 12 || numbers.size() == 16;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (whole && (i % 4 == 3) != (part == Part::kTranslation)) continue;
-    if (std::abs(text::parse_real(numbers[i]->value).value_or(0.0)) > limit) return *numbers[i];
+    if (std::abs(value_of(*numbers[i])) > limit) return *numbers[i];
+  }
+  return node;
+}
+
+constexpr std::array kLastRow = {0.0, 0.0, 0.0, 1.0};
+
+bool is_off(double value, double wanted) { return !(std::abs(value - wanted) <= 1e-9); }
+
+/// The first number of the last row that does not belong there; the whole node where none of 16 is.
+const Node& first_off_last_row(const Node& node, text::Dialect dialect) {
+  const std::vector<const Node*> numbers = numbers_of(node, dialect);
+  if (numbers.size() != 16) return node;
+  for (std::size_t i = 0; i < kLastRow.size(); ++i) {
+    if (is_off(value_of(*numbers[12 + i]), kLastRow[i])) return *numbers[12 + i];
   }
   return node;
 }
@@ -250,9 +273,10 @@ const Node& first_beyond(double limit, Part part, const Node& node, text::Dialec
 }  // namespace
 
 std::optional<Transform> Reader::checked(const Transform& T, const Place& rotation, const Place& translation) {
-  const double last_row[] = {T(3, 0), T(3, 1), T(3, 2), T(3, 3) - 1.0};
-  if (std::ranges::any_of(last_row, [](double v) { return !(std::abs(v) <= 1e-9); })) {
-    error(rotation.node, "not-a-transform", std::string(rotation.what) + ": the last row of a transform is 0 0 0 1");
+  for (int column = 0; column < 4; ++column) {
+    if (!is_off(T(3, column), kLastRow[static_cast<std::size_t>(column)])) continue;
+    error(first_off_last_row(rotation.node, dialect_), "not-a-transform",
+          std::string(rotation.what) + ": the last row of a transform is 0 0 0 1");
     return std::nullopt;
   }
   for (int row = 0; row < 3; ++row) {

@@ -9,8 +9,9 @@ namespace fca {
 
 namespace {
 
-/// Another value of the same size: far enough that every writer sees a difference, near enough that none refuses it.
-double nudged(double value) { return value == 0.0 ? 1e-6 : value * (1.0 + 1e-6); }
+/// Another value of the same size: far enough that every writer sees a difference, near enough that none refuses it, and a
+/// float, for which a matrix of floats (dt: f) need not become one of doubles.
+double nudged(double value) { return static_cast<double>(static_cast<float>(value == 0.0 ? 1e-6 : value * (1.0 + 1e-6))); }
 
 /// The first number of the tree that reads so.
 const text::Node* number_reading(const text::Node& node, double value) {

@@ -159,15 +159,28 @@ bool misreads_all(const consumers::ConsumerView& view) {
   return !view.cameras.empty() && std::ranges::all_of(view.cameras, &consumers::ConsumerCamera::misread);
 }
 
+/// The modes of the format's programs; an empty one where they have none.
+std::span<const std::string_view> modes_of(std::string_view format_id) {
+  static constexpr std::array<std::string_view, 1> kNoModes = {""};
+  const Format* format = find_format(format_id);
+  return format != nullptr && !format->modes.empty() ? format->modes : std::span<const std::string_view>(kNoModes);
+}
+
+/// What a mode (empty: the first) has to say that is not said yet.
+void add_warnings(Readers::Program& program, std::string_view mode, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    const auto is_said = [&warning](const std::string& said) { return said.ends_with(warning); };
+    if (std::ranges::none_of(program.warnings, is_said))
+      program.warnings.push_back((mode.empty() ? "" : "as " + std::string(mode) + ": ") + warning);
+  }
+}
+
 }  // namespace
 
 Readers ask_readers(std::string_view format_id, std::string_view bytes, std::optional<bool> with_cameras,
                     const consumers::LoadOptions& options) {
   Readers readers;
-  const Format* format = find_format(format_id);
-  constexpr std::array<std::string_view, 1> kNoModes = {""};
-  const bool has_modes = format != nullptr && !format->modes.empty();
-  const std::span<const std::string_view> modes = has_modes ? format->modes : std::span<const std::string_view>(kNoModes);
+  const std::span<const std::string_view> modes = modes_of(format_id);
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
     if (!consumer.reads(format_id) || (with_cameras && consumer.cameras != *with_cameras)) continue;
     Readers::Program program;
@@ -179,22 +192,39 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
       asked.sensor = mode;
       const consumers::ConsumerView view = consumer.load(bytes, asked);
       if (view.loads() && misreads_all(view)) {
-        program.refusals = {"it would load the file and misread it: " +
-                            (view.warnings.empty() ? std::string("another model") : view.warnings.front())};
+        const std::string why = view.warnings.empty() ? std::string("another model") : view.warnings.front();
+        program.refusals = {"it would load the file and misread it: " + why};
+        add_warnings(program, mode, {"it misreads every camera: " + why});
         fewest = 0;
       } else if (view.loads()) {
-        if (!program.loads) program.warnings = view.warnings;
+        add_warnings(program, program.loads ? mode : "", view.warnings);
         program.loads = true;
-        if (has_modes) program.sensors.emplace_back(mode);
+        if (!mode.empty()) program.sensors.emplace_back(mode);
       } else if (view.refusals.size() < fewest) {
         fewest = view.refusals.size();
         program.refusals = view.refusals;
       }
     }
-    if (program.loads) program.refusals.clear();
+    program.loads ? program.refusals.clear() : program.warnings.clear();
     readers.programs.push_back(std::move(program));
   }
   return readers;
+}
+
+std::optional<std::string> refused_by_all(std::string_view format, std::string_view bytes, bool with_cameras,
+                                          const consumers::LoadOptions& options) {
+  std::optional<std::string> first;
+  for (const consumers::Consumer& consumer : consumers::all_consumers()) {
+    if (!consumer.reads(format) || consumer.cameras != with_cameras) continue;
+    for (const std::string_view mode : modes_of(format)) {
+      consumers::LoadOptions asked = options;
+      asked.sensor = mode;
+      const consumers::ConsumerView view = consumer.load(bytes, asked);
+      if (view.loads() || view.finds_no_camera) return std::nullopt;
+      if (!first) first = std::string(consumer.program) + ": " + view.refusals.front();
+    }
+  }
+  return first;
 }
 
 }  // namespace fca

@@ -64,7 +64,10 @@ class ProgramsCheck {
     }
     const std::vector<Attempt> attempts = attempt(*own);
     report_.checked.push_back("whether " + std::string(own->program) + " loads the bytes");
-    const auto loaded = std::ranges::find_if(attempts, [](const Attempt& each) { return each.view.loads(); });
+    // What the keys are for counts; if that is refused, whatever starts.
+    auto loaded = std::ranges::find(attempts, format_.modes.empty() ? "" : meant_mode(document_), &Attempt::mode);
+    if (loaded == attempts.end() || !loaded->view.loads())
+      loaded = std::ranges::find_if(attempts, [](const Attempt& each) { return each.view.loads(); });
     if (loaded == attempts.end()) {
       say_refusals(*own, attempts);
     } else {

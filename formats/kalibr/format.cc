@@ -23,6 +23,7 @@ constexpr std::array kModels = {
 };
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
+constexpr std::array<std::string_view, 1> kOwnFacts = {"keys of its own (cam_overlaps)"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 
 ProbeResult probe(const text::Document& document) {
@@ -61,7 +62,7 @@ const Format kFormat = {
     .image_size = true,
     .time_offset = true,
     .topic = true,
-    .own_facts = "keys of its own (cam_overlaps)",
+    .own_facts = kOwnFacts,
     .defaulted = kDefaulted,
     .of_the_images = kOfTheImages,
     .models = kModels,

@@ -12,6 +12,7 @@ using text::Node;
 namespace {
 
 constexpr std::array kModels = {StoredModel{"ocamcalib", "direct polynomial", true, "OCamCalib", {}}};
+constexpr std::array<std::string_view, 1> kOwnFacts = {"the inverse polynomial"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"inverse polynomial (fitted)"};
 
 bool mentions(const Node& line, std::string_view lower_case) {
@@ -65,7 +66,7 @@ const Format kFormat = {
     .extrinsics = false,
     .imu = false,
     .image_size = true,
-    .own_facts = "the inverse polynomial",
+    .own_facts = kOwnFacts,
     .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,

@@ -8,6 +8,7 @@ namespace fca::opencv {
 
 namespace {
 
+constexpr std::array<std::string_view, 1> kOwnFacts = {"keys of its own (calibration_time, flags, reprojection errors)"};
 constexpr std::array kModels = {
     StoredModel{"radtan", "5 coefficients", true, "cv::projectPoints", {}},
     StoredModel{"rational", "8 coefficients", true, "cv::projectPoints", {}},
@@ -36,7 +37,7 @@ const Format kFormat = {
     .imu = false,
     .image_size = true,
     .frame = "reference",
-    .own_facts = "keys of its own (calibration_time, flags, reprojection errors)",
+    .own_facts = kOwnFacts,
     .layouts = kLayoutNames,
     .models = kModels,
     .probe = probe,

@@ -31,6 +31,7 @@ constexpr std::array<std::string_view, kCount> names_of(const std::array<Row, kC
   return names;
 }
 
+constexpr std::array<std::string_view, 1> kOwnFacts = {"tuning (ORBextractor, Viewer, RGB, overlapping)"};
 constexpr std::array<std::string_view, 6> kDefaulted = {"frame rate",          "colour order",   "depth threshold",
                                                         "overlapping columns", "ORBextractor.*", "Viewer.*"};
 
@@ -67,7 +68,7 @@ const Format kFormat = {
     .image_size = true,
     .frame_rate = true,
     .baseline = true,
-    .own_facts = "tuning (ORBextractor, Viewer, RGB, overlapping)",
+    .own_facts = kOwnFacts,
     .modes = kModes,
     .layouts = kLayouts,
     .defaulted = kDefaulted,

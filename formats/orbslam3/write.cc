@@ -215,33 +215,39 @@ bool check_cameras(const Rig& rig, const Target& target, const Base* edited, Dia
   return true;
 }
 
-/// Who reads settings of a style that hold a model.
+/// Who reads settings of a style that hold a model, in a mode.
 struct Audience {
   Style style;
   std::string_view model;     ///< "" for any other
+  std::string_view sensor;    ///< "" for any other
   std::string_view headline;  ///< Who reads it, for people.
   std::string_view program;   ///< Its name in messages.
   std::string_view consumer;  ///< The one that proves it.
 };
 
 constexpr std::array kAudiences = {
-    Audience{Style::kSlamNoOpt, "eucm",
+    // fisheye-ORB-SLAM reads no second camera, and its IMU-less base no Camera.Tbc (src/Tracking.cc).
+    Audience{Style::kSlamNoOpt, "eucm", "mono",
              "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)",
              "slam_no_opt", "slam_no_opt"},
-    Audience{Style::kSlamNoOpt, "", "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3 (--orbslam3-layout v1 for that)",
+    Audience{Style::kSlamNoOpt, "eucm", "", "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3 (leave out --model for that)",
              "slam_no_opt", "slam_no_opt"},
-    Audience{Style::kOld, "ds",
+    Audience{Style::kSlamNoOpt, "", "", "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3 (--orbslam3-layout v1 for that)",
+             "slam_no_opt", "slam_no_opt"},
+    Audience{Style::kOld, "ds", "",
              "read by urbste/ORB_SLAM3 (branch feature/gopro_slam), NOT by stock ORB-SLAM3 (leave out --model for that)",
              "urbste/ORB_SLAM3", "urbste"},
-    Audience{Style::kV1, "", "settings for ORB-SLAM3 V1.0", "ORB-SLAM3", "orbslam3"},
-    Audience{Style::kOld, "", "settings in the style before ORB-SLAM3 V1.0", "ORB-SLAM3", "orbslam3"},
-    Audience{Style::kOrbSlam2, "", "settings for ORB-SLAM2, NOT for stock ORB-SLAM3 (--orbslam3-layout v1 for that)",
+    Audience{Style::kV1, "", "", "settings for ORB-SLAM3 V1.0", "ORB-SLAM3", "orbslam3"},
+    Audience{Style::kOld, "", "", "settings in the style before ORB-SLAM3 V1.0", "ORB-SLAM3", "orbslam3"},
+    Audience{Style::kOrbSlam2, "", "", "settings for ORB-SLAM2, NOT for stock ORB-SLAM3 (--orbslam3-layout v1 for that)",
              "ORB-SLAM2", "orbslam2"},
 };
 
-const Audience& audience_of(Style style, std::string_view model) {
-  const auto* const found = std::ranges::find_if(
-      kAudiences, [&](const Audience& row) { return row.style == style && (row.model.empty() || row.model == model); });
+const Audience& audience_of(const Target& target, std::string_view model) {
+  const auto* const found = std::ranges::find_if(kAudiences, [&](const Audience& row) {
+    return row.style == target.style && (row.model.empty() || row.model == model) &&
+           (row.sensor.empty() || row.sensor == target.sensor.id);
+  });
   return found == kAudiences.end() ? kAudiences.back() : *found;
 }
 
@@ -253,7 +259,7 @@ std::optional<Sensor> asked_sensor(const Rig& rig, Style style, const std::strin
   }
   const std::vector<std::string> missing = missing_for(rig, *sensor, style);
   if (!missing.empty()) {
-    diagnostics.error("sensor-not-served", "the input cannot serve " + id + ": it lacks " + text::enumerated(missing));
+    diagnostics.error("sensor-not-served", "the sensor mode " + id + " lacks " + text::enumerated(missing));
     return std::nullopt;
   }
   return *sensor;
@@ -321,11 +327,16 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   return target;
 }
 
-/// What to do about a pair whose second camera V1.0 misreads: Settings.cc, readCamera2, takes Camera2's k1..k4 of
-/// KannalaBrandt8 from Camera1; Settings.h, camera2DistortionCoef, gives cv::stereoRectify the first PinHole's coefficients
-/// twice. The parser before it reads both KannalaBrandt8 cameras rightly, and knows no second PinHole.
-std::string way_out_of_confusion(const Rig& rig) {
-  if (rig.cameras.size() < 2) return "";
+/// What to do about a camera that V1.0 misreads. With depth it undistorts nothing. Of a pair it is the second: Settings.cc,
+/// readCamera2, takes Camera2's k1..k4 of KannalaBrandt8 from Camera1; Settings.h, camera2DistortionCoef, gives
+/// cv::stereoRectify the first PinHole's coefficients twice. The parser before it reads both KannalaBrandt8 cameras rightly,
+/// and knows no second PinHole.
+std::string remedy_for_misreading(const Rig& rig, const Sensor& sensor) {
+  if (sensor.depth)
+    return "undistort the images first, those of depth too (cv::initUndistortRectifyMap), and convert the camera that they "
+           "then "
+           "have";
+  if (!sensor.two_cameras || rig.cameras.size() < 2) return "";
   if (model_info(rig.cameras[1].model).id == "kb4")
     return "--orbslam3-layout old: V1.0 also reads the older style, and there both cameras rightly";
   return "rectify the images first (cv::stereoRectify) and convert one camera of the rectified pair with --baseline METRES "
@@ -411,7 +422,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
                             " see nothing in common, and ORB-SLAM3 matches a fisheye pair only where both see",
                         {}, "is their pose right (show says it in words)? --sensor mono takes one camera");
   }
-  const Audience& audience = audience_of(target->style, model_info(rig.cameras.front().model).id);
+  const Audience& audience = audience_of(*target, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;
   if (edited != nullptr) {
@@ -447,7 +458,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   written.headline = std::string(audience.headline) + ", " + std::string(target->sensor.id) + (next.empty() ? "" : "; " + next);
   written.sensor = target->sensor.id;
   if (target->sensor.two_cameras) written.first_is_left = "ORB-SLAM3 takes the first camera of a stereo pair for the left one";
-  if (target->style == Style::kV1 && target->sensor.two_cameras) written.misread_remedy = way_out_of_confusion(rig);
+  if (target->style == Style::kV1) written.misread_remedy = remedy_for_misreading(rig, target->sensor);
   return written;
 }
 

@@ -37,6 +37,10 @@ std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
   throw Refusal{"yaml-syntax", "YAML syntax error: a quote that is never closed", "close it", open};
 }
 
+Refusal alias_at(std::size_t offset) {
+  return {"yaml-alias", "a YAML alias (*name); calibration files have none", "write the value out", offset};
+}
+
 /// Where a flow collection that opens at `open` ends (behind its bracket).
 std::size_t end_of_flow(std::string_view bytes, std::size_t open) {
   int depth = 0;
@@ -77,9 +81,7 @@ class TreeBuilder : public YAML::EventHandler {
     add(std::move(node));
   }
 
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
-    throw Refusal{"yaml-alias", "a YAML alias (*name); calibration files have none", "write the value out", offset(mark)};
-  }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { throw alias_at(offset(mark)); }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
     refuse_anchor(mark, anchor);
@@ -210,6 +212,7 @@ Refusal describe(const YAML::ParserException& error, const Source& source, std::
   if (tab != std::string_view::npos) {
     return {"yaml-tab", "a TAB as indentation; YAML takes only blanks there", "replace the TAB by blanks", line.offset + tab};
   }
+  if (error.msg.starts_with(YAML::ErrorMsg::UNKNOWN_ANCHOR)) return alias_at(offset);
   std::string fix;
   if (error.msg == "illegal map value") fix = "is a blank missing behind the colon of a key?";
   return {"yaml-syntax", "YAML syntax error: " + error.msg, fix, offset};

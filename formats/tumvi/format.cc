@@ -31,6 +31,7 @@ constexpr std::array kModels = {
 };
 
 constexpr std::array<std::string_view, 2> kOfTheImages = {"line_delay", "DSO's rectified image"};
+constexpr std::array<std::string_view, 2> kOwnFacts = {"keys of its own (cam_overlaps)", "DSO's rectified image"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 
 /// A chain is Kalibr's, and says so.
@@ -177,7 +178,7 @@ const Format kFormat = {
     .imu = true,
     .image_size = true,
     .topic = true,
-    .own_facts = "keys of its own (cam_overlaps, DSO's rectified image)",
+    .own_facts = kOwnFacts,
     .defaulted = kDefaulted,
     .of_the_images = kOfTheImages,
     .models = kModels,

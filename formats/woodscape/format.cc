@@ -16,6 +16,7 @@ namespace {
 constexpr std::array kInPixels = {ParameterRange{"k1", 10.0, 1e9}};
 constexpr std::array kModels = {
     StoredModel{"woodscape", "radial_poly", true, "WoodScape's projection.py", kInPixels, "k1 counts pixels per radian"}};
+constexpr std::array<std::string_view, 1> kOwnFacts = {"keys of its own"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"pose in the vehicle"};
 
 ProbeResult probe(const text::Document& document) {
@@ -49,7 +50,7 @@ const Format kFormat = {
     .imu = false,
     .image_size = true,
     .frame = "vehicle",
-    .own_facts = "keys of its own",
+    .own_facts = kOwnFacts,
     .defaulted = kDefaulted,
     .models = kModels,
     .probe = probe,

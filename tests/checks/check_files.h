@@ -33,4 +33,19 @@ inline std::string line_of(const Finding& finding, const text::Source& source) {
 
 inline bool has_corpus() { return fs::exists(shared_dir() / "corpus" / "kalibr"); }
 
+/// Codes that no file has, whatever stands in it.
+inline bool is_of_no_file(std::string_view code) {
+  constexpr std::string_view kAskedFor[] = {
+      "cannot-read",           // said of a path
+      "program-other-format",  // of the program asked for (--for)
+      "no-calibration",
+      "not-settings",
+      "wrong-syntax",  // of a format that was forced (--from)
+      "size-contradicts",
+      "model-contradicts",  // of --size and --opencv-model
+      "xml-place",          // of our XML parser's own mistakes: none is known
+  };
+  return std::ranges::find(kAskedFor, code) != std::end(kAskedFor);
+}
+
 }  // namespace fca::test

@@ -6,13 +6,7 @@
 
 #include <fca/formats/text/read_document.h>
 
-#include <cstdio>
-#include <functional>
-
 namespace fca::test {
-
-/// As many files as a defect is planted in.
-inline constexpr int kEnough = 30;
 
 struct Good {
   std::string name;
@@ -46,64 +40,14 @@ inline const std::vector<Good>& all_good() {
   return kFiles;
 }
 
+/// The bytes that were damaged, or were to be.
+inline const text::Document& document_of(const Good& good) { return good.calibration.documents.front(); }
+inline const std::string& bytes_of(const Good& good) { return document_of(good).source().bytes; }
+
 inline const Finding* find_any(const CheckReport& report, const std::vector<std::string>& codes) {
   const auto found = std::ranges::find_if(
       report.findings, [&codes](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
   return found == report.findings.end() ? nullptr : &*found;
-}
-
-/// Every `stride`th file, so that all formats take part and the test stays short.
-inline std::vector<const Good*> some_good(std::size_t stride) {
-  std::vector<const Good*> files;
-  for (std::size_t i = 0; i < all_good().size(); i += stride) files.push_back(&all_good()[i]);
-  return files;
-}
-
-/// What checks made of a defect that was planted in one file after the other.
-struct Tally {
-  int planted = 0;
-  int found = 0;
-  int placed = 0;
-  std::string missed;
-  std::string misplaced;
-};
-
-/// Plants it in up to kEnough files that do not have it already. `plant`: the file's bytes with the defect, or nothing where it
-/// has no such place; `is_placed`: does the finding in the damaged file stand where the defect does?
-inline Tally tally_of(const std::vector<std::string>& codes,
-                      const std::function<std::optional<std::string>(const Good&)>& plant,
-                      const std::function<bool(const Good&, const text::Source&, const Finding&)>& is_placed) {
-  const std::size_t stride = has_corpus() ? 2 : 1;
-  Tally tally;
-  for (const Good* good : some_good(stride)) {
-    if (tally.planted == kEnough) break;
-    if (find_any(good->report, codes) != nullptr) continue;
-    const std::optional<std::string> bytes = plant(*good);
-    if (!bytes || *bytes == good->calibration.documents.front().source().bytes) continue;
-    ++tally.planted;
-    const text::Source source = {good->name, *bytes};
-    const CheckReport report = checked(source);
-    const Finding* finding = find_any(report, codes);
-    if (finding == nullptr) {
-      tally.missed += "\n  " + good->name + (report.findings.empty() ? "" : ": " + line_of(report.findings.front(), source));
-      continue;
-    }
-    ++tally.found;
-    if (is_placed(*good, source, *finding)) {
-      ++tally.placed;
-    } else {
-      tally.misplaced += "\n  " + good->name + ": " + line_of(*finding, source);
-    }
-  }
-  return tally;
-}
-
-/// Found in 95 %, of which `placed_share` stand where they should.
-inline void expect_found(const char* name, const Tally& tally, int at_least, double placed_share) {
-  std::printf("%-42s %3d of %3d found, %3d at their place\n", name, tally.found, tally.planted, tally.placed);
-  EXPECT_GE(tally.planted, at_least) << name;
-  EXPECT_GE(tally.found, 0.95 * tally.planted) << name << tally.missed;
-  EXPECT_GE(tally.placed, placed_share * tally.found) << name << tally.misplaced;
 }
 
 }  // namespace fca::test

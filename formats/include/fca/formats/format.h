@@ -121,7 +121,8 @@ struct Format {
   bool topic = false;
   bool baseline = false;                           ///< Of a rectified pair or depth sensor, without a pose.
   std::string_view frame = {};                     ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
-  std::string_view own_facts = {};                 ///< What it states and a Rig has no member for, for people: "cam_overlaps".
+  std::span<const std::string_view> own_facts =
+      {};  ///< What it states and a Rig has no member for, for people: "cam_overlaps".
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   std::span<const std::string_view> defaulted =

@@ -45,7 +45,10 @@ struct ProofResult {
   std::vector<std::string> poses;    ///< Those that it holds: "T_cam0_cam1".
   std::vector<std::string> refusals;
   std::vector<std::string> warnings;  ///< What it silently misreads or ignores.
+  /// Is the file right? What the program is known to misread of right files is not held against it.
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }
+  /// Does the program understand all that the file says?
+  [[nodiscard]] bool understood() const { return agrees() && misread_px == 0.0; }
 };
 
 /// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
@@ -66,7 +69,7 @@ struct Readers {
     bool other_syntax = false;          ///< As consumers::Consumer's.
     std::vector<std::string> sensors;   ///< ORB-SLAM3 and kin: the modes it loads in.
     std::vector<std::string> refusals;  ///< Of the mode that comes furthest.
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings;  ///< Of the first mode it loads in, then what further modes add ("as stereo: ...").
   };
   std::vector<Program> programs;
 };
@@ -75,5 +78,10 @@ struct Readers {
 /// said.
 [[nodiscard]] Readers ask_readers(std::string_view format, std::string_view bytes, std::optional<bool> with_cameras = {},
                                   const consumers::LoadOptions& options = {});
+
+/// Why not one of those programs would load the file, as the first of them says it: "Kalibr: cam0/resolution ..."; nothing if
+/// one does, if there is none, or if all that they lack is keys of their own (another program's file).
+[[nodiscard]] std::optional<std::string> refused_by_all(std::string_view format, std::string_view bytes, bool with_cameras,
+                                                        const consumers::LoadOptions& options = {});
 
 }  // namespace fca

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "seeded_defects.h"
+
+namespace fca::test {
+namespace {
+
+/// A defect, and where it can be told. `plant` changes the rig, or says that this one has no such fact.
+struct Defect {
+  const char* name;
+  std::vector<std::string> codes;  ///< One of them must be said.
+  std::function<bool(Rig&)> plant;
+  int at_least = 20;
+  const char* format = nullptr;  ///< Whose program minds; null: any.
+  const char* absent = nullptr;  ///< What must not stand in the file.
+  bool number_is_known = true;   ///< False: nobody can tell which of several is wrong.
+};
+
+/// A pose that its file states as a matrix: a quaternion is a rotation whatever its numbers are.
+bool has_matrix(const Rig& rig) { return !rig.poses.empty() && rig.poses.front().a != "vehicle"; }
+
+bool has_size(const Rig& rig) { return !rig.cameras.empty() && rig.cameras.front().image_size; }
+
+/// Is the first camera's principal point near the middle? If not, nobody can tell which number is wrong.
+bool is_centred(const Rig& rig) {
+  const Pixel centre = principal_point(rig.cameras.front().model);
+  const ImageSize& size = *rig.cameras.front().image_size;
+  return std::abs(2.0 * centre[0] / size.width - 1.0) < 0.08 && std::abs(2.0 * centre[1] / size.height - 1.0) < 0.08;
+}
+
+bool scale_parameter(Rig& rig, std::string_view name, double factor) {
+  if (rig.cameras.empty()) return false;
+  const std::optional<double> value = parameter(rig.cameras.front().model, name);
+  return value && set_parameter(rig.cameras.front().model, name, *value * factor);
+}
+
+/// T_cam1_cam0 beside T_cam0_imu and T_cam1_imu; null where a rig has no such thing.
+PoseEdge* stated_twice(Rig& rig) {
+  if (rig.poses.size() < 3 || rig.cameras.size() < 2) return nullptr;
+  const auto found = std::ranges::find_if(
+      rig.poses, [&rig](const PoseEdge& edge) { return edge.a == rig.cameras[1].name && edge.b == rig.cameras[0].name; });
+  return found == rig.poses.end() ? nullptr : &*found;
+}
+
+std::vector<Defect> defects() {
+  const auto imu = [](std::optional<double> Imu::*member, double factor) {
+    return [member, factor](Rig& rig) {
+      if (rig.imus.empty() || !(rig.imus.front().*member)) return false;
+      *(rig.imus.front().*member) *= factor;
+      return true;
+    };
+  };
+  return {
+      {"focal length in millimetres",
+       {"focal-length-not-in-pixels"},
+       [](Rig& rig) {
+         if (!has_size(rig) || !parameter(rig.cameras.front().model, "fx")) return false;
+         return scale_parameter(rig, "fx", 0.005) && scale_parameter(rig, "fy", 0.005);
+       }},
+      {"principal point outside",
+       {"centre-outside", "size-unlike-centre"},
+       [](Rig& rig) { return has_size(rig) && scale_parameter(rig, "cx", 3.0); }},
+      {"a wrong digit in fy",
+       {"focal-lengths-differ"},
+       [](Rig& rig) { return has_size(rig) && scale_parameter(rig, "fy", 1.5); }},
+      {"width and height exchanged",
+       {"size-swapped", "centre-swapped"},  // in OCamCalib's files either may be the one
+       [](Rig& rig) {
+         if (!has_size(rig)) return false;
+         ImageSize& size = *rig.cameras.front().image_size;
+         if (!is_centred(rig) || std::max(size.width, size.height) < 1.3 * std::min(size.width, size.height)) return false;
+         std::swap(size.width, size.height);
+         return true;
+       }},
+      {"the size of another resolution",
+       {"size-unlike-centre"},
+       [](Rig& rig) {
+         if (!has_size(rig) || !is_centred(rig)) return false;
+         rig.cameras.front().image_size->width *= 2;
+         rig.cameras.front().image_size->height *= 2;
+         return true;
+       }},
+      {"a principal point far from the middle",
+       {"centre-off", "centre-outside", "size-unlike-centre", "size-swapped"},
+       [](Rig& rig) {
+         if (!has_size(rig)) return false;
+         const double middle = 0.5 * rig.cameras.front().image_size->height;
+         const double cy = principal_point(rig.cameras.front().model)[1];
+         return std::abs(1.6 * cy / middle - 1.0) > 0.4 && scale_parameter(rig, "cy", 1.6);
+       }},
+      {"a fisheye's third number as tangential term",
+       {"wrong-family"},
+       [](Rig& rig) {
+         if (rig.cameras.empty() || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
+         return set_parameter(rig.cameras.front().model, "p1", -0.11);
+       }},
+      {"a distortion that folds",
+       {"folds-inside-image", "undistortion-inexact"},
+       [](Rig& rig) {
+         if (!has_size(rig) || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
+         CameraModel& model = rig.cameras.front().model;
+         const double fx = parameter(model, "fx").value_or(1.0);
+         const double fy = parameter(model, "fy").value_or(1.0);
+         const double corner =
+             std::hypot(0.5 * rig.cameras.front().image_size->width / fx, 0.5 * rig.cameras.front().image_size->height / fy);
+         if (corner < 0.3) return false;  // a narrow lens never gets there
+         // The radius r + k1 r^3 ends at 2/3 of the corner's.
+         return set_parameter(model, "k1", -1.0 / (3.0 * corner * corner)) && set_parameter(model, "k2", 0.0);
+       }},
+      {"translation in millimetres",
+       {"translation-in-mm", "units-not-stated"},
+       [](Rig& rig) {
+         if (rig.poses.empty()) return false;
+         Transform& T = rig.poses.front().T_a_b;
+         double length = 0.0;
+         for (int row = 0; row < 3; ++row) {
+           length = std::max(length, std::abs(T(row, 3)));
+           T(row, 3) *= 1000.0;
+         }
+         return length > 0.02 && length < 100.0;
+       }},
+      {"a row of a rotation mirrored",
+       {"left-handed"},
+       [](Rig& rig) {
+         if (!has_matrix(rig) || rotation_determinant(rig.poses.front().T_a_b) < 0.0) return false;
+         for (int column = 0; column < 3; ++column) rig.poses.front().T_a_b(0, column) *= -1.0;
+         return true;
+       }},
+      {"a digit lost in a rotation",
+       {"not-a-rotation"},
+       [](Rig& rig) {
+         if (!has_matrix(rig)) return false;
+         Transform& T = rig.poses.front().T_a_b;
+         for (int column = 0; column < 3; ++column) {
+           if (std::abs(T(0, column)) < 0.9) continue;
+           T(0, column) *= 0.96;
+           return true;
+         }
+         return false;
+       }},
+      {"gyroscope noise as a variance", {"imu-noise-too-small"}, imu(&Imu::gyroscope_noise_density, 1e-4)},
+      {"gyroscope noise in degrees and discrete",
+       {"imu-noise-too-large", "imu-sensors-swapped"},
+       imu(&Imu::gyroscope_noise_density, 810.0)},
+      {"random walk in the noise's place",
+       {"imu-walk-above-noise"},
+       [](Rig& rig) {
+         if (rig.imus.empty() || !rig.imus.front().gyroscope_noise_density || !rig.imus.front().gyroscope_random_walk)
+           return false;
+         std::swap(rig.imus.front().gyroscope_noise_density, rig.imus.front().gyroscope_random_walk);
+         return true;
+       }},
+      {"accelerometer noise as a variance", {"imu-noise-too-small"}, imu(&Imu::accelerometer_noise_density, 1e-4)},
+      {"one of two statements of a pose inverted",
+       {"pose-inverted", "poses-contradict"},
+       [](Rig& rig) {
+         PoseEdge* edge = stated_twice(rig);
+         const std::optional<Transform> other_way = edge == nullptr ? std::nullopt : inverse(edge->T_a_b);
+         if (other_way) edge->T_a_b = *other_way;
+         return other_way.has_value();
+       },
+       5},  // few files state a pose twice
+      {"one of two statements of a pose transposed",
+       {"pose-transposed"},
+       [](Rig& rig) {
+         PoseEdge* edge = stated_twice(rig);
+         if (edge == nullptr) return false;
+         const Transform T = edge->T_a_b;
+         for (int row = 0; row < 3; ++row) {
+           for (int column = 0; column < 3; ++column) edge->T_a_b(row, column) = T(column, row);
+         }
+         return std::abs(T(0, 1) - T(1, 0)) + std::abs(T(0, 2) - T(2, 0)) + std::abs(T(1, 2) - T(2, 1)) > 0.05;
+       },
+       5,
+       nullptr,
+       nullptr,
+       false},
+      {"one of two statements of a pose moved",
+       {"poses-contradict"},
+       [](Rig& rig) {
+         PoseEdge* edge = stated_twice(rig);
+         if (edge == nullptr) return false;
+         edge->T_a_b(0, 3) += 0.07;
+         return true;
+       },
+       5,
+       nullptr,
+       nullptr,
+       false},
+      {"the second camera on the left",
+       {"stereo-order"},
+       [](Rig& rig) {
+         if (rig.cameras.size() != 2) return false;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.a.starts_with("imu") || edge.b.starts_with("imu")) continue;
+           const std::optional<Transform> other_way = inverse(edge.T_a_b);
+           if (other_way) edge.T_a_b = *other_way;
+           return other_way.has_value();
+         }
+         return false;
+       },
+       20,
+       "orbslam3"},
+      {"EUCM's alpha and beta under radial terms",
+       {"eucm-without-type"},
+       [](Rig& rig) {
+         if (rig.cameras.empty() || model_info(rig.cameras.front().model).id != std::string_view("radtan")) return false;
+         CameraModel& model = rig.cameras.front().model;
+         return set_parameter(model, "k1", 0.629) && set_parameter(model, "k2", 1.0418) && set_parameter(model, "p1", 0.0) &&
+                set_parameter(model, "p2", 0.0) && set_parameter(model, "k3", 0.0);
+       },
+       20,
+       "orbslam3",
+       "Camera.type"},
+      {"another fisheye on the right",
+       {"program-misreads"},
+       [](Rig& rig) {
+         if (rig.cameras.size() != 2 || model_info(rig.cameras.front().model).id != std::string_view("kb4")) return false;
+         return set_parameter(rig.cameras[1].model, "k1", parameter(rig.cameras[1].model, "k1").value_or(0.0) + 0.05);
+       },
+       1,
+       "orbslam3",
+       nullptr,
+       false},
+      {"a second camera light years away",
+       {"out-of-range"},
+       [](Rig& rig) {
+         if (rig.poses.empty()) return false;
+         rig.poses.front().T_a_b(0, 3) = 1e17;
+         return true;
+       }},
+      {"a camera forty metres above the road",
+       {"pose-implausible"},
+       [](Rig& rig) {
+         if (rig.poses.empty()) return false;
+         rig.poses.front().T_a_b(2, 3) = 40.0;
+         return true;
+       },
+       5,
+       "woodscape"},
+      {"time offset in milliseconds",
+       {"time-offset-large"},
+       [](Rig& rig) {
+         if (rig.cameras.empty() || !rig.cameras.front().time_offset_s || std::abs(*rig.cameras.front().time_offset_s) < 2e-4)
+           return false;
+         *rig.cameras.front().time_offset_s *= 1000.0;
+         return true;
+       }},
+  };
+}
+
+/// The bytes of the file with the defect in it; nothing where the writer refuses it or writes another file.
+std::optional<std::string> planted(const Good& good, const Defect& defect) {
+  if (defect.format != nullptr && good.calibration.format->id != defect.format) return std::nullopt;
+  if (defect.absent != nullptr && bytes_of(good).find(defect.absent) != std::string::npos) return std::nullopt;
+  Rig rig = good.calibration.rig;
+  if (!defect.plant(rig)) return std::nullopt;
+  Diagnostics diagnostics;
+  const std::optional<Written> written =
+      good.calibration.format->write(&good.calibration.documents.front(), rig, {}, diagnostics);
+  if (!written || written->files.size() != 1) return std::nullopt;
+  return written->files.front().document.bytes();
+}
+
+}  // namespace
+
+std::vector<SeededDefect> seeded_facts() {
+  std::vector<SeededDefect> result;
+  for (const Defect& defect : defects()) {
+    const auto plant = [defect](const Good& good) { return planted(good, defect); };
+    SeededDefect seeded{defect.name, defect.codes, plant, {}, defect.at_least};
+    if (defect.number_is_known) seeded.is_placed = is_new_number;
+    result.push_back(std::move(seeded));
+  }
+  return result;
+}
+
+}  // namespace fca::test
