@@ -309,7 +309,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   const std::optional<Calibration> calibration = read_input(inputs, arguments.reading, console, outcome.diagnostics);
   if (!calibration) return false;
   outcome.from = calibration->format;
-  if (calibration->rig.cameras.empty()) {
+  const bool imu_file = outcome.to->imu_file && !into && !calibration->rig.imus.empty();
+  if (calibration->rig.cameras.empty() && !imu_file) {
     explain_no_camera(arguments, outcome.input, *calibration, outcome.diagnostics);
     return false;
   }
