@@ -88,7 +88,7 @@ std::optional<ConvertOutcome> instead_of(const std::string& file, const CheckRep
   const bool other_format =
       std::ranges::any_of(report.findings, [](const Finding& finding) { return finding.code == "program-other-format"; });
   if (!other_format || file == "-") return std::nullopt;
-  return preview_conversion(file, arguments.reading, find_program(arguments.program)->format, console);
+  return preview_conversion(file, arguments.reading, *find_program(arguments.program), console);
 }
 
 ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {

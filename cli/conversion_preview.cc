@@ -27,12 +27,15 @@ std::string list_text(const std::string& heading, const std::vector<std::string>
 
 }  // namespace
 
-ConvertOutcome preview_conversion(const std::string& file, const ReadingOptions& reading, std::string_view format,
+ConvertOutcome preview_conversion(const std::string& file, const ReadingOptions& reading, const consumers::Consumer& program,
                                   Console& console) {
   ConvertArguments arguments;
   arguments.inputs = {file};
   arguments.reading = reading;
-  arguments.to = format;
+  arguments.to = program.format;
+  arguments.model = program.writing.model;
+  arguments.orbslam3_layout = program.writing.layout;
+  arguments.output = program.writing.output;
   arguments.dry_run = true;
   ConvertOutcome outcome = convert_inputs(arguments.inputs, arguments, console);
   outcome.outputs.clear();

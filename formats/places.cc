@@ -62,12 +62,17 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
   std::vector<text::Span> spans = ask ? edits_for(changed) : std::vector<text::Span>();
   std::erase_if(spans, [this](const text::Span& span) { return std::ranges::find(*anyway_, span) != anyway_->end(); });
   std::ranges::sort(spans, {}, &text::Span::offset);
+  const text::Node* first = nullptr;
   for (const text::Span& span : spans) {
     const text::Node* node = node_at(document_->root(), span.offset);
-    if (node != nullptr && node->is_scalar()) return document_->range(*node);
+    if (node == nullptr || !node->is_scalar()) continue;
+    // A changed lens may bring keys that stood nowhere before: their place is a neighbour's.
+    if (value && text::parse_real(node->value) == value) return document_->range(*node);
+    if (first == nullptr) first = node;
   }
   const text::Node* same = value ? number_reading(document_->root(), *value) : nullptr;
-  return same != nullptr ? document_->range(*same) : nowhere;
+  if (first == nullptr || (same != nullptr && !text::parse_real(first->value))) first = same;
+  return first != nullptr ? document_->range(*first) : nowhere;
 }
 
 SourceRange Places::parameter(const Camera& camera, std::string_view name) const {

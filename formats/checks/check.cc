@@ -74,7 +74,9 @@ void take_over(const Diagnostics& diagnostics, Findings& findings) {
     if (entry.code == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(entry.message, "quaternion"))
       continue;
     const Severity severity = among(kBeyondUs, entry.code) ? Severity::kWarning : entry.severity;
-    findings.add({severity, entry.code, entry.message, {}, entry.fix, entry.where});
+    Finding finding{severity, entry.code, entry.message, {}, entry.fix, entry.where};
+    if (entry.code == "blank-missing") finding.mend = SpanEdit{{entry.where.offset, 0}, " "};
+    findings.add(std::move(finding));
   }
 }
 
@@ -114,6 +116,15 @@ void show_both_readings(const text::Document& document, const CheckOptions& opti
     if (finding.code != "ambiguous-model") continue;
     finding.severity = Severity::kWarning;
     finding.message += "; " + view_as(document, options, "pinhole") + "; " + view_as(document, options, "fisheye");
+  }
+}
+
+/// What usually mends it, where a finding has nothing more exact to say.
+void add_usual_fixes(CheckReport& report) {
+  for (Finding& finding : report.findings) {
+    const CheckCode* code =
+        finding.fix.empty() && finding.severity != Severity::kNote ? find_check_code(finding.code) : nullptr;
+    if (code != nullptr) finding.fix = code->fix;
   }
 }
 
@@ -157,6 +168,7 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   std::optional<text::Document> document = text::parse_document(source, diagnostics);
   if (!document) {
     checks::take_over(diagnostics, findings);
+    checks::add_usual_fixes(report);
     report.is_calibration = options.from != nullptr || checks::mentions_calibration(source.bytes);
     return report;
   }
@@ -168,6 +180,7 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   }
   if (!detected) {
     checks::take_over(diagnostics, findings);
+    checks::add_usual_fixes(report);
     report.is_calibration = checks::has_code(diagnostics, "ambiguous-format");
     return report;
   }
@@ -193,6 +206,7 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
     checks::suggest_exchanges(*document, *detected->format, options, report);
   }
   checks::sort_by_place(report.findings);
+  checks::add_usual_fixes(report);
   return report;
 }
 

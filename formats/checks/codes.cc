@@ -46,6 +46,10 @@ as UTF-8.)"},
     CheckCode{"cannot-read", "the file cannot be read", "No program can read it.",
               "The operating system refuses: the file does not exist, is a folder or may not be read."},
     CheckCode{
+        "blank-missing", "no blank behind a key's colon", kNotRead,
+        R"(OpenCV's reader takes key:2, to every other YAML parser it is one word, and what follows is read as something else or
+not at all: the parser's own message is about a later line. --fix puts the blank in.)"},
+    CheckCode{
         "carla-translation", "SynWoodScape's translation in CARLA's frame",
         "WoodScape's projection.py stops with KeyError: 'translation'.",
         R"(CARLA is left-handed and has another origin; the published files differ in the order of y and z. The pose is left
@@ -80,11 +84,13 @@ examples; 0.1 and 2000 are metres or millimetres.)"},
     CheckCode{
         "distortion-missing", "no distortion coefficients beside a camera matrix", kWrongPixels,
         R"(Without coefficients OpenCV's functions take a lens without distortion. If the images are rectified that is right; if
-not, D, distortion_coefficients or D1 belong beside the matrix.)"},
+not, D, distortion_coefficients or D1 belong beside the matrix.)",
+        "if the images are not rectified, copy the coefficients beside the matrix"},
     CheckCode{
         "duplicate-key", "a key stands twice", "Kalibr takes the last one, OpenCV and ORB-SLAM3 the first.",
         R"(PyYAML keeps the last of two equal keys, yaml-cpp and cv::FileStorage the first, and none says so. Two programs thus read
-two calibrations out of one file. Delete the one that is not meant.)"},
+two calibrations out of one file. Delete the one that is not meant.)",
+        "delete one of the two"},
     CheckCode{"empty-file", "the file is empty", kNotRead,
               "Nothing but blanks. A program that died while it wrote, or a full disk, leaves such files."},
     CheckCode{
@@ -176,7 +182,8 @@ per place.)"},
         R"(calib_results.txt has five blocks: direct polynomial, inverse polynomial, centre, affine c d e, image size. A reader that
 finds fewer keeps whatever was in its memory.)"},
     CheckCode{"missing-key", "a key is missing", kProgramStops,
-              "The message names the key and the program that stops without it."},
+              "The message names the key and the program that stops without it.",
+              "add it from the calibration's own output; no default is right for a camera"},
     CheckCode{
         "mode-refused", "ORB-SLAM3 starts, but not in the mode the keys are for",
         "Started in that mode ORB-SLAM3 exits; started in another, the keys are not used.",
@@ -190,8 +197,9 @@ not meant.)"},
               "The syntax is right and some keys are known; but no camera stands there, and no IMU with noise densities."},
     CheckCode{
         "not-a-camera", "a parameter no camera has", kWrongPixels,
-        R"(The ranges: focal lengths > 0, alpha in [0, 1], beta > 0, xi of Double Sphere in (-1, 1]. Kalibr's lists begin with
-[alpha beta ..] for eucm, [xi alpha ..] for ds, [xi ..] for omni: exchanged, alpha leaves its range.)"},
+        R"(The ranges: focal lengths > 0, alpha in [0, 1], beta > 0, xi of Double Sphere in [-1, 1]. Kalibr's lists begin with
+[alpha beta ..] for eucm, [xi alpha ..] for ds, [xi ..] for omni: exchanged, alpha leaves its range.)",
+        "compare the list with the calibration's report: is a number missing, doubled or of another model?"},
     CheckCode{"not-a-camera-matrix", "no camera matrix", kWrongPixels, "3 x 3, [fx s cx; 0 fy cy; 0 0 1], fx and fy above 0."},
     CheckCode{"not-a-list", "a list is wanted", kProgramStops,
               "The message names what the program asks for there. A list is [1.0, 2.0], or a line with a dash for each item."},
@@ -210,15 +218,17 @@ A quaternion must have length 1.)"},
     CheckCode{"not-a-string", "a name is wanted", kProgramStops,
               R"(A number or a list stands where a name is read. Quotes make text of what looks like a number: "1.0".)"},
     CheckCode{"not-a-transform", "the last row of a pose is not 0 0 0 1", kWrongPose,
-              "If the last column is 0 0 0 1, the matrix is transposed."},
+              "If the last column is 0 0 0 1, the matrix is transposed.",
+              "write 0 0 0 1 there; if the last column is 0 0 0 1, transpose the matrix"},
     CheckCode{"not-an-integer", "a whole number is wanted", kProgramStops, "A count of pixels or frames per second is wanted."},
     CheckCode{"not-finite", "not a finite number", kProgramStops,
-              "NaN and infinity are what a calibration leaves that did not converge."},
+              "NaN and infinity are what a calibration leaves that did not converge.", "calibrate again"},
     CheckCode{"not-in-pixels", "WoodScape's k1 is not in pixels", kWrongPixels,
               "rho = k1 theta + ... in pixels: k1 is 200 to 600. Normalised Kannala-Brandt coefficients (0.18) stand there in "
               "forks."},
     CheckCode{"not-positive", "a number above 0 is wanted", kProgramStops,
-              "Focal lengths, image sizes, rates and noise densities are above 0."},
+              "Focal lengths, image sizes, rates and noise densities are above 0.",
+              "write the camera's or sensor's own number"},
     CheckCode{"not-settings", "no keys at the top level", kNotRead,
               "ORB-SLAM's settings are `Camera.fx: 458.6`, one key below the other at the left margin."},
     CheckCode{
@@ -266,17 +276,20 @@ loop is named as such.)"},
 (stereo_calib), camera_matrix_left, camera_0.)"},
     CheckCode{"program-ignores", "something no program reads", "It has no effect.",
               "The key is right for another version or program. Harmless, unless you rely on it."},
-    CheckCode{"program-misreads", "the program loads the file and does not use all of it as it stands",
-              "Part of what the file says has no effect, or another one.",
-              "The program loads the file and then uses a part of it otherwise than it is meant, or not at all; the message "
-              "says which."},
+    CheckCode{
+        "program-misreads", "the program loads the file and does not use all of it as it stands",
+        "Part of what the file says has no effect, or another one.",
+        "The program loads the file and then uses a part of it otherwise than it is meant, or not at all; the message "
+        "says which. In pixels: fca-io show FILE --for PROGRAM.",
+        "fca-io show FILE --for PROGRAM says what it costs in pixels; convert writes a file without it where there is one"},
     CheckCode{"program-other-format", "the program reads another format",
               "It does not start, or takes the file for something else.",
               "Every program reads one format. The command below the finding writes it."},
     CheckCode{
         "program-refuses", "the program refuses the file", kProgramStops,
         R"(The file was given to the program's reader, rebuilt from its source: the message says what it stumbles over. Where another
-spelling of the same value would do, --fix makes it.)"},
+spelling of the same value would do, --fix makes it.)",
+        "write there what the message says that the program wants"},
     CheckCode{"real-for-int", "a real number where the program wants a whole one", kProgramStops,
               "Kalibr's resolution, ORB-SLAM3's Camera.fps and sizes are ints: 30.0 is refused."},
     CheckCode{
@@ -344,7 +357,8 @@ length with the distance of the two lenses.)"},
     CheckCode{"unknown-format", "no format fca-io reads", "fca-io cannot tell what it says.",
               "fca-io formats lists what is read, and by which keys it is told."},
     CheckCode{"unknown-model", "a camera model the program does not know", kProgramStops,
-              "The message names those that the program knows. fca-io models has the other names of each."},
+              "The message names those that the program knows. fca-io models has the other names of each.",
+              "write the program's own name; `fca-io models` has what each is called elsewhere"},
     CheckCode{"unquoted-text", "text without quotes", kProgramStops,
               "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes mend both."},
     CheckCode{"wrong-count", "more or fewer numbers than announced", kGarbage,
@@ -358,7 +372,8 @@ length with the distance of the two lenses.)"},
   ends in next to nothing.
 Not decidable: small numbers of a narrow lens, where both readings see the same.)"},
     CheckCode{"wrong-length", "a list of the wrong length", kProgramStops,
-              "The message says how many numbers the model has, and in which order."},
+              "The message says how many numbers the model has, and in which order.",
+              "is a number lost, or the model's name another's?"},
     CheckCode{"wrong-syntax", "not written as the format is", kNotRead, "The message says what is expected in that line."},
     CheckCode{"xml-declaration", "a document type, entity or CDATA section in XML", kNotRead,
               "OpenCV's files have none. An entity can pull in other files or grow to gigabytes: it is not followed."},

@@ -76,11 +76,24 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
                 place_of_lens(subject, camera)});
 }
 
+/// Double Sphere is one-to-one beyond, too, but no lens has been found there.
+void check_second_sphere(const Subject& subject, const Camera& camera, Findings& findings) {
+  const std::optional<double> xi = parameter(camera.model, "xi");
+  if (model_info(camera.model).id != std::string_view("ds") || !xi || std::abs(*xi) <= 1.0) return;
+  findings.add({Severity::kWarning,
+                "not-a-camera",
+                camera.name + ": xi is " + text::format_short(*xi) + "; Double Sphere's lies between -1 and 1",
+                {},
+                "was it xi of omni, or alpha of another list?",
+                subject.places.parameter(camera, "xi")});
+}
+
 }  // namespace
 
 bool check_lens(const Subject& subject, Findings& findings) {
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
+    check_second_sphere(subject, camera, findings);
     if (!camera.image_size) continue;
     check_coverage(subject, camera, findings);
     any = true;

@@ -51,6 +51,10 @@ std::vector<Mend> spellings(const Node& scalar) {
     if (!whole && *number == std::floor(*number) && std::abs(*number) < kLargest)
       mends.push_back(spelled("real-for-int", scalar.span, std::to_string(static_cast<long long>(*number))));
   }
+  if (scalar.quoted && number && std::isfinite(*number)) {
+    mends.push_back(spelled("number-as-text", scalar.span, scalar.value));
+    mends.push_back(spelled("number-as-text", scalar.span, text::format_real(*number)));
+  }
   if (!scalar.quoted) mends.push_back(spelled("unquoted-text", scalar.span, "\"" + scalar.value + "\""));
   return mends;
 }

@@ -106,12 +106,22 @@ class ProgramsCheck {
     return where;
   }
 
+  [[nodiscard]] std::string how_to_write_for(const Consumer& program) const {
+    const std::string to(program.format);
+    const consumers::Writing& writing = program.writing;
+    std::string command = "fca-io convert " + document_.source().name + " --to " + to;
+    if (!writing.model.empty()) command += " --model " + std::string(writing.model);
+    if (!writing.layout.empty()) command += " --" + to + "-layout " + std::string(writing.layout);
+    if (!writing.output.empty()) command += " -o " + std::string(writing.output);
+    return writing.then.empty() ? command : command + ", then " + std::string(writing.then);
+  }
+
   void say_other_format(const Consumer& program) {
     findings_.add({Severity::kError,
                    "program-other-format",
                    std::string(program.program) + " does not read the " + std::string(format_.title) + " format",
                    "It does not start, or takes the file for something else.",
-                   "fca-io convert " + document_.source().name + " --to " + std::string(program.format),
+                   how_to_write_for(program),
                    {document_.source().name, 0, 0}});
   }
 
@@ -173,6 +183,11 @@ class ProgramsCheck {
     for (Finding& finding : report_.findings) {
       if (finding.code != "file-version-not-string" && finding.code != "file-version-missing") continue;
       finding.severity = Severity::kError;
+      if (finding.code == "file-version-missing") {
+        const std::size_t first = document_.source().line_at(document_.root().entries.front().key.span.offset).offset;
+        finding.mend = SpanEdit{{first, 0}, "File.version: \"1.0\"" + std::string(document_.source().line_break())};
+        finding.fix = "add the line  File.version: \"1.0\"";
+      }
       const text::Node* version = text::find(document_.root(), "File.version", text::Dialect::kOpenCv);
       if (version != nullptr && version->value == "1.0") finding.mend = SpanEdit{version->span, "\"1.0\""};
       return true;
@@ -192,8 +207,10 @@ class ProgramsCheck {
         {Severity::kWarning, "program-refuses",
          "read by " + text::enumerated(readers) + ", not by " + std::string(own.program) + ": " + refusals.front() + more,
          std::string(own.program) + " does not start with it; " + text::enumerated(readers) + " does.",
-         "fca-io convert " + document_.source().name + " --to " + std::string(format_.id) + " writes " +
-             std::string(own.program) + "'s own",
+         "fca-io convert " + document_.source().name + " --to " + std::string(format_.id) +
+             (format_.layouts.empty() ? ""
+                                      : " --" + std::string(format_.id) + "-layout " + std::string(format_.layouts.front())) +
+             " writes " + std::string(own.program) + "'s own",
          place_of(refusals.front())});
   }
 

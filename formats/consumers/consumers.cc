@@ -12,21 +12,47 @@ namespace {
 constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
 
+constexpr Writing kForOpenVins = {.output = "camchain.yaml", .then = "fca-io check camchain.yaml --for openvins --fix --write"};
+constexpr Writing kForOpenVinsImu = {.output = "imu.yaml", .then = "fca-io check imu.yaml --for openvins-imu --fix --write"};
+
 constexpr std::array kConsumers{
     Consumer{"kalibr", "Kalibr", "kalibr", kDoublePrecisionPx, &load_kalibr, true, "tumvi"},
     Consumer{"kalibr-imu", "Kalibr (imu.yaml)", "kalibr", kDoublePrecisionPx, &load_kalibr_imu, false, "tumvi"},
-    Consumer{"openvins", "OpenVINS", "kalibr", kFloatPrecisionPx, &load_openvins, true, {}, true},
-    Consumer{
-        "openvins-imu", "OpenVINS (kalibr_imu_chain.yaml)", "kalibr", kFloatPrecisionPx, &load_openvins_imu, false, {}, true},
+    Consumer{"openvins", "OpenVINS", "kalibr", kFloatPrecisionPx, &load_openvins, true, {}, true, kForOpenVins},
+    Consumer{"openvins-imu",
+             "OpenVINS (kalibr_imu_chain.yaml)",
+             "kalibr",
+             kFloatPrecisionPx,
+             &load_openvins_imu,
+             false,
+             {},
+             true,
+             kForOpenVinsImu},
     Consumer{"orbslam3", "ORB-SLAM3 V1.0", "orbslam3", kFloatPrecisionPx, &load_orbslam3},
-    Consumer{"orbslam2", "ORB-SLAM2", "orbslam3", kFloatPrecisionPx, &load_orbslam2},
-    Consumer{"slam_no_opt", "ns15417/slam_no_opt", "orbslam3", kFloatPrecisionPx, &load_slam_no_opt},
-    Consumer{"urbste", "urbste/ORB_SLAM3 (feature/gopro_slam)", "orbslam3", kFloatPrecisionPx, &load_urbste},
+    Consumer{"orbslam2", "ORB-SLAM2", "orbslam3", kFloatPrecisionPx, &load_orbslam2, true, {}, false, {.layout = "orbslam2"}},
+    Consumer{"slam_no_opt",
+             "ns15417/slam_no_opt",
+             "orbslam3",
+             kFloatPrecisionPx,
+             &load_slam_no_opt,
+             true,
+             {},
+             false,
+             {.model = "eucm"}},
+    Consumer{"urbste",
+             "urbste/ORB_SLAM3 (feature/gopro_slam)",
+             "orbslam3",
+             kFloatPrecisionPx,
+             &load_urbste,
+             true,
+             {},
+             false,
+             {.model = "ds"}},
     Consumer{"opencv", "OpenCV", "opencv", kDoublePrecisionPx, &load_opencv},
     Consumer{"ocamcalib", "OCamCalib's C functions (ocam_functions)", "ocamcalib", kDoublePrecisionPx, &load_ocamcalib},
     Consumer{"woodscape", "WoodScape's projection.py", "woodscape", kDoublePrecisionPx, &load_woodscape},
     Consumer{"woodscape-omnidet", "WoodScape's omnidet", "woodscape", kFloatPrecisionPx, &load_woodscape_omnidet},
-    Consumer{"dso", "DSO (camera.txt)", "tumvi", kFloatPrecisionPx, &load_dso},
+    Consumer{"dso", "DSO (camera.txt)", "tumvi", kFloatPrecisionPx, &load_dso, true, {}, false, {.output = "camera.txt"}},
 };
 
 }  // namespace

@@ -88,7 +88,7 @@ std::string check_directive(std::string_view line) {
   std::string_view rest = line.substr(5);
   if (skip(rest, " ") == 0) {
     return "the header '" + std::string(line.substr(0, std::min<std::size_t>(line.find('\r'), 40))) +
-           "' is OpenCV's; PyYAML wants '%YAML 1.1' and '---', or no header";
+           "' is OpenCV's; PyYAML wants '%YAML 1.2' and '---', or no header";
   }
   const bool version_1 = rest.starts_with("1.");
   if (!version_1 || rest.size() < 3 || !is_digit(rest[2])) return "the '%YAML' line asks for a version other than 1.x";

@@ -126,7 +126,9 @@ class ResultsReader {
                     "the centre is row " + blocks.centre[0]->value + ", column " + blocks.centre[1]->value +
                         " of an image of " + std::to_string(size.height) + " rows and " + std::to_string(size.width) +
                         " columns; the other way round it would be nearer to the middle",
-                    "if they are swapped, write  " + blocks.centre[1]->value + " " + blocks.centre[0]->value);
+                    "one of the two pairs is swapped: write  " + blocks.centre[1]->value + " " + blocks.centre[0]->value +
+                        "  for the centre, or  " + std::to_string(size.width) + " " + std::to_string(size.height) +
+                        "  (height width) for the image's size; most images are wider than high");
     return true;
   }
 

@@ -7,6 +7,7 @@
 #include "refusal.h"
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -203,6 +204,25 @@ class TreeBuilder : public YAML::EventHandler {
   bool has_content_ = false;
 };
 
+/// The last key up to `offset` that has its value right behind the colon: OpenCV's reader takes it, to YAML it is one word.
+/// Where it stands in a line that is valid all the same (a list of such words) nobody asks.
+std::optional<Refusal> blank_missing(const Source& source, std::size_t offset) {
+  static const std::regex kUnspaced(R"(^[ ]*(?:- +)?[A-Za-z_][A-Za-z0-9_.]*:(?=[^\s:/]))");
+  std::optional<Refusal> last;
+  for (std::size_t at = 0; at <= offset && at < source.bytes.size();) {
+    const Span line = source.line_at(at);
+    std::cmatch match;
+    const std::string_view text = source.text(line);
+    if (std::regex_search(text.data(), text.data() + text.size(), match, kUnspaced))
+      last = {"blank-missing", "a blank is missing behind the colon", "write a blank behind it",
+              line.offset + static_cast<std::size_t>(match.length())};
+    const std::size_t end = source.bytes.find('\n', line.offset);
+    if (end == std::string::npos) break;
+    at = end + 1;
+  }
+  return last;
+}
+
 /// What often goes wrong, in better words than a parser's.
 Refusal describe(const YAML::ParserException& error, const Source& source, std::size_t offset) {
   const Span line = source.line_at(offset);
@@ -248,11 +268,14 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     }
     return builder.take_root();
   } catch (const Refusal& refusal) {
-    report(refusal, source, diagnostics);
+    const bool of_structure = refusal.code == "yaml-syntax" || refusal.code == "yaml-key" || refusal.code == "yaml-documents";
+    report((of_structure ? blank_missing(source, refusal.offset) : std::nullopt).value_or(refusal), source, diagnostics);
   } catch (const YAML::ParserException& error) {
     const std::size_t in_text = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
     const std::size_t offset = std::min(skipped + spaced.original_offset(in_text), source.bytes.size());
-    report(describe(error, source, offset), source, diagnostics);
+    const Refusal refusal = describe(error, source, offset);
+    report((refusal.code == "yaml-syntax" ? blank_missing(source, offset) : std::nullopt).value_or(refusal), source,
+           diagnostics);
   } catch (const YAML::Exception& error) {
     diagnostics.error("yaml-syntax", "YAML error: " + error.msg, source.range({}));
   }

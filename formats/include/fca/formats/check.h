@@ -71,6 +71,7 @@ struct CheckCode {
   std::string_view title;        ///< What is wrong, in general.
   std::string_view consequence;  ///< What happens if it is used, where a finding has nothing more exact to say.
   std::string_view story;        ///< Formula, thresholds and their reasons; may be empty.
+  std::string_view fix = {};     ///< How to mend it, where a finding has nothing more exact to say.
 };
 
 /// Every code that a finding may have, by name.

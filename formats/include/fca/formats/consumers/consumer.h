@@ -69,6 +69,14 @@ struct LoadOptions {
 };
 
 /// A row of the table of consumers.
+/// What the format's writer is told so that a program reads the result, where the format's own program is another.
+struct Writing {
+  std::string_view model = {};   ///< --model
+  std::string_view layout = {};  ///< --FORMAT-layout
+  std::string_view output = {};  ///< -o, where the name decides the syntax
+  std::string_view then = {};    ///< A command that the written file needs.
+};
+
 struct Consumer {
   std::string_view id;       ///< "kalibr", "orbslam3", ...
   std::string_view program;  ///< As printed: "ORB-SLAM3 V1.0".
@@ -81,6 +89,7 @@ struct Consumer {
   /// It reads the format's keys in another syntax than the format's own program: a file that only it reads has the format's
   /// keys and is not of the format (OpenVINS: Kalibr's keys through cv::FileStorage).
   bool other_syntax = false;
+  Writing writing = {};
   [[nodiscard]] constexpr bool reads(std::string_view format_id) const {
     return !format_id.empty() && (format_id == format || format_id == second_format);
   }
