@@ -43,12 +43,12 @@ RIGHT.P(0, 3) = -b fx or in the second camera's pose. Checked to 5 %.)"},
         "binary-file", "the file is not text", kNotRead,
         R"(A zero byte, or bytes that are no UTF-8 where a value stands. An image, an archive or a file saved as UTF-16: save it
 as UTF-8.)"},
-    CheckCode{"cannot-read", "the file cannot be read", "No program can read it.",
-              "The operating system refuses: the file does not exist, is a folder or may not be read."},
     CheckCode{
         "blank-missing", "no blank behind a key's colon", kNotRead,
         R"(OpenCV's reader takes key:2, to every other YAML parser it is one word, and what follows is read as something else or
 not at all: the parser's own message is about a later line. --fix puts the blank in.)"},
+    CheckCode{"cannot-read", "the file cannot be read", "No program can read it.",
+              "The operating system refuses: the file does not exist, is a folder or may not be read."},
     CheckCode{
         "carla-translation", "SynWoodScape's translation in CARLA's frame",
         "WoodScape's projection.py stops with KeyError: 'translation'.",

@@ -127,6 +127,14 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
                  inverted ? "is the inverse of what it should be: it holds T_" + own.b + "_" + own.a : std::string(slip.does),
                  i};
     }
+    for (const Camera& camera : task.reference.cameras) {
+      const PoseEdge& edge = task.poses[i];
+      const std::optional<Transform> of_it = camera.name == edge.a ? std::nullopt : task.reference.resolve(camera.name, edge.b);
+      const double rest = of_it ? distance_of_poses(*of_it, stated) : best;
+      if (!(rest < best)) continue;
+      best = rest;
+      mistake = {"cameras-swapped", "T_" + own.a + "_" + own.b, "is that of the reference's " + camera.name, i};
+    }
     if (mistake) mistakes.push_back(*std::move(mistake));
   }
   return mistakes;
