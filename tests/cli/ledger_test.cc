@@ -67,7 +67,7 @@ std::string fact_of(const std::string& code, const std::string& what, const Form
                                                             {"baseline-dropped", "baseline without poses"},
                                                             {"camera-dropped", "cameras beyond 2"}};
   if (code == "not-carried") {
-    const auto* const named = std::ranges::find_if(from.own_facts, [&](std::string_view fact) { return contains(what, std::string(fact)); });
+    const auto named = std::ranges::find_if(from.own_facts, [&](std::string_view fact) { return contains(what, std::string(fact)); });
     return std::string(named == from.own_facts.end() ? from.own_facts.front() : *named);
   }
   if (code == "pose-dropped") {
