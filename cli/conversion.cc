@@ -312,7 +312,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (!calibration) return false;
   outcome.from = calibration->format;
   outcome.one_format = calibration->one_format;
-  if (calibration->rig.cameras.empty()) {
+  const bool imu_file = outcome.to->imu_file && !into && !calibration->rig.imus.empty();
+  if (calibration->rig.cameras.empty() && !imu_file) {
     explain_no_camera(arguments, outcome.input, *calibration, outcome.diagnostics);
     return false;
   }

@@ -137,8 +137,10 @@ std::optional<int> Reader::integer(const Node& node, std::string_view what) {
   const std::optional<double> real_value = real(node, what);
   if (!real_value) return std::nullopt;
   constexpr double kLargestInt = 2147483647.0;
-  if (*real_value != std::floor(*real_value) || std::abs(*real_value) > kLargestInt) {
-    error(node, "not-an-integer", std::string(what) + " is " + quoted_text(node) + "; a whole number is wanted");
+  const bool whole = *real_value == std::floor(*real_value);
+  if (!whole || std::abs(*real_value) > kLargestInt) {
+    error(node, "not-an-integer",
+          std::string(what) + " is " + quoted_text(node) + "; a whole number" + (whole ? " of 32 bits" : "") + " is wanted");
     return std::nullopt;
   }
   return static_cast<int>(*real_value);

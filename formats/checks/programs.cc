@@ -209,10 +209,11 @@ class ProgramsCheck {
     say_more(view.warnings.size(), "warnings", "program-misreads", Severity::kWarning);
   }
 
-  /// Is the warning about a camera that the program takes for another?
+  /// Is the warning about a camera that the program takes for another? Where none names that camera, it may be any.
   static bool misreads(const ConsumerView& view, std::string_view warning) {
-    return std::ranges::any_of(view.cameras, [warning](const consumers::ConsumerCamera& camera) {
-      return camera.misread && warning.starts_with(camera.name + "/");
+    return std::ranges::any_of(view.cameras, [&](const consumers::ConsumerCamera& camera) {
+      const auto names_it = [&camera](std::string_view each) { return each.starts_with(camera.name + "/"); };
+      return camera.misread && (names_it(warning) || std::ranges::none_of(view.warnings, names_it));
     });
   }
 

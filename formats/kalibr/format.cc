@@ -61,6 +61,7 @@ const Format kFormat = {
     .many_cameras = true,
     .extrinsics = true,
     .imu = true,
+    .imu_file = true,
     .image_size = true,
     .time_offset = true,
     .topic = true,

@@ -171,6 +171,45 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   }
 }
 
+/// An imu.yaml that says what `rig` does in the base's place: of the same IMUs, only numbers that differ are touched.
+std::optional<text::Document> edited_imu_file(const text::Document& base, const Rig& old, const Rig& rig) {
+  if (!old.cameras.empty() || !std::ranges::equal(old.imus, rig.imus, {}, &Imu::name, &Imu::name)) return std::nullopt;
+  const text::Dialect dialect = dialect_of(base);
+  text::Document document = base;
+  for (std::size_t i = 0; i < rig.imus.size(); ++i) {
+    if (old.imus[i] == rig.imus[i]) continue;
+    const text::Node* named = text::find(base.root(), rig.imus[i].name, dialect);
+    const text::Node& mapping = named != nullptr ? *named : base.root();
+    if (!holds_noise(mapping)) return std::nullopt;
+    fields::apply(document, mapping, dialect, imu_fields(old.imus[i]), imu_fields(rig.imus[i]));
+  }
+  return document;
+}
+
+/// A rig of IMUs alone.
+std::optional<Written> write_imu_files(const text::Document* base, const Rig* old, const Rig& rig, const WriteOptions& options,
+                                       Diagnostics& diagnostics) {
+  Written written;
+  written.headline = "an imu.yaml for Kalibr";
+  if (old != nullptr && !options.anew) {
+    if (std::optional<text::Document> document = edited_imu_file(*base, *old, rig)) {
+      written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
+      return written;
+    }
+  }
+  for (const Imu& imu : rig.imus) add_imu_file(imu, written, diagnostics);
+  if (written.files.empty()) {
+    diagnostics.error("no-camera", rig.imus.empty() ? "a camchain needs a camera and the input has none"
+                                                    : "Kalibr's imu.yaml demands what the input does not state: " +
+                                                          text::enumerated(missing_in(rig.imus.front())));
+    return std::nullopt;
+  }
+  if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
+  list_extras(
+      rig.as_read, {}, [](const AsRead&) { return false; }, written.losses);
+  return written;
+}
+
 }  // namespace
 
 std::optional<Written> write(const text::Document* base, const Rig& rig_as_named, const WriteOptions& options,
@@ -181,16 +220,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   const bool same_cameras = old && std::ranges::equal(old->cameras, rig_as_named.cameras, {}, &Camera::name, &Camera::name);
   const Rig rig = same_cameras && !options.anew ? rig_as_named : renamed(rig_as_named);
   Written written;
-  if (rig.cameras.empty()) {
-    if (!old || !old->cameras.empty()) {
-      diagnostics.error("no-camera", "a camchain needs a camera and the input has none");
-      return std::nullopt;
-    }
-    // An imu.yaml: there is nothing in it that a conversion changes.
-    written.files.push_back({*base, {}, {"kalibr-imu"}});
-    written.headline = "an imu.yaml for Kalibr";
-    return written;
-  }
+  if (rig.cameras.empty()) return write_imu_files(base, old ? &*old : nullptr, rig, options, diagnostics);
   std::optional<Editor> editor;
   if (old) editor.emplace(*base, *old, rig_as_named, rig);
   if (editor && (options.anew || !editor->possible())) editor.reset();
@@ -212,7 +242,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   if (old) kept = editor ? old->as_read : taken_over(*base, *old, rig_as_named);
   add_joined(rig_as_named, old, overlaps, kept);
   const auto of_rig = [&](const AsRead& extra) {
-    return counts_as_rig(base, options) || old->find_camera(extra.key.substr(0, extra.key.find(' '))) != nullptr;
+    const std::string owner = extra.key.substr(0, extra.key.find(' '));
+    return counts_as_rig(base, options) || (old && old->find_camera(owner) != nullptr);
   };
   list_extras(rig.as_read, kept, of_rig, written.losses);
   if (old && !editor) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "seeded_edits.h"
 
+#include <fca/formats/consumers/consumer.h>
+
 #include <array>
 #include <regex>
 
@@ -75,6 +77,7 @@ Edit distortion(const char* size, const char* numbers) {
 std::vector<TextDefect> matrix_defects() {
   return {
       {"a skew", {"opencv"}, {"skew"}, element(1, 0.0, "2.5")},
+      {"a skew that the program ignores", {"opencv"}, {"program-misreads"}, element(1, 0.0, "2.5"), 20, false},
       {"K(2, 2) = 0", {"opencv"}, {"matrix-corner"}, element(8, 1.0, "0.0")},
       {"a number below K's diagonal", {"opencv"}, {"not-a-camera-matrix"}, element(3, 0.0, "3.5")},
       {"K with its rows as columns", {"opencv"}, {"matrix-transposed"}, transposed, 20, false},
@@ -106,6 +109,10 @@ std::vector<TextDefect> matrix_defects() {
        where(Syntax::kOpenCvYaml, replaced("^(distortion_coefficients|D1|distCoeffs|dist_coeffs)(?= *:)", "lens")),
        10,
        false},
+      {"a matrix of bytes",
+       {"opencv"},
+       {"matrix-type"},
+       of_cameras(replaced("^((camera_matrix|M1|K1): *!!.*\n *rows.*\n *cols.*\n *dt: *)d *$", "$1u"))},
       {"a number for a pose",
        {"orbslam3"},
        {"not-a-matrix"},
@@ -117,6 +124,19 @@ std::vector<TextDefect> matrix_defects() {
 
 std::string with(const std::string& bytes, const SpanEdit& edit) {
   return std::string(bytes).replace(edit.span.offset, edit.span.length, edit.text);
+}
+
+/// A camchain as OpenVINS reads it, but for the quotes around a lens's name with a comment behind.
+std::optional<std::string> unquoted_for_openvins(const Good& good) {
+  if (good.calibration.format->id != "kalibr" || good.calibration.rig.cameras.empty()) return std::nullopt;
+  CheckOptions options;
+  options.program = consumers::find_consumer("openvins");
+  const std::optional<text::Source> mended = fca::mended(document_of(good).source(), options);
+  const std::string bytes = mended ? mended->bytes : bytes_of(good);
+  if (checked({good.name, bytes}, options).has(Severity::kError)) return std::nullopt;
+  const std::regex quoted("(distortion_model: *)\"?(\\w+)\"?.*$", std::regex::multiline);
+  std::string without = std::regex_replace(bytes, quoted, "$1$2  # the lens", std::regex_constants::format_first_only);
+  return without == bytes ? std::nullopt : std::optional(std::move(without));
 }
 
 /// A camera matrix and distortion under MATLAB's names, the matrix as MATLAB has it.
@@ -224,6 +244,10 @@ std::vector<TextDefect> key_defects() {
        {"kalibr"},
        {"not-a-transform"},
        replaced("- \\[0\\.0, 0\\.0, 0\\.0, 1\\.0\\]", "- [0.0, 0.0, 1.0, 1.0]")},
+      {"a camera light years away",
+       {"kalibr"},
+       {"out-of-range"},
+       replaced("(T_c\\w+: *\\n *- \\[.*, )[-+.0-9e]+\\]", "$01 1.0e+17]")},
       {"V1.0 without its version", {"orbslam3"}, {"file-version-missing"}, without_line("File.version:"), 20, false},
       {"an IMU without its rate",
        {"orbslam3"},
@@ -242,7 +266,7 @@ std::vector<TextDefect> key_defects() {
        {"opencv"},
        {"pose-missing"},
        of_cameras(replaced("^T(?= *: *!!)", "moved")),
-       10,
+       3,
        false},
       {"a camera matrix under a name nobody reads",
        {"opencv"},
@@ -253,15 +277,8 @@ std::vector<TextDefect> key_defects() {
       {"a centre below 1",
        {"tumvi"},
        {"relative-by-centre"},
-       replaced("^(\\w+ +[-.0-9]+ +[-.0-9]+) +[-.0-9]+ +[-.0-9]+", "$1 0.5 0.5"),
-       2},
-      {"a name without quotes, and a comment",
-       {"kalibr"},
-       {"unquoted-text"},
-       replaced("(distortion_model: *\\w+) *$", "$1  # the lens"),
-       20,
-       true,
-       "openvins"},
+       replaced("^(\\w+ +[-.0-9]+ +[-.0-9]+) +[0-9]{2,}[.0-9]* +[0-9]{2,}[.0-9]*", "$1 0.5 0.5"),
+       4},
       {"a layout that OpenCV does not read", {"kalibr"}, {"yaml-layout"}, appended("\n"), 20, false, "openvins"},
   };
 }
@@ -348,7 +365,8 @@ std::vector<SeededDefect> seeded_structure() {
   for (const std::vector<TextDefect>& list : {matrix_defects(), syntax_defects(), key_defects(), line_defects()}) {
     for (const TextDefect& defect : list) result.push_back(seeded(defect));
   }
-  result.push_back({"MATLAB's camera matrix", {"matlab-origin"}, as_of_matlab, {}, 10});
+  result.push_back({"MATLAB's camera matrix", {"matlab-origin"}, as_of_matlab, {}, 5});
+  result.push_back({"a name without quotes, and a comment", {"unquoted-text"}, unquoted_for_openvins, {}, 5, "openvins"});
   return result;
 }
 

@@ -18,6 +18,7 @@ const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
 const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+const std::string kPairReader = "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3 (leave out --model for that)";
 const std::string kReaders =
     "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
 
@@ -55,7 +56,9 @@ TEST(Convert, TheFirstLineSaysWhatIsMissingForMore) {
 TEST(Convert, TheEucmDialectSaysWhoReadsIt) {
   const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--model", "eucm"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(first_line(run.err).starts_with(kReaders)) << run.err;
+  EXPECT_TRUE(first_line(run.err).starts_with(kPairReader)) << run.err;
+  const RunResult one = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "orbslam3", "--model", "eucm"});
+  EXPECT_TRUE(first_line(one.err).starts_with(kReaders)) << one.err;
   EXPECT_FALSE(contains(run.out, "File.version"));
   EXPECT_TRUE(contains(run.out, "Camera.type: \"EUCM\"")) << run.out;
   EXPECT_TRUE(loads("slam_no_opt", run.out, "mono"));
@@ -231,6 +234,27 @@ TEST(Convert, AStatedFrameRateIsNoDefault) {
   const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--fps", "30"});
   EXPECT_TRUE(contains(run.out, "Camera.fps: 30\n")) << run.out;
   EXPECT_FALSE(contains(run.err, "Camera.fps")) << run.err;
+}
+
+TEST(ConvertImu, AloneIsAFileOfKalibrsAndKeepsItsBytes) {
+  const std::string imu = testdata("formats/kalibr/good/imu.yaml");
+  const RunResult kept = run_program({"convert", imu, "--to", "kalibr"});
+  EXPECT_EQ(kept.code, 0) << kept.err;
+  EXPECT_EQ(kept.out, read_file(imu));
+}
+
+TEST(ConvertImu, OfSingleSamplesBecomesDensitiesInPlace) {
+  const TemporaryFolder folder;
+  const std::string imu =
+      folder.write("imu.yaml",
+                   "update_rate: 400.0  # Hz\naccelerometer_noise_density: 0.04\naccelerometer_random_walk: 0.0002\n"
+                   "gyroscope_noise_density: 0.002  # of single samples\ngyroscope_random_walk: 4.0e-06\nrostopic: /imu0\n");
+  const RunResult run = run_program({"convert", imu, "--to", "kalibr", "--imu-noise", "discrete"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  // Noise of a sample is density * sqrt(rate), a step of the walk is walk / sqrt(rate) (Kalibr wiki, "IMU noise model").
+  EXPECT_EQ(run.out,
+            "update_rate: 400.0  # Hz\naccelerometer_noise_density: 0.002\naccelerometer_random_walk: 0.004\n"
+            "gyroscope_noise_density: 0.0001  # of single samples\ngyroscope_random_walk: 8e-05\nrostopic: /imu0\n");
 }
 
 TEST(Convert, AnImuAloneIsAnsweredWithTheCommandThatWasMeant) {

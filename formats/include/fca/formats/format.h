@@ -116,14 +116,15 @@ struct Format {
   bool extrinsics = true;
   bool any_length_unit = false;  ///< Its files do not say in what unit translations are; metres elsewhere.
   bool imu = true;
+  bool imu_file = false;  ///< An IMU without cameras is a file of its own: Kalibr's imu.yaml.
   bool image_size = true;
   bool time_offset = false;
   bool frame_rate = false;
   bool topic = false;
-  bool baseline = false;                           ///< Of a rectified pair or depth sensor, without a pose.
-  std::string_view frame = {};                     ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
+  bool baseline = false;        ///< Of a rectified pair or depth sensor, without a pose.
+  std::string_view frame = {};  ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
   std::span<const std::string_view> own_facts =
-      {};  ///< What it states and a Rig has no member for, for people: "cam_overlaps".
+      {};                                          ///< What it states and a Rig has no member for, for people: "cam_overlaps".
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   std::span<const std::string_view> defaulted =
