@@ -169,6 +169,7 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
   CLI::App& command = *app.add_subcommand("check", "What is wrong with a file, what happens if it is used, and how to mend it");
   command.add_option("FILE", arguments.files, "Calibration file(s) or folders; '-' is standard input");
   add_reading_options(command, arguments.reading);
+  add_join_option(command, arguments.reading);
   // Refused: a file is looked at as it stands.
   for (const char* option : {"--with", "--join", "--camera", "--crop", "--binning", "--resize"})
     command.get_option(option)->group("");

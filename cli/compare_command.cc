@@ -145,6 +145,7 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
   command.add_option("REF", arguments.reference, "The calibration that counts as right; '-' is standard input")->required();
   command.add_option("FILE", arguments.files, "Calibration file(s) to lay beside it, each by itself")->required();
   add_reading_options(command, arguments.reading);
+  add_join_option(command, arguments.reading);
   command.get_option("--join")->group("");  // refused: not worth a line of the help
   take_one_each_time(*command
                           .add_option("--with-file", arguments.with_of_file,

@@ -161,7 +161,9 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
                                  ConvertOutcome& outcome) {
   WriteOptions options = write_options(arguments, base);
   if (source.documents.size() > 1 && base.into == nullptr && !arguments.anew && arguments.reading.join) {
-    std::optional<Written> each = write_each_into_its_own(source, rig, *outcome.to, options, outcome.diagnostics);
+    std::optional<Written> each;
+    if (!changes_images(arguments.reading))
+      each = write_each_into_its_own(source, rig, *outcome.to, options, outcome.diagnostics);
     if (each || outcome.diagnostics.has_errors()) return each;
     // The first file may be edited; the others' text is gone in any case.
     if (source.format == outcome.to) options.joined = std::span(source.documents).subspan(base.document != nullptr ? 1 : 0);
@@ -309,6 +311,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   const std::optional<Calibration> calibration = read_input(inputs, arguments.reading, console, outcome.diagnostics);
   if (!calibration) return false;
   outcome.from = calibration->format;
+  outcome.one_format = calibration->one_format;
   const bool imu_file = outcome.to->imu_file && !into && !calibration->rig.imus.empty();
   if (calibration->rig.cameras.empty() && !imu_file) {
     explain_no_camera(arguments, outcome.input, *calibration, outcome.diagnostics);
@@ -369,8 +372,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     if (!edits_it) warn_if_refused(*calibration, arguments.reading.opencv_model, outcome.diagnostics);
     const Rig meant = as_restated(rig, outcome.written);
     for (const ConvertOutcome::Output& output : outcome.outputs) {
-      const text::Document* own = base.document != nullptr ? base.document : input_of(output, outcome.written, *calibration);
-      verify(meant, output, arguments, own, outcome);
+      const text::Document* own = input_of(output, outcome.written, *calibration);
+      verify(meant, output, arguments, own != nullptr ? own : base.document, outcome);
     }
   }
   warn_of_poor_fits(outcome);

@@ -56,6 +56,7 @@ struct ConvertOutcome {
   bool one_of_many = false;      ///< Then its report names it.
   bool max_angle_given = false;  ///< Then shares are of the image within that angle.
   const Format* from = nullptr;
+  bool one_format = true;  ///< False: `from` is the first file's, and others joined to it have another.
   const Format* to = nullptr;
   std::vector<CameraOutcome> cameras;
   Written written;

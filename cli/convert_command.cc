@@ -84,18 +84,33 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (many && arguments.output.empty() && !arguments.json)
     return "several inputs need -o FOLDER/ (or --json)" + std::string(kOneRig);
   if (const std::optional<std::string> unknown = unknown_placeholder(arguments.output))
-    return "-o: there is no placeholder " + *unknown + "; there are {stem}, {camera} and {format}";
+    return "-o: there is no placeholder " + *unknown + "; there are {stem}, {folder}, {camera} and {format}";
   return std::nullopt;
 }
 
+/// How outputs that have one path are told apart: by the folders of their inputs, where these have names of their own.
+std::string apart(const ConvertArguments& arguments, const std::vector<ConvertOutcome>& outcomes) {
+  std::set<std::pair<std::string, std::string>> inputs;
+  for (const ConvertOutcome& outcome : outcomes)
+    inputs.insert({folder_of(outcome.input), fs::path(outcome.input).stem().string()});
+  const std::string one_by_one = "convert them one by one, each with an -o of its own";
+  if (inputs.size() < outcomes.size() || arguments.output.find("{folder}") != std::string::npos) return one_by_one;
+  const bool several =
+      std::ranges::any_of(outcomes, [](const ConvertOutcome& outcome) { return camera_files(outcome.written) > 1; });
+  const ConvertOutcome& first = outcomes.front();
+  const std::string extension =
+      first.written.files.empty() ? std::string(first.to->extension) : extension_of(first.written.files.front(), *first.to);
+  return "use a pattern such as -o 'out/{folder}.{stem}" + std::string(several ? ".{camera}" : "") + extension + "'";
+}
+
 /// Refuses before anything is written that two outputs have one path.
-bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
+bool collide(const ConvertArguments& arguments, const std::vector<ConvertOutcome>& outcomes, const Console& console) {
   std::set<std::string> seen;
   for (const ConvertOutcome& outcome : outcomes) {
     for (const ConvertOutcome::Output& output : outcome.outputs) {
       if (output.path.empty() || seen.insert(output.path).second) continue;
-      static_cast<void>(console.refuse(ExitCode::kUsage, "two outputs would be written to " + output.path,
-                                       "use a pattern such as -o 'out/{stem}.{format}.yaml'"));
+      static_cast<void>(
+          console.refuse(ExitCode::kUsage, "two outputs would be written to " + output.path, apart(arguments, outcomes)));
       return true;
     }
   }
@@ -133,7 +148,7 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   for (ConvertOutcome& outcome : outcomes) outcome.one_of_many = outcomes.size() > 1;
   if (const std::optional<std::string> error = opencv_model_without_use(arguments, outcomes))
     return console.refuse(ExitCode::kUsage, *error);
-  if (collide(outcomes, console)) return ExitCode::kUsage;
+  if (collide(arguments, outcomes, console)) return ExitCode::kUsage;
 
   ExitCode code = ExitCode::kGood;
   // Several inputs: every diagnostic names its file itself.
@@ -166,9 +181,10 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       ->type_name("MODEL");
   command
       .add_option("-o,--output", arguments.output,
-                  "A path, a folder, or a pattern with {stem}, {camera}, {format} (default: standard output)")
+                  "A path, a folder, or a pattern with {stem}, {folder}, {camera}, {format} (default: standard output)")
       ->type_name("PATH");
   add_reading_options(command, arguments.reading);
+  add_join_option(command, arguments.reading);
   add_imu_option(command, arguments.reading);
   command
       .add_option("--sensor", arguments.sensor,

@@ -2,26 +2,35 @@
 #include "joined_files.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace fca::cli {
 
 namespace {
 
-/// An input with what it holds.
+/// An input of the format to be written, with what it holds.
 struct Part {
   const text::Document* document = nullptr;
   Rig rig;
 };
 
-/// The inputs with one camera each, or nothing if that is not what they are.
-std::vector<Part> parts_of(const Calibration& source) {
+bool is_of(const Calibration& source, const text::Document& document, const Format& format) {
+  if (source.one_format) return source.format == &format;
+  Diagnostics said_before;
+  const std::optional<DetectedFormat> detected = detect_format(document, said_before);
+  return detected && detected->format == &format;
+}
+
+/// The inputs of that format with one camera each. Of one whose files hold several, those of bare words (DSO's camera.txt).
+std::vector<Part> parts_of(const Calibration& source, const Format& format) {
   std::vector<Part> parts;
   for (const text::Document& document : source.documents) {
+    if (!is_of(source, document, format)) continue;
+    if (format.many_cameras && document.syntax() != text::Syntax::kWords) continue;
     Diagnostics said_before;
-    const std::optional<Rig> rig = source.format->read(std::span(&document, 1), {}, said_before);
-    if (!rig || rig->cameras.size() != 1) return {};
-    parts.push_back({&document, *rig});
+    const std::optional<Rig> rig = format.read(std::span(&document, 1), {}, said_before);
+    if (rig && rig->cameras.size() == 1) parts.push_back({&document, *rig});
   }
   return parts;
 }
@@ -32,6 +41,26 @@ std::vector<Part>::iterator part_with(std::vector<Part>& parts, const Camera& ca
     const Camera& own = part.rig.cameras.front();
     return own.model == camera.model && own.image_size == camera.image_size;
   });
+}
+
+/// What is read beside the camera, under its name in the joined rig.
+std::vector<AsRead> extras_of(const Part& part, const Camera& camera) {
+  std::vector<AsRead> extras = part.rig.as_read;
+  const std::string& own = part.rig.cameras.front().name;
+  for (AsRead& extra : extras) {
+    if (extra.key.starts_with(own + " ")) extra.key.replace(0, own.size(), camera.name);
+  }
+  return extras;
+}
+
+/// Takes a camera that its own file says, and what else that says, out of the rig.
+void take_out(const Part& part, const Camera& camera, Rig& rig) {
+  for (const AsRead& extra : extras_of(part, camera)) {
+    const auto found = std::ranges::find(rig.as_read, extra);
+    if (found != rig.as_read.end()) rig.as_read.erase(found);
+  }
+  std::erase_if(rig.poses, [&camera](const PoseEdge& edge) { return edge.a == camera.name || edge.b == camera.name; });
+  std::erase_if(rig.cameras, [&camera](const Camera& other) { return other.name == camera.name; });
 }
 
 /// What the rig says of one camera, under the name that its file gives it.
@@ -49,33 +78,51 @@ Rig alone(const Rig& rig, const Camera& camera, const Part& part) {
   return result;
 }
 
-void append(Written part, const std::string& camera, Written& all) {
-  for (Written::File& file : part.files) {
-    if (!file.cameras.empty()) file.cameras = {camera};
-    all.files.push_back(std::move(file));
-  }
+void append(Written part, Written& all) {
+  for (Written::File& file : part.files) all.files.push_back(std::move(file));
   if (all.headline.empty()) all.headline = std::move(part.headline);
   all.losses.insert(all.losses.end(), part.losses.begin(), part.losses.end());
   all.defaults.insert(all.defaults.end(), part.defaults.begin(), part.defaults.end());
   for (PoseEdge& edge : part.restated) all.restated.push_back(std::move(edge));
 }
 
+/// Files in the order of the rig's cameras.
+void sort_files(const Rig& rig, std::vector<Written::File>& files) {
+  std::ranges::stable_sort(files, {}, [&rig](const Written::File& file) {
+    return file.cameras.empty() ? rig.cameras.end() : std::ranges::find(rig.cameras, file.cameras.front(), &Camera::name);
+  });
+}
+
 }  // namespace
 
 std::optional<Written> write_each_into_its_own(const Calibration& source, const Rig& rig, const Format& format,
                                                const WriteOptions& options, Diagnostics& diagnostics) {
-  if (format.many_cameras || source.format != &format || !source.one_format) return std::nullopt;
-  std::vector<Part> parts = parts_of(source);
+  if (format.many_cameras && options.extension != ".txt") return std::nullopt;
+  std::vector<Part> parts = parts_of(source, format);
+  if (parts.empty()) return std::nullopt;
+  Rig rest = rig;
   Written all;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const Camera& camera = rig.cameras[i];
     const auto part = part_with(parts, source.rig.cameras[i]);
-    if (part == parts.end()) return std::nullopt;
-    std::optional<Written> written =
-        write_calibration(format, part->document, alone(rig, rig.cameras[i], *part), options, diagnostics);
+    if (part == parts.end() && source.one_format) return std::nullopt;
+    if (part == parts.end()) continue;
+    std::optional<Written> written = write_calibration(format, part->document, alone(rig, camera, *part), options, diagnostics);
     if (!written) return std::nullopt;
-    append(*std::move(written), rig.cameras[i].name, all);
+    for (Written::File& file : written->files) {
+      if (!file.cameras.empty()) file.cameras = {camera.name};
+    }
+    append(*std::move(written), all);
+    take_out(*part, camera, rest);
     parts.erase(part);
   }
+  if (all.files.empty()) return std::nullopt;
+  if (!rest.cameras.empty()) {
+    std::optional<Written> written = write_calibration(format, nullptr, rest, options, diagnostics);
+    if (!written) return std::nullopt;
+    append(*std::move(written), all);
+  }
+  sort_files(rig, all.files);
   return all;
 }
 

@@ -49,8 +49,9 @@ std::optional<std::string> opencv_model_without_use(const ConvertArguments& argu
                                                     std::span<const ConvertOutcome> outcomes) {
   if (arguments.reading.opencv_model.empty() || !arguments.reading.with.empty()) return std::nullopt;
   const auto of_opencv = [](const Format* format) { return format == nullptr || format->id == "opencv"; };
-  if (std::ranges::any_of(outcomes,
-                          [&](const ConvertOutcome& outcome) { return of_opencv(outcome.from) || of_opencv(outcome.to); }))
+  if (std::ranges::any_of(outcomes, [&](const ConvertOutcome& outcome) {
+        return of_opencv(outcome.from) || of_opencv(outcome.to) || !outcome.one_format;
+      }))
     return std::nullopt;
   return "--opencv-model is for OpenCV files, and " + outcomes.front().input + " is " +
          std::string(outcomes.front().from->title);

@@ -58,8 +58,13 @@ std::string_view name_of(text::Syntax syntax) {
 
 }  // namespace
 
+std::string folder_of(const std::string& input) {
+  std::error_code error;  // a folder that is gone has no name
+  return input == "-" ? "stdin" : fs::absolute(input, error).lexically_normal().parent_path().filename().string();
+}
+
 std::optional<std::string> unknown_placeholder(std::string_view pattern) {
-  constexpr std::array<std::string_view, 3> kKnown = {"{stem}", "{camera}", "{format}"};
+  constexpr std::array<std::string_view, 4> kKnown = {"{stem}", "{folder}", "{camera}", "{format}"};
   for (std::size_t at = pattern.find('{'); at != std::string_view::npos; at = pattern.find('{', at + 1)) {
     const std::size_t end = pattern.find('}', at);
     if (end == std::string_view::npos) return std::nullopt;
@@ -81,7 +86,8 @@ std::string output_path(const std::string& output, const std::string& input, con
   const Written::File& file = written.files[index];
   if (output.find('{') != std::string::npos) {
     const std::string cameras = as_file_name(joined(file.cameras));
-    return replaced(replaced(replaced(output, "{stem}", stem), "{format}", format.id), "{camera}", cameras);
+    const std::string path = replaced(replaced(replaced(output, "{stem}", stem), "{format}", format.id), "{camera}", cameras);
+    return replaced(path, "{folder}", folder_of(input));
   }
   if (!names_folder(output)) return output;
   const fs::path proposal = file.document.source().name;

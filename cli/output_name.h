@@ -13,6 +13,9 @@ namespace fca::cli {
 /// The first "{...}" of a pattern that output_path() does not fill in.
 [[nodiscard]] std::optional<std::string> unknown_placeholder(std::string_view pattern);
 
+/// The name of the folder that an input lies in: the {folder} of a pattern.
+[[nodiscard]] std::string folder_of(const std::string& input);
+
 /// Is `output` (-o) a folder, which has room for several files?
 [[nodiscard]] bool names_folder(const std::string& output);
 

@@ -21,7 +21,6 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                           .add_option("--with", options.with,
                                       "A further part of the same calibration, e.g. imu.yaml; may be given several times")
                           ->type_name("FILE"));
-  command.add_flag("--join", options.join, "All inputs are the cameras of one rig, in the order given");
   command.add_option("--camera", options.cameras, "Only these cameras, in this order: 1,0 or cam1")->type_name("LIST");
   command.add_option("--size", options.size, "Image size of an input that does not state one: 640x480")->type_name("WxH");
   command.add_option("--crop", options.crop, "The images are this part of the calibrated ones; before --binning and --resize")
@@ -39,6 +38,10 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                   "What counts as lens, in degrees from the axis (default: the whole image)")
       ->type_name("DEG")
       ->check(decimal_number());
+}
+
+void add_join_option(CLI::App& command, ReadingOptions& options) {
+  command.add_flag("--join", options.join, "All inputs are the cameras of one rig, in the order given");
 }
 
 void add_imu_option(CLI::App& command, ReadingOptions& options) {

@@ -33,8 +33,11 @@ struct ReadingOptions {
   std::string imu_noise;  ///< "continuous" or "discrete"; empty: continuous
 };
 
-/// --from, --with, --join, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle
+/// --from, --with, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle
 void add_reading_options(CLI::App& command, ReadingOptions& options);
+
+/// --join, for commands that take several files.
+void add_join_option(CLI::App& command, ReadingOptions& options);
 
 /// --imu-noise, for commands that say or write what an IMU is like.
 void add_imu_option(CLI::App& command, ReadingOptions& options);

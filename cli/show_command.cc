@@ -73,6 +73,7 @@ void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<Exi
       *app.add_subcommand("show", "What a file means: cameras, models, fields of view, poses, IMU, and who reads it");
   command.add_option("FILE", arguments.files, "Calibration file(s); '-' is standard input")->required();
   add_reading_options(command, arguments.reading);
+  add_join_option(command, arguments.reading);
   add_imu_option(command, arguments.reading);
   command
       .add_option("--for", arguments.program,

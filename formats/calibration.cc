@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace fca {
 
@@ -45,9 +46,29 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
 
 namespace {
 
-/// Gives the cameras of `part` whose names `rig` has the next free "camN", in its poses, too.
-void rename_apart(const Rig& rig, Rig& part) {
+using Names = std::map<std::string, std::string>;  // old -> new
+
+/// "[1, 2]" with the numbers of the cameras' new names: [3, 2] where cam1 became cam3.
+std::string counted_anew(const std::string& list, const Names& names) {
+  constexpr std::string_view kDigits = "0123456789";
+  std::string result;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t end = std::min(list.find_first_not_of(kDigits, at), list.size());
+    if (end == at) {
+      result += list[at++];
+      continue;
+    }
+    const auto name = names.find("cam" + list.substr(at, end - at));
+    result += name == names.end() ? list.substr(at, end - at) : name->second.substr(std::string_view("cam").size());
+    at = end;
+  }
+  return result;
+}
+
+/// Gives the cameras of `part`, a file of `format`, whose names `rig` has the next free "camN", in its poses and numbers, too.
+void rename_apart(const Rig& rig, const Format& format, Rig& part) {
   std::size_t next = rig.cameras.size();
+  Names names;
   for (Camera& camera : part.cameras) {
     if (rig.find_camera(camera.name) == nullptr) continue;
     const std::string old = camera.name;
@@ -63,6 +84,12 @@ void rename_apart(const Rig& rig, Rig& part) {
       if (extra.key.starts_with(old + " ")) extra.key.replace(0, old.size(), name);
     }
     camera.name = name;
+    names.emplace(old, name);
+  }
+  for (AsRead& extra : part.as_read) {
+    if (std::ranges::any_of(format.of_cameras,
+                            [&](std::string_view key) { return extra.key.ends_with(" " + std::string(key)); }))
+      extra.value = counted_anew(extra.value, names);
   }
 }
 
@@ -144,7 +171,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       result.rig = *std::move(rig);
     } else {
       if (result.rig.cameras.empty() && !rig->cameras.empty() && detected.format == result.format) result.with_cameras = i;
-      if (options.join) rename_apart(result.rig, *rig);
+      if (options.join) rename_apart(result.rig, *detected.format, *rig);
       result.one_format = result.one_format && (rig->cameras.empty() || detected.format == result.format);
       if (!join(*rig, document, result.rig, diagnostics)) return std::nullopt;
     }
@@ -161,8 +188,9 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   for (const Written::File& file : written->files) {
     if (file.document.edited()) add_lost_comments(file.document, written->losses);
   }
+  const std::string_view why = format.many_cameras ? "several files become one" : "";
   for (const text::Document& document : options.joined)
-    add_composed_anew(document, written->files.front().document, "several files become one", written->losses);
+    add_composed_anew(document, written->files.front().document, why, written->losses);
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
   add_remedies(written->losses);

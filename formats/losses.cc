@@ -8,6 +8,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -17,10 +18,14 @@ namespace fca {
 
 namespace {
 
-/// "Viewer." of "Viewer.PointSize"; nothing of a key without a point.
+/// What tunes a program comes in numbers, and says nothing of the calibration or the images.
+constexpr std::array<std::string_view, 2> kTuning = {"Viewer.", "ORBextractor."};
+
+/// "Viewer." of "Viewer.PointSize"; nothing of a key that is no tuning.
 std::string_view group_of(const AsRead& extra) {
-  const std::size_t point = extra.key.find('.');
-  return point == std::string::npos ? std::string_view() : std::string_view(extra.key).substr(0, point + 1);
+  const auto* const group =
+      std::ranges::find_if(kTuning, [&extra](std::string_view prefix) { return extra.key.starts_with(prefix); });
+  return group == kTuning.end() ? std::string_view() : *group;
 }
 
 std::string in_words(const AsRead& extra) {

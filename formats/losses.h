@@ -10,7 +10,7 @@
 
 namespace fca {
 
-/// What was read and has no place in the target, each as a loss; keys of one group ("Viewer.PointSize", ...) as one.
+/// What was read and has no place in the target, each as a loss; tuning ("Viewer.PointSize", ...) as one.
 void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses);
 
 /// A camera's time offset (by Kalibr's name for it: no other format has one), with what to do about it; nothing where there is

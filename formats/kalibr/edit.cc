@@ -115,7 +115,7 @@ void Editor::edit_named_poses() {
   fields::apply(document_, document_.root(), dialect_, poses_of(old_), poses_of(rig_));
 }
 
-text::Document Editor::edited(std::vector<Loss>& losses) {
+text::Document Editor::edited(std::span<const std::optional<fields::Field>> overlaps, std::vector<Loss>& losses) {
   const Node& root = document_.root();
   const std::vector<Kept> cameras = kept();
   const bool same_places =
@@ -137,9 +137,11 @@ text::Document Editor::edited(std::vector<Loss>& losses) {
     if (position_of(old_, as_named_.cameras[i].name)) continue;
     const Kept& sibling = cameras.back();
     const Node& block = sibling.entry->value;
+    std::vector<fields::Field> fields = fields_after(block, i);
+    if (overlaps[i]) fields.insert(std::ranges::find(fields, "camera_model", &fields::Field::key), *overlaps[i]);
     document_.insert_after(root, root.entries.back(),
                            fields::like_sibling(base_, root, *sibling.entry, dialect_, rig_.cameras[i].name,
-                                                fields_before(block, sibling.before), fields_after(block, i)));
+                                                fields_before(block, sibling.before), fields));
   }
   return std::move(document_);
 }

@@ -8,6 +8,7 @@
 
 #include <fca/formats/format.h>
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,8 @@ class Editor {
   /// Blocks can be added and removed where they are blocks, and nothing beside them speaks of cameras by name.
   [[nodiscard]] bool possible() const;
 
-  [[nodiscard]] text::Document edited(std::vector<Loss>& losses);
+  /// `overlaps`: cam_overlaps of every camera of the rig, if it is known; for those that the base does not have.
+  [[nodiscard]] text::Document edited(std::span<const std::optional<fields::Field>> overlaps, std::vector<Loss>& losses);
 
  private:
   /// A camera of the base that stays, and its place in the rig.

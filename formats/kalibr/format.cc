@@ -2,6 +2,7 @@
 #include "demands.h"
 #include "kalibr.h"
 #include "layout.h"
+#include "overlaps.h"
 
 #include <array>
 
@@ -23,6 +24,7 @@ constexpr std::array kModels = {
 };
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
+constexpr std::array kOfCameras = {kOverlaps};
 constexpr std::array<std::string_view, 1> kOwnFacts = {"keys of its own (cam_overlaps)"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 
@@ -66,6 +68,7 @@ const Format kFormat = {
     .own_facts = kOwnFacts,
     .defaulted = kDefaulted,
     .of_the_images = kOfTheImages,
+    .of_cameras = kOfCameras,
     .models = kModels,
     .probe = probe,
     .read = read,

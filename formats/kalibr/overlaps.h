@@ -5,6 +5,8 @@
 
 #include "../fields.h"
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,14 @@ inline constexpr std::string_view kOverlaps = "cam_overlaps";
 /// gone are left out. Nothing if it says nothing, or no list of numbers of cameras.
 [[nodiscard]] std::optional<fields::Field> overlaps_among(const text::Document& base, const std::string& name,
                                                           const Rig& after);
+
+/// The same of a camera that no base has, from what was read of it (Rig::as_read): "[1]" speaks of cam1, by that
+/// name in `after`.
+[[nodiscard]] std::optional<fields::Field> overlaps_read(std::span<const AsRead> extras, const std::string& name,
+                                                         const Rig& after);
+
+/// Does `field`, made of it, speak of every camera that `extra` speaks of?
+[[nodiscard]] bool is_whole(const std::optional<fields::Field>& field, const AsRead& extra);
 
 /// Is that, of Rig::as_read, a camera's cam_overlaps?
 [[nodiscard]] bool is_overlaps(const AsRead& extra);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 
 namespace fca::kalibr {
 
@@ -26,16 +27,42 @@ std::string block(const Rig& rig, std::size_t index, const std::optional<fields:
 }
 
 /// A fresh camchain in Kalibr's own layout, but with the rows of transforms indented deeper than their key: OpenVINS then needs
-/// only its first line added. Of `base`, if there is one, cam_overlaps is taken over: it still holds.
-std::optional<text::Document> compose(const text::Document* base, const Rig& rig_as_named, const Rig& rig,
+/// only its first line added. `overlaps`: cam_overlaps of every camera that has it.
+std::optional<text::Document> compose(const Rig& rig, std::span<const std::optional<fields::Field>> overlaps,
                                       Diagnostics& diagnostics) {
   std::string bytes;
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    const std::optional<fields::Field> overlaps =
-        base != nullptr ? overlaps_among(*base, rig_as_named.cameras[i].name, rig_as_named) : std::nullopt;
-    bytes += block(rig, i, overlaps) + "\n";
-  }
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) bytes += block(rig, i, overlaps[i]) + "\n";
   return text::parse_document({"camchain.yaml", bytes}, diagnostics);
+}
+
+/// Does an input that is no edit of the base count the rig's cameras? One that is written into another file counts its own.
+bool counts_as_rig(const text::Document* base, const WriteOptions& options) {
+  return base == nullptr || !options.joined.empty();
+}
+
+/// What every camera's cam_overlaps is to say: what the base says of its own, and of others what their files say.
+std::vector<std::optional<fields::Field>> overlaps_of(const text::Document* base, const std::optional<Rig>& old, const Rig& rig,
+                                                      const WriteOptions& options) {
+  std::vector<std::optional<fields::Field>> result;
+  for (const Camera& camera : rig.cameras) {
+    if (old && old->find_camera(camera.name) != nullptr) {
+      result.push_back(overlaps_among(*base, camera.name, rig));
+    } else {
+      result.push_back(counts_as_rig(base, options) ? overlaps_read(rig.as_read, camera.name, rig) : std::nullopt);
+    }
+  }
+  return result;
+}
+
+/// What the chain says of cam_overlaps of cameras that the base does not have, as it was read.
+void add_joined(const Rig& rig, const std::optional<Rig>& old, std::span<const std::optional<fields::Field>> overlaps,
+                std::vector<AsRead>& said) {
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const std::string& name = rig.cameras[i].name;
+    if (old && old->find_camera(name) != nullptr) continue;
+    const auto extra = std::ranges::find(rig.as_read, name + " " + std::string(kOverlaps), &AsRead::key);
+    if (extra != rig.as_read.end() && is_whole(overlaps[i], *extra)) said.push_back(*extra);
+  }
 }
 
 /// Chains are named cam0, cam1, ... in order: renames the rig's cameras so, and makes room for those names in the poses.
@@ -113,16 +140,20 @@ std::vector<AsRead> taken_over(const text::Document& base, const Rig& old, const
   return result;
 }
 
-/// What the input says beside its rig, and the chain, which says `there`, does not. `base`: is there one?
-void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, bool base, std::vector<Loss>& losses) {
-  std::vector<AsRead> others(extras.begin(), extras.end());
-  const auto overlaps = std::stable_partition(others.begin(), others.end(), std::not_fn(is_overlaps));
-  const auto count = static_cast<std::size_t>(overlaps - others.begin());
-  add_beyond_base(std::span(others).first(count), there, "the camchain written has no place for it", losses);
-  add_beyond_base(
-      std::span(others).subspan(count), there,
-      base ? "a camera of which it speaks is not in the chain written" : "it counts the cameras of the file it stands in",
-      losses);
+/// What the input says beside its rig, and the chain, which says `there`, does not. `of_rig`: are the numbers of this
+/// cam_overlaps those of the rig's cameras?
+void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there,
+                 const std::function<bool(const AsRead&)>& of_rig, std::vector<Loss>& losses) {
+  const auto list = [&](std::string_view why, const std::function<bool(const AsRead&)>& those) {
+    std::vector<AsRead> some;
+    std::ranges::copy_if(extras, std::back_inserter(some), those);
+    add_beyond_base(some, there, why, losses);
+  };
+  list("the camchain written has no place for it", std::not_fn(is_overlaps));
+  list("a camera of which it speaks is not in the chain written",
+       [&of_rig](const AsRead& extra) { return is_overlaps(extra) && of_rig(extra); });
+  list("it counts the cameras of the file it stands in",
+       [&of_rig](const AsRead& extra) { return is_overlaps(extra) && !of_rig(extra); });
 }
 
 /// What a camchain has no key for.
@@ -174,7 +205,8 @@ std::optional<Written> write_imu_files(const text::Document* base, const Rig* ol
     return std::nullopt;
   }
   if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
-  list_extras(rig.as_read, {}, base != nullptr, written.losses);
+  list_extras(
+      rig.as_read, {}, [](const AsRead&) { return false; }, written.losses);
   return written;
 }
 
@@ -196,8 +228,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   if (!can_store(kFormat, rig_as_named, edited, diagnostics) || !check_sizes(rig_as_named, edited, diagnostics))
     return std::nullopt;
 
+  const std::vector<std::optional<fields::Field>> overlaps = overlaps_of(base, old, rig_as_named, options);
   std::optional<text::Document> document =
-      editor ? editor->edited(written.losses) : compose(base, rig_as_named, rig, diagnostics);
+      editor ? editor->edited(overlaps, written.losses) : compose(rig, overlaps, diagnostics);
   if (!document) return std::nullopt;
   written.files.push_back({*std::move(document), {}, {"kalibr"}});
   for (const Camera& camera : rig_as_named.cameras) written.files.front().cameras.push_back(camera.name);
@@ -207,13 +240,23 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   }
   std::vector<AsRead> kept;
   if (old) kept = editor ? old->as_read : taken_over(*base, *old, rig_as_named);
-  list_extras(rig.as_read, kept, base != nullptr, written.losses);
+  add_joined(rig_as_named, old, overlaps, kept);
+  const auto of_rig = [&](const AsRead& extra) {
+    const std::string owner = extra.key.substr(0, extra.key.find(' '));
+    return counts_as_rig(base, options) || (old && old->find_camera(owner) != nullptr);
+  };
+  list_extras(rig.as_read, kept, of_rig, written.losses);
   if (old && !editor) {
     add_composed_anew(*base, written.files.front().document, "", written.losses);
     std::vector<AsRead> gone = extras_beyond(extras_beyond(old->as_read, rig.as_read), kept);
-    const auto overlaps = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
-    list_extras({overlaps, gone.end()}, {}, true, written.losses);
-    gone.erase(overlaps, gone.end());
+    // Of a camera that nobody asked for nothing is missed.
+    std::erase_if(gone, [&old, &rig_as_named](const AsRead& extra) {
+      const std::string owner = extra.key.substr(0, extra.key.find(' '));
+      return old->find_camera(owner) != nullptr && rig_as_named.find_camera(owner) == nullptr;
+    });
+    const auto overlaps_gone = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
+    list_extras({overlaps_gone, gone.end()}, {}, of_rig, written.losses);
+    gone.erase(overlaps_gone, gone.end());
     add_not_carried(gone, "the file is composed anew", written.losses);
   }
   list_losses(rig_as_named, written.losses);

@@ -285,7 +285,8 @@ class Editor {
     std::vector<fields::Field> to = FieldMaker(rig_, after_, &base_.document).map(index, keys, one_kind);
     const auto add_group = [&there](const Rig& rig, const Camera& camera, std::vector<fields::Field>& fields) {
       const std::optional<ReferencePose> pose = reference_pose(rig, camera);
-      if (!there.group.empty()) fields.push_back(fields::integer(there.group, pose ? pose->group : 0));
+      // Without a pose it is of no group.
+      if (!there.group.empty() && pose) fields.push_back(fields::integer(there.group, pose->group));
     };
     add_group(base_.rig, base_.rig.cameras[sibling], from);
     add_group(rig_, rig_.cameras[index], to);

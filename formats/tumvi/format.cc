@@ -4,6 +4,7 @@
 
 #include "../kalibr/demands.h"
 #include "../kalibr/kalibr.h"
+#include "../kalibr/overlaps.h"
 #include "../losses.h"
 #include "../one_camera_files.h"
 
@@ -31,6 +32,7 @@ constexpr std::array kModels = {
 };
 
 constexpr std::array<std::string_view, 2> kOfTheImages = {"line_delay", "DSO's rectified image"};
+constexpr std::array kOfCameras = {kalibr::kOverlaps};
 constexpr std::array<std::string_view, 2> kOwnFacts = {"keys of its own (cam_overlaps)", "DSO's rectified image"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 
@@ -181,6 +183,7 @@ const Format kFormat = {
     .own_facts = kOwnFacts,
     .defaulted = kDefaulted,
     .of_the_images = kOfTheImages,
+    .of_cameras = kOfCameras,
     .models = kModels,
     .probe = probe,
     .read = read,

@@ -123,6 +123,18 @@ void list_stale_translation(const text::Document& base, const Rig& old, const st
                     "it is kept as it was, and the pose beside it is another one", "remove it, or write the new pose's"});
 }
 
+/// What the input says beside its rig and the file, which says `there`, does not.
+void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, std::vector<Loss>& losses) {
+  std::vector<AsRead> others(extras.begin(), extras.end());
+  const auto halves = std::stable_partition(others.begin(), others.end(), [](const AsRead& extra) {
+    return !extra.key.ends_with("extrinsic.quaternion") && !extra.key.ends_with("extrinsic.translation");
+  });
+  const auto count = static_cast<std::size_t>(halves - others.begin());
+  add_beyond_base(std::span(others).first(count), there, "a WoodScape JSON has no place for it", losses);
+  add_beyond_base(std::span(others).subspan(count), there,
+                  "it is half a pose: quaternion and translation in the vehicle do not stand beside each other", losses);
+}
+
 /// The frame that stands for the vehicle: its own, else the first camera's. Identities for all would state that they sit in one
 /// place.
 std::string reference_frame(const Rig& rig) {
@@ -166,8 +178,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.push_back({*std::move(document), {camera.name}, std::move(programs)});
   }
   list_camera_losses(rig, "WoodScape", written.losses);
-  add_beyond_base(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>(),
-                  "a WoodScape JSON has no place for it", written.losses);
+  list_extras(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>(), written.losses);
   if (const std::optional<Rig> replaced =
           base != nullptr && options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt)
     add_not_carried(extras_beyond(replaced->as_read, rig.as_read), "the file is composed anew", written.losses);

@@ -140,6 +140,33 @@ TEST(OutputFile, TheHintOfAPatternHasTheFilesExtension) {
   }
 }
 
+// Datasets have one calib.yaml per folder: what is proposed then is a pattern that tells them apart, or what always does.
+TEST(OutputFile, InputsOfOneNameAreToldApartByTheirFolders) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a", "b", "a/c", "b/c"}) fs::create_directory(folder / name);
+  for (const char* name : {"a/x.yaml", "b/x.yaml", "a/c/x.yaml", "b/c/x.yaml"}) folder.write(name, read_file(kTumvi));
+  for (const char* to : {"orbslam3", "woodscape"}) {
+    std::vector<std::string> words = {"convert", folder / "a/x.yaml", folder / "b/x.yaml", "--to", to, "--max-angle", "80",
+                                      "-o"};
+    std::vector<std::string> into_folder = words;
+    into_folder.push_back(folder / "out/");
+    const RunResult refused = run_program(into_folder);
+    EXPECT_EQ(refused.code, 3) << refused.err;
+    const std::size_t begin = refused.err.find("'out/");
+    ASSERT_NE(begin, std::string::npos) << refused.err;
+    const std::string pattern = refused.err.substr(begin + 1, refused.err.find('\'', begin + 1) - begin - 1);
+    words.push_back(folder / pattern);
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 0) << run.err;
+  }
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"a", "b", "out"}));
+  EXPECT_TRUE(is_settings(read_file(folder / "out/b.x.yaml")));
+  const RunResult same = run_program(
+      {"convert", folder / "a/c/x.yaml", folder / "b/c/x.yaml", "--to", "orbslam3", "-o", folder / "{folder}.{stem}.yaml"});
+  EXPECT_EQ(same.code, 3) << same.err;
+  EXPECT_TRUE(contains(same.err, "one by one")) << same.err;
+}
+
 TEST(OutputFile, AFolderGetsANameOfItsOwn) {
   const TemporaryFolder folder;
   EXPECT_EQ(convert({"-o", folder.path().string()}).code, 0);

@@ -32,6 +32,7 @@ struct StoredModel {
   std::span<const ParameterRange> ranges;  ///< What the program demands beyond the model's own ranges (EUCM alpha > 0.5).
   std::string_view why = {};               ///< Why it demands that, for people.
   bool in_words = false;                   ///< Also in the format's files of bare words, where it has such (DSO's camera.txt).
+  bool pairs_only = false;                 ///< A file holds one such camera, or a pair with its pose, and no other rig.
 };
 
 /// Something the target format cannot carry.
@@ -130,6 +131,8 @@ struct Format {
       {};  ///< What its program demands and calibrations rarely state: "colour order".
   /// Keys of own facts (AsRead, behind their owner's name) that count pixels or rows of the images, and are stale for others.
   std::span<const std::string_view> of_the_images = {};
+  /// Keys of own facts that name cameras by their numbers (1: cam1): who names those anew counts these anew.
+  std::span<const std::string_view> of_cameras = {};
   std::span<const StoredModel> models;
 
   ProbeResult (*probe)(const text::Document& document);

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --join: what every file states is the joined rig's, whichever files the others are.
+#include "cli/read_rig.h"
+#include "cli/run_program.h"
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
+const std::string kFront = testdata("formats/woodscape/good/front.json");
+const std::string kToolbox = testdata("formats/ocamcalib/good/toolbox.txt");
+
+/// tumvi.yaml's pair with these cam_overlaps.
+std::string pair_with(const std::string& of_cam0, const std::string& of_cam1) {
+  const std::string pair = with_replaced(read_file(kTumvi), "cam_overlaps: [1]", "cam_overlaps: " + of_cam0);
+  return with_replaced(pair, "cam_overlaps: [0]", "cam_overlaps: " + of_cam1);
+}
+
+/// The block of cam0.
+std::string camera_in(const std::string& chain) {
+  const std::size_t begin = chain.find("cam0:");
+  return chain.substr(begin, chain.find("cam1:") - begin);
+}
+
+/// What cam0, cam1, ... of a chain say, wherever they stand.
+std::vector<std::string> overlaps_in(const std::string& chain) {
+  std::vector<std::string> result;
+  const std::string key = "cam_overlaps: ";
+  for (int i = 0;; ++i) {
+    const std::size_t camera = chain.find("cam" + std::to_string(i) + ":\n");
+    if (camera == std::string::npos) return result;
+    const std::size_t at = chain.find(key, camera);
+    result.push_back(at == std::string::npos ? "" : chain.substr(at + key.size(), chain.find('\n', at) - at - key.size()));
+  }
+}
+
+TEST(JoinedChains, CountTheirOverlapsAnew) {
+  const TemporaryFolder folder;
+  const std::string pair = folder.write("pair.yaml", pair_with("[1]", "[0]"));
+  const std::string other = folder.write("other.yaml", with_replaced(pair_with("[1]", "[0]"), "190.97", "191.97"));
+  // Comments of the second are lost; nothing else is.
+  const RunResult run = run_program({"convert", pair, other, "--join", "--to", "kalibr"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(overlaps_in(run.out), (std::vector<std::string>{"[1]", "[0]", "[3]", "[2]"})) << run.out;
+  EXPECT_FALSE(contains(run.err, "cam_overlaps")) << run.err;
+  // In another order the same cameras see the same.
+  const RunResult swapped = run_program({"convert", pair, other, "--join", "--camera", "3,0,1,2", "--to", "kalibr"});
+  EXPECT_EQ(overlaps_in(swapped.out), (std::vector<std::string>{"[3]", "[2]", "[1]", "[0]"})) << swapped.out << swapped.err;
+  EXPECT_FALSE(contains(swapped.err, "cam_overlaps")) << swapped.err;
+  // Without its partner there is none to speak of, and that is said.
+  const RunResult without = run_program({"convert", pair, other, "--join", "--camera", "0,1,2", "--to", "kalibr"});
+  EXPECT_EQ(overlaps_in(without.out), (std::vector<std::string>{"[1]", "[0]", "[]"})) << without.out;
+  EXPECT_TRUE(contains(without.err, "a camera of which it speaks is not in the chain written")) << without.err;
+}
+
+TEST(JoinedChains, AnEmptyListOfOverlapsIsNoLoss) {
+  const TemporaryFolder folder;
+  const std::string first = folder.write("first.yaml", camera_in(read_file(kTumvi)));
+  const std::string alone =
+      folder.write("alone.yaml", with_replaced(read_file(first), "cam_overlaps: [1]", "cam_overlaps: []"));
+  const std::string other = folder.write("other.yaml", with_replaced(read_file(alone), "190.97", "191.97"));
+  const RunResult run = run_program({"convert", alone, other, "--join", "--to", "kalibr", "--strict"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(overlaps_in(run.out), (std::vector<std::string>{"[]", "[]"})) << run.out;
+}
+
+TEST(JoinedFormats, TheOpenCvModelIsOfTheOpenCvFiles) {
+  const TemporaryFolder folder;
+  const std::string ambiguous =
+      folder.write("amb.yml",
+                   "%YAML:1.0\n---\nK: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                   "   data: [ 300., 0., 320., 0., 301., 240., 0., 0., 1. ]\nD: !!opencv-matrix\n   rows: 4\n   cols: 1\n"
+                   "   dt: d\n   data: [ 0.01, 0.002, 0.0003, 0.0004 ]\n");
+  const std::vector<std::string> words = {"convert", kTumvi, ambiguous, "--join", "--size", "640x480", "--to", "kalibr"};
+  EXPECT_TRUE(contains(run_program(words).err, "--opencv-model")) << run_program(words).err;
+  for (const auto& [meant, id] : {std::pair{"pinhole", "radtan"}, {"fisheye", "kb4"}}) {
+    std::vector<std::string> told = words;
+    told.insert(told.end(), {"--opencv-model", meant});
+    const RunResult run = run_program(told);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const Rig rig = rig_in(run.out);
+    ASSERT_EQ(rig.cameras.size(), 3U);
+    EXPECT_EQ(model_info(rig.cameras.back().model).id, id);
+  }
+  // Of files of which none is OpenCV's it says nothing.
+  EXPECT_EQ(run_program({"convert", kTumvi, kDs, "--join", "--to", "kalibr", "--opencv-model", "pinhole"}).code, 3);
+}
+
+// A file that already is what is to be written keeps its bytes, whatever stands beside it and wherever.
+TEST(JoinedFormats, AFileOfTheTargetsFormatKeepsItsBytes) {
+  struct Case {
+    const char* to;
+    std::string kept;
+    std::string fitted;
+  };
+  for (const Case& row : {Case{"ocamcalib", kToolbox, kFront}, Case{"woodscape", kFront, kToolbox}}) {
+    for (const bool first : {true, false}) {
+      SCOPED_TRACE(row.to + std::string(first ? " first" : " second"));
+      const TemporaryFolder folder;
+      const RunResult run = run_program({"convert", first ? row.kept : row.fitted, first ? row.fitted : row.kept, "--join",
+                                         "--to", row.to, "--max-angle", "60", "-o", folder / "{camera}"});
+      EXPECT_EQ(run.code, 0) << run.err;
+      std::vector<std::string> outputs;
+      for (const std::string& name : folder.names()) outputs.push_back(read_file(folder / name));
+      ASSERT_EQ(outputs.size(), 2U) << run.out;
+      EXPECT_EQ(std::ranges::count(outputs, read_file(row.kept)), 1) << run.out;
+      EXPECT_FALSE(contains(run.out, "several files become one")) << run.out;
+      EXPECT_FALSE(contains(run.out, "comments of " + row.kept)) << run.out;
+    }
+  }
+}
+
+// DSO's camera.txt holds one camera: two of them stay two, as they are.
+TEST(JoinedFormats, LinesOfDsosStayWhatTheyAre) {
+  const TemporaryFolder folder;
+  const std::string one = testdata("formats/tumvi/good/equidistant.txt");
+  const std::string two = testdata("formats/tumvi/good/fov-bare.txt");
+  const RunResult run =
+      run_program({"convert", one, two, "--join", "--to", "tumvi", "-o", folder / "{camera}.txt", "--strict"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  ASSERT_EQ(folder.names().size(), 2U) << run.out;
+  std::multiset<std::string> outputs;
+  for (const std::string& name : folder.names()) outputs.insert(read_file(folder / name));
+  EXPECT_EQ(outputs, (std::multiset<std::string>{read_file(one), read_file(two)}));
+  // With a camera of another format beside them: one line more.
+  const RunResult mixed = run_program({"convert", kTumvi, one, "--join", "--to", "tumvi", "-o", folder / "m/{camera}.txt"});
+  EXPECT_EQ(mixed.code, 0) << mixed.err;
+  for (const char* camera : {"m/cam0.txt", "m/cam1.txt", "m/cam2.txt"})
+    EXPECT_TRUE(read_file(folder / camera).starts_with("EquiDistant ")) << camera << mixed.out;
+  EXPECT_EQ(read_file(folder / "m/cam2.txt"), read_file(one));
+}
+
+// One camera is one file's: what takes one FILE has nothing to join.
+TEST(Join, IsOfferedWhereSeveralFilesAreTaken) {
+  for (const char* command : {"convert", "show"})
+    EXPECT_TRUE(contains(run_program({command, "--help"}).out, "--join")) << command;
+  for (const char* command : {"project", "unproject", "models"}) {
+    EXPECT_FALSE(contains(run_program({command, "--help"}).out, "--join")) << command;
+    EXPECT_EQ(run_program({command, kTumvi, "--camera", "0", "--join"}).code, 3) << command;
+  }
+}
+
+}  // namespace
+}  // namespace fca::test
