@@ -101,6 +101,9 @@ struct ValueRange {
   double highest = 0.0;
 };
 
+/// What a value is to a program that reads it.
+enum class ValueType { kInteger, kReal, kText };
+
 /// A row of the registry.
 struct Format {
   std::string_view id;
@@ -119,10 +122,10 @@ struct Format {
   bool time_offset = false;
   bool frame_rate = false;
   bool topic = false;
-  bool baseline = false;                           ///< Of a rectified pair or depth sensor, without a pose.
-  std::string_view frame = {};                     ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
+  bool baseline = false;        ///< Of a rectified pair or depth sensor, without a pose.
+  std::string_view frame = {};  ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
   std::span<const std::string_view> own_facts =
-      {};  ///< What it states and a Rig has no member for, for people: "cam_overlaps".
+      {};                                          ///< What it states and a Rig has no member for, for people: "cam_overlaps".
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
   std::span<const std::string_view> defaulted =
@@ -136,6 +139,10 @@ struct Format {
   /// The range of a value that no calibration states (--set), in a file that says `rig`; nothing where none is known. Null: of
   /// none.
   std::optional<ValueRange> (*range_of)(std::string_view key, const Rig& rig) = nullptr;
+
+  /// The type of a value ('/' between the levels of its key) that the document may lack, that its program reads where it is
+  /// there, and that no calibration contradicts: --set may add it. Nothing of any other key. Null: of none.
+  std::optional<ValueType> (*optional_value)(const text::Document& document, std::string_view key) = nullptr;
 
   /// Documents that together are one calibration, or nothing with errors.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);
