@@ -113,6 +113,8 @@ std::vector<AsRead> taken_over(const text::Document& base, const Rig& old, const
   return result;
 }
 
+constexpr std::string_view kAnew = "the file is composed anew, of what every camchain says";
+
 /// What the input says beside its rig, and the chain, which says `there`, does not. `base`: is there one?
 void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, bool base, std::vector<Loss>& losses) {
   std::vector<AsRead> others(extras.begin(), extras.end());
@@ -178,14 +180,23 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   }
   std::vector<AsRead> kept;
   if (old) kept = editor ? old->as_read : taken_over(*base, *old, rig_as_named);
-  list_extras(rig.as_read, kept, base != nullptr, written.losses);
+  // A key of Kalibr's own, which the file to be edited had room for.
+  std::vector<AsRead> extras(rig.as_read.begin(), rig.as_read.end());
+  if (old && !editor) {
+    const auto of_base = std::stable_partition(extras.begin(), extras.end(), [&](const AsRead& extra) {
+      return is_overlaps(extra) || std::ranges::find(old->as_read, extra) == old->as_read.end();
+    });
+    add_not_carried({of_base, extras.end()}, std::string(kAnew), written.losses);
+    extras.erase(of_base, extras.end());
+  }
+  list_extras(extras, kept, base != nullptr, written.losses);
   if (old && !editor) {
     add_composed_anew(*base, written.files.front().document, "", written.losses);
     std::vector<AsRead> gone = extras_beyond(extras_beyond(old->as_read, rig.as_read), kept);
     const auto overlaps = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
     list_extras({overlaps, gone.end()}, {}, true, written.losses);
     gone.erase(overlaps, gone.end());
-    add_not_carried(gone, "the file is composed anew", written.losses);
+    add_not_carried(gone, std::string(kAnew), written.losses);
   }
   list_losses(rig_as_named, written.losses);
   written.headline = "a camchain for Kalibr";
