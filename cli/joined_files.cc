@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fca::cli {
@@ -99,24 +100,33 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
                                                const WriteOptions& options, Diagnostics& diagnostics) {
   if (format.many_cameras && options.extension != ".txt") return std::nullopt;
   std::vector<Part> parts = parts_of(source, format);
-  if (parts.empty()) return std::nullopt;
+  std::vector<std::pair<Camera, Part>> own;
   Rig rest = rig;
-  Written all;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
-    const Camera& camera = rig.cameras[i];
     const auto part = part_with(parts, source.rig.cameras[i]);
     if (part == parts.end() && source.one_format) return std::nullopt;
     if (part == parts.end()) continue;
-    std::optional<Written> written = write_calibration(format, part->document, alone(rig, camera, *part), options, diagnostics);
+    take_out(*part, rig.cameras[i], rest);
+    own.emplace_back(rig.cameras[i], std::move(*part));
+    parts.erase(part);
+  }
+  if (own.empty()) return std::nullopt;
+  Written all;
+  for (const auto& [camera, part] : own) {
+    Rig said = alone(rig, camera, part);
+    // What is no camera's (an IMU of --with) is told once.
+    if (rest.cameras.empty()) {
+      said.imus = std::exchange(rest.imus, {});
+      said.as_read.insert(said.as_read.end(), rest.as_read.begin(), rest.as_read.end());
+      rest.as_read.clear();
+    }
+    std::optional<Written> written = write_calibration(format, part.document, said, options, diagnostics);
     if (!written) return std::nullopt;
     for (Written::File& file : written->files) {
       if (!file.cameras.empty()) file.cameras = {camera.name};
     }
     append(*std::move(written), all);
-    take_out(*part, camera, rest);
-    parts.erase(part);
   }
-  if (all.files.empty()) return std::nullopt;
   if (!rest.cameras.empty()) {
     std::optional<Written> written = write_calibration(format, nullptr, rest, options, diagnostics);
     if (!written) return std::nullopt;

@@ -111,6 +111,22 @@ TEST(JoinedFormats, AFileOfTheTargetsFormatKeepsItsBytes) {
   }
 }
 
+// What stands in a further part is lost whole, and once.
+TEST(JoinedFormats, AnImuBesideFilesOfOneCameraIsALoss) {
+  const std::string other = testdata("formats/ocamcalib/good/free-layout.txt");
+  for (const std::string& second : {other, kFront}) {
+    const TemporaryFolder folder;
+    const RunResult run =
+        run_program({"convert", kToolbox, second, "--join", "--with", testdata("formats/kalibr/good/imu.yaml"), "--to",
+                     "ocamcalib", "--max-angle", "60", "-o", folder / "{camera}"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string loss = "imu0 noise and rate";
+    const std::size_t at = run.out.find(loss);
+    ASSERT_NE(at, std::string::npos) << run.out;
+    EXPECT_EQ(run.out.find(loss, at + 1), std::string::npos) << run.out;
+  }
+}
+
 // DSO's camera.txt holds one camera: two of them stay two, as they are.
 TEST(JoinedFormats, LinesOfDsosStayWhatTheyAre) {
   const TemporaryFolder folder;
