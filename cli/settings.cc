@@ -5,6 +5,7 @@
 
 #include <fca/formats/set_value.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 
@@ -12,10 +13,11 @@ namespace fca::cli {
 
 namespace {
 
-/// The frame rate that a document states; nothing where it states none.
+/// The frame rate that a document states with its edits; nothing where it states none.
 std::optional<double> frame_rate(const Format& format, const text::Document& document, const ReadOptions& options) {
   Diagnostics ignored;
-  const std::optional<Rig> rig = format.read(std::span(&document, 1), options, ignored);
+  const std::optional<text::Document> as_edited = text::parse_document({document.source().name, document.bytes()}, ignored);
+  const std::optional<Rig> rig = as_edited ? format.read(std::span(&*as_edited, 1), options, ignored) : std::nullopt;
   return rig && !rig->cameras.empty() ? rig->cameras.front().frame_rate_hz : std::nullopt;
 }
 

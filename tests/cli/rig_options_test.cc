@@ -147,6 +147,28 @@ TEST(RigOptions, SetKnowsWhatAValueMayBe) {
   EXPECT_EQ(value_of(run.out, "Camera.fps"), "30");
 }
 
+// --fps is an edit of the file that --set edits further; what is not about the rate contradicts nothing.
+TEST(RigOptions, SetAndFpsBothEditOneFile) {
+  const TemporaryFolder folder;
+  const std::string bare = folder.write("ds.yaml",
+                                        "cam0:\n  camera_model: pinhole\n  intrinsics: [200.0, 200.0, 256.0, 256.0]\n"
+                                        "  distortion_model: equidistant\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n"
+                                        "  resolution: [512, 512]\n");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{kSettings, "--to", "orbslam3"}, {bare, "--into", kSettings}}) {
+    std::vector<std::string> all = {"convert", "--fps", "25", "--set", "ORBextractor.nFeatures=1567"};
+    all.insert(all.end(), words.begin(), words.end());
+    const RunResult run = run_program(all);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(value_of(run.out, "Camera.fps"), "25");
+    EXPECT_EQ(value_of(run.out, "ORBextractor.nFeatures"), "1567");
+    all.insert(all.end(), {"--set", "Camera.fps=30"});
+    const RunResult other = run_program(all);
+    EXPECT_EQ(other.out, "");
+    EXPECT_TRUE(contains(other.err, "--fps 25 contradict each other")) << other.err;
+  }
+}
+
 // Columns are of the images that they were counted in.
 TEST(RigOptions, OverlappingColumnsFollowTheImages) {
   const auto columns = [](const std::string& bytes) {
