@@ -354,12 +354,25 @@ bool is_of_a_mode(std::string_view key) {
   return std::ranges::find(program_tuning(), tuning->key, &TuningKey::key) == program_tuning().end();  // those are of all
 }
 
+/// The type that the base states, where the camera put in is of another: "Rectified" of a camera without distortion is
+/// PinHole's other name for as long as it has none.
+void take_type_as_stated(const Base& base, std::string_view model, std::vector<fields::Field>& before) {
+  const text::Node* stated = find_key(base.document, "Camera.type");
+  const auto type = std::ranges::find(before, "Camera.type", &fields::Field::key);
+  if (stated == nullptr || !stated->is_scalar() || type == before.end()) return;
+  const bool fits = std::ranges::any_of(layouts(), [&](const Layout& layout) {
+    return layout.style == base.target.style && layout.type == stated->value && layout.model == model;
+  });
+  if (!fits) *type = fields::quoted("Camera.type", stated->value);
+}
+
 /// The fields that the base is taken from. A mode that was asked for has exactly its keys: the base's of other modes are among
 /// them, to go. Else what the base says in a mode that the rig leaves, and the rig still says, stays, for it is as true as
 /// before.
 std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span<const fields::Field> after,
                                      const WriteOptions& options) {
   std::vector<fields::Field> before = settings_fields(base.rig, base.target);
+  take_type_as_stated(base, model_info(rig.cameras.front().model).id, before);
   const auto is_among = [](std::span<const fields::Field> fields, std::string_view key) {
     return std::ranges::find(fields, key, &fields::Field::key) != fields.end();
   };

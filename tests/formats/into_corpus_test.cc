@@ -20,14 +20,30 @@ Rig with_other_cameras(Rig rig) {
   return rig;
 }
 
-/// Whole lines of tuning and of comments, and the comments behind values.
-std::vector<std::string> kept_by_the_owner(const std::string& bytes) {
+/// The same rig seen through another lens: cameras with distortion become such without, and those without get some.
+Rig with_another_lens(Rig rig) {
+  for (Camera& camera : rig.cameras) {
+    const double f = *parameter(camera.model, "fx");
+    const double cx = *parameter(camera.model, "cx");
+    const double cy = *parameter(camera.model, "cy");
+    const std::string_view model = model_info(camera.model).id;
+    if (model == "radtan") {
+      camera.model = Intrinsics<Kb4>{{f, f, cx, cy, -0.01, 0.002, -0.001, 0.0005}};
+    } else {
+      camera.model = Intrinsics<Radtan>{{f, f, cx, cy, -0.1, 0.01, 0.001, -0.001, 0.0}};
+    }
+  }
+  return rig;
+}
+
+/// Whole lines of tuning and, `with_comments`, of comments and those behind values.
+std::vector<std::string> kept_by_the_owner(const std::string& bytes, bool with_comments) {
   std::vector<std::string> lines;
   for (const std::string& line : split(bytes, '\n')) {
     const std::size_t comment = line.find('#');
     if (line.starts_with("ORBextractor.") || line.starts_with("Viewer.")) {
       lines.push_back(line);
-    } else if (comment != std::string::npos) {
+    } else if (with_comments && comment != std::string::npos) {
       lines.push_back(line.substr(comment));
     }
   }
@@ -45,9 +61,10 @@ std::string refusal(const std::string& bytes, const Written& written) {
   return "";
 }
 
-TEST(IntoCorpus, AnotherCameraLeavesTheTuningAlone) {
+/// `change` of the cameras of every base of the corpus: tuning and comments stay, and the programs that read the base before
+/// read the new cameras.
+void expect_bases_take(Rig (*change)(Rig), int fewest_tried, int fewest_proven) {
   const fs::path folder = shared_dir() / "corpus" / "orbslam3";
-  if (!fs::exists(folder)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
   const Format& format = *find_format("orbslam3");
   int tried = 0;
   int proven = 0;
@@ -58,18 +75,26 @@ TEST(IntoCorpus, AnotherCameraLeavesTheTuningAlone) {
     const std::optional<text::Document> base = text::parse_document({path.filename().string(), bytes}, diagnostics);
     const std::optional<Rig> rig = base ? format.read(std::span(&*base, 1), {}, diagnostics) : std::nullopt;
     if (!rig || rig->cameras.empty()) continue;
-    const Rig other = with_other_cameras(*rig);
+    const Rig other = change(*rig);
     const std::optional<Written> written = write_calibration(format, &*base, other, {}, diagnostics);
     if (!written) continue;
     ++tried;
     const text::Document& document = written->files.front().document;
-    EXPECT_EQ(document.source().bytes, bytes) << "composed anew";
-    EXPECT_EQ(kept_by_the_owner(document.bytes()), kept_by_the_owner(bytes));
+    // Only a base whose style has no such lens is composed anew.
+    if (document.source().bytes != bytes) {
+      EXPECT_NE(model_info(other.cameras.front().model).id, model_info(rig->cameras.front().model).id) << "composed anew";
+      continue;
+    }
+    // A comment behind a coefficient that the new lens has not goes with it, and is listed.
+    const bool listed = std::ranges::find(written->losses, "comments-dropped", &Loss::code) != written->losses.end();
+    EXPECT_EQ(kept_by_the_owner(document.bytes(), !listed), kept_by_the_owner(bytes, !listed));
     // A file's own defects are its owner's.
     if (!refusal(bytes, *written).empty()) continue;
     ++proven;
     consumers::LoadOptions options;
     if (!written->sensor.empty()) options.sensor = written->sensor;
+    // Tracking.cc: with depth and an IMU, V1.0 exits where a KannalaBrandt8 has no Camera2. The user is told so by the proof.
+    if (written->sensor == "rgbd-inertial" && model_info(other.cameras.front().model).id == "kb4") continue;
     for (const std::string& program : written->files.front().programs) {
       const ProofResult proof =
           prove(*consumers::find_consumer(program), document.bytes(), options, other, written->files.front().cameras);
@@ -77,9 +102,20 @@ TEST(IntoCorpus, AnotherCameraLeavesTheTuningAlone) {
                                   << (proof.refusals.empty() ? "" : proof.refusals.front());
     }
   }
-  EXPECT_GT(tried, 90);
-  EXPECT_GT(proven, 50);
+  EXPECT_GT(tried, fewest_tried);
+  EXPECT_GT(proven, fewest_proven);
 }
+
+class IntoCorpus : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(shared_dir() / "corpus" / "orbslam3")) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  }
+};
+
+TEST_F(IntoCorpus, AnotherCameraLeavesTheTuningAlone) { expect_bases_take(with_other_cameras, 90, 50); }
+
+TEST_F(IntoCorpus, ACameraOfAnotherLensLeavesTheTuningAlone) { expect_bases_take(with_another_lens, 90, 50); }
 
 }  // namespace
 }  // namespace fca::test
