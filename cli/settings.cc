@@ -13,6 +13,12 @@ namespace fca::cli {
 
 namespace {
 
+/// What was written, whose tree says what stood there before the edits, parsed anew.
+text::Document as_edited(const text::Document& document) {
+  Diagnostics ignored;
+  return text::parse_document({document.source().name, document.bytes()}, ignored).value_or(text::Document());
+}
+
 /// The frame rate that a document states with its edits; nothing where it states none.
 std::optional<double> frame_rate(const Format& format, const text::Document& document, const ReadOptions& options) {
   Diagnostics ignored;
@@ -23,10 +29,12 @@ std::optional<double> frame_rate(const Format& format, const text::Document& doc
 
 bool apply(const KeyValue& setting, const Format& format, const ReadOptions& options, std::optional<double> fps,
            Written& written, Diagnostics& diagnostics) {
-  const auto has_key = [&setting](const Written::File& file) { return has_value(file.document, setting.key); };
+  const auto has_key = [&setting](const Written::File& file) { return has_value(as_edited(file.document), setting.key); };
+  const auto may_come = [&](const Written::File& file) { return may_add_value(format, as_edited(file.document), setting.key); };
   const bool nowhere = std::ranges::none_of(written.files, has_key);
+  const bool comes = nowhere && std::ranges::any_of(written.files, may_come);
   for (Written::File& file : written.files) {
-    if (!nowhere && !has_key(file)) continue;
+    if (comes ? !may_come(file) : !nowhere && !has_key(file)) continue;
     std::optional<text::Document> document = set_value(format, file.document, setting, options, diagnostics);
     if (!document) return false;
     if (fps && frame_rate(format, *document, options) != frame_rate(format, file.document, options)) {

@@ -2,6 +2,7 @@
 #include <fca/formats/set_value.h>
 
 #include "default_comment.h"
+#include "fields.h"
 
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
@@ -23,18 +24,31 @@ text::Dialect dialect_of(const text::Document& document) {
   return document.syntax() == text::Syntax::kYaml ? text::Dialect::kPyYaml : text::Dialect::kOpenCv;
 }
 
-/// The entry of a key such as "cam0/rostopic"; null if there is none or it holds no scalar.
-const text::Entry* find_scalar(const text::Document& document, std::string_view key) {
+/// The entry of a key such as "cam0/rostopic"; null if there is none.
+const text::Entry* find_nested(const text::Document& document, std::string_view key) {
   const Node* mapping = &document.root();
   while (true) {
     const std::size_t slash = std::min(key.find('/'), key.size());
     const text::Entry* entry =
         mapping->is_mapping() ? text::find_entry(*mapping, key.substr(0, slash), dialect_of(document)) : nullptr;
-    if (entry == nullptr) return nullptr;
-    if (slash == key.size()) return entry->value.is_scalar() ? entry : nullptr;
+    if (entry == nullptr || slash == key.size()) return entry;
     mapping = &entry->value;
     key.remove_prefix(slash + 1);
   }
+}
+
+/// The same; null, too, if it holds no scalar.
+const text::Entry* find_scalar(const text::Document& document, std::string_view key) {
+  const text::Entry* entry = find_nested(document, key);
+  return entry != nullptr && entry->value.is_scalar() ? entry : nullptr;
+}
+
+/// The mapping in which the last part of a key belongs; null if it is not there.
+const Node* owner_of(const text::Document& document, std::string_view key) {
+  const std::size_t slash = key.rfind('/');
+  if (slash == std::string_view::npos) return &document.root();
+  const text::Entry* owner = find_nested(document, key.substr(0, slash));
+  return owner != nullptr && owner->value.is_mapping() ? &owner->value : nullptr;
 }
 
 void collect(const Node& mapping, const std::string& owner, std::vector<std::string>& keys) {
@@ -78,18 +92,56 @@ std::optional<std::string> spelled_like(const text::Document& document, const No
   return quote + setting.value + quote;
 }
 
+/// The document with a value that it lacked, behind the last entry of its group ("Viewer." of Viewer.imageViewScale), else of
+/// its mapping. Nothing with an error if the value is of another type.
+std::optional<text::Document> with_added(const text::Document& document, ValueType type, const KeyValue& setting,
+                                         Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& wanted) {
+    diagnostics.error("set-wrong-type", "--set " + setting.key + " wants " + wanted + ", not '" + setting.value + "'");
+    return std::nullopt;
+  };
+  const std::optional<double> number = text::parse_real(setting.value);
+  std::string token = setting.value;
+  switch (type) {
+    case ValueType::kInteger:
+      if (!text::parse_int(setting.value)) return refuse("a whole number");
+      break;
+    case ValueType::kReal:
+      if (!number || !std::isfinite(*number)) return refuse("a number");
+      token = text::format_real(*number);
+      break;
+    case ValueType::kText:
+      if (number || !is_plain(setting.value)) return refuse("a word of letters, digits and ._-+/~");
+      // As Kalibr writes topics; cv::FileStorage takes only what is quoted for text whatever it is.
+      if (dialect_of(document) == text::Dialect::kOpenCv || !setting.value.starts_with('/'))
+        token = fields::quote(setting.value);
+      break;
+  }
+  const Node& owner = *owner_of(document, setting.key);
+  const std::string key = setting.key.substr(setting.key.rfind('/') + 1);
+  const std::string group = key.substr(0, key.find('.') + 1);
+  const auto is_of_group = [&group](const text::Entry& entry) { return entry.key.value.starts_with(group); };
+  const auto last = std::ranges::find_if(owner.entries.rbegin(), owner.entries.rend(), is_of_group);
+  text::Document edited = document;
+  edited.insert_after(owner, last != owner.entries.rend() ? *last : owner.entries.back(),
+                      fields::spell(fields::scalar(key, token), 0, document.syntax()));
+  return edited;
+}
+
 /// The rig a document states.
 std::optional<Rig> rig_of(const Format& format, const text::Document& document, const ReadOptions& options) {
   Diagnostics ignored;
   return format.read(std::span(&document, 1), options, ignored);
 }
 
-/// The same without what --set may change.
-std::optional<Rig> without_settings(std::optional<Rig> rig) {
+/// The same without what --set may change: `before` says where a time offset is one that it added.
+std::optional<Rig> without_settings(std::optional<Rig> rig, const std::optional<Rig>& before) {
   if (!rig) return std::nullopt;
   for (Camera& camera : rig->cameras) {
     camera.frame_rate_hz.reset();
     camera.topic.clear();
+    const Camera* as_it_was = before ? before->find_camera(camera.name) : nullptr;
+    if (as_it_was != nullptr && !as_it_was->time_offset_s) camera.time_offset_s.reset();
   }
   for (Imu& imu : rig->imus) imu.topic.clear();
   rig->as_read.clear();
@@ -130,6 +182,31 @@ void remove_default_comment(const text::Entry& entry, text::Document& document) 
   if (std::string_view(bytes).substr(begin).starts_with(kDefaultComment)) document.replace({begin, line + 1 - begin}, "");
 }
 
+/// The document with another value in an entry; nothing with an error if it is of another type.
+std::optional<text::Document> with_other_value(const text::Document& document, const text::Entry& entry,
+                                               const KeyValue& setting, Diagnostics& diagnostics) {
+  const std::optional<std::string> spelling = spelled_like(document, entry.value, setting, diagnostics);
+  if (!spelling) return std::nullopt;
+  text::Document edited = document;
+  edited.replace(entry.value.span, *spelling);
+  remove_default_comment(entry, edited);
+  return edited;
+}
+
+/// An error: there is no such key, or what stands there is no single value.
+void refuse_key(const text::Document& document, const std::string& key, Diagnostics& diagnostics) {
+  if (const text::Entry* entry = find_nested(document, key)) {
+    diagnostics.error(
+        "set-unknown-key",
+        "--set sets single values, and '" + key + "' is " + (entry->value.is_sequence() ? "a list" : "a group of values"),
+        document.range(entry->value), "change the input where it is a part of the calibration");
+    return;
+  }
+  const std::vector<std::string> near = text::nearest(key, scalar_keys(document));
+  diagnostics.error("set-unknown-key", "--set: the file written has no value under '" + key + "'" +
+                                           (near.empty() ? "" : "; did you mean " + text::enumerated(near, "or") + "?"));
+}
+
 }  // namespace
 
 std::vector<std::string> scalar_keys(const text::Document& document) {
@@ -140,6 +217,12 @@ std::vector<std::string> scalar_keys(const text::Document& document) {
 
 bool has_value(const text::Document& document, const std::string& key) { return find_scalar(document, key) != nullptr; }
 
+bool may_add_value(const Format& format, const text::Document& document, const std::string& key) {
+  if (format.optional_value == nullptr || find_nested(document, key) != nullptr) return false;
+  const Node* owner = owner_of(document, key);
+  return owner != nullptr && !owner->entries.empty() && format.optional_value(document, key).has_value();
+}
+
 std::optional<text::Document> set_value(const Format& format, const text::Document& document, const KeyValue& setting,
                                         const ReadOptions& options, Diagnostics& diagnostics) {
   const auto parsed = [&](std::string bytes) {
@@ -148,20 +231,19 @@ std::optional<text::Document> set_value(const Format& format, const text::Docume
   std::optional<text::Document> before = parsed(document.bytes());
   if (!before) return std::nullopt;
   const text::Entry* entry = find_scalar(*before, setting.key);
-  if (entry == nullptr) {
-    const std::vector<std::string> near = text::nearest(setting.key, scalar_keys(*before));
-    diagnostics.error("set-unknown-key", "--set: the file written has no value under '" + setting.key + "'" +
-                                             (near.empty() ? "" : "; did you mean " + text::enumerated(near, "or") + "?"));
+  const bool added = may_add_value(format, *before, setting.key);
+  if (entry == nullptr && !added) {
+    refuse_key(*before, setting.key, diagnostics);
     return std::nullopt;
   }
-  const std::optional<std::string> spelling = spelled_like(*before, entry->value, setting, diagnostics);
-  if (!spelling) return std::nullopt;
   const std::optional<Rig> rig = rig_of(format, *before, options);
-  if (rig && !in_range(format, *rig, setting, before->range(entry->value), diagnostics)) return std::nullopt;
-  text::Document edited = *before;
-  edited.replace(entry->value.span, *spelling);
-  remove_default_comment(*entry, edited);
-  std::optional<text::Document> after = parsed(edited.bytes());
+  std::optional<text::Document> edited =
+      added ? with_added(*before, *format.optional_value(*before, setting.key), setting, diagnostics)
+            : with_other_value(*before, *entry, setting, diagnostics);
+  if (!edited) return std::nullopt;
+  const SourceRange where = added ? SourceRange{} : before->range(entry->value);
+  if (rig && !in_range(format, *rig, setting, where, diagnostics)) return std::nullopt;
+  std::optional<text::Document> after = parsed(edited->bytes());
   if (!after) return std::nullopt;
   const std::optional<Rig> changed = rig_of(format, *after, options);
   if (is_of_layout(*before, setting.key) || (rig && !changed)) {
@@ -169,7 +251,7 @@ std::optional<text::Document> set_value(const Format& format, const text::Docume
                       "--set: " + setting.key + " is how the file states its calibration, which would be lost", {}, "leave it");
     return std::nullopt;
   }
-  if (without_settings(rig) != without_settings(changed)) {
+  if (without_settings(rig, rig) != without_settings(changed, rig)) {
     diagnostics.error("set-contradicts", "--set: " + setting.key + " is a part of the calibration, which says otherwise", {},
                       "change the input; --resize, --crop and --binning are for other images");
     return std::nullopt;

@@ -50,6 +50,19 @@ ProbeResult probe(const text::Document& document) {
   return {};
 }
 
+/// ConfigReader.py: what it asks for as soon as it opens a bag, and the offset it starts from where a chain states one.
+std::optional<ValueType> optional_value(const text::Document& document, std::string_view key) {
+  const std::size_t slash = key.find('/');
+  if (slash == std::string_view::npos) return std::nullopt;
+  const std::string_view owner = key.substr(0, slash);
+  const std::string_view name = key.substr(slash + 1);
+  const Node* block = text::find(document.root(), owner, dialect_of(document));
+  if (block == nullptr || !block->is_mapping()) return std::nullopt;
+  const bool of_camera = index_in(owner, "cam").has_value();
+  if (name == "rostopic" && (of_camera || index_in(owner, "imu"))) return ValueType::kText;
+  return of_camera && name == "timeshift_cam_imu" ? std::optional(ValueType::kReal) : std::nullopt;
+}
+
 }  // namespace
 
 const Format kFormat = {
@@ -71,6 +84,7 @@ const Format kFormat = {
     .of_cameras = kOfCameras,
     .models = kModels,
     .probe = probe,
+    .optional_value = optional_value,
     .read = read,
     .write = write,
 };

@@ -76,6 +76,7 @@ const Format kFormat = {
     .models = kModels,
     .probe = probe,
     .range_of = range_of,
+    .optional_value = optional_value,
     .read = read,
     .write = write,
 };

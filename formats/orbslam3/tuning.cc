@@ -74,6 +74,18 @@ std::optional<ValueRange> range_of(std::string_view key, const Rig& rig) {
   return range;
 }
 
+std::optional<ValueType> optional_value(const text::Document& document, std::string_view key) {
+  // Settings.cc of V1.0, readLoadAndSave.
+  constexpr std::array<std::string_view, 2> kFilesOfTheMap = {"System.LoadAtlasFromFile", "System.SaveAtlasToFile"};
+  const bool v1 = style_of(document) == Style::kV1;
+  if (v1 && std::ranges::find(kFilesOfTheMap, key) != kFilesOfTheMap.end()) return ValueType::kText;
+  const TuningKey* row = find_tuning_key(key);
+  // The columns that both cameras see are a stereo pair's, whose settings state them.
+  if (row == nullptr || !row->optional || row->note == tuning_key::kOverlapNote || key != (v1 ? row->key : row->old_key))
+    return std::nullopt;
+  return row->whole ? ValueType::kInteger : ValueType::kReal;
+}
+
 std::span<const TuningKey> program_tuning() { return kProgramTuning; }
 
 const TuningKey* find_tuning_key(std::string_view key) {

@@ -69,6 +69,9 @@ inline constexpr TuningKey kInsertKeyFrames{"IMU.InsertKFsWhenLost", "InsertKFsW
 /// Format::range_of
 [[nodiscard]] std::optional<ValueRange> range_of(std::string_view key, const Rig& rig);
 
+/// Format::optional_value
+[[nodiscard]] std::optional<ValueType> optional_value(const text::Document& document, std::string_view key);
+
 /// ORBextractor.* and Viewer.*, in upstream's order: every mode exits without them.
 [[nodiscard]] std::span<const TuningKey> program_tuning();
 

@@ -102,6 +102,9 @@ struct ValueRange {
   double highest = 0.0;
 };
 
+/// What a value is to a program that reads it.
+enum class ValueType { kInteger, kReal, kText };
+
 /// A row of the registry.
 struct Format {
   std::string_view id;
@@ -140,6 +143,10 @@ struct Format {
   /// The range of a value that no calibration states (--set), in a file that says `rig`; nothing where none is known. Null: of
   /// none.
   std::optional<ValueRange> (*range_of)(std::string_view key, const Rig& rig) = nullptr;
+
+  /// The type of a value ('/' between the levels of its key) that the document may lack, that its program reads where it is
+  /// there, and that no calibration contradicts: --set may add it. Nothing of any other key. Null: of none.
+  std::optional<ValueType> (*optional_value)(const text::Document& document, std::string_view key) = nullptr;
 
   /// Documents that together are one calibration, or nothing with errors.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);

@@ -18,10 +18,14 @@ struct KeyValue {
 /// Is there such a scalar in the document?
 [[nodiscard]] bool has_value(const text::Document& document, const std::string& key);
 
+/// Does the document of that format lack the value, and may it be added (Format::optional_value)?
+[[nodiscard]] bool may_add_value(const Format& format, const text::Document& document, const std::string& key);
+
 /// The document of that format with the scalar of a key saying something else, in the spelling of what stands there: quotes
-/// stay, a real stays a real ("30" becomes "30.0"), and our comment that the value is a default goes. Nothing with an error
-/// where there is no such key, where a word would replace a number or a number of another type an int, and where the rig that
-/// the file states would be another: calibrations are not corrected here.
+/// stay, a real stays a real ("30" becomes "30.0"), and our comment that the value is a default goes. A value that may be added
+/// is, behind the others of its group. Nothing with an error where there is no such key, where a word would replace a number or
+/// a number of another type an int, and where the rig that the file states would be another: calibrations are not corrected
+/// here.
 [[nodiscard]] std::optional<text::Document> set_value(const Format& format, const text::Document& document,
                                                       const KeyValue& setting, const ReadOptions& options,
                                                       Diagnostics& diagnostics);
