@@ -11,6 +11,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fca::ocamcalib {
 
@@ -96,6 +97,21 @@ void insert_inverse(text::Document& document, const Blocks& blocks, std::span<co
   document.insert(document.source().line_at(blocks.direct.coefficients.back()->span.offset).end(), lines);
 }
 
+/// The factor by which all radii of a lens grew: a'_k = a_k s^(1 - k), as with_pixels() has it. Nothing if it is another lens.
+std::optional<double> radial_scale(std::span<const double> before, std::span<const double> after) {
+  constexpr double kRounding = 1e-12;
+  if (before.size() != after.size() || before[0] == 0.0) return std::nullopt;
+  const double scale = after[0] / before[0];
+  if (!(scale > 0.0)) return std::nullopt;
+  double factor = scale;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double expected = factor * before[k];
+    if (!(std::abs(after[k] - expected) <= kRounding * std::abs(expected))) return std::nullopt;
+    factor /= scale;
+  }
+  return scale;
+}
+
 /// Takes the base from saying `old` to saying `camera`.
 text::Document edited(const text::Document& base, const Camera& old, const Camera& camera, Written& written,
                       Diagnostics& diagnostics) {
@@ -121,11 +137,19 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
   if (after.size() < length) after.resize(length, 0.0);
   edit_polynomial(document, blocks.direct, after);
 
-  // Neither the centre nor the affine part enter rho(theta): the file's own polynomial stays as good as it was, unless the lens
-  // is now seen farther out.
+  // Neither the centre nor the affine part enter rho(theta), and images of another size only scale it: the file's own
+  // polynomial stays as good as it was, unless the lens is now seen farther out.
   std::vector<double> inverse;
   for (const text::Node* node : blocks.inverse.coefficients) inverse.push_back(*text::parse_real(node->value));
-  if (before == direct_polynomial(camera.model) && inverse_error(camera, inverse) <= kStalePx) return document;
+  if (const std::optional<double> scale = radial_scale(before, direct_polynomial(camera.model)); scale && !inverse.empty()) {
+    // rho = sum b_i theta^i, so radii s times as long are those of coefficients s times as large.
+    if (*scale != 1.0) std::ranges::for_each(inverse, [&scale](double& coefficient) { coefficient *= *scale; });
+    // One that was stale in the base's pixels is no better in coarser ones.
+    if (inverse_error(camera, inverse) <= kStalePx * std::min(1.0, *scale)) {
+      edit_polynomial(document, blocks.inverse, inverse);
+      return document;
+    }
+  }
   const InversePolynomial fitted = fit_inverse(camera);
   if (blocks.inverse.count != nullptr) {
     edit_polynomial(document, blocks.inverse, fitted.coefficients);

@@ -63,6 +63,47 @@ TEST(ImageChange, EveryFormatSaysTheNewCameras) {
   }
 }
 
+/// The second polynomial of a calib_results.txt, read as the program's scanf does: a count and as many coefficients.
+std::vector<double> inverse_polynomial(const std::string& bytes) {
+  std::istringstream stream(bytes.substr(bytes.find('\n', bytes.find("inverse mapping"))));
+  std::size_t count = 0;
+  stream >> count;
+  std::vector<double> coefficients(count);
+  for (double& coefficient : coefficients) stream >> coefficient;
+  EXPECT_TRUE(stream) << bytes;
+  return coefficients;
+}
+
+// rho(theta) = sum b_i theta^i is the radius in pixels: in images s times as large it is s times as long, at every angle.
+TEST(ImageChange, AnOCamCalibFilesOwnInversePolynomialIsScaled) {
+  const std::string path = testdata("formats/ocamcalib/good/toolbox.txt");
+  const std::vector<double> before = inverse_polynomial(read_file(path));
+  ASSERT_EQ(before.size(), 19U);
+  const auto radius = [](const std::vector<double>& b, double theta) {
+    double rho = 0.0;
+    for (std::size_t i = 0; i < b.size(); ++i) rho += b[i] * std::pow(theta, static_cast<double>(i));
+    return rho;
+  };
+  struct Case {
+    std::vector<std::string> options;
+    double scale;
+  };
+  for (const Case& c :
+       {Case{{"--binning", "2"}, 0.5}, Case{{"--resize", "1920x1200"}, 2.0}, Case{{"--resize", "320x200"}, 1.0 / 3.0}}) {
+    std::vector<std::string> words = {"convert", path, "--to", "ocamcalib"};
+    words.insert(words.end(), c.options.begin(), c.options.end());
+    const RunResult run = run_program(words);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_FALSE(contains(run.err, "fitted to the direct one")) << run.err;
+    const std::vector<double> after = inverse_polynomial(run.out);
+    ASSERT_EQ(after.size(), before.size()) << run.out;
+    for (double theta = -1.5; theta < 0.5; theta += 0.05) {
+      const double expected = c.scale * radius(before, theta);
+      EXPECT_NEAR(radius(after, theta), expected, 1e-11 * (1.0 + std::abs(expected))) << theta;
+    }
+  }
+}
+
 // What TUM VI's authors publish for 1024 and for 512 pixels (rpng/open_vins issue 152 names both calibrations).
 TEST(ImageChange, TumVi1024BecomesTumVi512) {
   const TemporaryFolder folder;
