@@ -10,4 +10,7 @@ namespace fca::cli {
 /// it is in metres is an assumption to look at.
 void list_assumed_units(const Calibration& calibration, const Format& to, Written& written);
 
+/// Does a file of such a format state the pose?
+[[nodiscard]] bool has_assumed_unit(const PoseEdge& edge, const Calibration& calibration);
+
 }  // namespace fca::cli

@@ -15,6 +15,14 @@ struct CameraOutcome {
   Camera source;
   Camera target;
   std::optional<ConversionReport> report;
+  std::string name_in_file = {};  ///< What the file written calls it; empty: as the input does.
+
+  /// The written name.
+  [[nodiscard]] const std::string& name() const { return name_in_file.empty() ? source.name : name_in_file; }
+  /// The same for people: "cam0 (input's cam1)" where the two differ.
+  [[nodiscard]] std::string name_in_words() const {
+    return name() == source.name ? name() : name() + " (input's " + source.name + ")";
+  }
 };
 
 struct ModelChoice {

@@ -14,7 +14,9 @@
 #include "words.h"
 
 #include <fca/convert/reach.h>
+#include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -294,6 +296,27 @@ const text::Document* input_of(const ConvertOutcome::Output& output, const Writt
   return input == calibration.documents.end() ? nullptr : &*input;
 }
 
+/// Gives the cameras the names that the files written have for them, where those state or count cameras: a chain begins with
+/// cam0, whichever camera was chosen for it.
+void name_as_written(ConvertOutcome& outcome) {
+  if (!outcome.to->many_cameras) return;
+  for (const Written::File& file : outcome.written.files) {
+    Diagnostics ignored;
+    const std::optional<text::Document> document =
+        text::parse_document({file.document.source().name, file.document.bytes()}, ignored);
+    const ReadOptions options = {std::nullopt, outcome.written.opencv_model, false};
+    const std::optional<Rig> rig = document ? outcome.to->read(std::span(&*document, 1), options, ignored) : std::nullopt;
+    if (!rig || rig->cameras.size() != file.cameras.size()) continue;
+    for (std::size_t i = 0; i < file.cameras.size(); ++i) {
+      const std::string& name = rig->cameras[i].name;
+      const bool stated = text::find_entry(document->root(), name, text::Dialect::kPyYaml) != nullptr;
+      const auto camera =
+          std::ranges::find_if(outcome.cameras, [&](const CameraOutcome& each) { return each.source.name == file.cameras[i]; });
+      if (camera != outcome.cameras.end() && (stated || file.cameras.size() > 1)) camera->name_in_file = name;
+    }
+  }
+}
+
 /// The steps of one conversion; false with errors.
 bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
                   ConvertOutcome& outcome) {
@@ -337,15 +360,17 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   outcome.cameras = *std::move(cameras);
   add_reach(*outcome.to, choice, outcome.cameras);
   Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
+  Kept kept;
   if (into) {
     const bool order_given = arguments.reading.cameras.value_or("").find(',') != std::string::npos;
-    rig = put_into(into->rig, std::move(rig), order_given, outcome.diagnostics);
+    rig = put_into(into->rig, std::move(rig), order_given, kept, outcome.diagnostics);
     if (!sizes_agree(*into, *calibration, rig, arguments, outcome.diagnostics)) return false;
     for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
   }
 
   std::optional<Written> written = write_rig(*calibration, rig, base, arguments, outcome);
   if (!written || !keeps_syntax(arguments, base, *written, outcome.diagnostics)) return false;
+  if (into) tell_of_kept(kept, *written, *outcome.to, outcome.diagnostics);
   list_assumed_units(*calibration, *outcome.to, *written);
   if (!into && base.document != nullptr && changes_images(arguments.reading))
     list_stale_facts(calibration->rig, *outcome.to, *written, outcome.diagnostics);
@@ -362,6 +387,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     return false;
   }
   outcome.written = *std::move(written);
+  name_as_written(outcome);
   // Before --set: what that makes of a file is no edit of the input any more.
   add_provenance(arguments, *calibration, outcome);
   if (!apply_settings(arguments, *outcome.to, outcome.written, outcome.diagnostics)) return false;

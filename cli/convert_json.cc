@@ -8,6 +8,8 @@
 
 #include <fca/formats/text/numbers.h>
 
+#include <algorithm>
+
 namespace fca::cli {
 
 namespace {
@@ -88,6 +90,13 @@ void put_losses(Json& json, const ConvertOutcome& outcome) {
   });
 }
 
+/// What the file written calls a camera of the input.
+std::string written_name(const ConvertOutcome& outcome, const std::string& name) {
+  const auto camera =
+      std::ranges::find_if(outcome.cameras, [&name](const CameraOutcome& each) { return each.source.name == name; });
+  return camera == outcome.cameras.end() ? name : camera->name();
+}
+
 }  // namespace
 
 void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
@@ -99,14 +108,17 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
   json.array("outputs", outcome.code == ExitCode::kGood ? outcome.outputs : none, [&](const ConvertOutcome::Output& output) {
     json.object([&] {
       output.path.empty() ? json.null("path") : json.put("path", output.path);
-      json.put("cameras", std::span<const std::string>(output.cameras));
+      std::vector<std::string> names;
+      for (const std::string& name : output.cameras) names.push_back(written_name(outcome, name));
+      json.put("cameras", std::span<const std::string>(names));
       if (output.path.empty()) json.put("text", output.bytes);
     });
   });
   json.put("exit_code", static_cast<int>(outcome.code));
   json.array("cameras", outcome.cameras, [&](const CameraOutcome& camera) {
     json.object([&] {
-      json.put("name", camera.source.name);
+      json.put("name", camera.name());
+      json.put("input_name", camera.source.name);
       json.put("from_model", model_info(camera.source.model).id);
       json.put("to_model", model_info(camera.target.model).id);
       json.put("exact", !camera.report || camera.report->exact);

@@ -140,7 +140,7 @@ std::string proofs_text(const ConvertOutcome& outcome) {
 std::string convert_text(const ConvertOutcome& outcome, bool written) {
   std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.written.headline + "\n";
   for (const CameraOutcome& camera : outcome.cameras) {
-    text += "\n" + camera.source.name + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
+    text += "\n" + camera.name_in_words() + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report) {
       text +=

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "into.h"
 
+#include "words.h"
+
 #include <fca/formats/pose_agreement.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <iterator>
@@ -48,13 +51,11 @@ void take_names(const Rig& base, std::span<const Camera* const> counterparts, Ri
 }
 
 /// The base's cameras in their order, as the rig has them where it does, then those that only the rig has.
-std::vector<Camera> merged_cameras(const Rig& base, const Rig& rig, Diagnostics& diagnostics) {
+std::vector<Camera> merged_cameras(const Rig& base, const Rig& rig, Kept& kept) {
   std::vector<Camera> cameras;
   for (const Camera& camera : base.cameras) {
     const Camera* now = rig.find_camera(camera.name);
-    if (now == nullptr) {
-      diagnostics.note("camera-kept", camera.name + " of the base is not in the input and stays as it is");
-    }
+    if (now == nullptr) kept.cameras.push_back(camera.name);
     cameras.push_back(now != nullptr ? *now : camera);
   }
   std::ranges::copy_if(rig.cameras, std::back_inserter(cameras),
@@ -69,7 +70,7 @@ void keep(std::optional<T>& value, const std::optional<T>& otherwise) {
 
 /// The base's poses beside those that the rig states. They keep their numbers, also where they contradict each other, unless
 /// the rig moves something that one of them speaks of, too: then it follows.
-void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
+void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics) {
   // What the base says of the rig's own edges. Edge for edge the same, so that both resolve along the same path.
   Rig before;
   for (const PoseEdge& edge : rig.poses) {
@@ -91,6 +92,12 @@ void keep_poses(const Rig& base, Rig& rig, Diagnostics& diagnostics) {
                                              ", which a pose of the input contradicts; it is written as it follows from that");
       }
     }
+    const auto is_another = [&](const std::string& name) {
+      const Camera* then_there = base.find_camera(name);
+      const Camera* now_there = rig.find_camera(name);
+      return then_there != nullptr && now_there != nullptr && then_there->model != now_there->model;
+    };
+    if (!now && (is_another(edge.a) || is_another(edge.b))) kept.poses.push_back(edge);
     rig.poses.push_back(edge);
     before.poses.push_back(as_it_was);
   }
@@ -123,7 +130,7 @@ bool says_a_pose_of(const Rig& base_as_named, const Rig& rig) {
   return std::ranges::any_of(base.poses, [&rig](const PoseEdge& edge) { return rig.resolve(edge.a, edge.b).has_value(); });
 }
 
-Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Diagnostics& diagnostics) {
+Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Kept& kept, Diagnostics& diagnostics) {
   const Rig base = with_names_of(rig, base_as_named);
   take_names(base, counterparts(base, rig, in_order), rig, diagnostics);
   for (Camera& camera : rig.cameras) {
@@ -134,11 +141,31 @@ Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Diagnostics& diag
     keep(camera.frame_rate_hz, before->frame_rate_hz);
     if (camera.topic.empty()) camera.topic = before->topic;
   }
-  rig.cameras = merged_cameras(base, rig, diagnostics);
+  rig.cameras = merged_cameras(base, rig, kept);
   if (rig.imus.empty()) rig.imus = base.imus;
   keep(rig.baseline_m, base.baseline_m);
-  keep_poses(base, rig, diagnostics);
+  keep_poses(base, rig, kept, diagnostics);
   return rig;
+}
+
+void tell_of_kept(const Kept& kept, const Written& written, const Format& format, Diagnostics& diagnostics) {
+  const Written::File& file = written.files.front();
+  for (const std::string& camera : kept.cameras) {
+    if (std::ranges::find(file.cameras, camera) != file.cameras.end())
+      diagnostics.note("camera-kept", camera + " of the base is not in the input and stays as it is");
+  }
+  Diagnostics ignored;
+  const std::optional<text::Document> document =
+      text::parse_document({file.document.source().name, file.document.bytes()}, ignored);
+  const std::optional<Rig> now = document ? format.read(std::span(&*document, 1), {}, ignored) : std::nullopt;
+  std::vector<std::string> poses;
+  for (const PoseEdge& edge : kept.poses) {
+    if (now && now->resolve(edge.a, edge.b)) poses.push_back(edge.b + " -> " + edge.a);
+  }
+  if (poses.empty()) return;
+  diagnostics.note("pose-kept", "the input states no such pose: " + enumerated(poses) +
+                                    (poses.size() == 1 ? " stays" : " stay") + " as the base has " +
+                                    (poses.size() == 1 ? "it" : "them") + ", not checked against the new camera");
 }
 
 }  // namespace fca::cli

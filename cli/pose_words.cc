@@ -3,6 +3,8 @@
 
 #include "words.h"
 
+#include <fca/formats/text/numbers.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,6 +48,28 @@ std::string position_in_words(const Placement& placement) {
   return "sits " + enumerated(parts, "and") + " of " + placement.frame;
 }
 
+/// By how much a camera is turned about its axis against the frame's, whose y is down as its own is: positive as a clock's
+/// hand, seen from behind. Nothing for one that looks up or down.
+std::optional<double> roll_deg(const Transform& T_frame_camera) {
+  constexpr double kHorizontal = 0.5;  // of the frame's y, in the camera's image plane
+  const double right = T_frame_camera(1, 0);
+  const double down = T_frame_camera(1, 1);
+  if (std::hypot(right, down) < kHorizontal) return std::nullopt;
+  return std::atan2(right, down) * kDegreesPerRadian;
+}
+
+/// What the direction of view does not tell: ", turned 90 deg clockwise about its axis". Empty where the camera is as level as
+/// pairs are, or as level as it is straight.
+std::string roll_in_words(const Transform& T_frame_camera, double off_deg) {
+  constexpr double kOrdinaryDeg = 5.0;
+  constexpr double kHalfTurnDeg = 180.0;
+  const double roll = roll_deg(T_frame_camera).value_or(0.0);
+  const double size = std::abs(roll);
+  if (size <= std::max(kOrdinaryDeg, off_deg)) return "";
+  const std::string way = kHalfTurnDeg - size < kOrdinaryDeg ? "" : roll > 0.0 ? " clockwise" : " counterclockwise";
+  return ", turned " + text::format_short(size, 4) + " deg" + way + " about its axis";
+}
+
 /// The optical axis is the thing's z.
 std::string view_in_words(const Placement& placement) {
   std::array<double, 3> view{};
@@ -57,7 +81,8 @@ std::string view_in_words(const Placement& placement) {
   const double across = std::sqrt(std::max(0.0, std::inner_product(view.begin(), view.end(), view.begin(), 0.0) - main * main));
   const double off = std::atan2(across, main) * kDegreesPerRadian;
   const std::string words(view.at(along) < 0.0 ? name.negative : name.positive);
-  return off < kNoticeableDeg ? words : words + " (" + fixed(off, 2) + " deg off)";
+  const std::string view_words = off < kNoticeableDeg ? words : words + " (" + fixed(off, 2) + " deg off)";
+  return placement.frame_is_camera ? view_words + roll_in_words(placement.T_frame_thing, off) : view_words;
 }
 
 }  // namespace
@@ -67,12 +92,13 @@ std::string placement_in_words(const Placement& placement) {
   return placement.thing_is_camera ? text + "; it " + view_in_words(placement) : text;
 }
 
-std::string pose_in_words(const PoseEdge& edge, const Rig& rig) {
+std::string pose_in_words(const PoseEdge& edge, const Rig& rig, bool in_metres) {
   const bool a_sees = rig.find_camera(edge.a) != nullptr;
   const bool b_sees = rig.find_camera(edge.b) != nullptr;
-  if (b_sees && !a_sees) return placement_in_words({edge.b, edge.a, true, false, edge.T_a_b});
+  const std::string_view unit = in_metres ? "" : ", if the unit of its position is the metre (the file states none)";
+  if (b_sees && !a_sees) return placement_in_words({edge.b, edge.a, true, false, edge.T_a_b}).append(unit);
   const std::optional<Transform> T_b_a = inverse(edge.T_a_b);
-  return T_b_a ? placement_in_words({edge.a, edge.b, a_sees, b_sees, *T_b_a}) : "";
+  return T_b_a ? placement_in_words({edge.a, edge.b, a_sees, b_sees, *T_b_a}).append(unit) : "";
 }
 
 }  // namespace fca::cli

@@ -23,7 +23,7 @@ struct Placement {
 [[nodiscard]] std::string placement_in_words(const Placement& placement);
 
 /// The same of a pose as a file states it; a camera is placed in what is none, whichever way the file has it. Empty where its
-/// 3 x 3 part has no inverse.
-[[nodiscard]] std::string pose_in_words(const PoseEdge& edge, const Rig& rig);
+/// 3 x 3 part has no inverse. `in_metres`: does the file say the unit of the position, or its format?
+[[nodiscard]] std::string pose_in_words(const PoseEdge& edge, const Rig& rig, bool in_metres = true);
 
 }  // namespace fca::cli

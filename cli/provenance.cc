@@ -51,7 +51,7 @@ bool is_ours(std::string_view line) {
 std::string camera_line(const CameraOutcome& camera, bool other_images) {
   const std::string from(model_info(camera.source.model).id);
   const std::string to(model_info(camera.target.model).id);
-  std::string text = camera.source.name + ": ";
+  std::string text = camera.name_in_words() + ": ";
   if (camera.source.model == camera.target.model)
     return text + to + ", " + std::string(kKept) + (other_images ? " for the changed images" : "");
   if (!camera.report) return text + from + std::string(kArrow) + to;
@@ -108,7 +108,12 @@ void add_provenance(const ConvertArguments& arguments, const Calibration& calibr
     const bool outdated = of_base && (file.document.edited() || arguments.no_provenance);
     const bool replaces = outdated && text::remove_top_comment(file.document, is_ours);
     if (arguments.no_provenance || (of_base && !arguments.provenance && !replaces)) continue;
-    text::add_top_comment(file.document, lines_for(file, arguments, calibration, outcome));
+    if (text::add_top_comment(file.document, lines_for(file, arguments, calibration, outcome)) || !arguments.provenance)
+      continue;
+    outcome.diagnostics.note("provenance-not-written", "--provenance: " + std::string(outcome.to->title) +
+                                                           (file.document.syntax() == text::Syntax::kWords
+                                                                ? ": the one line of comment has no room for it"
+                                                                : " as JSON has no comments, so it is not written"));
   }
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "assumptions.h"
 #include "diagnostics_json.h"
 #include "json.h"
 #include "parameters_json.h"
@@ -78,7 +79,7 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
         json.put("a", edge.a);
         json.put("b", edge.b);
         json.put("T_a_b", std::span<const double>(edge.T_a_b.values));
-        json.put("in_words", pose_in_words(edge, calibration.rig));
+        json.put("in_words", pose_in_words(edge, calibration.rig, !has_assumed_unit(edge, calibration)));
       });
     });
     json.put("baseline_m", calibration.rig.baseline_m);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "assumptions.h"
 #include "pose_words.h"
 #include "show_command.h"
 #include "words.h"
@@ -82,10 +83,10 @@ std::string imu_text(const Imu& imu) {
 }
 
 /// "T_cam0_imu0: imu0 -> cam0, takes points in imu0 to points in cam0" and what that means.
-std::string pose_text(const PoseEdge& edge, const Rig& rig) {
+std::string pose_text(const PoseEdge& edge, const Calibration& calibration) {
   std::string text = "  T_" + edge.a + "_" + edge.b + ": " + edge.b + " -> " + edge.a + ", takes points in " + edge.b +
                      " to points in " + edge.a;
-  const std::string meaning = pose_in_words(edge, rig);
+  const std::string meaning = pose_in_words(edge, calibration.rig, !has_assumed_unit(edge, calibration));
   if (meaning.empty()) return text + "; its 3 x 3 part is singular\n";
   text += "\n    " + meaning;
   const double defect = rotation_defect(edge.T_a_b);
@@ -142,7 +143,7 @@ std::string show_text(const ShownFile& shown) {
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
-  for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge, calibration.rig);
+  for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge, calibration);
   text += others_text(calibration.rig);
   text += readers_text(shown.readers);
   constexpr double kWholeSphere = 180.0;

@@ -126,8 +126,18 @@ std::vector<std::string> names_of(const Rig& rig) {
   return names;
 }
 
+/// The other statement of a pose, in the same direction; nothing if there is none.
+std::optional<std::size_t> other_statement(const Rig& rig, std::size_t index) {
+  const PoseEdge& edge = rig.poses[index];
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
+    if (i != index && rig.poses[i].a == edge.a && rig.poses[i].b == edge.b) return i;
+  }
+  return std::nullopt;
+}
+
 /// A pose that is stated, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15.
-void warn_of_contradictions(const Rig& rig, const text::Document& document, Diagnostics& diagnostics) {
+/// `files`: what states each of them.
+void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, Diagnostics& diagnostics) {
   constexpr double kTolerance = 1e-3;  // a millimetre; a twentieth of a degree
   for (std::size_t i = 0; i < rig.poses.size(); ++i) {
     Rig others = rig;
@@ -139,11 +149,19 @@ void warn_of_contradictions(const Rig& rig, const text::Document& document, Diag
     for (std::size_t k = 0; k < around->values.size(); ++k)
       worst = std::max(worst, std::abs(around->values[k] - edge.T_a_b.values[k]));
     if (worst <= kTolerance) continue;
+    const std::optional<std::size_t> again = other_statement(rig, i);
+    if (again && files[*again] != files[i]) {
+      diagnostics.warning("poses-contradict",
+                          "T_" + edge.a + "_" + edge.b + " is stated here and in " + files[*again] +
+                              ", and the two differ by up to " + text::format_short(worst, 3) + " in an element",
+                          {files[i], 0, 0}, "that of " + files[i] + " is used; take out the one that is wrong");
+      return;
+    }
     diagnostics.warning("poses-contradict",
                         "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses (" +
                             text::enumerated(names_of(others)) + ") differ by up to " + text::format_short(worst, 3) +
                             " in an element",
-                        {document.source().name, 0, 0}, "one of them is wrong; stated poses are used before derived ones");
+                        {files[i], 0, 0}, "one of them is wrong; stated poses are used before derived ones");
     return;  // each edge of the loop would say the same
   }
 }
@@ -154,6 +172,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
                                             const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.empty()) return std::nullopt;
   Calibration result;
+  std::vector<std::string> files;  // in which each pose of the rig stands
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const text::Document& document = documents[i];
     const bool main_file = result.format == nullptr;
@@ -175,8 +194,9 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       result.one_format = result.one_format && (rig->cameras.empty() || detected.format == result.format);
       if (!join(*rig, document, result.rig, diagnostics)) return std::nullopt;
     }
+    files.resize(result.rig.poses.size(), document.source().name);
   }
-  warn_of_contradictions(result.rig, documents.front(), diagnostics);
+  warn_of_contradictions(result.rig, files, diagnostics);
   result.documents = std::move(documents);
   return result;
 }

@@ -140,6 +140,8 @@ std::vector<AsRead> taken_over(const text::Document& base, const Rig& old, const
   return result;
 }
 
+constexpr std::string_view kAnew = "the file is composed anew, of what every camchain says";
+
 /// What the input says beside its rig, and the chain, which says `there`, does not. `of_rig`: are the numbers of this
 /// cam_overlaps those of the rig's cameras?
 void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there,
@@ -245,7 +247,16 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const std::string owner = extra.key.substr(0, extra.key.find(' '));
     return counts_as_rig(base, options) || (old && old->find_camera(owner) != nullptr);
   };
-  list_extras(rig.as_read, kept, of_rig, written.losses);
+  // A key of Kalibr's own, which the file to be edited had room for.
+  std::vector<AsRead> extras(rig.as_read.begin(), rig.as_read.end());
+  if (old && !editor) {
+    const auto of_base = std::stable_partition(extras.begin(), extras.end(), [&](const AsRead& extra) {
+      return is_overlaps(extra) || std::ranges::find(old->as_read, extra) == old->as_read.end();
+    });
+    add_not_carried({of_base, extras.end()}, std::string(kAnew), written.losses);
+    extras.erase(of_base, extras.end());
+  }
+  list_extras(extras, kept, of_rig, written.losses);
   if (old && !editor) {
     add_composed_anew(*base, written.files.front().document, "", written.losses);
     std::vector<AsRead> gone = extras_beyond(extras_beyond(old->as_read, rig.as_read), kept);
@@ -257,7 +268,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const auto overlaps_gone = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
     list_extras({overlaps_gone, gone.end()}, {}, of_rig, written.losses);
     gone.erase(overlaps_gone, gone.end());
-    add_not_carried(gone, "the file is composed anew", written.losses);
+    add_not_carried(gone, std::string(kAnew), written.losses);
   }
   list_losses(rig_as_named, written.losses);
   written.headline = "a camchain for Kalibr";

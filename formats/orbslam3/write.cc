@@ -90,14 +90,15 @@ Sensor richest_sensor(const Rig& rig, Style style, std::string& next) {
 /// Rates that the style stores as ints.
 void list_rounded_rates(const Rig& rig, const Target& target, Written& written) {
   const bool whole_fps = target.style == Style::kV1;
+  const auto writes = [](double rate) { return ": " + std::to_string(std::lround(rate)) + " is written"; };
   if (whole_fps && target.frame_rate_known && target.frame_rate_hz != std::round(target.frame_rate_hz)) {
-    written.losses.push_back(
-        {"frame-rate-rounded", text::format_short(target.frame_rate_hz) + " Hz", "Camera.fps must be an int", ""});
+    written.losses.push_back({"frame-rate-rounded", text::format_short(target.frame_rate_hz) + " Hz",
+                              "Camera.fps must be an int" + writes(target.frame_rate_hz), ""});
   }
   if (target.style == Style::kOld && target.sensor.inertial &&
       *rig.imus.front().rate_hz != std::round(*rig.imus.front().rate_hz)) {
     written.losses.push_back({"imu-rate-rounded", text::format_short(*rig.imus.front().rate_hz) + " Hz",
-                              "IMU.Frequency must be an int in this style", ""});
+                              "IMU.Frequency must be an int in this style" + writes(*rig.imus.front().rate_hz), ""});
   }
 }
 

@@ -30,6 +30,18 @@ std::string without_double_hyphens(std::string text) {
 /// Where XML's comments at the top begin.
 constexpr std::string_view kRoot = "<opencv_storage>";
 
+/// The parts of the one line of comment in lines of words; the first is the owner's.
+constexpr std::string_view kPart = "; ";
+/// CMV_MAX_BUF of ocam_functions.h, with the terminating zero and the line's end.
+constexpr std::size_t kLongestLine = 1022;
+
+/// The first line without its break, where it is a comment; empty elsewhere.
+Span comment_of_words(const Document& document) {
+  const std::string_view bytes = document.source().bytes;
+  if (document.syntax() != Syntax::kWords || !bytes.starts_with('#')) return {};
+  return {0, std::min(bytes.find_first_of("\r\n"), bytes.size())};
+}
+
 bool has_yaml_comments(const Document& document) {
   return document.syntax() == Syntax::kYaml || document.syntax() == Syntax::kOpenCvYaml;
 }
@@ -74,12 +86,46 @@ std::vector<CommentLine> xml_comments(const Source& source) {
   }
 }
 
+/// Each part with the separator before it.
+std::vector<CommentLine> words_comments(const Document& document) {
+  const Span line = comment_of_words(document);
+  const std::string_view text = document.source().text(line);
+  std::vector<CommentLine> parts;
+  for (std::size_t at = text.find(kPart); at < text.size();) {
+    const std::size_t next = std::min(text.find(kPart, at + kPart.size()), text.size());
+    parts.push_back({{line.offset + at, next - at}, text.substr(at + kPart.size(), next - at - kPart.size())});
+    at = next;
+  }
+  return parts;
+}
+
+std::vector<CommentLine> comments_at_top(const Document& document) {
+  if (has_yaml_comments(document)) return yaml_comments(document.source());
+  return document.syntax() == Syntax::kXml ? xml_comments(document.source()) : words_comments(document);
+}
+
+/// False if the reader does not skip so long a line whole.
+bool add_to_words(Document& document, std::span<const std::string> lines) {
+  const Span line = comment_of_words(document);
+  if (line.length == 0) return false;
+  std::string text;
+  for (const std::string& each : lines) {
+    std::string part = printable(each);
+    for (std::size_t at = part.find(kPart); at != std::string::npos; at = part.find(kPart)) part.erase(at + 1, 1);
+    text += std::string(kPart) + part;
+  }
+  // What is taken out of the line goes before this comes.
+  std::size_t length = line.length + text.size();
+  for (const Span& removed : document.edited_spans()) length -= removed.end() <= line.end() ? removed.length : 0;
+  if (length > kLongestLine) return false;
+  document.insert(line.end(), text);
+  return true;
+}
+
 }  // namespace
 
 bool remove_top_comment(Document& document, const std::function<bool(std::string_view)>& is_ours) {
-  const std::vector<CommentLine> lines = has_yaml_comments(document)         ? yaml_comments(document.source())
-                                         : document.syntax() == Syntax::kXml ? xml_comments(document.source())
-                                                                             : std::vector<CommentLine>();
+  const std::vector<CommentLine> lines = comments_at_top(document);
   bool removed = false;
   for (const CommentLine& line : lines) {
     if (!is_ours(line.text)) continue;
@@ -98,6 +144,7 @@ bool add_top_comment(Document& document, std::span<const std::string> lines) {
     document.insert(behind_head(source), text);
     return true;
   }
+  if (document.syntax() == Syntax::kWords) return add_to_words(document, lines);
   const std::size_t root = source.bytes.find(kRoot);
   if (document.syntax() != Syntax::kXml || root == std::string::npos) return false;
   for (const std::string& line : lines) text += line_break + "<!-- " + without_double_hyphens(printable(line)) + " -->";

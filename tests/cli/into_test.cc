@@ -95,6 +95,25 @@ TEST(Into, ABaseTakesAnotherSizeWhenToldTo) {
   EXPECT_EQ(rig_in(itself.out).cameras.at(0).image_size, (ImageSize{before.width / 2, before.height / 2}));
 }
 
+// A pose of the base is one of its own camera: beside another camera it is said, where it stays.
+TEST(Into, PosesThatStayAreSaid) {
+  const TemporaryFolder folder;
+  const std::string ds = folder.write("ds.yaml", kBareDs);
+  const RunResult run = run_program({"convert", ds, "--into", kSettings, "--max-angle", "97.5"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "[pose-kept]")) << run.err;
+  EXPECT_TRUE(contains(run.err, "cam1 of the base is not in the input")) << run.err;
+  // The same camera, and a base without poses.
+  EXPECT_FALSE(contains(run_program({"convert", kTumvi, "--into", kTumvi}).err, "pose-kept"));
+  EXPECT_FALSE(contains(run_program({"convert", ds, "--into", folder.write("other.yaml", kBareDs)}).err, "pose-kept"));
+  // What a mode leaves out does not stay.
+  const RunResult mono = run_program({"convert", ds, "--into", kSettings, "--max-angle", "97.5", "--sensor", "mono"});
+  EXPECT_EQ(mono.code, 0) << mono.err;
+  EXPECT_FALSE(contains(mono.out, "Camera2")) << mono.out;
+  EXPECT_FALSE(contains(mono.err, "stays")) << mono.err;
+  EXPECT_FALSE(contains(mono.err, "pose-kept")) << mono.err;
+}
+
 TEST(Into, OnlyTheCamerasNumbersChange) {
   const TemporaryFolder folder;
   const RunResult run = run_program({"convert", folder.write("ds.yaml", kBareDs), "--into", kSettings, "--max-angle", "97.5"});

@@ -5,6 +5,9 @@
 #include <fca/formats/calibration.h>
 #include <fca/formats/text/read_document.h>
 
+#include <fstream>
+#include <sstream>
+
 namespace fca::test {
 namespace {
 
@@ -56,25 +59,26 @@ TEST(Provenance, EditsHaveItOnlyWhenAsked) {
 // What was true of a file as it was written is not kept where it is edited.
 TEST(Provenance, AnEditReplacesWhatStandsThere) {
   const TemporaryFolder folder;
-  for (const std::string name : {"one.yml", "one.xml"}) {
+  for (const std::string name : {"one.yml", "one.xml", "one.txt"}) {
     SCOPED_TRACE(name);
     const std::string path = folder / name;
-    ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "cam0", "--to", "opencv", "-o", path}).code, 0);
+    const std::string format = name.ends_with("txt") ? "ocamcalib" : "opencv";
+    ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "cam0", "--to", format, "-o", path}).code, 0);
     const std::string written = read_file(path);
     EXPECT_TRUE(contains(written, "tumvi.yaml, SHA-256"));
     // Nothing is edited: nothing changes.
-    EXPECT_EQ(run_program({"convert", path, "--to", "opencv"}).out, written);
-    const RunResult edited = run_program({"convert", path, "--to", "opencv", "--binning", "2"});
+    EXPECT_EQ(run_program({"convert", path, "--to", format}).out, written);
+    const RunResult edited = run_program({"convert", path, "--to", format, "--binning", "2"});
     EXPECT_EQ(edited.code, 0) << edited.err;
     EXPECT_FALSE(contains(edited.out, "tumvi.yaml")) << edited.out;
     EXPECT_TRUE(contains(edited.out, name + ", SHA-256")) << edited.out;
     EXPECT_TRUE(contains(edited.out, "the input's parameters for the changed images")) << edited.out;
     EXPECT_EQ(edited.out.find("SHA-256"), edited.out.rfind("SHA-256"));
-    const RunResult without = run_program({"convert", path, "--to", "opencv", "--no-provenance"});
+    const RunResult without = run_program({"convert", path, "--to", format, "--no-provenance"});
     EXPECT_FALSE(contains(without.out, "fca-io")) << without.out;
-    const std::string plain = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "opencv", "-o",
-                                           folder / ("plain" + name), "--no-provenance"})
-                                  .err;
+    const std::string plain =
+        run_program({"convert", kTumvi, "--camera", "cam0", "--to", format, "-o", folder / ("plain" + name), "--no-provenance"})
+            .err;
     EXPECT_EQ(without.out, read_file(folder / ("plain" + name))) << plain;
   }
 }
@@ -89,17 +93,20 @@ TEST(Provenance, EverySyntaxIsReadAsWithoutIt) {
   };
   for (const Syntax& syntax :
        {Syntax{"opencv", "c.xml", true}, Syntax{"opencv", "c.yml", true}, Syntax{"opencv", "c.json", false},
-        Syntax{"kalibr", "c.yaml", true}, Syntax{"orbslam3", "s.yaml", true}, Syntax{"ocamcalib", "o.txt", false},
+        Syntax{"kalibr", "c.yaml", true}, Syntax{"orbslam3", "s.yaml", true}, Syntax{"ocamcalib", "o.txt", true},
         Syntax{"woodscape", "w.json", false}, Syntax{"tumvi", "t.yaml", true}}) {
+    std::string said;
     const auto written = [&](const char* option) {
       const std::string path = folder / syntax.file;
       const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--to", syntax.format, "--anew", "--max-angle",
                                          "60", "-o", path, "--force", option});
       EXPECT_EQ(run.code, 0) << syntax.format << run.err;  // proven by the program that reads it
+      if (std::string(option) == "--provenance") said = run.err;
       return read_file(path);
     };
     const std::string with = written("--provenance");
     EXPECT_EQ(contains(with, "SHA-256"), syntax.comments) << with;
+    EXPECT_EQ(contains(said, "provenance-not-written"), !syntax.comments) << said;
     const std::string without = written("--no-provenance");
     Diagnostics diagnostics;
     const auto rig = [&](const std::string& bytes) {
@@ -109,6 +116,33 @@ TEST(Provenance, EverySyntaxIsReadAsWithoutIt) {
     ASSERT_TRUE(rig(with) && rig(without)) << with;
     EXPECT_EQ(rig(with)->rig, rig(without)->rig) << with;
   }
+}
+
+// get_ocam_model skips one line before each block, of up to 1023 characters.
+TEST(Provenance, OCamCalibKeepsOneLineOfCommentBeforeEachBlock) {
+  const TemporaryFolder folder;
+  const auto comments = [](const std::string& bytes) {
+    std::vector<std::size_t> lengths;
+    std::istringstream stream(bytes);
+    for (std::string line; std::getline(stream, line);) {
+      if (line.starts_with('#')) lengths.push_back(line.size());
+    }
+    return lengths;
+  };
+  const std::string input = testdata("formats/ocamcalib/good/toolbox.txt");
+  const RunResult edited = run_program({"convert", input, "--to", "ocamcalib", "--provenance"});
+  ASSERT_EQ(edited.code, 0) << edited.err;
+  EXPECT_TRUE(contains(first_line(edited.out), "toolbox.txt, SHA-256 ")) << edited.out;
+  EXPECT_EQ(comments(edited.out).size(), comments(read_file(input)).size());
+  // What does not fit is not written, and that is said.
+  const std::string deep = folder / (std::string(200, 'a') + "/" + std::string(200, 'b') + "/" + std::string(200, 'c'));
+  fs::create_directories(deep);
+  const std::string far = deep + "/" + std::string(200, 'd') + ".txt";
+  std::ofstream(far) << read_file(input);
+  const RunResult run = run_program({"convert", far, "--to", "ocamcalib", "--provenance"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, read_file(input));
+  EXPECT_TRUE(contains(run.err, "provenance-not-written")) << run.err;
 }
 
 // A file's name cannot end the comment.

@@ -147,6 +147,83 @@ TEST(RigOptions, SetKnowsWhatAValueMayBe) {
   EXPECT_EQ(value_of(run.out, "Camera.fps"), "30");
 }
 
+/// Two cameras without a pose.
+std::string chain_without_poses() {
+  std::string chain;
+  for (const char* camera : {"cam0", "cam1"}) {
+    chain += std::string(camera) +
+             ":\n  camera_model: pinhole\n  intrinsics: [200.0, 200.0, 256.0, 256.0]\n  distortion_model: equidistant\n"
+             "  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  resolution: [512, 512]\n";
+  }
+  return chain;
+}
+
+const std::string kExtrinsics = testdata("formats/opencv/good/extrinsics.yml");
+
+// A chain counts its cameras: the second alone, or first, is cam0 there, and so it is called beside the file.
+TEST(RigOptions, CamerasAreCalledAsTheFileWrittenCallsThem) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words = {"convert",  kTumvi, "--to",        "kalibr", "--model",     "ds",
+                                          "--camera", "1,0",  "--max-angle", "90",     "--provenance"};
+  const RunResult run = run_program(words);
+  ASSERT_EQ(run.code, 0) << run.err;
+  for (const std::string& said : {run.out, run.err}) {
+    EXPECT_TRUE(contains(said, "cam0 (input's cam1): kb4 -> ds")) << said;
+    EXPECT_TRUE(contains(said, "cam1 (input's cam0): kb4 -> ds")) << said;
+  }
+  std::vector<std::string> json = words;
+  json.emplace_back("--json");
+  const std::string document = run_program(json).out;
+  std::string squeezed = document;
+  std::erase_if(squeezed, [](char c) { return c == ' ' || c == '\n'; });
+  EXPECT_TRUE(contains(squeezed, "\"cameras\":[\"cam0\",\"cam1\"]")) << document;
+  EXPECT_TRUE(contains(squeezed, "{\"name\":\"cam0\",\"input_name\":\"cam1\"")) << document;
+  const RunResult kept = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "ds", "--max-angle", "90"});
+  EXPECT_FALSE(contains(kept.out + kept.err, "input's cam")) << kept.err;
+}
+
+// Wherever the pose without a unit comes from.
+TEST(RigOptions, AnAssumedUnitIsListedWhateverTheMainFile) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", chain_without_poses());
+  const RunResult run = run_program({"convert", chain, "--with", kExtrinsics, "--to", "orbslam3", "--sensor", "stereo"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "translation unit taken as metres")) << run.err;
+  EXPECT_FALSE(contains(run_program({"convert", kTumvi, "--to", "orbslam3"}).err, "translation unit"));
+  // It goes as it came.
+  EXPECT_FALSE(contains(run_program({"convert", chain, "--with", kExtrinsics, "--to", "opencv"}).err, "translation unit"));
+}
+
+TEST(RigOptions, TwoStatementsOfAPoseAreNamedByTheirFiles) {
+  const TemporaryFolder folder;
+  const std::string pose =
+      "  T_cn_cnm1:\n  - [1.0, 0.0, 0.0, -0.5]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n"
+      "  - [0.0, 0.0, 0.0, 1.0]\n";
+  const std::string chain = folder.write("chain.yaml", chain_without_poses() + pose);
+  const RunResult run = run_program({"convert", chain, "--with", kExtrinsics, "--to", "orbslam3", "--sensor", "stereo"});
+  EXPECT_TRUE(contains(run.err, "T_cam1_cam0 is stated here and in " + kExtrinsics)) << run.err;
+  EXPECT_TRUE(contains(run.err, "that of " + chain + " is used")) << run.err;
+  const Transform T = rig_in(run.out).resolve("cam1", "cam0").value();
+  EXPECT_NEAR(T(0, 3), -0.5, 1e-6);
+}
+
+// What is not written as it stood is said with what is written.
+TEST(RigOptions, ARoundedRateIsSaidWithItsValue) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--fps", "29.97"});
+  EXPECT_EQ(value_of(run.out, "Camera.fps"), "30");
+  EXPECT_TRUE(contains(run.err, "29.97 Hz: Camera.fps must be an int: 30 is written")) << run.err;
+}
+
+TEST(RigOptions, AKeyOfKalibrsOwnIsLostForTheTrueReason) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", chain_without_poses() + "  line_delay: 3.0e-05\n");
+  const RunResult run = run_program({"convert", chain, "--to", "kalibr", "--anew"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "line_delay")) << run.err;
+  EXPECT_TRUE(contains(run.err, "composed anew")) << run.err;
+  EXPECT_FALSE(contains(run.err, "no place for it")) << run.err;
+}
+
 // --fps is an edit of the file that --set edits further; what is not about the rate contradicts nothing.
 TEST(RigOptions, SetAndFpsBothEditOneFile) {
   const TemporaryFolder folder;
@@ -167,6 +244,56 @@ TEST(RigOptions, SetAndFpsBothEditOneFile) {
     EXPECT_EQ(other.out, "");
     EXPECT_TRUE(contains(other.err, "--fps 25 contradict each other")) << other.err;
   }
+}
+
+// Kalibr stops without a topic as soon as it opens a bag, and no other format states one. --help has it as its example.
+TEST(RigOptions, SetAddsWhatAProgramReadsAndTheFileLacks) {
+  const TemporaryFolder folder;
+  const std::string chain =
+      folder.write("chain.yaml", std::string("# mine\n") +
+                                     "cam0:\n  camera_model: pinhole\n  intrinsics: [200.0, 200.0, 256.0, 256.0]\n"
+                                     "  distortion_model: radtan\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n"
+                                     "  resolution: [512, 512]\n# the end\n");
+  const RunResult without = run_program({"convert", chain, "--to", "kalibr"});
+  EXPECT_TRUE(contains(without.err, "rostopic")) << without.err;
+  const RunResult run = run_program(
+      {"convert", chain, "--to", "kalibr", "--set", "cam0/rostopic=/cam0/image_raw", "--set", "cam0/timeshift_cam_imu=0.5"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_FALSE(contains(run.err, "rostopic is missing")) << run.err;
+  const Camera camera = rig_in(run.out).cameras.at(0);
+  EXPECT_EQ(camera.topic, "/cam0/image_raw") << run.out;
+  EXPECT_EQ(camera.time_offset_s, 0.5) << run.out;
+  EXPECT_EQ(camera.model, rig_in(read_file(chain)).cameras.at(0).model);
+  // Into a file composed here, too.
+  const RunResult fresh = run_program({"convert", kSettings, "--to", "kalibr", "--set", "cam1/rostopic=/right"});
+  ASSERT_EQ(fresh.code, 0) << fresh.err;
+  EXPECT_EQ(rig_in(fresh.out).cameras.at(1).topic, "/right") << fresh.out;
+  const RunResult settings =
+      run_program({"convert", kTumvi, "--camera", "0", "--to", "orbslam3", "--set", "System.thFarPoints=20", "--set",
+                   "Viewer.imageViewScale=0.5", "--set", "System.SaveAtlasToFile=atlas"});
+  ASSERT_EQ(settings.code, 0) << settings.err;
+  EXPECT_EQ(value_of(settings.out, "System.thFarPoints"), "20.0");
+  EXPECT_EQ(value_of(settings.out, "Viewer.imageViewScale"), "0.5");
+  EXPECT_EQ(value_of(settings.out, "System.SaveAtlasToFile"), "\"atlas\"");
+}
+
+TEST(RigOptions, SetAddsNothingElse) {
+  const auto refusal = [](const std::string& format, const std::string& setting) {
+    const RunResult run = run_program({"convert", kTumvi, "--to", format, "--set", setting});
+    EXPECT_NE(run.code, 0) << setting;
+    EXPECT_EQ(run.out, "") << setting;
+    return run.err;
+  };
+  EXPECT_TRUE(contains(refusal("kalibr", "cam7/rostopic=/seven"), "no value under"));
+  EXPECT_TRUE(contains(refusal("kalibr", "cam0/rostopics=/zero"), "no value under"));
+  EXPECT_TRUE(contains(refusal("kalibr", "imu0/rostopic=/imu"), "no value under"));
+  EXPECT_TRUE(contains(refusal("orbslam3", "System.thFarPoints=far"), "wants a number"));
+  EXPECT_TRUE(contains(refusal("orbslam3", "System.thFarPoints=-1"), "set-out-of-range"));
+  EXPECT_TRUE(contains(refusal("orbslam3", "thFarPoints=20"), "no value under"));
+  // What stands there and is no single value is not said to be missing.
+  const std::string list = refusal("kalibr", "cam1/resolution=512");
+  EXPECT_TRUE(contains(list, "'cam1/resolution' is a list")) << list;
+  EXPECT_FALSE(contains(list, "no value")) << list;
 }
 
 // Columns are of the images that they were counted in.
@@ -211,6 +338,8 @@ TEST(RigOptions, WhatAModeLacksIsSaidWithTheOptionThatGivesIt) {
   };
   EXPECT_TRUE(contains(error({kTumvi, "--sensor", "stereo-inertial"}), "--with imu.yaml"));
   EXPECT_TRUE(contains(error({kTumvi, "--camera", "0", "--sensor", "rgbd"}), "--baseline"));
+  // Of two cameras one is meant, and both options are needed.
+  EXPECT_TRUE(contains(error({kTumvi, "--sensor", "rgbd"}), "--camera cam0 --baseline METRES"));
   EXPECT_TRUE(contains(error({kTumvi, "--camera", "0", "--sensor", "stereo"}), "--join"));
   // The same chain without its poses to the IMU.
   const RunResult bare =

@@ -4,6 +4,7 @@
 #include "cli/run_program.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -41,6 +42,52 @@ TEST(Show, PosesAreSentences) {
   EXPECT_TRUE(
       contains(text, "cam0 sits 2.00 cm towards +x, 4.50 cm towards +y and 3.00 cm towards +z of imu0; it looks along +x\n"))
       << text;
+}
+
+/// A second camera 10 cm to the right of the first, whose axes are the columns of `axes` (of T_cam0_cam1), row by row.
+std::string turned_camera(const std::array<int, 9>& axes) {
+  std::ostringstream text;
+  text << "cam1:\n  camera_model: pinhole\n  intrinsics: [100.0, 100.0, 99.5, 49.5]\n  distortion_model: none\n"
+          "  distortion_coeffs: []\n  resolution: [200, 100]\n  T_cn_cnm1:\n";
+  for (std::size_t row = 0; row < 3; ++row) {  // the inverse: the rotation transposed, the position turned back
+    text << "  - [" << axes.at(row) << ".0, " << axes.at(3 + row) << ".0, " << axes.at(6 + row) << ".0, " << -0.1 * axes.at(row)
+         << "]\n";
+  }
+  text << "  - [0.0, 0.0, 0.0, 1.0]\n";
+  return pinhole_chain(99.5, text.str());
+}
+
+// Two cameras may look along one direction and yet see the world turned. x of a camera is right and y down: with x of the
+// second pointing down, it is turned as a clock's hand from 12 to 3, seen from behind.
+TEST(Show, ATurnAboutTheAxisIsSaid) {
+  struct Case {
+    std::array<int, 9> axes;
+    const char* words;
+  };
+  for (const Case& c :
+       {Case{{1, 0, 0, 0, 1, 0, 0, 0, 1}, "it looks the same way\n"},
+        Case{{-1, 0, 0, 0, -1, 0, 0, 0, 1}, "it looks the same way, turned 180 deg about its axis\n"},
+        Case{{0, -1, 0, 1, 0, 0, 0, 0, 1}, "it looks the same way, turned 90 deg clockwise about its axis\n"},
+        Case{{0, 1, 0, -1, 0, 0, 0, 0, 1}, "turned 90 deg counterclockwise about its axis\n"},
+        Case{{-1, 0, 0, 0, 1, 0, 0, 0, -1}, "it looks backwards\n"},
+        Case{{1, 0, 0, 0, -1, 0, 0, 0, -1}, "it looks backwards, turned 180 deg about its axis\n"},
+        Case{{0, 0, 1, 0, 1, 0, -1, 0, 0}, "it looks to its right\n"}, Case{{1, 0, 0, 0, 0, 1, 0, -1, 0}, "it looks down\n"}}) {
+    const std::string text = shown(turned_camera(c.axes));
+    EXPECT_TRUE(contains(text, "cam1 sits 10.00 cm to the right of cam0; it looks")) << text;
+    EXPECT_TRUE(contains(text, c.words)) << text;
+  }
+}
+
+// OpenCV's T is in the unit of the calibration board, which no file states.
+TEST(Show, APositionWithoutAUnitIsNoFact) {
+  const std::string file = testdata("formats/opencv/good/extrinsics.yml");
+  const std::string unit = "if the unit of its position is the metre (the file states none)";
+  const RunResult alone = run_program({"show", file});
+  EXPECT_TRUE(contains(alone.out, " cm ")) << alone.out;
+  EXPECT_TRUE(contains(alone.out, unit)) << alone.out;
+  const RunResult beside = run_program({"show", testdata("formats/opencv/good/stereo-14.yml"), "--with", file});
+  EXPECT_TRUE(contains(beside.out, unit)) << beside.out << beside.err;
+  EXPECT_FALSE(contains(shown(turned_camera({1, 0, 0, 0, 1, 0, 0, 0, 1})), unit));
 }
 
 // 2 atan(99.5 / 100), 2 atan(49.5 / 100) and 2 atan(|(99.5, 49.5)| / 100).
