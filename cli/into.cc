@@ -73,6 +73,7 @@ void keep(std::optional<T>& value, const std::optional<T>& otherwise) {
 void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics) {
   // What the base says of the rig's own edges. Edge for edge the same, so that both resolve along the same path.
   Rig before;
+  const Rig input = rig;
   for (const PoseEdge& edge : rig.poses) {
     const Transform* stated = base.stated(edge.a, edge.b);
     const std::optional<Transform> T = stated != nullptr ? *stated : base.resolve(edge.a, edge.b);
@@ -97,7 +98,7 @@ void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics)
       const Camera* now_there = rig.find_camera(name);
       return then_there != nullptr && now_there != nullptr && then_there->model != now_there->model;
     };
-    if (!now && (is_another(edge.a) || is_another(edge.b))) kept.poses.push_back(edge);
+    if (!input.resolve(edge.a, edge.b) && (is_another(edge.a) || is_another(edge.b))) kept.poses.push_back(edge);
     rig.poses.push_back(edge);
     before.poses.push_back(as_it_was);
   }

@@ -110,10 +110,10 @@ void add_provenance(const ConvertArguments& arguments, const Calibration& calibr
     if (arguments.no_provenance || (of_base && !arguments.provenance && !replaces)) continue;
     if (text::add_top_comment(file.document, lines_for(file, arguments, calibration, outcome)) || !arguments.provenance)
       continue;
-    outcome.diagnostics.note("provenance-not-written", "--provenance: " + std::string(outcome.to->title) +
-                                                           (file.document.syntax() == text::Syntax::kWords
-                                                                ? ": the one line of comment has no room for it"
-                                                                : " as JSON has no comments, so it is not written"));
+    outcome.diagnostics.note("provenance-not-written",
+                             file.document.syntax() == text::Syntax::kWords
+                                 ? "--provenance: the comment at the beginning of the file has no room for it"
+                                 : "--provenance: JSON has no comments that could hold it");
   }
 }
 

@@ -333,10 +333,10 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
 /// cv::stereoRectify the first PinHole's coefficients twice. The parser before it reads both KannalaBrandt8 cameras rightly,
 /// and knows no second PinHole.
 std::string remedy_for_misreading(const Rig& rig, const Sensor& sensor) {
-  if (sensor.depth)
+  if (sensor.depth) {
     return "undistort the images first, those of depth too (cv::initUndistortRectifyMap), and convert the camera that they "
-           "then "
-           "have";
+           "then have";
+  }
   if (!sensor.two_cameras || rig.cameras.size() < 2) return "";
   if (model_info(rig.cameras[1].model).id == "kb4")
     return "--orbslam3-layout old: V1.0 also reads the older style, and there both cameras rightly";

@@ -111,6 +111,7 @@ bool add_to_words(Document& document, std::span<const std::string> lines) {
   std::string text;
   for (const std::string& each : lines) {
     std::string part = printable(each);
+    part.erase(0, part.find_first_not_of(' '));
     for (std::size_t at = part.find(kPart); at != std::string::npos; at = part.find(kPart)) part.erase(at + 1, 1);
     text += std::string(kPart) + part;
   }
