@@ -207,7 +207,7 @@ class TreeBuilder : public YAML::EventHandler {
 /// The last key up to `offset` that has its value right behind the colon: OpenCV's reader takes it, to YAML it is one word.
 /// Where it stands in a line that is valid all the same (a list of such words) nobody asks.
 std::optional<Refusal> blank_missing(const Source& source, std::size_t offset) {
-  static const std::regex kUnspaced(R"(^[ ]*(?:- +)?[A-Za-z_][A-Za-z0-9_.]*:(?=[^\s:/]))");
+  static const std::regex kUnspaced(R"(^[ ]*(?:- +)?[A-Za-z_][A-Za-z0-9_.]*:(?=[^\s:/]|/[^/]))");
   std::optional<Refusal> last;
   for (std::size_t at = 0; at <= offset && at < source.bytes.size();) {
     const Span line = source.line_at(at);

@@ -127,9 +127,12 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
                  inverted ? "is the inverse of what it should be: it holds T_" + own.b + "_" + own.a : std::string(slip.does),
                  i};
     }
+    const PoseEdge& edge = task.poses[i];
+    const bool of_first = task.reference.find_camera(edge.a) != nullptr;
     for (const Camera& camera : task.reference.cameras) {
-      const PoseEdge& edge = task.poses[i];
-      const std::optional<Transform> of_it = camera.name == edge.a ? std::nullopt : task.reference.resolve(camera.name, edge.b);
+      if (camera.name == edge.a || camera.name == edge.b) continue;
+      const std::optional<Transform> of_it =
+          of_first ? task.reference.resolve(camera.name, edge.b) : task.reference.resolve(edge.a, camera.name);
       const double rest = of_it ? distance_of_poses(*of_it, stated) : best;
       if (!(rest < best)) continue;
       best = rest;

@@ -248,13 +248,13 @@ TEST(ConvertImu, OfSingleSamplesBecomesDensitiesInPlace) {
   const std::string imu =
       folder.write("imu.yaml",
                    "update_rate: 400.0  # Hz\naccelerometer_noise_density: 0.04\naccelerometer_random_walk: 0.0002\n"
-                   "gyroscope_noise_density: 0.002  # of single samples\ngyroscope_random_walk: 4.0e-06\nrostopic: /imu0\n");
+                   "gyroscope_noise_density: 0.04  # of single samples\ngyroscope_random_walk: 0.0001\nrostopic: /imu0\n");
   const RunResult run = run_program({"convert", imu, "--to", "kalibr", "--imu-noise", "discrete"});
   EXPECT_EQ(run.code, 0) << run.err;
   // Noise of a sample is density * sqrt(rate), a step of the walk is walk / sqrt(rate) (Kalibr wiki, "IMU noise model").
   EXPECT_EQ(run.out,
             "update_rate: 400.0  # Hz\naccelerometer_noise_density: 0.002\naccelerometer_random_walk: 0.004\n"
-            "gyroscope_noise_density: 0.0001  # of single samples\ngyroscope_random_walk: 8e-05\nrostopic: /imu0\n");
+            "gyroscope_noise_density: 0.002  # of single samples\ngyroscope_random_walk: 0.002\nrostopic: /imu0\n");
 }
 
 TEST(Convert, AnImuAloneIsAnsweredWithTheCommandThatWasMeant) {
