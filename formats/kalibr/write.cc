@@ -260,10 +260,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   if (old && !editor) {
     add_composed_anew(*base, written.files.front().document, "", written.losses);
     std::vector<AsRead> gone = extras_beyond(extras_beyond(old->as_read, rig.as_read), kept);
-    // What a camera that nobody asked for shared with others is not missed.
+    // Of a camera that nobody asked for nothing is missed.
     std::erase_if(gone, [&old, &rig_as_named](const AsRead& extra) {
       const std::string owner = extra.key.substr(0, extra.key.find(' '));
-      return is_overlaps(extra) && old->find_camera(owner) != nullptr && rig_as_named.find_camera(owner) == nullptr;
+      return old->find_camera(owner) != nullptr && rig_as_named.find_camera(owner) == nullptr;
     });
     const auto overlaps_gone = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
     list_extras({overlaps_gone, gone.end()}, {}, of_rig, written.losses);
