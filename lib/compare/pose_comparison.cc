@@ -79,6 +79,9 @@ void compare_poses(const PoseTask& task, RigComparison& result) {
   for (const std::string& frame : frames) {
     for (const Match& match : task.matching.cameras) compare(name_of(match), frame, "the pose of " + frame);
   }
+  if (task.reference.cameras.empty()) {  // files of poses alone: stereo_calib's extrinsics.yml
+    for (const PoseEdge& edge : task.reference.poses) compare(edge.a, edge.b, "the pose of " + edge.a + " to " + edge.b);
+  }
   for (std::size_t i = 1; i < task.matching.cameras.size(); ++i) {
     const std::string a = name_of(task.matching.cameras[i]);
     const std::string b = name_of(task.matching.cameras[i - 1]);
@@ -127,6 +130,7 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
                  inverted ? "is the inverse of what it should be: it holds T_" + own.b + "_" + own.a : std::string(slip.does),
                  i};
     }
+    // Of a pair whose poses are all exchanged the exchange is told (exchange_explains_poses()); here a copied block.
     const PoseEdge& edge = task.poses[i];
     const bool of_first = task.reference.find_camera(edge.a) != nullptr;
     for (const Camera& camera : task.reference.cameras) {
@@ -136,7 +140,7 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
       const double rest = of_it ? distance_of_poses(*of_it, stated) : best;
       if (!(rest < best)) continue;
       best = rest;
-      mistake = {"cameras-swapped", "T_" + own.a + "_" + own.b, "is that of the reference's " + camera.name, i};
+      mistake = {"pose-of-another-camera", "T_" + own.a + "_" + own.b, "is that of the reference's " + camera.name, i};
     }
     if (mistake) mistakes.push_back(*std::move(mistake));
   }

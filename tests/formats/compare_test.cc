@@ -324,6 +324,17 @@ const std::vector<Plant>& plants() {
          const Pixel b = principal_point(rig.cameras[1].model);
          return rig.cameras[0].image_size == rig.cameras[1].image_size && std::hypot(a[0] - b[0], a[1] - b[1]) > 1.0;
        }},
+      {"pose-of-another-camera", 2,
+       [](Rig& rig) {
+         if (rig.cameras.size() != 2 || rig.poses.size() != 3) return false;
+         std::vector<Transform*> of_imu;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.b == "imu0" && rig.find_camera(edge.a) != nullptr) of_imu.push_back(&edge.T_a_b);
+         }
+         if (of_imu.size() != 2 || !far(*of_imu[0], *of_imu[1])) return false;
+         std::swap(*of_imu[0], *of_imu[1]);  // the third statement stays
+         return true;
+       }},
       {"poses-exchanged", 2,
        [](Rig& rig) {
          PoseEdge* first = nullptr;
@@ -396,6 +407,17 @@ TEST(CompareFiles, PosesHaveTheNamesOfTheirFiles) {
     std::ranges::sort(sorted);
     EXPECT_EQ(found, sorted) << name;
   }
+}
+
+TEST(CompareFiles, PosesAloneAreCompared) {
+  const std::optional<Calibration> calibration = read(testdata_dir() / "opencv/good/extrinsics.yml");
+  ASSERT_TRUE(calibration && calibration->rig.cameras.empty());
+  EXPECT_TRUE(compared(calibration->rig, calibration->rig).identical());
+  Rig other = calibration->rig;
+  other.poses.front().T_a_b(0, 3) += 0.25;
+  const RigComparison result = compared(calibration->rig, other);
+  ASSERT_EQ(result.poses.size(), calibration->rig.poses.size());
+  EXPECT_NEAR(result.poses.front().distance_m, 0.25, 1e-12);
 }
 
 // Neighbours by name are often calibrations of one camera.
