@@ -179,9 +179,10 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   }
   if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras)
     missing.emplace_back("one image size for both cameras (--resize WxH)");
-  if (sensor.depth && !rig.baseline_m)
+  if (sensor.depth && !rig.baseline_m) {
     missing.push_back(second ? "the baseline of one camera (--camera " + first.name + " --baseline METRES)"
                              : "the baseline (--baseline METRES)");
+  }
   if (!sensor.inertial) return missing;
   if (style == Style::kSlamNoOpt) {
     missing.emplace_back("an inertial mode in slam_no_opt");

@@ -212,10 +212,12 @@ std::optional<Refusal> blank_missing(const Source& source, std::size_t offset) {
   for (std::size_t at = 0; at <= offset && at < source.bytes.size();) {
     const Span line = source.line_at(at);
     std::cmatch match;
-    const std::string_view text = source.text(line);
-    if (std::regex_search(text.data(), text.data() + text.size(), match, kUnspaced))
+    constexpr std::size_t kLongestKey = 200;  // std::regex recurses with every character
+    const std::string_view text = source.text(line).substr(0, kLongestKey);
+    if (std::regex_search(text.data(), text.data() + text.size(), match, kUnspaced)) {
       last = {"blank-missing", "a blank is missing behind the colon", "write a blank behind it",
               line.offset + static_cast<std::size_t>(match.length())};
+    }
     const std::size_t end = source.bytes.find('\n', line.offset);
     if (end == std::string::npos) break;
     at = end + 1;
