@@ -2,35 +2,12 @@
 #include "assumptions.h"
 
 #include <algorithm>
-#include <optional>
-#include <span>
-#include <vector>
 
 namespace fca::cli {
 
-namespace {
-
-/// The poses that files of formats without a unit state; also those of --with.
-std::vector<PoseEdge> poses_without_unit(const Calibration& calibration) {
-  std::vector<PoseEdge> poses;
-  for (const text::Document& document : calibration.documents) {
-    Diagnostics said_before;
-    const bool main_file = &document == &calibration.documents.front();
-    const std::optional<DetectedFormat> detected = main_file ? std::nullopt : detect_format(document, said_before);
-    const Format& format = detected ? *detected->format : *calibration.format;
-    if (!format.any_length_unit) continue;
-    const std::optional<Rig> rig = format.read(std::span(&document, 1), {}, said_before);
-    if (rig) poses.insert(poses.end(), rig->poses.begin(), rig->poses.end());
-  }
-  return poses;
-}
-
-}  // namespace
-
 bool has_assumed_unit(const PoseEdge& edge, const Calibration& calibration) {
-  // By its numbers: files that are joined name their cameras anew.
-  return std::ranges::any_of(poses_without_unit(calibration),
-                             [&edge](const PoseEdge& other) { return other.T_a_b == edge.T_a_b; });
+  return std::ranges::find(calibration.poses_without_unit, edge.T_a_b, &PoseEdge::T_a_b) !=
+         calibration.poses_without_unit.end();
 }
 
 void list_assumed_units(const Calibration& calibration, const Format& to, Written& written) {
@@ -39,7 +16,7 @@ void list_assumed_units(const Calibration& calibration, const Format& to, Writte
   const bool posed = std::ranges::any_of(rig.cameras, [&rig](const Camera& camera) {
     return camera.name != rig.cameras.front().name && rig.resolve(camera.name, rig.cameras.front().name);
   });
-  if (posed && !poses_without_unit(calibration).empty())
+  if (posed && !calibration.poses_without_unit.empty())
     written.defaults.push_back({"translation unit", "taken as metres", true});
 }
 

@@ -302,8 +302,7 @@ void name_as_written(ConvertOutcome& outcome) {
   if (!outcome.to->many_cameras) return;
   for (const Written::File& file : outcome.written.files) {
     Diagnostics ignored;
-    const std::optional<text::Document> document =
-        text::parse_document({file.document.source().name, file.document.bytes()}, ignored);
+    const std::optional<text::Document> document = text::as_edited(file.document);
     const ReadOptions options = {std::nullopt, outcome.written.opencv_model, false};
     const std::optional<Rig> rig = document ? outcome.to->read(std::span(&*document, 1), options, ignored) : std::nullopt;
     if (!rig || rig->cameras.size() != file.cameras.size()) continue;

@@ -156,8 +156,7 @@ void tell_of_kept(const Kept& kept, const Written& written, const Format& format
       diagnostics.note("camera-kept", camera + " of the base is not in the input and stays as it is");
   }
   Diagnostics ignored;
-  const std::optional<text::Document> document =
-      text::parse_document({file.document.source().name, file.document.bytes()}, ignored);
+  const std::optional<text::Document> document = text::as_edited(file.document);
   const std::optional<Rig> now = document ? format.read(std::span(&*document, 1), {}, ignored) : std::nullopt;
   std::vector<std::string> poses;
   for (const PoseEdge& edge : kept.poses) {

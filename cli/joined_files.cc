@@ -16,18 +16,12 @@ struct Part {
   Rig rig;
 };
 
-bool is_of(const Calibration& source, const text::Document& document, const Format& format) {
-  if (source.one_format) return source.format == &format;
-  Diagnostics said_before;
-  const std::optional<DetectedFormat> detected = detect_format(document, said_before);
-  return detected && detected->format == &format;
-}
-
 /// The inputs of that format with one camera each. Of one whose files hold several, those of bare words (DSO's camera.txt).
 std::vector<Part> parts_of(const Calibration& source, const Format& format) {
   std::vector<Part> parts;
-  for (const text::Document& document : source.documents) {
-    if (!is_of(source, document, format)) continue;
+  for (std::size_t i = 0; i < source.documents.size(); ++i) {
+    const text::Document& document = source.documents[i];
+    if (source.formats[i] != &format) continue;
     if (format.many_cameras && document.syntax() != text::Syntax::kWords) continue;
     Diagnostics said_before;
     const std::optional<Rig> rig = format.read(std::span(&document, 1), {}, said_before);

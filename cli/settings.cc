@@ -13,24 +13,24 @@ namespace fca::cli {
 
 namespace {
 
-/// What was written, whose tree says what stood there before the edits, parsed anew.
-text::Document as_edited(const text::Document& document) {
-  Diagnostics ignored;
-  return text::parse_document({document.source().name, document.bytes()}, ignored).value_or(text::Document());
-}
-
 /// The frame rate that a document states with its edits; nothing where it states none.
 std::optional<double> frame_rate(const Format& format, const text::Document& document, const ReadOptions& options) {
   Diagnostics ignored;
-  const std::optional<text::Document> as_edited = text::parse_document({document.source().name, document.bytes()}, ignored);
-  const std::optional<Rig> rig = as_edited ? format.read(std::span(&*as_edited, 1), options, ignored) : std::nullopt;
+  const std::optional<text::Document> now = text::as_edited(document);
+  const std::optional<Rig> rig = now ? format.read(std::span(&*now, 1), options, ignored) : std::nullopt;
   return rig && !rig->cameras.empty() ? rig->cameras.front().frame_rate_hz : std::nullopt;
 }
 
 bool apply(const KeyValue& setting, const Format& format, const ReadOptions& options, std::optional<double> fps,
            Written& written, Diagnostics& diagnostics) {
-  const auto has_key = [&setting](const Written::File& file) { return has_value(as_edited(file.document), setting.key); };
-  const auto may_come = [&](const Written::File& file) { return may_add_value(format, as_edited(file.document), setting.key); };
+  const auto has_key = [&setting](const Written::File& file) {
+    const std::optional<text::Document> now = text::as_edited(file.document);
+    return now && has_value(*now, setting.key);
+  };
+  const auto may_come = [&](const Written::File& file) {
+    const std::optional<text::Document> now = text::as_edited(file.document);
+    return now && may_add_value(format, *now, setting.key);
+  };
   const bool nowhere = std::ranges::none_of(written.files, has_key);
   const bool comes = nowhere && std::ranges::any_of(written.files, may_come);
   for (Written::File& file : written.files) {

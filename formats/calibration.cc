@@ -194,6 +194,10 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       result.one_format = result.one_format && (rig->cameras.empty() || detected.format == result.format);
       if (!join(*rig, document, result.rig, diagnostics)) return std::nullopt;
     }
+    result.formats.push_back(detected.format);
+    const auto own = std::span(result.rig.poses).subspan(files.size());
+    if (detected.format->any_length_unit)
+      result.poses_without_unit.insert(result.poses_without_unit.end(), own.begin(), own.end());
     files.resize(result.rig.poses.size(), document.source().name);
   }
   warn_of_contradictions(result.rig, files, diagnostics);

@@ -63,8 +63,7 @@ void add_composed_anew(const text::Document& base, const text::Document& fresh, 
 void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses) {
   const std::vector<text::Span> before = text::comments_of(edited);
   if (before.empty()) return;
-  Diagnostics ignored;
-  const std::optional<text::Document> result = text::parse_document({edited.source().name, edited.bytes()}, ignored);
+  const std::optional<text::Document> result = text::as_edited(edited);
   if (!result) return;
   const auto words = [](const text::Document& document, const text::Span& span) {
     return document.source().bytes.substr(span.offset, span.length);

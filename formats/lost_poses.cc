@@ -32,8 +32,7 @@ std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Writ
   std::vector<PoseEdge> poses;
   for (const Written::File& file : written.files) {
     Diagnostics ignored;
-    const std::optional<text::Document> document =
-        text::parse_document({file.document.source().name, file.document.bytes()}, ignored);
+    const std::optional<text::Document> document = text::as_edited(file.document);
     if (!document) continue;
     const std::optional<Rig> part = format.read(std::span(&*document, 1), options_for(rig, file), ignored);
     if (!part) continue;

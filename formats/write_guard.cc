@@ -26,10 +26,7 @@ void collect_not_finite(const Node& node, const std::string& name, std::multiset
 
 std::multiset<std::string> not_finite(const text::Document& document) {
   std::multiset<std::string> names;
-  Diagnostics ignored;
-  const std::optional<text::Document> after =
-      document.edited() ? text::parse_document({document.source().name, document.bytes()}, ignored) : document;
-  if (after) collect_not_finite(after->root(), "", names);
+  if (const std::optional<text::Document> after = text::as_edited(document)) collect_not_finite(after->root(), "", names);
   return names;
 }
 

@@ -75,6 +75,7 @@ void take_over(const Diagnostics& diagnostics, Findings& findings) {
       continue;
     const Severity severity = among(kBeyondUs, entry.code) ? Severity::kWarning : entry.severity;
     Finding finding{severity, entry.code, entry.message, {}, entry.fix, entry.where};
+    // The only place that the parser knows how to mend for certain.
     if (entry.code == "blank-missing") finding.mend = SpanEdit{{entry.where.offset, 0}, " "};
     findings.add(std::move(finding));
   }
@@ -161,14 +162,16 @@ bool CheckReport::has(Severity severity) const {
   return std::ranges::any_of(findings, [severity](const Finding& finding) { return finding.severity == severity; });
 }
 
-CheckReport check_file(const text::Source& source, const CheckOptions& options) {
+namespace {
+
+/// As far as the file can be read: text, format, calibration.
+CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   CheckReport report;
   checks::Findings findings(report);
   Diagnostics diagnostics;
   std::optional<text::Document> document = text::parse_document(source, diagnostics);
   if (!document) {
     checks::take_over(diagnostics, findings);
-    checks::add_usual_fixes(report);
     report.is_calibration = options.from != nullptr || checks::mentions_calibration(source.bytes);
     return report;
   }
@@ -180,7 +183,6 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   }
   if (!detected) {
     checks::take_over(diagnostics, findings);
-    checks::add_usual_fixes(report);
     report.is_calibration = checks::has_code(diagnostics, "ambiguous-format");
     return report;
   }
@@ -205,6 +207,13 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
     checks::show_both_readings(*document, options, report);
     checks::suggest_exchanges(*document, *detected->format, options, report);
   }
+  return report;
+}
+
+}  // namespace
+
+CheckReport check_file(const text::Source& source, const CheckOptions& options) {
+  CheckReport report = looked_at(source, options);
   checks::sort_by_place(report.findings);
   checks::add_usual_fixes(report);
   return report;

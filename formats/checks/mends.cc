@@ -109,9 +109,8 @@ const Node* exchanged_with(const text::Document& document, const Format& format,
     exchanged.replace(items[item->index].span, std::string(document.source().text(items[other].span)));
     exchanged.replace(items[other].span, std::string(document.source().text(items[item->index].span)));
     Diagnostics diagnostics;
-    const std::optional<text::Document> reparsed =
-        text::parse_document({document.source().name, exchanged.bytes()}, diagnostics);
-    if (!reparsed || diagnostics.has_errors()) continue;
+    const std::optional<text::Document> reparsed = text::as_edited(exchanged);
+    if (!reparsed) continue;
     if (format.read(std::span(&*reparsed, 1), options, diagnostics) && !diagnostics.has_errors()) return &items[other];
   }
   return nullptr;

@@ -207,11 +207,7 @@ class ProgramsCheck {
         {Severity::kWarning, "program-refuses",
          "read by " + text::enumerated(readers) + ", not by " + std::string(own.program) + ": " + refusals.front() + more,
          std::string(own.program) + " does not start with it; " + text::enumerated(readers) + " does.",
-         "fca-io convert " + document_.source().name + " --to " + std::string(format_.id) +
-             (format_.layouts.empty() ? ""
-                                      : " --" + std::string(format_.id) + "-layout " + std::string(format_.layouts.front())) +
-             " writes " + std::string(own.program) + "'s own",
-         place_of(refusals.front())});
+         how_to_write_for(own) + " writes " + std::string(own.program) + "'s own", place_of(refusals.front())});
   }
 
   void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {

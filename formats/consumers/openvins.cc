@@ -61,6 +61,7 @@ Projection projection(const CameraValues& values, bool is_equidistant) {
 }
 
 using storage::is_number;
+
 /// list[index], or an empty node.
 cv::FileNode item(const cv::FileNode& list, int index) {
   return list.isSeq() && index < static_cast<int>(list.size()) ? list[index] : cv::FileNode();

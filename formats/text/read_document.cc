@@ -103,6 +103,12 @@ std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) 
   return Document(std::move(source), syntax, *std::move(root));
 }
 
+std::optional<Document> as_edited(const Document& document) {
+  if (!document.edited()) return document;
+  Diagnostics ignored;
+  return parse_document({document.source().name, document.bytes()}, ignored);
+}
+
 std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics) {
   std::optional<Source> source = read_source(path, diagnostics);
   if (!source) return std::nullopt;

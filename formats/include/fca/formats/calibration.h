@@ -14,10 +14,12 @@ namespace fca {
 /// What was read, with what it was read from.
 struct Calibration {
   const Format* format = nullptr;
-  std::string why;                        ///< Why that format.
-  bool one_format = true;                 ///< False: joined from files with cameras in more than one.
-  std::vector<text::Document> documents;  ///< The main file first, then those of --with.
-  std::size_t with_cameras = 0;           ///< Which of them states the cameras (the first that does, of `format`).
+  std::string why;                           ///< Why that format.
+  bool one_format = true;                    ///< False: joined from files with cameras in more than one.
+  std::vector<text::Document> documents;     ///< The main file first, then those of --with.
+  std::size_t with_cameras = 0;              ///< Which of them states the cameras (the first that does, of `format`).
+  std::vector<const Format*> formats;        ///< Of the documents, one for one.
+  std::vector<PoseEdge> poses_without_unit;  ///< Those of `rig` from files that do not say in what unit translations are.
   Rig rig;
 };
 

@@ -69,7 +69,7 @@ struct LoadOptions {
 };
 
 /// A row of the table of consumers.
-/// What the format's writer is told so that a program reads the result, where the format's own program is another.
+/// What `convert` is told so that a program reads the result, beside the format.
 struct Writing {
   std::string_view model = {};   ///< --model
   std::string_view layout = {};  ///< --FORMAT-layout

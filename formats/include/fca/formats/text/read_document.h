@@ -15,6 +15,10 @@ namespace fca::text {
 /// syntax errors.
 [[nodiscard]] std::optional<Document> parse_document(Source source, Diagnostics& diagnostics);
 
+/// The document as its edits left it: its tree says what its bytes do now, not what stood there before. Nothing where they are
+/// no document any more.
+[[nodiscard]] std::optional<Document> as_edited(const Document& document);
+
 /// Reads and parses a file; "-" is standard input. A missing, unreadable or non-regular file is an error "cannot-read".
 [[nodiscard]] std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics);
 
