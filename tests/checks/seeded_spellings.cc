@@ -122,36 +122,6 @@ std::vector<TextDefect> defects() {
        },
        5,
        false},
-      {"a1 that is not 0",
-       {"ocamcalib"},
-       {"a1-not-zero"},
-       [](const Good& good) -> std::optional<SpanEdit> {
-         // "5 a0 0 a2 a3 a4": the third number of the first line with numbers.
-         const std::string& bytes = bytes_of(good);
-         std::size_t line = 0;
-         while (line < bytes.size() && !std::isdigit(static_cast<unsigned char>(bytes[line])))
-           line = bytes.find('\n', line) + 1;
-         const std::size_t a0 = bytes.find_first_not_of(' ', bytes.find(' ', line));
-         const std::size_t a1 = bytes.find_first_not_of(' ', bytes.find(' ', a0));
-         const std::size_t end = bytes.find(' ', a1);
-         return SpanEdit{{a1, end - a1}, "0.25"};
-       }},
-      {"an inverse polynomial of another lens",
-       {"ocamcalib"},
-       {"stale-inverse"},
-       [](const Good& good) -> std::optional<SpanEdit> {
-         const std::string& bytes = bytes_of(good);
-         std::size_t at = bytes.find("#inverse");
-         if (at == std::string::npos) at = bytes.find("inverse");
-         if (at == std::string::npos) return std::nullopt;
-         const std::size_t count = bytes.find_first_of("0123456789", bytes.find('\n', at));
-         const std::size_t first = bytes.find_first_not_of(' ', bytes.find(' ', count));
-         const std::size_t end = bytes.find_first_of(" \n", first);
-         const double value = std::stod(bytes.substr(first, end - first));
-         return SpanEdit{{first, end - first}, text::format_real(value * 1.05)};
-       },
-       20,
-       false},
       {"a focal length of 1e300", {}, {"not-a-camera"}, spelled("fx", [](const std::string&) { return std::string("1e300"); })},
       {"an infinite focal length",
        {"kalibr"},

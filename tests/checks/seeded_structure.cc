@@ -2,9 +2,12 @@
 #include "seeded_edits.h"
 
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/text/numbers.h>
 
 #include <array>
+#include <iterator>
 #include <regex>
+#include <sstream>
 
 namespace fca::test {
 namespace {
@@ -287,33 +290,30 @@ std::vector<TextDefect> key_defects() {
   };
 }
 
-// ---------------------------------------------------------------- OCamCalib's and DSO's lines
+// ---------------------------------------------------------------- OCamCalib's lines
 
-/// The line of numbers of OCamCalib's block of that index, as words.
-struct Block {
-  text::Span span;
-  std::vector<std::string> words;
-};
+/// Block 0 is the direct polynomial ("5 a0 0 a2 a3 a4"), 1 the inverse one.
+enum class Block { kDirect, kInverse };
 
-std::optional<Block> block_of(const Good& good, int index) {
-  const std::string& bytes = bytes_of(good);
-  for (std::size_t at = 0; at < bytes.size(); at = std::min(bytes.find('\n', at), bytes.size() - 1) + 1) {
-    const text::Span line = document_of(good).source().line_at(at);
-    const std::string text(document_of(good).source().text(line));
-    if (text.find_first_not_of(" \t\r") == std::string::npos || text.front() == '#') continue;
-    if (index-- > 0) continue;
-    Block block{line, {}};
-    std::istringstream words(text);
-    for (std::string word; words >> word;) block.words.push_back(word);
-    return block;
-  }
-  return std::nullopt;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+/// The numbers of a block changed as words; `change` says whether it could.
+Edit numbers_of(Block block, std::function<bool(std::vector<std::string>&)> change) {
+  return [block, change = std::move(change)](const Good& good) -> std::optional<SpanEdit> {
+    const std::string& bytes = bytes_of(good);
+    int index = static_cast<int>(block);
+    for (std::size_t at = 0; at < bytes.size(); at = std::min(bytes.find('\n', at), bytes.size() - 1) + 1) {
+      const text::Span line = document_of(good).source().line_at(at);
+      const std::string text(document_of(good).source().text(line));
+      if (text.find_first_not_of(" \t\r") == std::string::npos || text.front() == '#') continue;
+      if (index-- > 0) continue;
+      std::istringstream stream(text);
+      std::vector<std::string> words(std::istream_iterator<std::string>(stream), {});
+      if (words.size() < 4 || !change(words)) return std::nullopt;
+      std::string changed = words.front();
+      for (std::size_t i = 1; i < words.size(); ++i) changed += " " + words[i];
+      return SpanEdit{line, changed};
+    }
+    return std::nullopt;
+  };
 }
 
 std::vector<TextDefect> line_defects() {
@@ -328,35 +328,48 @@ std::vector<TextDefect> line_defects() {
          if (at == std::string::npos) return std::nullopt;
          return SpanEdit{{at + 1, 0}, std::string(2000, 'x')};
        }},
+      {"a1 that is not 0",
+       {"ocamcalib"},
+       {"a1-not-zero"},
+       numbers_of(Block::kDirect,
+                  [](std::vector<std::string>& words) {
+                    words[2] = "0.25";
+                    return true;
+                  })},
       {"a polynomial of degree eleven",
        {"ocamcalib"},
        {"degree-too-high"},
-       [](const Good& good) -> std::optional<SpanEdit> {
-         const std::optional<Block> block = block_of(good, 0);
-         if (!block || block->words.size() < 4) return std::nullopt;
-         std::vector<std::string> words = block->words;
-         words.front() = "12";
-         while (words.size() < 13) words.emplace_back("1e-30");
-         return SpanEdit{block->span, joined(words)};
-       }},
+       numbers_of(Block::kDirect,
+                  [](std::vector<std::string>& words) {
+                    words.front() = "12";
+                    words.resize(13, "1e-30");
+                    return true;
+                  })},
       {"a0 with the other sign",
        {"ocamcalib"},
        {"polynomial-sign"},
-       [](const Good& good) -> std::optional<SpanEdit> {
-         const std::optional<Block> block = block_of(good, 0);
-         if (!block || block->words.size() < 4 || !block->words[1].starts_with('-')) return std::nullopt;
-         std::vector<std::string> words = block->words;
-         words[1].erase(0, 1);
-         return SpanEdit{block->span, joined(words)};
-       }},
+       numbers_of(Block::kDirect,
+                  [](std::vector<std::string>& words) {
+                    if (!words[1].starts_with('-')) return false;
+                    words[1].erase(0, 1);
+                    return true;
+                  })},
+      {"an inverse polynomial of another lens",
+       {"ocamcalib"},
+       {"stale-inverse"},
+       numbers_of(Block::kInverse,
+                  [](std::vector<std::string>& words) {
+                    words[1] = text::format_real(1.05 * std::stod(words[1]));
+                    return true;
+                  })},
       {"no inverse polynomial",
        {"ocamcalib"},
        {"inverse-missing"},
-       [](const Good& good) -> std::optional<SpanEdit> {
-         const std::optional<Block> block = block_of(good, 1);
-         if (!block) return std::nullopt;
-         return SpanEdit{block->span, "0"};
-       },
+       numbers_of(Block::kInverse,
+                  [](std::vector<std::string>& words) {
+                    words = {"0"};
+                    return true;
+                  }),
        20,
        false},
   };
