@@ -57,6 +57,7 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
       json.put("unanswered_share", proof.unanswered_share);
       json.put("wrong_ray_share", proof.wrong_ray_share);
       json.put("max_diff_pose", proof.max_diff_pose);
+      json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
       json.put("refusals", std::span<const std::string>(proof.refusals));
       json.put("warnings", std::span<const std::string>(proof.warnings));
     });

@@ -61,6 +61,7 @@ std::string view_text(const ProofResult& proof, const Rig& rig, bool within_max_
             (proof.poses_agree ? "as the file means" : "an element is off by " + text::format_short(proof.max_diff_pose, 3)) +
             "\n";
   }
+  for (const std::string& clause : proof.other_numbers) text += "    but: " + clause + "\n";
   for (const std::string& sentence : misreadings(proof, within_max_angle)) text += "    but: " + sentence + "\n";
   return text;
 }

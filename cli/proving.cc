@@ -14,6 +14,7 @@ namespace {
 std::string disagreement(const ProofResult& proof) {
   if (!proof.loads) return "it would refuse the file: " + enumerated(proof.refusals);
   if (!proof.poses_agree) return "an element of its poses differs by " + text::format_short(proof.max_diff_pose, 3);
+  if (proof.pixels_agree) return enumerated(proof.other_numbers, "and");
   if (proof.compared_share == 0.0) return "it has no pixel where we have one";
   return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
 }

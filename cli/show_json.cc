@@ -62,6 +62,7 @@ void put_mode(Json& json, const ProgramReading::Mode& mode, bool within_max_angl
   });
   json.put("poses", std::span<const std::string>(proof.poses));
   json.put("max_diff_pose", proof.max_diff_pose);
+  json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
   json.put("warnings", std::span<const std::string>(misreadings(proof, within_max_angle)));
 }
 

@@ -2,6 +2,7 @@
 #include <fca/formats/proof.h>
 
 #include <fca/formats/format.h>
+#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,64 @@ double pose_difference(const Rig& rig, const consumers::ConsumerView& view, cons
   return worst;
 }
 
+/// What numbers in floats may differ by, relatively, and elements of poses.
+constexpr double kFloatPrecision = 1e-6;
+
+struct ImuNumber {
+  std::string_view name;
+  std::optional<double> Imu::*ours;
+  std::optional<double> consumers::ConsumerImu::*theirs;
+  double rounded_to = 0.0;  ///< Where a format rounds, and lists that as a loss.
+};
+constexpr std::array kImuNumbers = {
+    ImuNumber{"gyroscope noise density", &Imu::gyroscope_noise_density, &consumers::ConsumerImu::gyroscope_noise_density},
+    ImuNumber{"gyroscope random walk", &Imu::gyroscope_random_walk, &consumers::ConsumerImu::gyroscope_random_walk},
+    ImuNumber{"accelerometer noise density", &Imu::accelerometer_noise_density,
+              &consumers::ConsumerImu::accelerometer_noise_density},
+    ImuNumber{"accelerometer random walk", &Imu::accelerometer_random_walk, &consumers::ConsumerImu::accelerometer_random_walk},
+    ImuNumber{"rate", &Imu::rate_hz, &consumers::ConsumerImu::rate_hz, 0.5},
+};
+
+/// Collects the numbers that differ, of those that both state.
+class NumberComparison {
+ public:
+  void compare(const std::string& what, const std::optional<double>& ours, const std::optional<double>& theirs,
+               double rounded_to = 0.0) {
+    if (!ours || !theirs) return;
+    const double allowed = std::max(rounded_to, kFloatPrecision * std::abs(*ours));
+    if (std::abs(*ours - *theirs) <= allowed) return;
+    differing_.push_back(what + " is " + text::format_short(*theirs, 9) + ", not " + text::format_short(*ours, 9));
+  }
+
+  void compare(const Camera& ours, const consumers::ConsumerCamera& theirs) {
+    compare(ours.name + " time offset", ours.time_offset_s, theirs.time_offset_s);
+    if (!ours.image_size || theirs.width == 0) return;
+    // What a program scales it cuts to ints.
+    const auto cut = [](double scale) { return scale == 1.0 ? 0.0 : 1.0; };
+    compare(ours.name + " image width", ours.image_size->width * theirs.scale[0], theirs.width, cut(theirs.scale[0]));
+    compare(ours.name + " image height", ours.image_size->height * theirs.scale[1], theirs.height, cut(theirs.scale[1]));
+  }
+
+  void compare(const Imu& ours, const consumers::ConsumerImu& theirs) {
+    for (const ImuNumber& number : kImuNumbers)
+      compare(ours.name + " " + std::string(number.name), ours.*number.ours, theirs.*number.theirs, number.rounded_to);
+  }
+
+  [[nodiscard]] std::vector<std::string> differing() && { return std::move(differing_); }
+
+ private:
+  std::vector<std::string> differing_;
+};
+
+std::vector<std::string> differing_numbers(const Rig& rig, const consumers::ConsumerView& view) {
+  NumberComparison numbers;
+  for (std::size_t i = 0; i < std::min(rig.cameras.size(), view.cameras.size()); ++i)
+    numbers.compare(rig.cameras[i], view.cameras[i]);
+  if (!rig.imus.empty() && view.imu) numbers.compare(rig.imus.front(), *view.imu);
+  numbers.compare("the baseline", rig.baseline_m, view.baseline_m);
+  return std::move(numbers).differing();
+}
+
 }  // namespace
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
@@ -142,14 +201,14 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.compared_share = comparison.asked > 0.0 ? comparison.compared / comparison.asked : 0.0;
   result.unanswered_share = comparison.asked > 0.0 ? 1.0 - result.compared_share : 0.0;
   result.wrong_ray_share = comparison.asked > 0.0 ? comparison.wrong_rays / comparison.asked : 0.0;
-  constexpr double kPosePrecision = 1e-6;  // float formats
   for (const consumers::ConsumerPose& pose : view.poses) {
     result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));
     result.poses.push_back("T_" + name_in(rig, view, pose.a) + "_" + name_in(rig, view, pose.b));
   }
   result.pixels_agree = comparison.agrees && (comparison.compared > 0.0 || comparison.asked == 0.0);
   if (view.cameras.size() < rig.cameras.size()) result.pixels_agree = false;  // it does not see a camera at all
-  result.poses_agree = result.max_diff_pose <= kPosePrecision;
+  result.poses_agree = result.max_diff_pose <= kFloatPrecision;
+  result.other_numbers = differing_numbers(rig, view);
   return result;
 }
 

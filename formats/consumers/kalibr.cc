@@ -31,6 +31,7 @@ struct KalibrCamera {
   std::array<double, 2> model{};
   Intrinsics intrinsics;
   std::array<double, 4> coeffs{};
+  std::optional<double> time_offset_s;
   int width = 0;
   int height = 0;
 };
@@ -189,6 +190,7 @@ class CameraReader {
     if (view_.refusals.size() != refusals_before) return;
     view_.cameras.push_back({name_, camera_.width, camera_.height, make_projection(camera_)});
     view_.cameras.back().model = camera_.camera_model + "-" + camera_.distortion_model;
+    view_.cameras.back().time_offset_s = camera_.time_offset_s;
     // Near the axis FovDistortion.hpp takes a series instead of the formula.
     constexpr double kSeriesError = 3e-6;
     if (camera_.distortion_model == "fov") view_.cameras.back().approximation_px = kSeriesError;
@@ -348,7 +350,11 @@ class CameraReader {
 
   void read_timeshift() {
     const Value* shift = block_.find("timeshift_cam_imu");
-    if (shift == nullptr || shift->kind == Kind::kFloat) return;
+    if (shift == nullptr) return;
+    if (shift->kind == Kind::kFloat) {
+      camera_.time_offset_s = shift->number;
+      return;
+    }
     refuse(at("timeshift_cam_imu") + " is " + pyyaml::describe(*shift) +
            "; Kalibr wants a float: write 0.0 or 1.0e-05, not 0 or 1e-5");
   }
@@ -433,13 +439,16 @@ void check_chain_keys(const Value& root, ConsumerView& view) {
 struct ImuKey {
   std::string_view key;
   std::string_view unit;
+  std::optional<double> ConsumerImu::*held_as;
 };
-constexpr std::array kImuKeys{ImuKey{"accelerometer_noise_density", "m/s^2/sqrt(Hz)"},
-                              ImuKey{"accelerometer_random_walk", "m/s^3/sqrt(Hz)"},
-                              ImuKey{"gyroscope_noise_density", "rad/s/sqrt(Hz)"},
-                              ImuKey{"gyroscope_random_walk", "rad/s^2/sqrt(Hz)"}, ImuKey{"update_rate", "Hz"}};
+constexpr std::array kImuKeys{
+    ImuKey{"accelerometer_noise_density", "m/s^2/sqrt(Hz)", &ConsumerImu::accelerometer_noise_density},
+    ImuKey{"accelerometer_random_walk", "m/s^3/sqrt(Hz)", &ConsumerImu::accelerometer_random_walk},
+    ImuKey{"gyroscope_noise_density", "rad/s/sqrt(Hz)", &ConsumerImu::gyroscope_noise_density},
+    ImuKey{"gyroscope_random_walk", "rad/s^2/sqrt(Hz)", &ConsumerImu::gyroscope_random_walk},
+    ImuKey{"update_rate", "Hz", &ConsumerImu::rate_hz}};
 
-void check_imu_number(const Value& root, const ImuKey& rule, ConsumerView& view) {
+void read_imu_number(const Value& root, const ImuKey& rule, ConsumerView& view) {
   const std::string key(rule.key);
   const Value* value = root.find(key);
   if (value == nullptr) {
@@ -449,6 +458,8 @@ void check_imu_number(const Value& root, const ImuKey& rule, ConsumerView& view)
                             "; Kalibr wants a number (PyYAML reads 2e-5 as a string: write 2.0e-05)");
   } else if (value->number <= 0.0) {
     view.refusals.push_back(key + " is " + value->text + "; Kalibr wants more than 0 " + std::string(rule.unit));
+  } else {
+    (*view.imu).*rule.held_as = value->number;
   }
 }
 
@@ -481,7 +492,8 @@ ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& /*option
         "the values are inside imu0: (Kalibr's result file); as an input Kalibr wants them at the top level");
     return view;
   }
-  for (const ImuKey& rule : kImuKeys) check_imu_number(*root, rule, view);
+  view.imu.emplace();
+  for (const ImuKey& rule : kImuKeys) read_imu_number(*root, rule, view);
   const Value* topic = root->find("rostopic");
   if (topic == nullptr || topic->kind != Kind::kString) view.refusals.emplace_back("rostopic must be a string; Kalibr stops");
   return view;

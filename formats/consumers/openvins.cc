@@ -160,6 +160,9 @@ void read_camera(Sensor& sensor, ConsumerView& view) {
   camera.project = projection(values, is_equidistant);
   // cv::fisheye::undistortPoints cuts the distorted angle off at 90 deg.
   if (is_equidistant) camera.right_rays_rad = std::numbers::pi / 2.0;
+  // Of the others it is not read.
+  if (sensor.name() == "cam0" && is_number(sensor.node("timeshift_cam_imu")))
+    camera.time_offset_s = static_cast<double>(sensor.node("timeshift_cam_imu"));
   const std::string model = sensor.text("camera_model");
   if (!model.empty() && model != "pinhole") {
     camera.misread = true;
@@ -195,12 +198,18 @@ void read_imu(const cv::FileStorage& storage, ConsumerView& view) {
     return;
   }
   Sensor imu(storage["imu0"], "imu0", view);
-  for (const char* key :
-       {"gyroscope_noise_density", "gyroscope_random_walk", "accelerometer_noise_density", "accelerometer_random_walk"}) {
-    if (!imu.require(key)) continue;
+  const auto number = [&imu](const char* key) -> std::optional<double> {
+    if (!imu.require(key)) return std::nullopt;
     const cv::FileNode value = imu.node(key);
-    if (!is_number(value)) imu.refuse(key, "is " + storage::describe(value) + ", not a number");
-  }
+    if (is_number(value)) return static_cast<double>(value);
+    imu.refuse(key, "is " + storage::describe(value) + ", not a number");
+    return std::nullopt;
+  };
+  ConsumerImu& noise = view.imu.emplace();
+  noise.gyroscope_noise_density = number("gyroscope_noise_density");
+  noise.gyroscope_random_walk = number("gyroscope_random_walk");
+  noise.accelerometer_noise_density = number("accelerometer_noise_density");
+  noise.accelerometer_random_walk = number("accelerometer_random_walk");
   for (const char* key : {"Tw", "Ta", "R_IMUtoACC", "R_IMUtoGYRO", "Tg"}) imu.require(key);
 }
 

@@ -158,6 +158,9 @@ void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, Consume
   const int height = read_size(settings, "Camera.height");
   view.cameras.push_back({"cam0", width, height, make_camera(settings, type, k, coeffs, "Camera.k1")});
   view.cameras.back().model = type;
+  // t_image = t_imu + delay, as the program's own files say.
+  const cv::FileNode delay = settings.node("Camera.delaytoimu");
+  if (storage::is_number(delay)) view.cameras.back().time_offset_s = -static_cast<double>(delay);
   if (sensor.stereo) read_right_camera(settings, type, width, height, view);
   read_tbc(settings, view);
 }

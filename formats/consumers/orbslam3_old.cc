@@ -12,7 +12,6 @@ namespace fca::consumers {
 namespace orbslam {
 namespace {
 
-constexpr std::array<std::string_view, 4> kImuRealKeys = {"IMU.NoiseGyro", "IMU.NoiseAcc", "IMU.GyroWalk", "IMU.AccWalk"};
 constexpr std::array<std::string_view, 4> kPinholeKeys = {"Camera.k1", "Camera.k2", "Camera.p1", "Camera.p2"};
 constexpr std::array<std::string_view, 4> kRadialNames = {"k1", "k2", "k3", "k4"};
 
@@ -90,9 +89,11 @@ class Parser {
       settings_.warn("Camera.k3 is an int; " + settings_.program() + " (old style) ignores it: write it with a '.'");
     drop_distortion_without_k1(distortion);
     add_camera("cam0", pinhole(k, distortion));
+    const float baseline = k.fx != 0.0F ? settings_.loose("Camera.bf") * scale_ / k.fx : 0.0F;
+    if (sensor_.rgbd) view_.baseline_m = baseline;
     if (!sensor_.stereo) return;
     add_camera("cam1", pinhole(k, distortion));  // the images are taken as rectified
-    if (k.fx != 0.0F) view_.poses.push_back(rectified_baseline(settings_.loose("Camera.bf") * scale_ / k.fx));
+    if (k.fx != 0.0F) view_.poses.push_back(rectified_baseline(baseline));
     if (settings_.has("RIGHT.K")) {
       settings_.warn(
           "LEFT.*/RIGHT.*: only the example program stereo_euroc reads them, to rectify; Camera.* must be the rectified "
@@ -173,8 +174,9 @@ class Parser {
   }
 
   void read_imu() {
-    settings_.integer("IMU.Frequency");
-    for (const std::string_view key : kImuRealKeys) settings_.real(key);
+    const int rate = settings_.integer("IMU.Frequency");
+    view_.imu = read_noise(settings_);
+    view_.imu->rate_hz = rate;
     const std::optional<cv::Mat> matrix = settings_.matrix("Tbc");
     if (!matrix) return;
     const auto pose = pointer_as_float(*matrix);

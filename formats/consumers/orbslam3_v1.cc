@@ -3,14 +3,13 @@
 // and the process ends at the first wrong or missing key; here all of them are listed.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "orbslam_shared.h"
 
 namespace fca::consumers::orbslam {
 namespace {
 
-constexpr std::array<std::string_view, 5> kImuKeys = {"IMU.NoiseGyro", "IMU.NoiseAcc", "IMU.GyroWalk", "IMU.AccWalk",
-                                                      "IMU.Frequency"};
 constexpr std::array<std::string_view, 4> kRadialKeys = {"k1", "k2", "k3", "k4"};
 constexpr std::array<std::string_view, 5> kPinholeKeys = {"k1", "k2", "p1", "p2", "k3"};
 
@@ -211,6 +210,7 @@ class Parser {
     }
     if (new_height) rescale(scale_y_, height_, height);
     if (new_width) rescale(scale_x_, width_, width);
+    warn_of_half_pixel();
   }
 
   static void rescale(float& scale, int& size, int new_size) {
@@ -218,8 +218,20 @@ class Parser {
     size = new_size;
   }
 
+  /// System.cc resizes the images with cv::resize.
+  void warn_of_half_pixel() {
+    const double shift = 0.5 * std::max(std::abs(1.0 - scale_x_), std::abs(1.0 - scale_y_));
+    if (!(shift > 0.0 && std::isfinite(shift))) return;
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", shift);
+    settings_.warn(std::string("Camera.newWidth/newHeight: ORB-SLAM3 V1.0 scales cx and cy without the half pixel that "
+                               "cv::resize counts from, so its centre is ") +
+                   text.data() + " px off");
+  }
+
   void read_imu() {
-    for (const std::string_view key : kImuKeys) settings_.real(key);
+    view_.imu = read_noise(settings_);
+    view_.imu->rate_hz = settings_.real("IMU.Frequency");
     read_pose("IMU.T_b_c1", "imu0", "cam0");
     settings_.integer("IMU.InsertKFsWhenLost", false);
   }
@@ -227,7 +239,7 @@ class Parser {
   void read_rgbd() {
     settings_.real("RGBD.DepthMapFactor");
     settings_.real("Stereo.ThDepth");
-    settings_.real("Stereo.b");
+    view_.baseline_m = settings_.real("Stereo.b");
     const bool bent = std::any_of(first_.pinhole.begin(), first_.pinhole.end(), [](float value) { return value != 0.0F; });
     if (bent)
       settings_.warn("Camera1.k1 k2 p1 p2 are ignored: ORB-SLAM3 V1.0 undistorts only for the mono sensors, not for RGB-D");

@@ -243,6 +243,15 @@ void warn_unless_float(Settings& settings, std::string_view key, const cv::Mat& 
                 " reads its bytes as floats, so the pose is garbage: write dt: f");
 }
 
+ConsumerImu read_noise(Settings& settings) {
+  ConsumerImu imu;
+  imu.gyroscope_noise_density = settings.real("IMU.NoiseGyro");
+  imu.accelerometer_noise_density = settings.real("IMU.NoiseAcc");
+  imu.gyroscope_random_walk = settings.real("IMU.GyroWalk");
+  imu.accelerometer_random_walk = settings.real("IMU.AccWalk");
+  return imu;
+}
+
 ConsumerPose rectified_baseline(double baseline) {
   return {"cam0", "cam1", {1, 0, 0, baseline, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
 }

@@ -92,6 +92,9 @@ class Settings {
 /// Warns if a matrix that is read as float is not float.
 void warn_unless_float(Settings& settings, std::string_view key, const cv::Mat& matrix);
 
+/// IMU.NoiseGyro, NoiseAcc, GyroWalk, AccWalk, which both parsers of ORB-SLAM3 demand.
+[[nodiscard]] ConsumerImu read_noise(Settings& settings);
+
 /// T_cam0_cam1 of rectified cameras: only a shift along x.
 [[nodiscard]] ConsumerPose rectified_baseline(double baseline);
 

@@ -66,6 +66,10 @@ struct PoseKeys {
 /// The key under which a document states the first camera in the IMU; "" if it does not.
 [[nodiscard]] std::string_view imu_pose_key(const text::Document& document);
 
+/// slam_no_opt's time offset, stated the other way round: t_image = t_imu + delay [s]. It stands in the fork's own files; no
+/// other program of the family has a key for it.
+inline constexpr std::string_view kDelayKey = "Camera.delaytoimu";
+
 /// The value that counts under a top-level key, as cv::FileStorage looks it up; null if there is none.
 [[nodiscard]] const text::Node* find_key(const text::Document& document, std::string_view key);
 

@@ -32,6 +32,7 @@ class SettingsReader {
     const Layout* layout = read_layout();
     if (layout == nullptr) return;
     if (!read_camera(*layout, camera_prefix(style_, 0), "cam0", rig)) return;
+    read_delay(rig.cameras.front());
     warn_of_missing_keys(*layout);
     warn_if_eucm_without_type(rig.cameras.front());
     read_second_camera(*layout, rig);
@@ -144,6 +145,12 @@ class SettingsReader {
     }
     rig.cameras.push_back(std::move(camera));
     return good;
+  }
+
+  void read_delay(Camera& camera) {
+    const Node* node = find(kDelayKey);
+    if (node == nullptr) return;
+    if (const std::optional<double> delay = reader_.time_offset(*node, std::string(kDelayKey))) camera.time_offset_s = -*delay;
   }
 
   std::optional<ImageSize> read_size() {

@@ -111,6 +111,11 @@ void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields)
   if (target.sensor.depth) fields.push_back(target.tuning.field(tuning_key::kDepthMapFactor, target.style));
 }
 
+void add_delay(const Rig& rig, const Target& target, std::vector<Field>& fields) {
+  const std::optional<double>& offset = rig.cameras.front().time_offset_s;
+  if (target.states_delay && offset) fields.push_back(fields::real(std::string(kDelayKey), 0.0 - *offset));
+}
+
 void add_imu(const Rig& rig, const Target& target, std::vector<Field>& fields) {
   const bool pose_always = target.style == Style::kSlamNoOpt;  // it reads Camera.Tbc without asking whether it is there
   if (!target.sensor.inertial && !pose_always && target.imu_pose_key.empty()) return;
@@ -214,6 +219,7 @@ std::vector<Field> settings_fields(const Rig& rig, const Target& target) {
   add_stereo(rig, target, fields);
   add_image(rig, target, fields);
   add_depth(rig, target, fields);
+  add_delay(rig, target, fields);
   add_imu(rig, target, fields);
   add_program_tuning(target, fields);
   return fields;

@@ -10,6 +10,8 @@
 #include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
 
+#include <fca/rig/stereo_order.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -68,6 +70,7 @@ std::optional<Base> read_base(const text::Document* document) {
                 rate.has_value(),
                 Tuning(*document),
                 {},
+                find_key(*document, kDelayKey) != nullptr,
                 imu_pose_key(*document)};
   return Base{*document, *std::move(rig), std::move(target)};
 }
@@ -112,7 +115,7 @@ void list_camera_losses(const Rig& rig, const Target& target, const std::string&
                         "write it to a file of its own with --camera " + camera.name});
       continue;
     }
-    add_time_offset(camera, program + " has no key for it", losses);
+    if (i > 0 || !target.states_delay) add_time_offset(camera, program + " has no key for it", losses);
     if (!camera.topic.empty()) {
       losses.push_back({"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
     }
@@ -214,6 +217,18 @@ bool check_cameras(const Rig& rig, const Target& target, const Base* edited, Dia
     }
   }
   return true;
+}
+
+/// Frame::ComputeStereoMatches searches along the rows of rectified images; fisheye pairs are matched without rectification.
+void warn_of_vertical_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  if (!target.sensor.two_cameras || model_info(rig.cameras.front().model).id == "kb4") return;
+  const std::optional<double> below = second_below_first(rig);
+  if (!below) return;
+  diagnostics.warning("stereo-vertical",
+                      rig.cameras[1].name + " sits " + text::format_short(100.0 * std::abs(*below), 3) + " cm " +
+                          (*below > 0.0 ? "below " : "above ") + rig.cameras[0].name +
+                          ", and ORB-SLAM3 looks for a pair's matches along the rows only",
+                      {}, "turn both images by 90 deg and calibrate those; --sensor mono takes one camera");
 }
 
 /// Who reads settings of a style that hold a model, in a mode.
@@ -322,6 +337,7 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   if (base != nullptr && !options.anew && base->target.style == target.style) {
     // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
+    target.states_delay = base->target.states_delay;
     if (!leaves_inertial && (options.sensor.empty() || target.sensor.inertial)) target.imu_pose_key = base->target.imu_pose_key;
   }
   if (!check_rates(rig, target, diagnostics)) return std::nullopt;
@@ -374,6 +390,9 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
                                      const WriteOptions& options) {
   std::vector<fields::Field> before = settings_fields(base.rig, base.target);
   take_type_as_stated(base, model_info(rig.cameras.front().model).id, before);
+  // A time offset that the rig does not know is none that it contradicts.
+  if (!rig.cameras.front().time_offset_s)
+    std::erase_if(before, [](const fields::Field& field) { return field.key == kDelayKey; });
   const auto is_among = [](std::span<const fields::Field> fields, std::string_view key) {
     return std::ranges::find(fields, key, &fields::Field::key) != fields.end();
   };
@@ -436,6 +455,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
                             " see nothing in common, and ORB-SLAM3 matches a fisheye pair only where both see",
                         {}, "is their pose right (show says it in words)? --sensor mono takes one camera");
   }
+  warn_of_vertical_pair(rig, *target, diagnostics);
   const Audience& audience = audience_of(*target, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;

@@ -3,6 +3,7 @@
 
 #include <fca/rig/rotation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -30,9 +31,10 @@ std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& ot
     const std::optional<Pixel> pixel = project(other.model, there);
     return pixel && inside(*other.image_size, *pixel);
   };
+  const int height = camera.image_size->height;
   const auto shares = [&](int column) {
     for (int step = 0; step <= kSteps; ++step) {
-      if (shares_pixel(column, at_step(camera.image_size->height, step))) return true;
+      if (shares_pixel(column, at_step(height, step))) return true;
     }
     return false;
   };
@@ -45,13 +47,34 @@ std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& ot
     }
     return shared;
   };
+  // What is shared bulges between the lattice's rows: on from a border, looking at every row near those that share.
+  const auto bulge = [&](int column, int outwards) {
+    const int near = height / kSteps + 1;
+    int top = height;
+    int bottom = -1;
+    for (int step = 0; step <= kSteps; ++step) {
+      const int row = at_step(height, step);
+      if (!shares_pixel(column, row)) continue;
+      top = std::min(top, std::max(0, row - near));
+      bottom = std::min(height - 1, row + near);
+    }
+    const auto shares_near = [&](int next) {
+      for (int row = top; row <= bottom; ++row) {
+        if (shares_pixel(next, row)) return true;
+      }
+      return false;
+    };
+    for (int next = column + outwards; next >= 0 && next < camera.image_size->width && shares_near(next); next += outwards)
+      column = next;
+    return column;
+  };
   int first = 0;
   while (first <= kSteps && !shares(column_at(first))) ++first;
   if (first > kSteps) return std::nullopt;
   int last = kSteps;
   while (!shares(column_at(last))) --last;
-  return ColumnRange{first == 0 ? 0 : border(column_at(first), column_at(first - 1)),
-                     last == kSteps ? column_at(kSteps) : border(column_at(last), column_at(last + 1))};
+  return ColumnRange{first == 0 ? 0 : bulge(border(column_at(first), column_at(first - 1)), -1),
+                     last == kSteps ? column_at(kSteps) : bulge(border(column_at(last), column_at(last + 1)), 1)};
 }
 
 }  // namespace fca

@@ -5,14 +5,37 @@
 
 namespace fca {
 
-std::optional<double> second_left_of_first(const Rig& rig) {
+namespace {
+
+/// Where the second camera stands in the first one's image plane: x to the right, y down [m].
+struct Place {
+  double right = 0.0;
+  double below = 0.0;
+  [[nodiscard]] bool is_vertical() const {
+    constexpr double kMoreAboveThanBeside = 0.98;  // at 45 degrees, both
+    return std::abs(right) < kMoreAboveThanBeside * std::abs(below);
+  }
+};
+
+std::optional<Place> place_of_second(const Rig& rig) {
   if (rig.cameras.size() < 2) return std::nullopt;
   const std::optional<Transform> T_c1_c2 = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
   if (!T_c1_c2) return std::nullopt;
-  const double right = (*T_c1_c2)(0, 3);
-  constexpr double kMoreAboveThanBeside = 0.98;  // at 45 degrees, both
-  if (right >= 0.0 || std::abs(right) < kMoreAboveThanBeside * std::abs((*T_c1_c2)(1, 3))) return std::nullopt;
-  return -right;
+  return Place{(*T_c1_c2)(0, 3), (*T_c1_c2)(1, 3)};
+}
+
+}  // namespace
+
+std::optional<double> second_left_of_first(const Rig& rig) {
+  const std::optional<Place> place = place_of_second(rig);
+  if (!place || place->right >= 0.0 || place->is_vertical()) return std::nullopt;
+  return -place->right;
+}
+
+std::optional<double> second_below_first(const Rig& rig) {
+  const std::optional<Place> place = place_of_second(rig);
+  if (!place || !place->is_vertical()) return std::nullopt;
+  return place->below;
 }
 
 }  // namespace fca

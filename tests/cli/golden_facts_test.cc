@@ -44,6 +44,20 @@ std::vector<std::vector<double>> kalibr_rows() {
   return rows;
 }
 
+// ns15417/slam_no_opt's files say t_image = t_imu + Camera.delaytoimu; Kalibr, t_imu = t_cam + timeshift_cam_imu.
+TEST(GoldenFacts, SlamNoOptsDelayIsKalibrsTimeshiftWithTheOtherSign) {
+  const TemporaryFolder folder;
+  const std::string settings = read_file(testdata("formats/orbslam3/good/slam-no-opt-eucm.yaml"));
+  const std::string delayed = folder.write("delayed.yaml", settings + "Camera.delaytoimu: 0.0125 # by hand\n");
+  const RunResult to_kalibr = run_program({"convert", delayed, "--to", "kalibr"});
+  EXPECT_TRUE(contains(to_kalibr.out, "timeshift_cam_imu: -0.0125\n")) << to_kalibr.out << to_kalibr.err;
+  // The other way, into the fork's file: that number alone, and its comment stays.
+  const std::string chain = folder.write("chain.yaml", with_replaced(to_kalibr.out, "-0.0125", "0.5"));
+  const RunResult back = run_program({"convert", chain, "--to", "orbslam3", "--model", "eucm", "--into", delayed});
+  EXPECT_TRUE(contains(back.out, "Camera.delaytoimu: -0.5 # by hand\n")) << back.out << back.err;
+  EXPECT_FALSE(contains(back.err, "time-offset-dropped")) << back.err;
+}
+
 // cv::stereoCalibrate: p_2 = R p_1 + T. Kalibr: p_cam1 = T_cn_cnm1 p_cam0.
 TEST(GoldenFacts, OpenCvsRAndTAreKalibrsTCnCnm1) {
   const std::vector<std::vector<double>> kalibr = kalibr_rows();

@@ -72,6 +72,26 @@ TEST(RigOptions, ASecondCameraOnTheLeftIsWarnedOfWithTheCommand) {
   EXPECT_FALSE(contains(mono.err, "stereo-order")) << mono.err;
 }
 
+// Turned by a quarter about the optical axis, a pair stands one above the other.
+TEST(RigOptions, APairOneAboveTheOtherIsWarnedOf) {
+  const TemporaryFolder folder;
+  const auto pair = [&folder](const std::string& model, const std::string& pose) {
+    const std::string camera = "  camera_model: pinhole\n  distortion_model: " + model +
+                               "\n  intrinsics: [400.0, 400.0, 320.0, 240.0]\n  distortion_coeffs: [-0.1, 0.01, 0.0, 0.0]\n"
+                               "  resolution: [640, 480]\n  rostopic: /c\n";
+    return folder.write(model + ".yaml", "cam0:\n" + camera + "cam1:\n" + camera + "  T_cn_cnm1:\n" + pose);
+  };
+  const std::string below =
+      "  - [1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, -0.12]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+  const RunResult run = run_program({"convert", pair("radtan", below), "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "cam1 sits 12 cm below cam0")) << run.err;
+  // ORB-SLAM3 matches fisheye pairs without rectifying them.
+  const RunResult fisheye = run_program({"convert", pair("equidistant", below), "--to", "orbslam3"});
+  EXPECT_FALSE(contains(fisheye.err, "stereo-vertical")) << fisheye.err;
+  EXPECT_FALSE(contains(run_program({"convert", kTumvi, "--to", "orbslam3"}).err, "stereo-vertical"));
+}
+
 // cv::stereoRectify and the matchers behind it have a left and a right image, too; MC-Calib's files are of no pair.
 TEST(RigOptions, AnOpenCvPairWithTheSecondCameraOnTheLeft) {
   const TemporaryFolder folder;

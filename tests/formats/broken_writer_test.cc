@@ -55,6 +55,8 @@ std::vector<Sample> samples() {
   // ORB-SLAM3 V1.0 misreads a second camera with another lens; that one is not held against a file.
   for (Sample& sample : result) {
     if (sample.format == "orbslam3" && sample.rig.cameras.size() > 1) sample.rig.cameras[1].model = sample.rig.cameras[0].model;
+    if (!find_format(sample.format)->time_offset) continue;
+    for (Camera& camera : sample.rig.cameras) camera.time_offset_s = 0.0625;
   }
   return result;
 }
@@ -106,6 +108,34 @@ Transform in_centimetres(const Transform& T) {
   return result;
 }
 
+bool exchange_noise_and_walk(Rig& rig) {
+  for (Imu& imu : rig.imus) std::swap(imu.gyroscope_noise_density, imu.gyroscope_random_walk);
+  return !rig.imus.empty();
+}
+
+bool turn_time_offsets_round(Rig& rig) {
+  bool done = false;
+  for (Camera& camera : rig.cameras) {
+    if (camera.time_offset_s.value_or(0.0) == 0.0) continue;
+    camera.time_offset_s = -*camera.time_offset_s;
+    done = true;
+  }
+  return done;
+}
+
+bool exchange_width_and_height(Rig& rig) {
+  for (Camera& camera : rig.cameras) std::swap(camera.image_size->width, camera.image_size->height);
+  return rig.cameras.front().image_size->width != rig.cameras.front().image_size->height;
+}
+
+/// What the format does not state, it cannot state wrongly.
+bool states_the_difference(const Format& format, const Rig& broken, const Rig& meant) {
+  if (broken.poses != meant.poses) return format.extrinsics;
+  if (broken.imus != meant.imus) return format.imu;
+  if (broken.cameras.front().time_offset_s != meant.cameras.front().time_offset_s) return format.time_offset;
+  return true;
+}
+
 constexpr std::array kMistakes = {
     Mistake{"half a pixel to the right", [](Rig& rig) { return shift_centre(rig, "cx"); }},
     Mistake{"half a pixel down", [](Rig& rig) { return shift_centre(rig, "cy"); }},
@@ -117,6 +147,9 @@ constexpr std::array kMistakes = {
     Mistake{"rotations transposed", [](Rig& rig) { return change_poses(rig, transposed); }},
     Mistake{"poses inverted", [](Rig& rig) { return change_poses(rig, inverted); }},
     Mistake{"centimetres for metres", [](Rig& rig) { return change_poses(rig, in_centimetres); }},
+    Mistake{"noise density and random walk exchanged", exchange_noise_and_walk},
+    Mistake{"time offsets of the other sign", turn_time_offsets_round},
+    Mistake{"width and height exchanged", exchange_width_and_height},
 };
 
 TEST(BrokenWriter, IsNotedByTheProof) {
@@ -128,8 +161,7 @@ TEST(BrokenWriter, IsNotedByTheProof) {
     for (const Mistake& mistake : kMistakes) {
       Rig broken = sample.rig;
       if (!mistake.make(broken)) continue;
-      // What the format does not state, it cannot state wrongly.
-      if (broken.poses != sample.rig.poses && !format.extrinsics) continue;
+      if (!states_the_difference(format, broken, sample.rig)) continue;
       EXPECT_FALSE(proven(format, broken, sample.rig)) << mistake.name;
       ++caught[mistake.name];
     }

@@ -362,6 +362,8 @@ TEST(OrbSlam3, RescalesWithoutHalfPixel) {
   EXPECT_EQ(view.cameras[0].height, 120);
   EXPECT_EQ(view.cameras[0].scale, (std::array<double, 2>{0.5, 0.25}));
   EXPECT_EQ(pixel(view, 0, {0, 0, 1}), (std::array<double, 2>{160.0, 60.0}));
+  // cv::resize takes row v to (v + 0.5) / 4 - 0.5.
+  EXPECT_TRUE(mentions(view.warnings, "0.38 px off"));
 }
 
 TEST(OrbSlam3, FisheyeWorksBeyond90Degrees) {

@@ -52,6 +52,46 @@ TEST(Overlap, ATurnedCameraSharesWhatItsFieldOfViewReaches) {
   }
 }
 
+/// Does any pixel of the column show what the other camera sees, too?
+bool shares_any(const Camera& camera, const Camera& other, const Transform& T_other_camera, int column) {
+  for (int row = 0; row < camera.image_size->height; ++row) {
+    const std::optional<Ray> ray = unproject(camera.model, {static_cast<double>(column), static_cast<double>(row)});
+    if (!ray) continue;
+    Ray there{};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j)
+        there.at(static_cast<std::size_t>(i)) += T_other_camera(i, j) * ray->at(static_cast<std::size_t>(j));
+    }
+    const std::optional<Pixel> pixel = project(other.model, there);
+    if (pixel && (*pixel)[0] >= -0.5 && (*pixel)[1] >= -0.5 && (*pixel)[0] <= other.image_size->width - 0.5 &&
+        (*pixel)[1] <= other.image_size->height - 0.5)
+      return true;
+  }
+  return false;
+}
+
+// Turned and rolled, so that the border is slanted and its outermost pixel in no particular row.
+TEST(Overlap, TheColumnsAreThoseOfASearchOverEveryPixel) {
+  for (const double degrees : {17.0, 43.0, 71.0}) {
+    for (const double roll : {0.0, 9.0, 160.0}) {
+      Transform rolled;
+      rolled(0, 0) = rolled(1, 1) = std::cos(roll * kDegree);
+      rolled(1, 0) = std::sin(roll * kDegree);
+      rolled(0, 1) = -rolled(1, 0);
+      const Transform T = rolled * turned_right(degrees * kDegree);
+      const Camera a = equidistant("a");
+      const Camera b = equidistant("b");
+      int first = 0;
+      while (first < 400 && !shares_any(a, b, T, first)) ++first;
+      int last = 399;
+      while (last > 0 && !shares_any(a, b, T, last)) --last;
+      const std::optional<ColumnRange> columns = columns_shared(a, b, T);
+      ASSERT_TRUE(columns);
+      EXPECT_EQ(*columns, (ColumnRange{first, last})) << degrees << " rolled by " << roll;
+    }
+  }
+}
+
 TEST(Overlap, CamerasThatLookAwayShareNothing) {
   EXPECT_FALSE(columns_shared(equidistant("a"), equidistant("b"), turned_right(std::numbers::pi)));
   Camera sizeless = equidistant("b");

@@ -41,19 +41,22 @@ struct ProofResult {
   double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
   bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
+  /// Numbers beside pixels and poses that the program holds otherwise than the rig: image sizes, time offsets, the IMU's noise
+  /// and rate, a depth sensor's baseline. A clause each: "cam0 time offset is 0.1, not 0.2".
+  std::vector<std::string> other_numbers;
   std::vector<CameraProof> cameras;  ///< Those that it sees, in its order.
   std::vector<std::string> poses;    ///< Those that it holds: "T_cam0_cam1".
   std::vector<std::string> refusals;
   std::vector<std::string> warnings;  ///< What it silently misreads or ignores.
   /// Is the file right? What the program is known to misread of right files is not held against it.
-  [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree; }
+  [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree && other_numbers.empty(); }
   /// Does the program understand all that the file says?
   [[nodiscard]] bool understood() const { return agrees() && misread_px == 0.0; }
 };
 
 /// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
-/// them? Compared are pixels and poses; numbers of the IMU, rates and sizes are only checked for what makes the program refuse
-/// them. Rays: a lattice over each camera's image, up to `max_angle_rad` from the axis; what lies beyond is not asked about.
+/// them? Compared are pixels, poses, and what other numbers both state. Rays: a lattice over each camera's image, up to
+/// `max_angle_rad` from the axis; what lies beyond is not asked about.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras,
                                 double max_angle_rad = std::numbers::pi);

@@ -12,4 +12,8 @@ namespace fca {
 /// only (ORB-SLAM3) take the first camera for the left one.
 [[nodiscard]] std::optional<double> second_left_of_first(const Rig& rig);
 
+/// How far, in metres, the rig's second camera stands below the first (negative: above), where it stands more below or above
+/// than beside. Nothing where it does not, or the pose is not known.
+[[nodiscard]] std::optional<double> second_below_first(const Rig& rig);
+
 }  // namespace fca

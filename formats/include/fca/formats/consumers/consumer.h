@@ -37,6 +37,7 @@ struct ConsumerCamera {
   /// rays beyond get wrong ones, whatever `project` says. Where nothing is known of one: no limit.
   double right_rays_rad = std::numbers::pi;
   std::string model = {};  ///< What the program takes the lens for, in its own words: "KannalaBrandt8", "cv::fisheye".
+  std::optional<double> time_offset_s = {};  ///< t_imu = t_cam + time_offset_s, where the program reads it.
 };
 
 /// T_a_b as the program holds it: takes points in b to points in a. Row-major 4 x 4, metres.
@@ -46,12 +47,23 @@ struct ConsumerPose {
   std::array<double, 16> T_a_b{};
 };
 
+/// An IMU's noise as the program holds it: continuous-time densities in SI units; nothing where it reads none.
+struct ConsumerImu {
+  std::optional<double> gyroscope_noise_density;      ///< rad/s/sqrt(Hz)
+  std::optional<double> gyroscope_random_walk;        ///< rad/s^2/sqrt(Hz)
+  std::optional<double> accelerometer_noise_density;  ///< m/s^2/sqrt(Hz)
+  std::optional<double> accelerometer_random_walk;    ///< m/s^3/sqrt(Hz)
+  std::optional<double> rate_hz;
+};
+
 /// What the program makes of a file.
 struct ConsumerView {
   std::vector<std::string> refusals;    ///< Why the program would not run with it, one sentence each. Empty: it loads.
   std::vector<std::string> warnings;    ///< What it would silently misread or ignore, one sentence each.
   std::vector<ConsumerCamera> cameras;  ///< Empty where it refuses.
   std::vector<ConsumerPose> poses;
+  std::optional<ConsumerImu> imu;
+  std::optional<double> baseline_m;  ///< Of a depth sensor's virtual second camera; a pair's is among the poses.
   /// It refuses only because no camera stands under the keys it looks for; a program of one's own may look elsewhere (OpenCV
   /// prescribes no keys).
   bool finds_no_camera = false;
@@ -68,7 +80,6 @@ struct LoadOptions {
   std::string opencv_model = {};
 };
 
-/// A row of the table of consumers.
 /// What `convert` is told so that a program reads the result, beside the format.
 struct Writing {
   std::string_view model = {};   ///< --model
@@ -77,6 +88,7 @@ struct Writing {
   std::string_view then = {};    ///< A command that the written file needs.
 };
 
+/// A row of the table of consumers.
 struct Consumer {
   std::string_view id;       ///< "kalibr", "orbslam3", ...
   std::string_view program;  ///< As printed: "ORB-SLAM3 V1.0".
