@@ -20,6 +20,11 @@ ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice)
 
 namespace {
 
+bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
+  if (choice.among.empty()) return stored.stock;
+  return std::ranges::find(choice.among, stored.model) != choice.among.end();
+}
+
 bool keeps(const Camera& camera, const StoredModel& stored) {
   return model_info(camera.model).id == stored.model && within(camera.model, stored.ranges);
 }
@@ -75,7 +80,7 @@ std::vector<std::string> storable(const Format& format) {
 /// format.
 std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, const ModelChoice& choice) {
   for (const StoredModel& stored : format.models) {
-    if ((stored.stock || choice.same_format) && keeps(camera, stored)) return stored;
+    if ((may_be_chosen(stored, choice) || choice.same_format) && keeps(camera, stored)) return stored;
   }
   const std::string_view model = model_info(camera.model).id;
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
@@ -88,15 +93,15 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
 std::optional<std::vector<CameraOutcome>> common_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
   for (const StoredModel& stored : format.models) {
-    const bool all_keep =
-        stored.stock && std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
+    const bool all_keep = may_be_chosen(stored, choice) &&
+                          std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
     if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
   }
   std::optional<std::vector<CameraOutcome>> best;
   Diagnostics best_diagnostics;
   Diagnostics last_diagnostics;
   for (const StoredModel& stored : format.models) {
-    if (!stored.stock) continue;
+    if (!may_be_chosen(stored, choice)) continue;
     Diagnostics found;
     std::optional<std::vector<CameraOutcome>> candidate = convert_all(cameras, stored, choice, found);
     if (!candidate) {

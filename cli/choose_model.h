@@ -30,7 +30,8 @@ struct ModelChoice {
   std::optional<double> max_angle_rad;
   bool every_pixel = false;  ///< Judge by every pixel instead of the lattice.
   Objective objective = Objective::kRms;
-  bool same_format = false;  ///< The cameras come from a file of the format they are written to.
+  std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
+  bool same_format = false;             ///< The cameras come from a file of the format they are written to.
 };
 
 /// What lib/convert is to be asked for, to fit a camera to what `stored` can hold.

@@ -2,6 +2,7 @@
 #include "conversion.h"
 
 #include "assumptions.h"
+#include "camera_names.h"
 #include "into.h"
 #include "joined_files.h"
 #include "option_use.h"
@@ -145,8 +146,36 @@ std::string model_for(const ConvertArguments& arguments, const Base& base, const
   return find_stored_model(to, model, true) == nullptr ? std::string(model) : "";
 }
 
-WriteOptions write_options(const ConvertArguments& arguments, const Base& base) {
+/// Does the text of --into's file have to stay?
+bool keeps_text(const ConvertArguments& arguments, const Base& base) {
+  return base.into != nullptr && !arguments.anew && arguments.orbslam3_layout.empty() && arguments.opencv_layout.empty();
+}
+
+/// The models that the file of --into can hold as it is; empty: any.
+std::vector<std::string> models_for(const ConvertArguments& arguments, const Base& base, const Format& to) {
+  std::vector<std::string> models;
+  if (!keeps_text(arguments, base) || to.layout_holds == nullptr || base.into->rig.cameras.empty()) return models;
+  for (const StoredModel& stored : to.models) {
+    if (stored.stock && to.layout_holds(*base.document, stored.model)) models.emplace_back(stored.model);
+  }
+  return models;
+}
+
+/// False with an error where --model asks for what the file of --into has no place for.
+bool holds_model(const ConvertArguments& arguments, const Base& base, const Format& to, Diagnostics& diagnostics) {
+  const ModelInfo* asked = arguments.model.empty() ? nullptr : find_model(arguments.model);
+  const std::vector<std::string> models = models_for(arguments, base, to);
+  if (asked == nullptr || models.empty() || to.layout_holds(*base.document, asked->id)) return true;
+  diagnostics.error("into-another-layout",
+                    "this file's layout has no place for " + std::string(asked->id) + "; it holds " + enumerated(models),
+                    {arguments.into, 0, 0}, "--model " + models.front() + " keeps the file's text, --anew writes another file");
+  return false;
+}
+
+WriteOptions write_options(const ConvertArguments& arguments, const Base& base, std::vector<std::string> replaced) {
   WriteOptions options;
+  options.keeps_layout = keeps_text(arguments, base);
+  options.replaced = std::move(replaced);
   options.sensor = arguments.sensor;
   options.layout = arguments.orbslam3_layout.empty() ? arguments.opencv_layout : arguments.orbslam3_layout;
   options.frame_rate_hz = arguments.fps;
@@ -160,8 +189,8 @@ WriteOptions write_options(const ConvertArguments& arguments, const Base& base) 
 
 /// Writes the rig in memory: into the base, or anew where its program would refuse what the base's own layout makes of it.
 std::optional<Written> write_rig(const Calibration& source, const Rig& rig, const Base& base, const ConvertArguments& arguments,
-                                 ConvertOutcome& outcome) {
-  WriteOptions options = write_options(arguments, base);
+                                 std::vector<std::string> replaced, ConvertOutcome& outcome) {
+  WriteOptions options = write_options(arguments, base, std::move(replaced));
   if (source.documents.size() > 1 && base.into == nullptr && !arguments.anew && arguments.reading.join) {
     std::optional<Written> each;
     if (!changes_images(arguments.reading))
@@ -173,6 +202,7 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
   drop_byte_order_mark(*written, outcome.diagnostics);
+  if (keeps_text(arguments, base)) return written;
   const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.
@@ -195,13 +225,19 @@ Rig as_restated(Rig rig, const Written& written) {
   return rig;
 }
 
-/// Lines of words (DSO's camera.txt) are no base for a YAML file, whatever the reason that it became one.
-bool keeps_syntax(const ConvertArguments& arguments, const Base& base, const Written& written, Diagnostics& diagnostics) {
-  if (base.into == nullptr || base.document->syntax() != text::Syntax::kWords) return true;
-  if (written.files.front().document.syntax() == text::Syntax::kWords) return true;
-  diagnostics.error("into-another-syntax",
-                    "what the input says does not fit into this text; it would become a file of another syntax",
-                    {arguments.into, 0, 0}, "--to " + std::string(base.into->format->id) + " -o OTHER.yaml writes that one");
+/// False with an error where the file of --into, whose text is to stay, would be composed anew. Lines of words (DSO's
+/// camera.txt) are never made a YAML file.
+bool is_edit_of_base(const ConvertArguments& arguments, const Base& base, const Written& written, Diagnostics& diagnostics) {
+  if (base.into == nullptr) return true;
+  const text::Document& document = written.files.front().document;
+  const bool words = base.document->syntax() == text::Syntax::kWords;
+  const bool kept = words ? document.syntax() == text::Syntax::kWords
+                          : document.source().bytes == base.document->source().bytes || !keeps_text(arguments, base);
+  if (kept) return true;
+  diagnostics.error("into-another-layout", "what the input says does not fit into the layout of this file",
+                    {arguments.into, 0, 0},
+                    words ? "--to " + std::string(base.into->format->id) + " -o OTHER.yaml writes another file"
+                          : "--anew writes another file and lists what of this one goes");
   return false;
 }
 
@@ -296,26 +332,6 @@ const text::Document* input_of(const ConvertOutcome::Output& output, const Writt
   return input == calibration.documents.end() ? nullptr : &*input;
 }
 
-/// Gives the cameras the names that the files written have for them, where those state or count cameras: a chain begins with
-/// cam0, whichever camera was chosen for it.
-void name_as_written(ConvertOutcome& outcome) {
-  if (!outcome.to->many_cameras) return;
-  for (const Written::File& file : outcome.written.files) {
-    Diagnostics ignored;
-    const std::optional<text::Document> document = text::as_edited(file.document);
-    const ReadOptions options = {std::nullopt, outcome.written.opencv_model, false};
-    const std::optional<Rig> rig = document ? outcome.to->read(std::span(&*document, 1), options, ignored) : std::nullopt;
-    if (!rig || rig->cameras.size() != file.cameras.size()) continue;
-    for (std::size_t i = 0; i < file.cameras.size(); ++i) {
-      const std::string& name = rig->cameras[i].name;
-      const bool stated = text::find_entry(document->root(), name, text::Dialect::kPyYaml) != nullptr;
-      const auto camera =
-          std::ranges::find_if(outcome.cameras, [&](const CameraOutcome& each) { return each.source.name == file.cameras[i]; });
-      if (camera != outcome.cameras.end() && (stated || file.cameras.size() > 1)) camera->name_in_file = name;
-    }
-  }
-}
-
 /// The steps of one conversion; false with errors.
 bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
                   ConvertOutcome& outcome) {
@@ -350,9 +366,14 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
              is_base_of(*calibration->format, main_file, *outcome.to)) {
     base = {&main_file, nullptr, calibration->format != outcome.to};
   }
-  const ModelChoice choice = {model_for(arguments, base, calibration->rig, *outcome.to), max_angle_rad(arguments.reading),
-                              arguments.every_pixel, arguments.objective == "max" ? Objective::kMax : Objective::kRms,
-                              calibration->format == outcome.to && calibration->one_format};
+  if (!holds_model(arguments, base, *outcome.to, outcome.diagnostics)) return false;
+  ModelChoice choice;
+  choice.model = model_for(arguments, base, calibration->rig, *outcome.to);
+  choice.max_angle_rad = max_angle_rad(arguments.reading);
+  choice.every_pixel = arguments.every_pixel;
+  choice.objective = arguments.objective == "max" ? Objective::kMax : Objective::kRms;
+  choice.among = models_for(arguments, base, *outcome.to);
+  choice.same_format = calibration->format == outcome.to && calibration->one_format;
   std::optional<std::vector<CameraOutcome>> cameras =
       convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
   if (!cameras) return false;
@@ -367,8 +388,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
   }
 
-  std::optional<Written> written = write_rig(*calibration, rig, base, arguments, outcome);
-  if (!written || !keeps_syntax(arguments, base, *written, outcome.diagnostics)) return false;
+  std::optional<Written> written = write_rig(*calibration, rig, base, arguments, kept.replaced, outcome);
+  if (!written || !is_edit_of_base(arguments, base, *written, outcome.diagnostics)) return false;
   if (into) tell_of_kept(kept, *written, *outcome.to, outcome.diagnostics);
   list_assumed_units(*calibration, *outcome.to, *written);
   if (!into && base.document != nullptr && changes_images(arguments.reading))
@@ -386,11 +407,15 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     return false;
   }
   outcome.written = *std::move(written);
-  name_as_written(outcome);
+  name_as_written(*outcome.to, outcome.written, outcome.cameras);
   // Before --set: what that makes of a file is no edit of the input any more.
   add_provenance(arguments, *calibration, outcome);
   if (!apply_settings(arguments, *outcome.to, outcome.written, outcome.diagnostics)) return false;
-  warn_of_wrong_side(rig, arguments, outcome.written, outcome.diagnostics);
+  for (Loss& loss : outcome.written.losses) {
+    loss.what = with_names_of_file(loss.what, outcome.cameras);
+    loss.remedy = with_names_of_file(loss.remedy, outcome.cameras);
+  }
+  warn_of_wrong_side(rig, arguments, outcome, outcome.diagnostics);
   place_outputs(arguments, outcome);
   if (!arguments.no_verify) {
     const bool edits_it = base.document != nullptr && base.into == nullptr;  // then the proof says so

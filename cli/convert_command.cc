@@ -223,7 +223,10 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       ->type_name("PX")
       ->check(decimal_number());
   command.add_flag("--strict", arguments.strict, "Fail if anything of the input cannot be carried");
-  command.add_flag("--no-verify", arguments.no_verify, "Do not ask the real program's reader about the written bytes");
+  CLI::Option* verify = command.add_flag_function(
+      "--verify", [](std::int64_t) {},
+      "Ask the real program's reader about the bytes before they are put in place (the default)");
+  command.add_flag("--no-verify", arguments.no_verify, "Do not ask it")->excludes(verify);
   command.add_flag("--dry-run", arguments.dry_run, "Report, write nothing");
   command.add_flag("--force", arguments.force, "Overwrite existing files");
   command.add_flag("--fsync", arguments.fsync, "Force the file to disk before it replaces an old one");

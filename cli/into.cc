@@ -30,13 +30,14 @@ std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig, bool in
 
 /// Names the rig's cameras as their counterparts. Any other name of a camera of the base, of one that was left out of the input
 /// and has a pose yet, becomes "NAME of the input".
-void take_names(const Rig& base, std::span<const Camera* const> counterparts, Rig& rig, Diagnostics& diagnostics) {
+void take_names(const Rig& base, std::span<const Camera* const> counterparts, Rig& rig, Kept& kept, Diagnostics& diagnostics) {
   std::vector<std::pair<std::string, std::string>> names;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const std::string& name = rig.cameras[i].name;
     names.emplace_back(name, counterparts[i] != nullptr ? counterparts[i]->name : name);
-    if (name != names.back().second)
-      diagnostics.note("camera-replaced", name + " of the input takes the place of " + names.back().second + " of the base");
+    if (name == names.back().second) continue;
+    kept.replaced.push_back(names.back().second);
+    diagnostics.note("camera-replaced", name + " of the input takes the place of " + names.back().second + " of the base");
   }
   const auto renamed = [&](const std::string& name) -> std::string {
     const auto row = std::ranges::find(names, name, &std::pair<std::string, std::string>::first);
@@ -133,7 +134,7 @@ bool says_a_pose_of(const Rig& base_as_named, const Rig& rig) {
 
 Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Kept& kept, Diagnostics& diagnostics) {
   const Rig base = with_names_of(rig, base_as_named);
-  take_names(base, counterparts(base, rig, in_order), rig, diagnostics);
+  take_names(base, counterparts(base, rig, in_order), rig, kept, diagnostics);
   for (Camera& camera : rig.cameras) {
     const Camera* before = base.find_camera(camera.name);
     if (before == nullptr) continue;

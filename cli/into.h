@@ -11,8 +11,9 @@
 
 namespace fca::cli {
 
-/// What of a base stays that the input says nothing of.
+/// What of a base stays that the input says nothing of, and what does not.
 struct Kept {
+  std::vector<std::string> replaced;  ///< Its cameras whose place another one of the input takes.
   std::vector<std::string> cameras;
   std::vector<PoseEdge> poses;  ///< Of cameras that are now others.
 };

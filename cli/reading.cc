@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "reading.h"
 
+#include "imu_noise.h"
+
 #include "words.h"
 
 #include <fca/formats/text/numbers.h>
@@ -46,10 +48,9 @@ void add_join_option(CLI::App& command, ReadingOptions& options) {
 
 void add_imu_option(CLI::App& command, ReadingOptions& options) {
   command
-      .add_option(
-          "--imu-noise", options.imu_noise,
-          "What the input's IMU noise is: continuous (densities, the default) or discrete (standard deviations of single "
-          "samples, converted with the rate)")
+      .add_option("--imu-noise", options.imu_noise,
+                  "What the input's IMU noise is: continuous (densities, the default), discrete (standard deviations of single "
+                  "samples, converted with the rate), variance or discrete-variance (squares of those)")
       ->type_name("KIND");
 }
 
@@ -116,31 +117,6 @@ bool change_images(const ReadingOptions& options, const std::string& input, Rig&
     diagnostics.note("images-changed", camera.name + ": " + in_words(change) + ", from " + size_in_words(*camera.image_size) +
                                            " px: " + in_words(map, 0) + ", " + in_words(map, 1));
     camera = *changed;
-  }
-  return true;
-}
-
-/// IMU noise of single samples as densities: white noise is sigma / sqrt(rate), a random walk's step sigma * sqrt(rate)
-/// (Kalibr's wiki, "IMU Noise Model": sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
-bool make_noise_continuous(const ReadingOptions& options, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
-  if (options.imu_noise != "discrete") return true;
-  if (rig.imus.empty()) {
-    diagnostics.error("imu-missing", "--imu-noise is about an IMU, and the input has none", {input, 0, 0}, "--with imu.yaml");
-    return false;
-  }
-  for (Imu& imu : rig.imus) {
-    if (!imu.rate_hz) {
-      diagnostics.error("imu-rate-missing", "--imu-noise discrete needs the rate of " + imu.name + ", and nothing states it",
-                        {input, 0, 0}, "add update_rate to the IMU's file");
-      return false;
-    }
-    const double root = std::sqrt(*imu.rate_hz);
-    for (std::optional<double>* white : {&imu.gyroscope_noise_density, &imu.accelerometer_noise_density})
-      if (*white) **white /= root;
-    for (std::optional<double>* walk : {&imu.gyroscope_random_walk, &imu.accelerometer_random_walk})
-      if (*walk) **walk *= root;
-    diagnostics.note("imu-noise-converted", imu.name + ": noise of single samples at " + text::format_short(*imu.rate_hz) +
-                                                " Hz, made densities: white noise / sqrt(rate), random walks * sqrt(rate)");
   }
   return true;
 }
@@ -213,8 +189,8 @@ std::optional<std::string> check(const ReadingOptions& options) {
     return "--resize wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + options.resize + "'";
   if (!options.opencv_model.empty() && options.opencv_model != "pinhole" && options.opencv_model != "fisheye")
     return "--opencv-model is pinhole or fisheye, not '" + options.opencv_model + "'";
-  if (!options.imu_noise.empty() && options.imu_noise != "continuous" && options.imu_noise != "discrete")
-    return "--imu-noise is continuous or discrete, not '" + options.imu_noise + "'";
+  if (!options.imu_noise.empty() && find_noise_kind(options.imu_noise) == nullptr)
+    return "--imu-noise is continuous, discrete, variance or discrete-variance, not '" + options.imu_noise + "'";
   if (options.max_angle_deg && !(*options.max_angle_deg > 0.0 && *options.max_angle_deg <= 180.0)) {
     return "--max-angle wants degrees from the axis in (0, 180]";
   }
@@ -277,7 +253,8 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
     keep_only(*indices, calibration->rig);
   }
   if (!change_images(options, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
-  if (!make_noise_continuous(options, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
+  const NoiseKind* noise = find_noise_kind(options.imu_noise);
+  if (noise != nullptr && !make_densities(*noise, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
   return calibration;
 }
 

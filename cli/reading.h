@@ -30,7 +30,7 @@ struct ReadingOptions {
   int binning = 1;
   std::string resize;  ///< "640x480"
   std::optional<double> max_angle_deg;
-  std::string imu_noise;  ///< "continuous" or "discrete"; empty: continuous
+  std::string imu_noise;  ///< A NoiseKind by its name; empty: densities.
 };
 
 /// --from, --with, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle

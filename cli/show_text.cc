@@ -18,6 +18,9 @@ std::string degrees_or(const std::optional<double>& value) {
   return value ? fixed(*value, 1) + " deg" : std::string("not covered");
 }
 
+/// "+ 0.0021", "- 0.0003"
+std::string signed_in_words(double value) { return (value < 0.0 ? "- " : "+ ") + text::format_short(std::abs(value), 9); }
+
 /// Does what was read beside the representation speak of that camera?
 bool is_of(const AsRead& extra, const Camera& camera) { return extra.key.starts_with(camera.name + " "); }
 
@@ -41,7 +44,7 @@ std::string camera_text(const Camera& camera, std::span<const AsRead> extras, do
           (validate(camera.model).empty() ? "valid up to " + angle_in_words(max_angle(camera.model) * kDegreesPerRadian)
                                           : enumerated(validate(camera.model))) +
           "\n";
-  if (camera.time_offset_s) text += "  time     t_imu = t_cam + (" + text::format_short(*camera.time_offset_s, 9) + ") s\n";
+  if (camera.time_offset_s) text += "  time     t_imu = t_cam " + signed_in_words(*camera.time_offset_s) + " s\n";
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
   if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";
   for (const AsRead& extra : extras) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stereo_order.h"
 
+#include "camera_names.h"
 #include "words.h"
 
 #include <fca/rig/stereo_order.h>
@@ -32,14 +33,25 @@ std::string swapped(const std::optional<std::string>& cameras) {
 
 }  // namespace
 
-void warn_of_wrong_side(const Rig& rig, const ConvertArguments& arguments, const Written& written, Diagnostics& diagnostics) {
-  if (written.first_is_left.empty()) return;
+void warn_of_wrong_side(const Rig& rig, const ConvertArguments& arguments, const ConvertOutcome& outcome,
+                        Diagnostics& diagnostics) {
+  if (outcome.written.first_is_left.empty()) return;
   const std::optional<double> left = second_left_of_first(rig);
   if (!left) return;
-  diagnostics.warning("stereo-order",
-                      rig.cameras[1].name + " sits " + fixed(100.0 * *left, 2) + " cm to the left of " + rig.cameras[0].name +
-                          "; " + written.first_is_left,
-                      {}, command_with_cameras(arguments.words, swapped(arguments.reading.cameras)));
+  Rig other = rig;
+  std::swap(other.cameras[0], other.cameras[1]);
+  const std::string what =
+      rig.cameras[1].name + " sits " + fixed(100.0 * *left, 2) + " cm to the left of " + rig.cameras[0].name;
+  if (second_left_of_first(other)) {
+    diagnostics.warning(
+        "stereo-order",
+        with_names_of_file(what + ", and " + rig.cameras[0].name + " to the left of " + rig.cameras[1].name, outcome.cameras) +
+            ": their images are turned against each other; " + outcome.written.first_is_left,
+        {}, "turn the images the same way up and calibrate those, if the pose is right (show says it in words)");
+    return;
+  }
+  diagnostics.warning("stereo-order", with_names_of_file(what, outcome.cameras) + "; " + outcome.written.first_is_left, {},
+                      command_with_cameras(arguments.words, swapped(arguments.reading.cameras)));
 }
 
 }  // namespace fca::cli

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace fca {
 
@@ -46,42 +47,70 @@ bool is_mirrored(const consumers::ConsumerCamera& theirs, const Pixel& image, co
          0.0;
 }
 
-void compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs, double area, double tolerance,
-                   Comparison& result) {
+/// The difference in pixels; 0 where there is nothing to compare.
+double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs, double area, double tolerance,
+                     Comparison& result) {
   result.asked += area;
   const std::optional<Pixel> image = theirs.project(ray);
-  if (!image) return;
+  if (!image) return 0.0;
   const double difference = std::hypot((*image)[0] - pixel[0] * theirs.scale[0], (*image)[1] - pixel[1] * theirs.scale[1]);
   // From 90 degrees on some programs mirror: that is their limit, told as a warning, not a fault of the file.
   const double in_file_pixels = std::hypot((*image)[0] / theirs.scale[0] - pixel[0], (*image)[1] / theirs.scale[1] - pixel[1]);
-  if (ray[2] <= 0.0 && in_file_pixels > 1.0 && (!theirs.misread || is_mirrored(theirs, *image, pixel))) return;
+  if (ray[2] <= 0.0 && in_file_pixels > 1.0 && (!theirs.misread || is_mirrored(theirs, *image, pixel))) return 0.0;
   result.compared += area;
   if (angle_from_axis(ray) > theirs.right_rays_rad) result.wrong_rays += area;
   if (theirs.misread) {
     result.misread_area += area;
     result.misread = std::max(result.misread, difference);
-    return;
+    return difference;
   }
   result.worst = std::max(result.worst, difference);
   const double allowed = (kRounding * tolerance + theirs.approximation_px) *
                          std::max({1.0, std::abs(pixel[0]) / 1000.0, std::abs(pixel[1]) / 1000.0});
   if (!(difference <= allowed)) result.agrees = false;
+  return difference;
 }
 
-/// Over the camera's image: our ray of a pixel, then the program's pixel of that ray.
+/// Over the camera's image: our ray of a pixel, then the program's pixel of that ray. On a lattice, and on rings about the
+/// centre, where a polynomial inverse is worst; from the worst of them on to where the difference is largest.
 void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs, double tolerance, double max_angle_rad,
                     Comparison& result) {
   if (!ours.image_size) return;
+  const Pixel last = {ours.image_size->width - 1.0, ours.image_size->height - 1.0};
+  Pixel worst_pixel = {0.0, 0.0};
+  double worst = 0.0;
+  const auto compare_at = [&](const Pixel& pixel, double area) {
+    if (pixel[0] < 0.0 || pixel[1] < 0.0 || pixel[0] > last[0] || pixel[1] > last[1]) return false;
+    const std::optional<Ray> ray = unproject(ours.model, pixel);
+    if (!ray || angle_from_axis(*ray) > max_angle_rad) return false;
+    const double difference = compare_pixel(pixel, *ray, theirs, area, tolerance, result);
+    if (!(difference > worst)) return false;
+    worst = difference;
+    worst_pixel = pixel;
+    return true;
+  };
   constexpr int kSteps = 40;
   // Trapezoids: a point of the border stands for half a cell.
   const auto width_of = [](int step) { return step == 0 || step == kSteps ? 0.5 : 1.0; };
   for (int i = 0; i <= kSteps; ++i) {
-    for (int j = 0; j <= kSteps; ++j) {
-      const Pixel pixel = {(ours.image_size->width - 1.0) * i / kSteps, (ours.image_size->height - 1.0) * j / kSteps};
-      const std::optional<Ray> ray = unproject(ours.model, pixel);
-      if (!ray || angle_from_axis(*ray) > max_angle_rad) continue;
-      compare_pixel(pixel, *ray, theirs, width_of(i) * width_of(j), tolerance, result);
+    for (int j = 0; j <= kSteps; ++j) compare_at({last[0] * i / kSteps, last[1] * j / kSteps}, width_of(i) * width_of(j));
+  }
+  const double cell = std::max(last[0], last[1]) / kSteps;
+  constexpr int kDirections = 8;
+  const Pixel centre = principal_point(ours.model);
+  for (double radius = 0.5; radius < 2.0 * cell; radius *= 2.0) {
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kDirections;
+      compare_at({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)}, 0.0);
     }
+  }
+  constexpr double kFinest = 0.25;  // px
+  for (double step = 0.5 * cell; step > kFinest;) {
+    const Pixel from = worst_pixel;
+    bool moved = false;
+    for (const Pixel& way : {Pixel{step, 0.0}, Pixel{-step, 0.0}, Pixel{0.0, step}, Pixel{0.0, -step}})
+      moved = compare_at({from[0] + way[0], from[1] + way[1]}, 0.0) || moved;
+    if (!moved) step *= 0.5;
   }
 }
 

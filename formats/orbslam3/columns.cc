@@ -57,10 +57,11 @@ bool shares_no_columns(const Rig& rig, const Target& target) {
   return layout != nullptr && has_overlap(*layout) && !columns_of(rig, target, 0, 1);
 }
 
-std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig) {
+std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig, std::span<const std::string> replaced) {
   std::array<std::optional<std::size_t>, 2> result;
   for (std::size_t i = 0; i < std::min(result.size(), rig.cameras.size()); ++i) {
     const auto before = std::ranges::find(base.cameras, rig.cameras[i].name, &Camera::name);
+    if (std::ranges::find(replaced, rig.cameras[i].name) != replaced.end()) continue;
     if (before == base.cameras.end() || before->image_size != rig.cameras[i].image_size) continue;
     const std::size_t index = static_cast<std::size_t>(before - base.cameras.begin());
     if (index < result.size()) result.at(i) = index;
@@ -68,7 +69,8 @@ std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig
   return result;
 }
 
-void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target,
+                     std::span<const std::string> replaced, Diagnostics& diagnostics) {
   const bool same = std::ranges::equal(base.cameras, rig.cameras) && base.poses == rig.poses && !target.max_angle_rad;
   std::vector<std::string> kept;
   for (const OverlapColumn& column : overlap_columns(rig, target)) {
@@ -83,7 +85,7 @@ void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, con
         text::enumerated(kept, "and") + ": kept as the base has it; in brackets what follows from the poses and fields of view",
         {}, "--set KEY=VALUE writes another");
   }
-  const std::array<std::optional<std::size_t>, 2> from = same_images(base, rig);
+  const std::array<std::optional<std::size_t>, 2> from = same_images(base, rig, replaced);
   std::vector<std::string> gone;
   for (const OverlapColumn& column : columns_set_by_hand(base, of_base)) {
     if (std::ranges::find(from, std::optional(column.camera)) != from.end()) continue;
@@ -92,8 +94,8 @@ void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, con
   }
   if (gone.empty() || overlap_columns(rig, target).empty()) return;
   diagnostics.note("columns-computed",
-                   text::enumerated(gone, "and") + " of the base: of images of another size, so the columns are computed anew",
-                   {}, "--set KEY=VALUE writes another");
+                   text::enumerated(gone, "and") + " of the base: of other images, so the columns are computed anew", {},
+                   "--set KEY=VALUE writes another");
 }
 
 }  // namespace fca::orbslam3

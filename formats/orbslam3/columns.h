@@ -8,6 +8,8 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace fca::orbslam3 {
@@ -24,11 +26,14 @@ struct OverlapColumn {
 /// Those that the target states; empty where it states none. Where the cameras share nothing, the whole width.
 [[nodiscard]] std::vector<OverlapColumn> overlap_columns(const Rig& rig, const Target& target);
 
-/// Which of the base's cameras the first and the second are, where their images have the same columns.
-[[nodiscard]] std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig);
+/// Which of the base's cameras the first and the second are, where their images have the same columns; `replaced`:
+/// WriteOptions'.
+[[nodiscard]] std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig,
+                                                                    std::span<const std::string> replaced);
 
 /// Columns that the new cameras would have otherwise, and those that somebody set by hand and that are true of other images
 /// alone: kept or not, it is said.
-void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target, Diagnostics& diagnostics);
+void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target,
+                     std::span<const std::string> replaced, Diagnostics& diagnostics);
 
 }  // namespace fca::orbslam3

@@ -52,6 +52,10 @@ ProbeResult probe(const text::Document& document) {
   return {};
 }
 
+bool layout_holds(const text::Document& document, std::string_view model) {
+  return find_layout(style_of(document), model) != nullptr;
+}
+
 }  // namespace
 
 const Format kFormat = {
@@ -77,6 +81,7 @@ const Format kFormat = {
     .probe = probe,
     .range_of = range_of,
     .optional_value = optional_value,
+    .layout_holds = layout_holds,
     .read = read,
     .write = write,
 };

@@ -174,6 +174,10 @@ const Sensor* find_sensor(std::string_view id) {
   return found == kSensors.end() ? nullptr : found;
 }
 
+bool crashes_with_depth_and_imu(const Rig& rig, Style style) {
+  return style == Style::kV1 && model_info(rig.cameras.front().model).id == "kb4";
+}
+
 std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style) {
   std::vector<std::string> missing;
   const Camera& first = rig.cameras.front();
@@ -189,6 +193,8 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
                              : "the baseline (--baseline METRES)");
   }
   if (!sensor.inertial) return missing;
+  if (sensor.depth && crashes_with_depth_and_imu(rig, style))
+    missing.emplace_back("a lens that ORB-SLAM3 takes in this mode: with KannalaBrandt8 it crashes (--sensor rgbd)");
   if (style == Style::kSlamNoOpt) {
     missing.emplace_back("an inertial mode in slam_no_opt");
     return missing;

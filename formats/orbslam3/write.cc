@@ -50,7 +50,8 @@ Sensor sensor_of(const text::Document& document, const Rig& rig, Style style) {
                          model_info(rig.cameras.front().model).id == "radtan" && find_key(document, "Camera.bf") != nullptr;
   const bool rectified = !depth && ((is_rectified_pair(rig) && said) || states_bf);
   const bool two = posed || rectified;
-  const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty();
+  const bool inertial = missing_for(rig, *find_sensor("mono-inertial"), style).empty() &&
+                        !(depth && !two && crashes_with_depth_and_imu(rig, style));
   const auto* const found = std::ranges::find_if(kSensors, [&](const Sensor& candidate) {
     return candidate.two_cameras == two && candidate.depth == (depth && !two) && candidate.inertial == inertial;
   });
@@ -117,9 +118,28 @@ void list_camera_losses(const Rig& rig, const Target& target, const std::string&
     }
     if (i > 0 || !target.states_delay) add_time_offset(camera, program + " has no key for it", losses);
     if (!camera.topic.empty()) {
-      losses.push_back({"topic-dropped", camera.name + " " + camera.topic, program + " takes topics on its command line", ""});
+      const bool fork = target.style == Style::kSlamNoOpt;
+      losses.push_back(
+          {"topic-dropped", camera.name + " " + camera.topic,
+           fork ? "the keys of the calibration do not hold it" : program + " takes topics on its command line",
+           fork ? "the files that come with slam_no_opt name it in a line of its own: imagetopic: \"" + camera.topic + "\""
+                : ""});
     }
   }
+}
+
+/// One time stamp stands for both images of a pair.
+void warn_of_unlike_times(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
+  constexpr double kSynchronous = 1e-4;  // s; what is less moves no image by a pixel (at 10 px per ms)
+  const std::optional<double>& first = rig.cameras[0].time_offset_s;
+  const std::optional<double>& second = rig.cameras[1].time_offset_s;
+  if (!first || !second || std::abs(*first - *second) <= kSynchronous) return;
+  diagnostics.warning("pair-not-synchronous",
+                      "the time offsets of " + rig.cameras[0].name + " and " + rig.cameras[1].name + " differ by " +
+                          text::format_short(1e3 * std::abs(*first - *second), 3) +
+                          " ms, and ORB-SLAM3 takes the two images of a pair for taken at one moment",
+                      {}, "are they of one exposure? Then both have one offset");
 }
 
 /// What an edited base already says outside the fields of its own mode is still there.
@@ -293,7 +313,7 @@ std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteO
     return std::nullopt;
   }
   if (base == nullptr || options.anew || find_layout(base->target.style, model) == nullptr) return style_for(model);
-  const bool fork = base->target.style == Style::kSlamNoOpt;
+  const bool fork = base->target.style == Style::kSlamNoOpt && !options.keeps_layout;
   return fork && model != model_info(base->rig.cameras.front().model).id ? style_for(model) : base->target.style;
 }
 
@@ -333,7 +353,7 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   target.frame_rate_hz = rate.value_or(kUpstreamFrameRate);
   target.max_angle_rad = options.max_angle_rad;
   if (base != nullptr) target.tuning = base->target.tuning;
-  if (base != nullptr) target.tuning.move_overlap(same_images(base->rig, rig));
+  if (base != nullptr) target.tuning.move_overlap(same_images(base->rig, rig, options.replaced));
   if (base != nullptr && !options.anew && base->target.style == target.style) {
     // A mode without IMU keeps a pose that the base states beside its mode, not one of the mode it leaves.
     const bool leaves_inertial = base->target.sensor.inertial && !target.sensor.inertial;
@@ -456,6 +476,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
                         {}, "is their pose right (show says it in words)? --sensor mono takes one camera");
   }
   warn_of_vertical_pair(rig, *target, diagnostics);
+  warn_of_unlike_times(rig, *target, diagnostics);
   const Audience& audience = audience_of(*target, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;
@@ -482,7 +503,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   const std::string program(audience.program);
   list_camera_losses(rig, *target, program, written.losses);
   list_mode_losses(rig, *target, options.sensor.empty() ? edited : nullptr, program, written.losses);
-  if (base) tell_of_columns(base->rig, base->target, rig, *target, diagnostics);
+  if (base) tell_of_columns(base->rig, base->target, rig, *target, options.replaced, diagnostics);
   list_rounded_rates(rig, *target, written);
   Written::File& file = written.files.front();
   const std::size_t used = std::min<std::size_t>(target->sensor.two_cameras ? 2 : 1, rig.cameras.size());

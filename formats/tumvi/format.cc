@@ -31,7 +31,7 @@ constexpr std::array kModels = {
     StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}, {}, true},
 };
 
-constexpr std::array<std::string_view, 2> kOfTheImages = {"line_delay", "DSO's rectified image"};
+constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
 constexpr std::array kOfCameras = {kalibr::kOverlaps};
 constexpr std::array<std::string_view, 2> kOwnFacts = {"keys of its own (cam_overlaps)", "DSO's rectified image"};
 constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};

@@ -46,7 +46,7 @@ TEST(CameraTxt, WhatDoesNotFitIsRefused) {
     all.insert(all.end(), words.begin(), words.end());
     const RunResult run = run_program(all);
     EXPECT_EQ(run.code, 2) << run.err << run.out;
-    EXPECT_TRUE(contains(run.err, "into-another-syntax")) << run.err;
+    EXPECT_TRUE(contains(run.err, "into-another-layout")) << run.err;
     EXPECT_EQ(read_file(base), read_file(kEquidistant));
   }
 }

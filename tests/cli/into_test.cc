@@ -426,5 +426,36 @@ TEST(Join, ShowNamesTheJoinedCameras) {
   EXPECT_TRUE(contains(run.out, "\ncam3:")) << run.out;
 }
 
+// ORB-SLAM2 knows one lens: into its settings a fisheye goes as that, or not at all.
+TEST(Into, ABaseOfAProgramWithoutTheLensKeepsItsText) {
+  const TemporaryFolder folder;
+  const std::string settings = read_file(testdata("formats/orbslam3/good/orbslam2-tight.yaml"));
+  const std::string base = folder.write("mine.yaml", settings);
+  const std::string chain = testdata("formats/kalibr/good/tumvi.yaml");
+  const std::string size = "--resize=640x480";  // the base's
+  const RunResult run = run_program({"convert", chain, "--camera", "0", size, "--max-angle", "50", "--into", base});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(model_info(rig_in(run.out).cameras.at(0).model).id, "radtan");
+  EXPECT_FALSE(contains(run.out, "File.version")) << run.out;
+  const RunResult asked =
+      run_program({"convert", chain, "--camera", "0", size, "--model", "kb4", "--into", base, "--in-place"});
+  EXPECT_EQ(asked.code, 2) << asked.err;
+  EXPECT_TRUE(contains(asked.err, "[into-another-layout]")) << asked.err;
+  EXPECT_EQ(read_file(base), settings);
+}
+
+// The columns that both cameras see are set for images of the cameras that were there.
+TEST(Into, ColumnsDoNotStayWithTheWrongCamera) {
+  const TemporaryFolder folder;
+  const std::string settings = with_replaced(with_replaced(read_file(testdata("formats/orbslam3/good/v1-stereo-inertial.yaml")),
+                                                           "Camera1.overlappingEnd: ", "Camera1.overlappingEnd: 400 #"),
+                                             "Camera2.overlappingBegin: ", "Camera2.overlappingBegin: 44 #");
+  const std::string base = folder.write("base.yaml", settings);
+  EXPECT_TRUE(contains(run_program({"convert", base, "--into", base}).out, "Camera1.overlappingEnd: 400"));
+  const std::string swapped = run_program({"convert", base, "--camera", "1,0", "--into", base}).out;
+  EXPECT_FALSE(contains(swapped, "Camera1.overlappingEnd: 400")) << swapped;
+  EXPECT_FALSE(contains(swapped, "Camera2.overlappingBegin: 44")) << swapped;
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -103,10 +103,36 @@ TEST(RigOptions, AnOpenCvPairWithTheSecondCameraOnTheLeft) {
   };
   EXPECT_FALSE(contains(said({}), "stereo-order"));
   const std::string left = said({"--camera", "cam1,cam0"});
-  EXPECT_TRUE(contains(left, "cam0 sits 10.11 cm to the left of cam1")) << left;
+  EXPECT_TRUE(contains(left, "cam1 (input's cam0) sits 10.11 cm to the left of cam0 (input's cam1)")) << left;
   EXPECT_TRUE(contains(left, "--camera cam0,cam1")) << left;
   EXPECT_FALSE(contains(said({"--camera", "1,0", "--opencv-layout", "cameras"}), "stereo-order"));
   EXPECT_TRUE(contains(said({"--camera", "1,0", "--opencv-layout", "left-right"}), "stereo-order"));
+}
+
+// With the second camera upside down each stands to the left of the other: no order is right, and none is proposed.
+TEST(RigOptions, APairOfWhichEachIsLeftOfTheOther) {
+  const TemporaryFolder folder;
+  const std::string camera =
+      "  camera_model: pinhole\n  distortion_model: radtan\n  intrinsics: [400.0, 400.0, 320.0, 240.0]\n"
+      "  distortion_coeffs: [-0.1, 0.01, 0.0, 0.0]\n  resolution: [640, 480]\n  rostopic: /c\n";
+  const std::string pair = folder.write("pair.yaml", "cam0:\n" + camera + "cam1:\n" + camera +
+                                                         "  T_cn_cnm1:\n  - [-1.0, 0.0, 0.0, -0.12]\n"
+                                                         "  - [0.0, -1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n"
+                                                         "  - [0.0, 0.0, 0.0, 1.0]\n");
+  for (const char* order : {"0,1", "1,0"}) {
+    const RunResult run = run_program({"convert", pair, "--camera", order, "--to", "orbslam3"});
+    EXPECT_TRUE(contains(run.err, "turned against each other")) << run.err;
+    EXPECT_FALSE(contains(run.err, "do: fca-io")) << run.err;
+  }
+}
+
+// Who shifts the time stamps looks into the file written.
+TEST(RigOptions, LossesNameCamerasAsTheFileWrittenDoes) {
+  const TemporaryFolder folder;
+  const std::string text = with_replaced(read_file(kTumvi), "cam0:\n", "cam0:\n  timeshift_cam_imu: 0.0021\n");
+  const RunResult run = run_program({"convert", folder.write("chain.yaml", text), "--camera", "1,0", "--to", "orbslam3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out + run.err, "of cam1 (input's cam0)")) << run.out << run.err;
 }
 
 TEST(RigOptions, TheProposedCommandIsOneThatAShellTakes) {
@@ -329,7 +355,7 @@ TEST(RigOptions, OverlappingColumnsFollowTheImages) {
   EXPECT_EQ(columns(run_program({"convert", path, "--to", "orbslam3"}).out), columns(settings));
   const RunResult half = run_program({"convert", path, "--to", "orbslam3", "--binning", "2"});
   EXPECT_EQ(columns(half.out), (std::vector<std::string>{"0", "255", "0", "255"})) << half.err;
-  EXPECT_TRUE(contains(half.err, "Camera1.overlappingBegin 7 of the base: of images of another size")) << half.err;
+  EXPECT_TRUE(contains(half.err, "Camera1.overlappingBegin 7 of the base: of other images")) << half.err;
   // Swapped cameras have each other's columns.
   const RunResult swapped = run_program({"convert", path, "--to", "orbslam3", "--camera", "1,0"});
   EXPECT_EQ(columns(swapped.out), (std::vector<std::string>{"0", "511", "7", "511"})) << swapped.err;
@@ -457,7 +483,28 @@ TEST(RigOptions, ImuNoiseOfSingleSamples) {
   const RunResult none = run_program({"convert", kTumvi, "--to", "orbslam3", "--imu-noise", "discrete"});
   EXPECT_EQ(none.code, 2);
   EXPECT_TRUE(contains(none.err, "--with imu.yaml")) << none.err;
-  EXPECT_EQ(run_program({"show", kImu, "--imu-noise", "variance"}).code, 3);
+  EXPECT_EQ(run_program({"show", kImu, "--imu-noise", "squares"}).code, 3);
+}
+
+TEST(RigOptions, ImuNoiseAsVariances) {
+  const TemporaryFolder folder;
+  const std::string squares =
+      "accelerometer_noise_density: 4.0e-06\naccelerometer_random_walk: 9.0e-06\ngyroscope_noise_density: 1.6e-07\n"
+      "gyroscope_random_walk: 2.5e-09\nupdate_rate: 100.0\nrostopic: /imu0\n";
+  const auto imu = [&](const std::string& kind) {
+    const RunResult run =
+        run_program({"convert", kTumvi, "--with", folder.write("imu.yaml", squares), "--imu-noise", kind, "--to", "orbslam3"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    return rig_in(run.out).imus.at(0);
+  };
+  const Imu densities = imu("variance");
+  EXPECT_DOUBLE_EQ(*densities.accelerometer_noise_density, 2e-3);
+  EXPECT_DOUBLE_EQ(*densities.accelerometer_random_walk, 3e-3);
+  EXPECT_DOUBLE_EQ(*densities.gyroscope_noise_density, 4e-4);
+  EXPECT_DOUBLE_EQ(*densities.gyroscope_random_walk, 5e-5);
+  const Imu samples = imu("discrete-variance");
+  EXPECT_DOUBLE_EQ(*samples.accelerometer_noise_density, 2e-4);
+  EXPECT_DOUBLE_EQ(*samples.accelerometer_random_walk, 3e-2);
 }
 
 }  // namespace

@@ -191,5 +191,16 @@ TEST(Show, ForWantsAProgramAndAFileAsItStands) {
   EXPECT_EQ(run_program({"show", kTumvi, "--for", "kalibr", "--resize", "256x256"}).code, 3);
 }
 
+// The second camera of TUM VI's pair stands on the right of the first.
+TEST(Show, PosesAreThoseOfTheFirstCameraAskedFor) {
+  const std::string pair = testdata("formats/kalibr/good/tumvi.yaml");
+  EXPECT_TRUE(contains(run_program({"show", pair}).out, "cam1 sits 10.11 cm to the right"));
+  const std::string swapped = run_program({"show", pair, "--camera", "1,0"}).out;
+  EXPECT_TRUE(contains(swapped, "T_cam0_cam1: cam1 -> cam0")) << swapped;
+  EXPECT_TRUE(contains(swapped, "cam0 sits 10.11 cm to the left")) << swapped;
+  EXPECT_TRUE(contains(swapped, "T_cam1_imu0: imu0 -> cam1")) << swapped;
+  EXPECT_FALSE(contains(swapped, "T_cam1_cam0")) << swapped;
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -61,6 +61,10 @@ struct WriteOptions {
   bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
   /// Further files whose cameras are in the rig (--join): only the base can be edited, their comments go.
   std::span<const text::Document> joined = {};
+  /// The base's owner has a program for it: it stays in that program's layout, whatever the model.
+  bool keeps_layout = false;
+  /// Names of the base's cameras whose place another camera takes: what was set for their images is not of the new one's.
+  std::vector<std::string> replaced = {};
   bool adopted = false;  ///< The base was read as another format of the same layout: a camchain that is to become TUM-VI's.
 };
 
@@ -147,6 +151,9 @@ struct Format {
   /// The type of a value ('/' between the levels of its key) that the document may lack, that its program reads where it is
   /// there, and that no calibration contradicts: --set may add it. Nothing of any other key. Null: of none.
   std::optional<ValueType> (*optional_value)(const text::Document& document, std::string_view key) = nullptr;
+
+  /// Can the document hold the model without another layout? Null: any model that the format stores.
+  bool (*layout_holds)(const text::Document& document, std::string_view model) = nullptr;
 
   /// Documents that together are one calibration, or nothing with errors.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);
