@@ -11,7 +11,7 @@ namespace {
 
 // What is the same for many codes.
 constexpr std::string_view kNotRead = "No program can read the file; fca-io does not, either.";
-constexpr std::string_view kProgramStops = "The program stops at once, or goes on without this camera.";
+constexpr std::string_view kProgramStops = "The program stops at once, or goes on without what stands there.";
 constexpr std::string_view kWrongPose =
     "Points are carried into the wrong frame: visual-inertial estimation diverges or settles on a wrong scale and direction.";
 constexpr std::string_view kWrongPixels = "Every pixel away from the centre gets a wrong direction.";
@@ -37,6 +37,11 @@ across the image: the lens's data sheet decides. Then give --opencv-model pinhol
               "Depths of the stereo pair or depth sensor are wrong by that factor.",
               R"(Camera.bf = b fx, with the baseline b in metres and fx of the rectified camera. The same baseline stands in
 RIGHT.P(0, 3) = -b fx or in the second camera's pose. Checked to 5 %.)"},
+    CheckCode{
+        "baseline-is-bf", "ORB-SLAM3's Stereo.b holds bf", "Depths come out fx (hundreds of) times too large.",
+        R"(Stereo.b of ORB-SLAM3's new settings is the baseline in metres; Camera.bf of the older ones is  bf = b fx.  Above 5 m,
+and with Stereo.b / fx between 0.02 and 2 m, bf is named. Millimetres look alike (47.9 is 0.11 m times 435 px, and 47.9 mm):
+then both are shown.)"},
     CheckCode{"bf-is-a-baseline", "ORB-SLAM's bf holds the baseline alone", "Depths come out fx (hundreds of) times too small.",
               "Camera.bf = baseline in metres times Camera.fx in pixels: 0.11 m and 435 px give 47.9."},
     CheckCode{
@@ -80,7 +85,7 @@ lines before a block it takes the second for the numbers. Blank lines count, too
         "depth-threshold", "ThDepth is not in baselines",
         "Nearly all stereo points count as close, or nearly all as far, and their depths are weighted so.",
         R"(ORB-SLAM takes points nearer than ThDepth * baseline for close, whose depth one view gives. 35 to 60 in upstream's
-examples; 0.1 and 2000 are metres or millimetres.)"},
+examples; 0.1 and 2000 are metres or millimetres. With 0 or less no point counts as close.)"},
     CheckCode{
         "distortion-missing", "no distortion coefficients beside a camera matrix", kWrongPixels,
         R"(Without coefficients OpenCV's functions take a lens without distortion. If the images are rectified that is right; if
@@ -134,7 +139,8 @@ border, an error. --max-angle says what counts as lens.)"},
         "imu-noise-too-large", "IMU noise above any sensor's", kWrongWeights,
         R"(Asked for is the continuous-time density sigma_c. A discrete deviation at rate f is  sigma_d = sigma_c sqrt(f): at
 200 Hz 14 times larger. In degrees a gyroscope's is 57 times larger. People multiply the data sheet's by 5 to 20 for SLAM,
-which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said.)"},
+which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said. Down to a twentieth of that, where a
+deviation and a density that was made larger look alike, it is called not decidable.)"},
     CheckCode{
         "imu-noise-too-small", "IMU noise below any sensor's", kWrongWeights,
         "A variance is the density squared: (1.7e-4)^2 = 2.9e-8. Below 2e-6 rad/s/sqrt(Hz) or 2e-5 m/s^2/sqrt(Hz) is said."},

@@ -14,7 +14,10 @@ namespace {
 
 using Member = std::optional<double> Imu::*;
 
-/// A density and between what values those of real sensors lie, inflated by up to 10 as people do for SLAM.
+/// People multiply the data sheet's numbers for SLAM, by up to as much.
+constexpr double kInflation = 20.0;
+
+/// A density and between what values those of real sensors lie, inflated ones included.
 struct Density {
   Member member;
   std::string_view name;
@@ -62,6 +65,12 @@ void check_size(const Subject& subject, const Imu& imu, const Density& density, 
                   {},
                   "if it is a discrete deviation, divide it by sqrt(rate); if it is in degrees, multiply by pi / 180",
                   subject.places.imu(density.member)});
+  } else if (imu.rate_hz && *value > density.largest / kInflation) {
+    findings.undecided("imu-noise-too-large",
+                       imu.name + ": whether the " + std::string(density.name) + " " + number(*value) +
+                           " is a density or one sample's deviation",
+                       "a cheap sensor's density made larger for SLAM, as people do, looks the same as a deviation at " +
+                           number(*imu.rate_hz) + " Hz, whose density would be " + number(*value / std::sqrt(*imu.rate_hz)));
   }
 }
 
@@ -81,6 +90,8 @@ void check_swapped(const Subject& subject, const Imu& imu, Findings& findings) {
 void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
   if (!imu.gyroscope_noise_density || !imu.accelerometer_noise_density) return;
   if (*imu.gyroscope_noise_density <= *imu.accelerometer_noise_density) return;
+  const SourceRange where = subject.places.imu(&Imu::gyroscope_noise_density);
+  if (findings.has("imu-noise-too-large", where)) return;  // told
   findings.add({Severity::kWarning,
                 "imu-sensors-swapped",
                 imu.name + ": the gyroscope's noise " + number(*imu.gyroscope_noise_density) +
@@ -88,7 +99,7 @@ void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
                     "; in SI units it is ten times smaller",
                 {},
                 "are gyroscope and accelerometer exchanged, or is the gyroscope's in degrees?",
-                subject.places.imu(&Imu::gyroscope_noise_density)});
+                where});
 }
 
 void check_rate(const Subject& subject, const Imu& imu, Findings& findings) {

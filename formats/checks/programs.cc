@@ -131,8 +131,9 @@ class ProgramsCheck {
     if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), complaint)) {
       finding.code = mend->code;
       const text::Span line = document_.source().line_at(mend->span.offset);
-      finding.where =
-          document_.source().range({mend->span.offset, std::min(mend->span.length, line.end() - mend->span.offset)});
+      // A line that is put in before is wanted where the first one stands.
+      const std::size_t length = std::min(std::max<std::size_t>(mend->span.length, 1), line.end() - mend->span.offset);
+      finding.where = document_.source().range({mend->span.offset, length});
       finding.mend = SpanEdit{mend->span, mend->text};
       finding.fix = mend->fix;
     }
