@@ -65,13 +65,19 @@ void check_size(const Subject& subject, const Imu& imu, const Density& density, 
                   {},
                   "if it is a discrete deviation, divide it by sqrt(rate); if it is in degrees, multiply by pi / 180",
                   subject.places.imu(density.member)});
-  } else if (imu.rate_hz && *value > density.largest / kInflation) {
-    findings.undecided("imu-noise-too-large",
-                       imu.name + ": whether the " + std::string(density.name) + " " + number(*value) +
-                           " is a density or one sample's deviation",
-                       "a cheap sensor's density made larger for SLAM, as people do, looks the same as a deviation at " +
-                           number(*imu.rate_hz) + " Hz, whose density would be " + number(*value / std::sqrt(*imu.rate_hz)));
   }
+}
+
+/// In the range of inflated densities a deviation looks like one.
+void doubt_unit(const Subject& subject, const Imu& imu, const Density& density, Findings& findings) {
+  const std::optional<double>& value = imu.*density.member;
+  if (!value || !imu.rate_hz || *value > density.largest || *value <= density.largest / kInflation) return;
+  if (findings.has("imu-sensors-swapped", subject.places.imu(density.member))) return;
+  findings.undecided("imu-noise-too-large",
+                     imu.name + ": whether the " + std::string(density.name) + " " + number(*value) +
+                         " is a density or one sample's deviation",
+                     "a cheap sensor's density made larger for SLAM, as people do, looks the same as a deviation at " +
+                         number(*imu.rate_hz) + " Hz, whose density would be " + number(*value / std::sqrt(*imu.rate_hz)));
 }
 
 void check_swapped(const Subject& subject, const Imu& imu, Findings& findings) {
@@ -83,7 +89,7 @@ void check_swapped(const Subject& subject, const Imu& imu, Findings& findings) {
                 imu.name + ": the " + std::string(kGyroscope.sensor) + "'s random walk " + number(*walk) +
                     " is larger than its noise density " + number(*noise) + "; real ones are ten times smaller and more",
                 {},
-                "are the two exchanged?",
+                "if they stand at each other's keys, exchange them; else compare both with the data sheet",
                 subject.places.imu(kGyroscope.walk)});
 }
 
@@ -92,14 +98,14 @@ void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
   if (*imu.gyroscope_noise_density <= *imu.accelerometer_noise_density) return;
   const SourceRange where = subject.places.imu(&Imu::gyroscope_noise_density);
   if (findings.has("imu-noise-too-large", where)) return;  // told
-  findings.add({Severity::kWarning,
-                "imu-sensors-swapped",
-                imu.name + ": the gyroscope's noise " + number(*imu.gyroscope_noise_density) +
-                    " is larger than the accelerometer's " + number(*imu.accelerometer_noise_density) +
-                    "; in SI units it is ten times smaller",
-                {},
-                "are gyroscope and accelerometer exchanged, or is the gyroscope's in degrees?",
-                where});
+  findings.add(
+      {Severity::kWarning,
+       "imu-sensors-swapped",
+       imu.name + ": the gyroscope's noise " + number(*imu.gyroscope_noise_density) + " is larger than the accelerometer's " +
+           number(*imu.accelerometer_noise_density) + "; in SI units it is ten times smaller",
+       {},
+       "exchange the two sensors' numbers if they are exchanged; multiply by pi / 180 if the gyroscope's is in degrees",
+       where});
 }
 
 void check_rate(const Subject& subject, const Imu& imu, Findings& findings) {
@@ -128,6 +134,7 @@ bool check_imu(const Subject& subject, Findings& findings) {
     check_swapped(subject, imu, findings);
     check_sensors(subject, imu, findings);
     check_rate(subject, imu, findings);
+    for (const Density& density : kNoises) doubt_unit(subject, imu, density, findings);
   }
   return !subject.rig().imus.empty();
 }

@@ -19,10 +19,14 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 std::string name_of(const PoseEdge& edge) { return "T_" + edge.a + "_" + edge.b; }
 
-std::string in_degrees(double radians) { return text::format_short(radians * kDegreesPerRadian, 3) + " deg"; }
+/// Rounding is no difference: 6.8e-14 deg reads as 0.
+double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
 
-std::string in_metres(double metres) {
+std::string in_degrees(double radians) { return text::format_short(without_rounding(radians) * kDegreesPerRadian, 3) + " deg"; }
+
+std::string in_metres(double value) {
   constexpr double kShort = 0.1;
+  const double metres = without_rounding(value);
   return std::abs(metres) < kShort ? text::format_short(metres * 1000.0, 3) + " mm" : text::format_short(metres, 3) + " m";
 }
 
@@ -215,6 +219,11 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
                 where});
 }
 
+/// "0.65 m above the ground", "3.2 m below the ground"
+std::string above_ground(double height) {
+  return in_metres(std::abs(height)) + (height < 0.0 ? " below" : " above") + " the ground";
+}
+
 /// A camera in a vehicle's frame stands above the ground and not farther from it than a truck is high.
 void check_vehicle_direction(const Subject& subject, Findings& findings) {
   const auto plausible = [](double height) { return height > 0.1 && height < 4.5; };
@@ -227,10 +236,12 @@ void check_vehicle_direction(const Subject& subject, Findings& findings) {
     const bool inverted = plausible((*other)(2, 3));
     findings.add({Severity::kWarning,
                   inverted ? "pose-inverted" : "pose-implausible",
-                  edge.b + " stands " + in_metres(edge.T_a_b(2, 3)) + " above the ground of the vehicle's frame" +
-                      (inverted ? "; the inverse pose would put it at " + in_metres((*other)(2, 3)) : ""),
+                  edge.b + " stands " + above_ground(edge.T_a_b(2, 3)) +
+                      " of the vehicle's frame; the inverse pose would put it " + above_ground((*other)(2, 3)) +
+                      (inverted ? "" : ", where no car has a camera, either"),
                   {},
-                  inverted ? "the file states camera -> vehicle: invert the pose" : "check the translation",
+                  inverted ? "the file states camera -> vehicle: invert the pose"
+                           : "compare the translation with where the camera sits: metres from the ground under the rear axle",
                   subject.places.pose(i, 2, 3)});
   }
 }
@@ -265,7 +276,8 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
   }
   bool any_redundant = false;
   const std::vector<Contradiction> contradictions = contradictions_of(subject.rig(), any_redundant);
-  if (!any_redundant && !poses.empty()) {
+  // Above a vehicle's ground the height decides.
+  if (!any_redundant && !poses.empty() && !subject.is("woodscape")) {
     findings.undecided("pose-inverted",
                        "direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
                        "each is stated once, and a pose and its inverse are equally long");

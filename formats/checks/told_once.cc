@@ -40,6 +40,7 @@ constexpr std::array kTwice = {
     Twice{{"program-refuses", "Kalibr wants 0 <= alpha < 1"}, {"program-refuses", "Kalibr demands alpha < 1"}},
     Twice{{"program-ignores", "is read by nobody"}, {"program-misreads", "only k1 to k4 are read"}},
     Twice{{"yaml-layout", ""}, {"program-refuses", "the first line is not %YAML"}},
+    Twice{{"eucm-without-type", ""}, {"program-refuses", "Camera.type is missing"}},
     // DSO names lines at most.
     Twice{{"program-refuses", "DSO knows no lens ATAN"}, {"program-refuses", "DSO wants RadTan"}},
     Twice{{"program-refuses", "line 3 must be exactly crop"}, {"program-refuses", "DSO wants exactly crop"}},

@@ -69,13 +69,16 @@ TEST(CheckCodes, AreThoseThatTheFilesShow) {
   }
 }
 
-// What is wrong, what happens, how to mend it: a finding is no use without the first two.
-TEST(CheckFindings, SayWhatHappens) {
-  for (const fs::path& path : check_files()) {
+// What is wrong, what happens, how to mend it: a finding is no use without all three.
+TEST(CheckFindings, SayWhatHappensAndWhatToDo) {
+  std::vector<fs::path> files = check_files();
+  const std::vector<fs::path> bad = files_of_all_formats("bad");
+  files.insert(files.end(), bad.begin(), bad.end());
+  for (const fs::path& path : files) {
     for (const Finding& finding : checked(path).findings) {
       EXPECT_FALSE(finding.message.empty()) << finding.code;
-      // A program's own words ("... and exits") say it themselves.
-      EXPECT_TRUE(!finding.consequence.empty() || finding.code == "program-misreads") << finding.code << " of " << path;
+      EXPECT_FALSE(finding.consequence.empty()) << finding.code << " of " << path;
+      EXPECT_TRUE(!finding.fix.empty() || finding.severity == Severity::kNote) << finding.code << " of " << path;
     }
   }
 }
