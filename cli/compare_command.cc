@@ -64,8 +64,9 @@ void exceed(ComparedFile& compared, const std::string& message, const std::strin
 }
 
 /// A pixel that is not there is off by more than any limit.
-void judge_limit(double limit_px, const ReferenceFile& reference, ComparedFile& compared) {
+void judge_pixels(double limit_px, const ReferenceFile& reference, ComparedFile& compared) {
   for (const CameraComparison& camera : compared.comparison->cameras) {
+    if (camera.identical) continue;
     const Judgement& judgement = camera.difference.judgement;
     constexpr double kNoticeable = 1e-3;
     const double missing = judgement.coverage.unrepresentable;
@@ -84,6 +85,31 @@ void judge_limit(double limit_px, const ReferenceFile& reference, ComparedFile& 
   }
   if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size())
     exceed(compared, "not every camera of the reference is there", "--camera chooses those to compare");
+  if (inverses_differ(compared) && *compared.inverse_px > limit_px) {
+    exceed(compared, "the inverse polynomials differ by up to " + pixels(*compared.inverse_px) + " px, more than --max-error " +
+                         pixels(limit_px));
+  }
+}
+
+/// What is no camera: poses, time offsets, IMU.
+void judge_rest(ComparedFile& compared) {
+  const RigComparison& comparison = *compared.comparison;
+  for (const PoseComparison& pose : comparison.poses) {
+    if (!pose.alike())
+      exceed(compared, in_words(pose) + ", more than --strict allows (0.5 deg, and 5 mm or 5 % of the distance)");
+  }
+  for (const FactComparison& fact : comparison.facts) {
+    if (!fact.alike()) exceed(compared, in_words(fact) + ", more than --strict allows (1 ms for times, else 5 %)");
+  }
+  if (!comparison.only_in_reference.empty())
+    exceed(compared, "it does not say what the reference does: " + enumerated(comparison.only_in_reference, "and"));
+}
+
+void judge(const CompareArguments& arguments, const ReferenceFile& reference, ComparedFile& compared) {
+  if (!arguments.max_error_px && !arguments.strict) return;
+  for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, sentence(mistake));
+  judge_pixels(arguments.max_error_px.value_or(kSamePx), reference, compared);
+  if (arguments.strict) judge_rest(compared);
 }
 
 ComparedFile compared_file(const std::string& file, const ReferenceFile& reference, const CompareArguments& arguments,
@@ -97,6 +123,8 @@ ComparedFile compared_file(const std::string& file, const ReferenceFile& referen
                                     .by_order = arguments.reading.cameras.has_value()};
     compared.comparison = compare(reference.calibration->rig, compared.calibration->rig, options, compared.diagnostics);
     name_poses_as_stated(*compared.calibration, compared.comparison->mistakes);
+    if (!changes_images(arguments.reading))
+      compared.inverse_px = inverses_apart_px(*reference.calibration, *compared.calibration);
   }
   compared.code = code_of(compared.diagnostics);
   if (compared.code != ExitCode::kGood) {
@@ -104,8 +132,8 @@ ComparedFile compared_file(const std::string& file, const ReferenceFile& referen
     const auto error = std::ranges::find(entries, Severity::kError, &Diagnostic::severity);
     compared.verdict = "not compared: " + error->message;
   } else {
-    compared.verdict = verdict_of(*compared.comparison);
-    if (arguments.max_error_px) judge_limit(*arguments.max_error_px, reference, compared);
+    compared.verdict = verdict_of(compared);
+    judge(arguments, reference, compared);
   }
   return compared;
 }
@@ -153,9 +181,14 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
                           ->type_name("FILE"));
   command
       .add_option("--max-error", arguments.max_error_px,
-                  "Exit with 1 if a camera's worst pixel is off by more, or a camera or a part of its image is missing")
+                  "Exit with 1 if a camera's worst pixel is off by more, if a camera or a part of its image is missing, or if "
+                  "one of the mistakes that people make is found, in poses, IMU and times too")
       ->type_name("PX")
       ->check(decimal_number());
+  command.add_flag("--strict", arguments.strict,
+                   "Exit with 1 also if poses are more than 0.5 deg, or 5 mm and 5 % of the distance, apart, time offsets more "
+                   "than 1 ms, other numbers more than 5 %, or if FILE does not say what REF says; --max-error is then 0.25 "
+                   "where it is not given");
   command.add_flag("--every-pixel", arguments.every_pixel, "Score every pixel of the image instead of a lattice");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
   command.footer(
@@ -163,7 +196,8 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
       "Cameras\n"
       "are matched by name, else by order; with --camera by the order given there. --with, --crop, --binning and --resize are\n"
       "REF's. Images of another size and the same proportions are scaled.\n\n"
-      "Exit codes: 0 compared, whatever the differences; 1 --max-error exceeded; 2 bad input; 3 usage; 4 input/output.\n\n"
+      "Exit codes: 0 compared, whatever the differences; 1 --max-error or --strict not met; 2 bad input; 3 usage; 4 "
+      "input/output.\n\n"
       "Example:\n"
       "  fca-io compare camchain.yaml --with imu.yaml settings.yaml\n"
       "  fca-io compare camchain-before.yaml camchain-after.yaml --max-angle 97.5 --max-error 0.5\n");

@@ -13,8 +13,8 @@ std::array<double, 2> pair_of(const ImageSize& size) {
   return {static_cast<double>(size.width), static_cast<double>(size.height)};
 }
 
-void put_difference(Json& json, const CameraDifference& difference) {
-  if (!(difference.judgement.coverage.scored > 0.0)) {  // no pixel has a ray in both
+void put_difference(Json& json, const CameraDifference& difference, bool identical) {
+  if (!identical && !(difference.judgement.coverage.scored > 0.0)) {  // no pixel has a ray in both
     for (const char* key : {"error_px", "error_deg", "bands", "same_to_deg"}) json.null(key);
     return;
   }
@@ -43,6 +43,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
   json.put("from_model", camera.reference_model);
   json.put("to_model", camera.other_model);
   json.put("image_size_px", std::span<const double>(pair_of(camera.size)));
+  json.put("size_assumed", camera.size_assumed);
   if (camera.other_size) {
     json.put("scaled_from_px", std::span<const double>(pair_of(*camera.other_size)));
   } else {
@@ -50,7 +51,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
   }
   json.put("identical", camera.identical);
   put_domain(json, camera.difference.judgement.coverage, camera.scored_to_deg);
-  put_difference(json, camera.difference);
+  put_difference(json, camera.difference, camera.identical);
   if (!camera.rotated) {
     json.null("rotated");
     return;
@@ -60,14 +61,15 @@ void put_camera(Json& json, const CameraComparison& camera) {
     const auto& vector = camera.rotated->vector_rad;
     json.put("vector_rad", std::span<const double>(vector));
     json.put("in_words", rotation_in_words(*camera.rotated));
-    put_difference(json, camera.rotated->difference);
+    put_difference(json, camera.rotated->difference, false);
   });
 }
 
 /// Is there nothing that differs, or that only one of them says?
 bool is_identical(const ComparedFile& compared) {
   return compared.comparison && compared.code <= ExitCode::kJudgedBad && compared.comparison->identical() &&
-         compared.comparison->only_in_reference.empty() && compared.comparison->only_in_other.empty();
+         !inverses_differ(compared) && compared.comparison->only_in_reference.empty() &&
+         compared.comparison->only_in_other.empty();
 }
 
 void put_comparison(Json& json, const RigComparison& comparison) {
@@ -119,6 +121,7 @@ std::string compare_json(const ReferenceFile& reference, const std::vector<Compa
         json.put("exit_code", static_cast<int>(compared.code));
         json.put("verdict", compared.verdict);
         json.put("identical", is_identical(compared));
+        json.put("inverse_px", compared.inverse_px);
         put_comparison(json, compared.comparison.value_or(RigComparison()));
         put_diagnostics(json, compared.diagnostics, console);
       });

@@ -19,6 +19,8 @@ std::string heading(const CameraComparison& camera) {
   if (camera.other_model != camera.reference_model) text += " and " + camera.other_model;
   text += ", " + size_in_words(camera.size) + " px";
   if (camera.other_size) text += " (scaled from " + size_in_words(*camera.other_size) + ")";
+  if (camera.size_assumed)
+    text += " assumed: no file states a size (--size does); the principal point lies in the middle of it";
   return text + "\n";
 }
 
@@ -44,8 +46,8 @@ std::string turned_text(const CameraComparison& camera) {
   if (!turning_helps(camera)) return same ? "" : "  turned: no rotation brings the two nearer\n";
   const CameraDifference& turned = camera.rotated->difference;
   return "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +
-         pixels(turned.judgement.error.rms) + " px, max " + pixels(turned.judgement.error.max) + " px; " + same_text(turned) +
-         "\n";
+         pixels(turned.judgement.error.rms) + " px (the smallest), max " + pixels(turned.judgement.error.max) + " px; " +
+         same_text(turned) + "\n";
 }
 
 std::vector<BandColumn> further_columns(const CameraComparison& camera) {
@@ -140,6 +142,10 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
   std::string text = compared.file + " (" + std::string(compared.calibration->format->title) + ") beside " + reference.file +
                      " (" + std::string(reference.calibration->format->title) + ")\n";
   for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera);
+  if (inverses_differ(compared)) {
+    text += "\ninverse polynomials\n  world2cam, which goes by them, images the same rays up to " +
+            pixels(*compared.inverse_px) + " px apart\n";
+  }
   text += poses_text(comparison.poses) + facts_text(comparison.facts) + "\n";
   if (!comparison.only_in_reference.empty())
     text += paragraph("only in " + reference.file + ": " + enumerated(comparison.only_in_reference, "and"), "");

@@ -47,11 +47,13 @@ std::string different_camera(const CameraComparison& camera) {
   const double lost = difference.judgement.coverage.unrepresentable;
   if (lost > 0.0005) text += ", and has no pixel for " + percent(lost) + " of the image";
   if (!camera.rotated) return text;
+  // The best rotation makes the rms smallest; the largest error may grow by it.
+  const double before = difference.judgement.error.rms;
   const double after = camera.rotated->difference.judgement.error.rms;
   constexpr double kExplains = 0.5;
-  if (after < kExplains * difference.judgement.error.rms) {
-    text += " (turned by " + in_degrees(camera.rotated->angle_rad) + ": up to " +
-            pixels(camera.rotated->difference.judgement.error.max) + " px)";
+  if (after < kExplains * before) {
+    text += ", rms " + pixels(before) + " (" + pixels(after) + " with a turn of " + in_degrees(camera.rotated->angle_rad) +
+            " undone)";
   }
   return text;
 }
@@ -64,21 +66,27 @@ std::string different_poses(const std::vector<PoseComparison>& poses) {
   if (std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding)) return "the same poses";
   const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
   if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
-    const PoseComparison& worst = distance->distance_m == 0.0 ? *angle : *distance;
-    return name(worst) + " differs by " + in_degrees(worst.angle_rad) + " and " + in_millimetres(worst.distance_m);
+    return in_words(distance->distance_m == 0.0 ? *angle : *distance);
   }
   return name(*angle) + " differs by " + in_degrees(angle->angle_rad) + ", " + name(*distance) + " by " +
          in_millimetres(distance->distance_m);
 }
 
-/// "imu0's gyroscope noise is 10 times the reference's"
-std::string different_fact(const FactComparison& fact) {
+}  // namespace
+
+std::string in_words(const PoseComparison& pose) {
+  return "T_" + pose.a + "_" + pose.b + " differs by " + in_degrees(pose.angle_rad) + " and " + in_millimetres(pose.distance_m);
+}
+
+std::string in_words(const FactComparison& fact) {
   const std::string what = (fact.owner.empty() ? "" : fact.owner + " ") + fact.name + " ";
   if (fact.unit == "s")
     return what + "differs by " + text::format_short(std::abs(fact.other - fact.reference) * 1000.0, 3) + " ms";
   if (fact.unit == "m") return what + "differs by " + in_millimetres(std::abs(fact.other - fact.reference));
   return what + "is " + text::format_short(fact.other / fact.reference, 3) + " times the reference's";
 }
+
+namespace {
 
 /// One for each kind: "cam0 has ... (cam1 as well)".
 std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
@@ -99,12 +107,26 @@ std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
 
 std::string sentence(const Mistake& mistake) { return mistake.subject + " " + mistake.message; }
 
-std::string verdict_of(const RigComparison& comparison) {
+bool inverses_differ(const ComparedFile& compared) {
+  if (!compared.inverse_px || !compared.comparison) return false;
+  double directions = 0.0;
+  for (const CameraComparison& camera : compared.comparison->cameras)
+    directions = std::max(directions, camera.identical ? 0.0 : camera.difference.judgement.error.max + kSamePx);
+  return *compared.inverse_px > directions;
+}
+
+std::string verdict_of(const ComparedFile& compared) {
+  const RigComparison& comparison = *compared.comparison;
+  const bool inverse = inverses_differ(compared);
+  const std::string of_inverse =
+      inverse ? "the inverse polynomials (world2cam) differ by up to " + pixels(*compared.inverse_px) + " px" : "";
   constexpr std::size_t kMost = 3;
   std::vector<std::string> parts;
   if (!comparison.mistakes.empty()) {
     parts = sentences(comparison.mistakes);
+    if (inverse) parts.push_back(of_inverse);
   } else if (comparison.identical()) {
+    if (inverse) return "the same directions, but " + of_inverse;
     const bool all = comparison.only_in_reference.empty() && comparison.only_in_other.empty();
     return all ? "the same" : "the same in all that both state";
   } else {
@@ -113,15 +135,18 @@ std::string verdict_of(const RigComparison& comparison) {
     for (const CameraComparison& camera : comparison.cameras) {
       if (!same(camera)) parts.push_back(different_camera(camera));
     }
+    if (inverse) parts.push_back(of_inverse);
     if (const std::string poses = different_poses(comparison.poses); !poses.empty()) parts.push_back(poses);
     for (const FactComparison& fact : comparison.facts) {
-      if (!fact.same_but_for_rounding()) parts.push_back(different_fact(fact));
+      if (!fact.same_but_for_rounding()) parts.push_back(in_words(fact));
     }
   }
   std::string text;
   for (std::size_t i = 0; i < std::min(kMost, parts.size()); ++i) text += (i == 0 ? "" : "; ") + parts[i];
   if (parts.size() > kMost) text += "; and " + std::to_string(parts.size() - kMost) + " more";
-  return text;
+  const bool assumed = std::ranges::any_of(
+      comparison.cameras, [](const CameraComparison& camera) { return camera.size_assumed && !camera.identical; });
+  return assumed ? text + " (for an assumed image size)" : text;
 }
 
 std::string rotation_in_words(const BestRotation& rotation) {

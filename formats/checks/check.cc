@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mends.h"
 #include "subject.h"
+#include "tab_mend.h"
+#include "told_once.h"
 #include "topics.h"
 
 #include <fca/convert/domain.h>
@@ -67,16 +69,40 @@ bool among(const List& codes, std::string_view code) {
   return std::ranges::find(codes, code) != codes.end();
 }
 
+/// The mends that are certain of what parsers and readers say.
+std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& source) {
+  const text::Span span = {entry.where.offset, entry.where.length};
+  if (entry.code == "blank-missing") return SpanEdit{{span.offset, 0}, " "};
+  if (entry.code == "not-an-integer") {
+    const std::optional<double> value = text::parse_real(source.text(span));
+    constexpr double kLargest = 1e9;
+    if (!value || *value != std::floor(*value) || std::abs(*value) > kLargest) return std::nullopt;
+    return SpanEdit{span, std::to_string(static_cast<long long>(*value))};
+  }
+  if (entry.code == "yaml-tab") {
+    const std::optional<Mend> mend = tab_mend(source);
+    if (!mend) return std::nullopt;
+    text::Source blanks = source;
+    blanks.bytes.replace(mend->span.offset, mend->span.length, mend->text);
+    Diagnostics unheard;
+    if (text::parse_document(std::move(blanks), unheard)) return SpanEdit{mend->span, mend->text};
+  }
+  return std::nullopt;
+}
+
 /// What the reader said. A pose that is only roughly a rotation is a topic's affair, a grossly wrong one the reader's.
-void take_over(const Diagnostics& diagnostics, Findings& findings) {
+void take_over(const Diagnostics& diagnostics, const text::Source& source, Findings& findings) {
   for (const Diagnostic& entry : diagnostics.entries()) {
     if (among(kSaidByTopics, entry.code)) continue;
     if (entry.code == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(entry.message, "quaternion"))
       continue;
     const Severity severity = among(kBeyondUs, entry.code) ? Severity::kWarning : entry.severity;
     Finding finding{severity, entry.code, entry.message, {}, entry.fix, entry.where};
-    // The only place that the parser knows how to mend for certain.
-    if (entry.code == "blank-missing") finding.mend = SpanEdit{{entry.where.offset, 0}, " "};
+    finding.mend = mend_of(entry, source);
+    if (entry.code == "not-a-rotation" && contains(entry.message, "normalises it")) {
+      finding.consequence = "projection.py divides it by its length and goes on; a program that does not shears every point.";
+      finding.fix = "divide its four numbers by that length";
+    }
     findings.add(std::move(finding));
   }
 }
@@ -171,7 +197,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   Diagnostics diagnostics;
   std::optional<text::Document> document = text::parse_document(source, diagnostics);
   if (!document) {
-    checks::take_over(diagnostics, findings);
+    checks::take_over(diagnostics, source, findings);
     report.is_calibration = options.from != nullptr || checks::mentions_calibration(source.bytes);
     return report;
   }
@@ -182,14 +208,14 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
     detected = detect_format(*document, diagnostics);
   }
   if (!detected) {
-    checks::take_over(diagnostics, findings);
+    checks::take_over(diagnostics, source, findings);
     report.is_calibration = checks::has_code(diagnostics, "ambiguous-format");
     return report;
   }
   report.format = detected->format;
   report.why = detected->why;
   const std::optional<Calibration> calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
-  checks::take_over(diagnostics, findings);
+  checks::take_over(diagnostics, source, findings);
   std::optional<bool> with_cameras;
   if (calibration) {
     with_cameras = !calibration->rig.cameras.empty();
@@ -214,6 +240,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
 
 CheckReport check_file(const text::Source& source, const CheckOptions& options) {
   CheckReport report = looked_at(source, options);
+  checks::tell_once(report);
   checks::sort_by_place(report.findings);
   checks::add_usual_fixes(report);
   return report;

@@ -11,7 +11,7 @@ namespace {
 
 // What is the same for many codes.
 constexpr std::string_view kNotRead = "No program can read the file; fca-io does not, either.";
-constexpr std::string_view kProgramStops = "The program stops at once, or goes on without this camera.";
+constexpr std::string_view kProgramStops = "The program stops at once, or goes on without what stands there.";
 constexpr std::string_view kWrongPose =
     "Points are carried into the wrong frame: visual-inertial estimation diverges or settles on a wrong scale and direction.";
 constexpr std::string_view kWrongPixels = "Every pixel away from the centre gets a wrong direction.";
@@ -37,12 +37,18 @@ across the image: the lens's data sheet decides. Then give --opencv-model pinhol
               "Depths of the stereo pair or depth sensor are wrong by that factor.",
               R"(Camera.bf = b fx, with the baseline b in metres and fx of the rectified camera. The same baseline stands in
 RIGHT.P(0, 3) = -b fx or in the second camera's pose. Checked to 5 %.)"},
+    CheckCode{
+        "baseline-is-bf", "ORB-SLAM3's Stereo.b holds bf", "Depths come out fx (hundreds of) times too large.",
+        R"(Stereo.b of ORB-SLAM3's new settings is the baseline in metres; Camera.bf of the older ones is  bf = b fx.  Above 5 m,
+and with Stereo.b / fx between 0.02 and 2 m, bf is named. Millimetres look alike (47.9 is 0.11 m times 435 px, and 47.9 mm):
+then both are shown.)"},
     CheckCode{"bf-is-a-baseline", "ORB-SLAM's bf holds the baseline alone", "Depths come out fx (hundreds of) times too small.",
               "Camera.bf = baseline in metres times Camera.fx in pixels: 0.11 m and 435 px give 47.9."},
     CheckCode{
         "binary-file", "the file is not text", kNotRead,
         R"(A zero byte, or bytes that are no UTF-8 where a value stands. An image, an archive or a file saved as UTF-16: save it
-as UTF-8.)"},
+as UTF-8.)",
+        "save it as UTF-8 text"},
     CheckCode{
         "blank-missing", "no blank behind a key's colon", kNotRead,
         R"(OpenCV's reader takes key:2, to every other YAML parser it is one word, and what follows is read as something else or
@@ -75,12 +81,13 @@ lines before a block it takes the second for the numbers. Blank lines count, too
         "get_ocam_model skips a comment with fgets into a buffer of 1024 bytes; the rest of a longer line is read as numbers."},
     CheckCode{"degree-too-high", "a polynomial of a higher degree than fca-io holds",
               "fca-io does not read the file; OCamCalib may.",
-              "MATLAB's default is degree 4; the message says up to which degree fca-io holds the polynomial."},
+              "MATLAB's default is degree 4; the message says up to which degree fca-io holds the polynomial.",
+              "calibrate with a lower degree"},
     CheckCode{
         "depth-threshold", "ThDepth is not in baselines",
         "Nearly all stereo points count as close, or nearly all as far, and their depths are weighted so.",
         R"(ORB-SLAM takes points nearer than ThDepth * baseline for close, whose depth one view gives. 35 to 60 in upstream's
-examples; 0.1 and 2000 are metres or millimetres.)"},
+examples; 0.1 and 2000 are metres or millimetres. With 0 or less no point counts as close.)"},
     CheckCode{
         "distortion-missing", "no distortion coefficients beside a camera matrix", kWrongPixels,
         R"(Without coefficients OpenCV's functions take a lens without distortion. If the images are rectified that is right; if
@@ -92,7 +99,8 @@ not, D, distortion_coefficients or D1 belong beside the matrix.)",
 two calibrations out of one file. Delete the one that is not meant.)",
         "delete one of the two"},
     CheckCode{"empty-file", "the file is empty", kNotRead,
-              "Nothing but blanks. A program that died while it wrote, or a full disk, leaves such files."},
+              "Nothing but blanks. A program that died while it wrote, or a full disk, leaves such files.",
+              "write or copy the file once more"},
     CheckCode{
         "eucm-without-type", "EUCM's alpha and beta under ORB-SLAM2's k1 and k2",
         "ORB-SLAM2 takes them for radial distortion: every pixel is wrong.",
@@ -129,12 +137,14 @@ such a lens fills the image. Beyond, a note: a fisheye's image circle may end th
 border, an error. --max-angle says what counts as lens.)"},
     CheckCode{"image-size-invalid", "an image cannot have that size", kNotRead,
               "Width and height are whole numbers of pixels, at least 1, and what a camera can have at most: a digit too many "
-              "or too few."},
+              "or too few.",
+              "write the width and height of the images in pixels"},
     CheckCode{
         "imu-noise-too-large", "IMU noise above any sensor's", kWrongWeights,
         R"(Asked for is the continuous-time density sigma_c. A discrete deviation at rate f is  sigma_d = sigma_c sqrt(f): at
 200 Hz 14 times larger. In degrees a gyroscope's is 57 times larger. People multiply the data sheet's by 5 to 20 for SLAM,
-which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said.)"},
+which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said. Down to a twentieth of that, where a
+deviation and a density that was made larger look alike, it is called not decidable.)"},
     CheckCode{
         "imu-noise-too-small", "IMU noise below any sensor's", kWrongWeights,
         "A variance is the density squared: (1.7e-4)^2 = 2.9e-8. Below 2e-6 rad/s/sqrt(Hz) or 2e-5 m/s^2/sqrt(Hz) is said."},
@@ -156,7 +166,8 @@ point mends it.)"},
 leaves the second out unless find_and_export_data was run. fca-io convert FILE --to ocamcalib computes it.)"},
     CheckCode{"json-syntax", "not JSON", kNotRead,
               "RFC 8259: double quotes, no comments, no comma behind the last item, no NaN. Python writes NaN and reads it; "
-              "others do not."},
+              "others do not.",
+              "write numbers as numbers and names in double quotes, without a comma behind the last one"},
     CheckCode{"left-handed", "a pose that mirrors", kWrongPose,
               "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
     CheckCode{"matlab-origin", "MATLAB counts pixels from 1", "The principal point is one pixel off.",
@@ -174,13 +185,15 @@ row, and a program that reads K(0, 2) finds 0.)"},
     CheckCode{
         "matrix-type", "a matrix type that does not suit", kWrongPixels,
         R"(dt of an !!opencv-matrix: d (double) or f (float), one channel. Integers (i, u) cut the decimals off; 2d has two numbers
-per place.)"},
+per place.)",
+        "write dt: d and the numbers with their decimals"},
     CheckCode{"merge-conflict", "git's merge-conflict markers", kNotRead,
               "<<<<<<<, ======= and >>>>>>> enclose two versions that git could not merge. Choose one and delete the markers."},
     CheckCode{
         "missing-block", "the file ends too early", kGarbage,
         R"(calib_results.txt has five blocks: direct polynomial, inverse polynomial, centre, affine c d e, image size. A reader that
-finds fewer keeps whatever was in its memory.)"},
+finds fewer keeps whatever was in its memory.)",
+        "copy the file once more from where the calibration wrote it"},
     CheckCode{"missing-key", "a key is missing", kProgramStops,
               "The message names the key and the program that stops without it.",
               "add it from the calibration's own output; no default is right for a camera"},
@@ -188,39 +201,49 @@ finds fewer keeps whatever was in its memory.)"},
         "mode-refused", "ORB-SLAM3 starts, but not in the mode the keys are for",
         "Started in that mode ORB-SLAM3 exits; started in another, the keys are not used.",
         R"(A settings file has the keys of one mode: Camera2 and Stereo.* for stereo, RGBD.* for depth, IMU.* for inertial. The message
-names the first key that is missing or mistyped for the richest mode that its keys speak for.)"},
+names the first key that is missing or mistyped for the richest mode that its keys speak for.)",
+        "add what the message names, or take out the keys of that mode"},
     CheckCode{
         "model-contradicts", "told to be read as another lens than the file says", kWrongPixels,
         R"(--opencv-model says one lens and the file's own metadata (fisheye_model, distortion_type, xi) the other. One of the two is
-not meant.)"},
+not meant.)",
+        "leave --opencv-model out, or correct the file's own words"},
     CheckCode{"no-calibration", "neither a camera nor an IMU's noise", "There is nothing in it to use.",
-              "The syntax is right and some keys are known; but no camera stands there, and no IMU with noise densities."},
+              "The syntax is right and some keys are known; but no camera stands there, and no IMU with noise densities.",
+              "give the file that the calibration wrote"},
     CheckCode{
         "not-a-camera", "a parameter no camera has", kWrongPixels,
         R"(The ranges: focal lengths > 0, alpha in [0, 1], beta > 0, xi of Double Sphere in [-1, 1]. Kalibr's lists begin with
 [alpha beta ..] for eucm, [xi alpha ..] for ds, [xi ..] for omni: exchanged, alpha leaves its range.)",
         "compare the list with the calibration's report: is a number missing, doubled or of another model?"},
-    CheckCode{"not-a-camera-matrix", "no camera matrix", kWrongPixels, "3 x 3, [fx s cx; 0 fy cy; 0 0 1], fx and fy above 0."},
+    CheckCode{"not-a-camera-matrix", "no camera matrix", kWrongPixels, "3 x 3, [fx s cx; 0 fy cy; 0 0 1], fx and fy above 0.",
+              "write [fx 0 cx; 0 fy cy; 0 0 1]"},
     CheckCode{"not-a-list", "a list is wanted", kProgramStops,
-              "The message names what the program asks for there. A list is [1.0, 2.0], or a line with a dash for each item."},
+              "The message names what the program asks for there. A list is [1.0, 2.0], or a line with a dash for each item.",
+              "write its numbers in brackets, with commas between them"},
     CheckCode{"not-a-mapping", "keys and values are wanted", kProgramStops,
-              "Keys with values are wanted: `key: value`, with a blank behind the colon."},
+              "Keys with values are wanted: `key: value`, with a blank behind the colon.", "write its keys below it, indented"},
     CheckCode{"not-a-matrix", "an opencv-matrix is wanted", kProgramStops,
-              "K: !!opencv-matrix with rows, cols, dt and data below it; cv::FileStorage makes a matrix of nothing else."},
+              "K: !!opencv-matrix with rows, cols, dt and data below it; cv::FileStorage makes a matrix of nothing else.",
+              "write it as !!opencv-matrix with rows, cols, dt and data"},
     CheckCode{"not-a-number", "a number is wanted", kProgramStops,
-              "Decimal comma, unit (190 px), letter O, typographic minus: none is part of a number. 190.97 and 1.9e+02 are."},
+              "Decimal comma, unit (190 px), letter O, typographic minus: none is part of a number. 190.97 and 1.9e+02 are.",
+              "write a number there, with a decimal point and not in words"},
     CheckCode{
         "not-a-rotation", "the 3 x 3 part of a pose is not a rotation",
         "Distances and directions are sheared; Sophus (in ORB-SLAM3's old parser) aborts.",
         R"(R^T R = I for a rotation. Printed with three digits it is off by 2e-3 at most, with two by 2e-2: above the first is a
 warning, above the second an error. The nearest rotation is the orthogonal factor of the polar decomposition R = Q S.
-A quaternion must have length 1.)"},
+A quaternion must have length 1.)",
+        "copy it from the calibration's result"},
     CheckCode{"not-a-string", "a name is wanted", kProgramStops,
-              R"(A number or a list stands where a name is read. Quotes make text of what looks like a number: "1.0".)"},
+              R"(A number or a list stands where a name is read. Quotes make text of what looks like a number: "1.0".)",
+              "write a name there, without brackets"},
     CheckCode{"not-a-transform", "the last row of a pose is not 0 0 0 1", kWrongPose,
               "If the last column is 0 0 0 1, the matrix is transposed.",
               "write 0 0 0 1 there; if the last column is 0 0 0 1, transpose the matrix"},
-    CheckCode{"not-an-integer", "a whole number is wanted", kProgramStops, "A count of pixels or frames per second is wanted."},
+    CheckCode{"not-an-integer", "a whole number is wanted", kProgramStops, "A count of pixels or frames per second is wanted.",
+              "write a whole number"},
     CheckCode{"not-finite", "not a finite number", kProgramStops,
               "NaN and infinity are what a calibration leaves that did not converge.", "calibrate again"},
     CheckCode{"not-in-pixels", "WoodScape's k1 is not in pixels", kWrongPixels,
@@ -230,13 +253,15 @@ A quaternion must have length 1.)"},
               "Focal lengths, image sizes, rates and noise densities are above 0.",
               "write the camera's or sensor's own number"},
     CheckCode{"not-settings", "no keys at the top level", kNotRead,
-              "ORB-SLAM's settings are `Camera.fx: 458.6`, one key below the other at the left margin."},
+              "ORB-SLAM's settings are `Camera.fx: 458.6`, one key below the other at the left margin.",
+              "write the keys at the left margin, one a line"},
     CheckCode{
         "number-as-text", "a number the program reads as text", kProgramStops,
         R"(PyYAML (Kalibr) takes a number for a real one only with a point, and with a sign in the exponent: 1.0e-05. 1e-5 and 1e5
 are text to it.)"},
     CheckCode{"octal", "a number with a leading 0", "The programs read 017 as fifteen.",
-              "cv::FileStorage and PyYAML take a leading 0 for base 8, as C does: 017 is 15, and 09 is none."},
+              "cv::FileStorage and PyYAML take a leading 0 for base 8, as C does: 017 is 15, and 09 is none.",
+              "write the number without its leading 0"},
     CheckCode{
         "opencv-header", "OpenCV's first line in a file for YAML",
         "Kalibr stops at the first line; OpenVINS, which reads with OpenCV, does not.",
@@ -245,7 +270,8 @@ alike: first line %YAML 1.2, second line ---, lists indented deeper than their k
     CheckCode{
         "out-of-range", "a number beyond any camera's or rig's", kWrongPose,
         R"(fca-io's limits are far beyond any camera's: they keep arithmetic from overflowing. A number like 1e300 is a digit too many
-or uninitialised memory.)"},
+or uninitialised memory.)",
+        "compare it with the calibration's result: a digit too many?"},
     CheckCode{
         "polynomial-sign", "OCamCalib's a0 is positive", kWrongPixels,
         "OCamCalib's camera looks along -z: f(0) = a0 < 0, some -200 to -2000 px. A positive one is another toolbox's sign."},
@@ -258,7 +284,8 @@ ORB-SLAM3: IMU.T_b_c1 and Tbc (cam -> imu), Stereo.T_c1_c2 and Tlr (second -> fi
 A pose and its inverse are equally long, so that a single one tells nothing; it is decided by the other poses of a loop,
 or by the height above a vehicle's ground.)"},
     CheckCode{"pose-missing", "a second camera without a pose", "Stereo modes stop.",
-              "Two cameras, and no pose leads from one to the other (T_cn_cnm1, R and T, Stereo.T_c1_c2)."},
+              "Two cameras, and no pose leads from one to the other (T_cn_cnm1, R and T, Stereo.T_c1_c2).",
+              "add the pose from the stereo calibration's result"},
     CheckCode{
         "pose-transposed", "a pose with its rotation transposed", kWrongPose,
         R"(R' is the inverse of R: the rotation goes the other way, and the translation, stated for the first, no longer fits.
@@ -275,13 +302,14 @@ loop is named as such.)"},
         R"(OpenCV prescribes no keys: every program looks for its own. Known are camera_matrix (the calibration sample), M1 and K1
 (stereo_calib), camera_matrix_left, camera_0.)"},
     CheckCode{"program-ignores", "something no program reads", "It has no effect.",
-              "The key is right for another version or program. Harmless, unless you rely on it."},
-    CheckCode{
-        "program-misreads", "the program loads the file and does not use all of it as it stands",
-        "Part of what the file says has no effect, or another one.",
-        "The program loads the file and then uses a part of it otherwise than it is meant, or not at all; the message "
-        "says which. In pixels: fca-io show FILE --for PROGRAM.",
-        "fca-io show FILE --for PROGRAM says what it costs in pixels; convert writes a file without it where there is one"},
+              "The key is right for another version or program. Harmless, unless you rely on it.",
+              "leave it out, or find the place where the program looks for it"},
+    CheckCode{"program-misreads", "the program loads the file and does not use all of it as it stands",
+              "Part of what the file says has no effect, or another one.",
+              "The program loads the file and then uses a part of it otherwise than it is meant, or not at all; the message "
+              "says which. In pixels: fca-io show FILE --for PROGRAM.",
+              "see what it costs in pixels, with  fca-io show FILE --for PROGRAM,  and change what the message names if that "
+              "is too much"},
     CheckCode{"program-other-format", "the program reads another format",
               "It does not start, or takes the file for something else.",
               "Every program reads one format. The command below the finding writes it."},
@@ -289,13 +317,14 @@ loop is named as such.)"},
         "program-refuses", "the program refuses the file", kProgramStops,
         R"(The file was given to the program's reader, rebuilt from its source: the message says what it stumbles over. Where another
 spelling of the same value would do, --fix makes it.)",
-        "write there what the message says that the program wants"},
+        "give the program what the message says it wants"},
     CheckCode{"real-for-int", "a real number where the program wants a whole one", kProgramStops,
               "Kalibr's resolution, ORB-SLAM3's Camera.fps and sizes are ints: 30.0 is refused."},
     CheckCode{
         "relative-by-centre", "a centre below 1 is taken as relative", kWrongPixels,
         R"(DSO's camera.txt: centre and focal length below 1 are parts of the width and height, and half a pixel is subtracted. A
-centre of 0.5 px cannot be told from that.)"},
+centre of 0.5 px cannot be told from that.)",
+        "write all four numbers in pixels, or all four as shares of the width and height"},
     CheckCode{"size-contradicts", "another image size was told than the file states", kWrongPixels,
               "--size tells what a file does not say. This one says otherwise."},
     CheckCode{
@@ -334,9 +363,10 @@ CALIB_TILTED_MODEL.)"},
         R"(t_imu = t_cam + timeshift_cam_imu, in seconds. At 20 Hz a frame takes 0.05 s: more than that pairs images with the motion of
 another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
     CheckCode{"too-deep", "nested too deep", "fca-io does not read the file; programs may end with a full stack.",
-              "More than 64 lists within lists. A calibration has three."},
+              "More than 64 lists within lists. A calibration has three.", "take the brackets away that are too many"},
     CheckCode{"too-large", "larger than any calibration", "fca-io does not read the file; programs may, in seconds.",
-              "More than 2 MiB. The largest calibration seen has 193 kB; images and point lists make the rest."},
+              "More than 2 MiB. The largest calibration seen has 193 kB; images and point lists make the rest.",
+              "take images and point lists out of the file"},
     CheckCode{
         "translation-in-mm", "a translation that is not in metres", kWrongPose,
         R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
@@ -355,7 +385,8 @@ that was asked for; above 1 px is said. cv::undistort and remapping are not conc
         R"(OpenCV's stereo calibration gives T in the unit of the board's squares: metres, centimetres or millimetres. Compare its
 length with the distance of the two lenses.)"},
     CheckCode{"unknown-format", "no format fca-io reads", "fca-io cannot tell what it says.",
-              "fca-io formats lists what is read, and by which keys it is told."},
+              "fca-io formats lists what is read, and by which keys it is told.",
+              "fca-io formats lists what is read; --from FORMAT forces one"},
     CheckCode{"unknown-model", "a camera model the program does not know", kProgramStops,
               "The message names those that the program knows. fca-io models has the other names of each.",
               "write the program's own name; `fca-io models` has what each is called elsewhere"},
@@ -363,7 +394,8 @@ length with the distance of the two lenses.)"},
               "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes mend both."},
     CheckCode{"wrong-count", "more or fewer numbers than announced", kGarbage,
               "The first number of OCamCalib's polynomials is how many follow; rows x cols of a matrix is how many numbers "
-              "data holds."},
+              "data holds.",
+              "write as many numbers as are announced, or announce as many as stand there"},
     CheckCode{"wrong-family", "another lens model's numbers", kWrongPixels,
               R"(Four numbers look alike in every file. What tells them apart:
 * radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not.
@@ -374,24 +406,31 @@ Not decidable: small numbers of a narrow lens, where both readings see the same.
     CheckCode{"wrong-length", "a list of the wrong length", kProgramStops,
               "The message says how many numbers the model has, and in which order.",
               "is a number lost, or the model's name another's?"},
-    CheckCode{"wrong-syntax", "not written as the format is", kNotRead, "The message says what is expected in that line."},
+    CheckCode{"wrong-syntax", "not written as the format is", kNotRead, "The message says what is expected in that line.",
+              "write the line as the message says"},
     CheckCode{"xml-declaration", "a document type, entity or CDATA section in XML", kNotRead,
               "OpenCV's files have none. An entity can pull in other files or grow to gigabytes: it is not followed."},
-    CheckCode{"xml-mixed", "text between elements", kNotRead, "OpenCV's XML has either text or elements in an element."},
+    CheckCode{"xml-mixed", "text between elements", kNotRead, "OpenCV's XML has either text or elements in an element.",
+              "leave either the text or the elements there"},
     CheckCode{"xml-place", "an XML element out of place", kNotRead,
-              "Items of a list are <_>; elsewhere an element's name is its key."},
-    CheckCode{"xml-root", "not OpenCV's XML", kNotRead, R"(cv::FileStorage wants <?xml version="1.0"?> and <opencv_storage>.)"},
+              "Items of a list are <_>; elsewhere an element's name is its key.",
+              "use <_> for the items of a list and names elsewhere"},
+    CheckCode{"xml-root", "not OpenCV's XML", kNotRead, R"(cv::FileStorage wants <?xml version="1.0"?> and <opencv_storage>.)",
+              "put <opencv_storage> around all other elements"},
     CheckCode{
         "xml-syntax", "not XML", kNotRead,
-        "An unclosed element or a missing quote; the place is where the reader gave up, the cause is often a line before."},
+        "An unclosed element or a missing quote; the place is where the reader gave up, the cause is often a line before.",
+        "close every element by its own name"},
     CheckCode{"yaml-alias", "a YAML alias", "fca-io and OpenCV do not read the file; Kalibr does.",
               "*name stands for another part of the file. PyYAML follows it, cv::FileStorage does not; write the values out."},
     CheckCode{"yaml-anchor", "a YAML anchor", "fca-io and OpenCV do not read the file; Kalibr does.",
               "&name marks a part for reuse. PyYAML follows it, cv::FileStorage does not; write the values out."},
     CheckCode{"yaml-documents", "more than one YAML document", "OpenCV reads the first document, Kalibr stops.",
-              "A second --- begins a second document: programs read the first, or stop. Make two files of it."},
+              "A second --- begins a second document: programs read the first, or stop. Make two files of it.",
+              "keep one document a file"},
     CheckCode{"yaml-key", "a YAML key that is no text", kNotRead,
-              "A list or map as a key, which no calibration has: usually a bracket or dash out of place."},
+              "A list or map as a key, which no calibration has: usually a bracket or dash out of place.",
+              "write a name before the colon"},
     CheckCode{
         "yaml-layout", "YAML laid out as OpenCV's reader does not take it", kProgramStops,
         R"(cv::FileStorage (OpenCV, ORB-SLAM, OpenVINS) wants a first line %YAML and lists indented deeper than their key; what
@@ -407,7 +446,8 @@ Kalibr writes has neither. This is read by PyYAML, yaml-cpp and OpenCV alike:
     CheckCode{
         "yaml-syntax", "not YAML", kNotRead,
         R"(The place is where the reader gave up; the cause is often the line before: an open bracket or quote, a missing colon, an
-indentation that fits no key above it.)"},
+indentation that fits no key above it.)",
+        "look for an open bracket or quote there and in the line before"},
     CheckCode{"yaml-tab", "a TAB as indentation", kNotRead,
               "YAML indents with blanks only; OpenCV and PyYAML both refuse TABs there."},
 };

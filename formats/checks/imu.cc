@@ -14,7 +14,10 @@ namespace {
 
 using Member = std::optional<double> Imu::*;
 
-/// A density and between what values those of real sensors lie, inflated by up to 10 as people do for SLAM.
+/// People multiply the data sheet's numbers for SLAM, by up to as much.
+constexpr double kInflation = 20.0;
+
+/// A density and between what values those of real sensors lie, inflated ones included.
 struct Density {
   Member member;
   std::string_view name;
@@ -65,6 +68,18 @@ void check_size(const Subject& subject, const Imu& imu, const Density& density, 
   }
 }
 
+/// In the range of inflated densities a deviation looks like one.
+void doubt_unit(const Subject& subject, const Imu& imu, const Density& density, Findings& findings) {
+  const std::optional<double>& value = imu.*density.member;
+  if (!value || !imu.rate_hz || *value > density.largest || *value <= density.largest / kInflation) return;
+  if (findings.has("imu-sensors-swapped", subject.places.imu(density.member))) return;
+  findings.undecided("imu-noise-too-large",
+                     imu.name + ": whether the " + std::string(density.name) + " " + number(*value) +
+                         " is a density or one sample's deviation",
+                     "a cheap sensor's density made larger for SLAM, as people do, looks the same as a deviation at " +
+                         number(*imu.rate_hz) + " Hz, whose density would be " + number(*value / std::sqrt(*imu.rate_hz)));
+}
+
 void check_swapped(const Subject& subject, const Imu& imu, Findings& findings) {
   const std::optional<double>& noise = imu.*kGyroscope.noise;
   const std::optional<double>& walk = imu.*kGyroscope.walk;
@@ -74,21 +89,23 @@ void check_swapped(const Subject& subject, const Imu& imu, Findings& findings) {
                 imu.name + ": the " + std::string(kGyroscope.sensor) + "'s random walk " + number(*walk) +
                     " is larger than its noise density " + number(*noise) + "; real ones are ten times smaller and more",
                 {},
-                "are the two exchanged?",
+                "if they stand at each other's keys, exchange them; else compare both with the data sheet",
                 subject.places.imu(kGyroscope.walk)});
 }
 
 void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
   if (!imu.gyroscope_noise_density || !imu.accelerometer_noise_density) return;
   if (*imu.gyroscope_noise_density <= *imu.accelerometer_noise_density) return;
-  findings.add({Severity::kWarning,
-                "imu-sensors-swapped",
-                imu.name + ": the gyroscope's noise " + number(*imu.gyroscope_noise_density) +
-                    " is larger than the accelerometer's " + number(*imu.accelerometer_noise_density) +
-                    "; in SI units it is ten times smaller",
-                {},
-                "are gyroscope and accelerometer exchanged, or is the gyroscope's in degrees?",
-                subject.places.imu(&Imu::gyroscope_noise_density)});
+  const SourceRange where = subject.places.imu(&Imu::gyroscope_noise_density);
+  if (findings.has("imu-noise-too-large", where)) return;  // told
+  findings.add(
+      {Severity::kWarning,
+       "imu-sensors-swapped",
+       imu.name + ": the gyroscope's noise " + number(*imu.gyroscope_noise_density) + " is larger than the accelerometer's " +
+           number(*imu.accelerometer_noise_density) + "; in SI units it is ten times smaller",
+       {},
+       "exchange the two sensors' numbers if they are exchanged; multiply by pi / 180 if the gyroscope's is in degrees",
+       where});
 }
 
 void check_rate(const Subject& subject, const Imu& imu, Findings& findings) {
@@ -117,6 +134,7 @@ bool check_imu(const Subject& subject, Findings& findings) {
     check_swapped(subject, imu, findings);
     check_sensors(subject, imu, findings);
     check_rate(subject, imu, findings);
+    for (const Density& density : kNoises) doubt_unit(subject, imu, density, findings);
   }
   return !subject.rig().imus.empty();
 }

@@ -60,15 +60,52 @@ void collect_unspaced(const text::Source& source, const Node& node, std::vector<
   for (const Node& item : node.items) collect_unspaced(source, item, places);
 }
 
+/// Where %YAML stands: in the first line that is neither blank nor a comment. What is before it OpenCV's reader does not take.
+struct Top {
+  std::size_t start = 0;       ///< Behind a byte order mark.
+  std::optional<Span> header;  ///< The line, without its break.
+
+  [[nodiscard]] bool is_first() const { return header && header->offset == 0; }
+};
+
+Top top_of(const text::Source& source) {
+  Top top;
+  top.start = source.byte_order_mark();
+  for (std::size_t at = top.start; at < source.bytes.size();) {
+    const std::size_t end = std::min(source.bytes.find('\n', at), source.bytes.size());
+    const std::string_view line = std::string_view(source.bytes).substr(at, end - at);
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (line.starts_with("%YAML")) top.header = Span{at, line.size() - (line.ends_with('\r') ? 1 : 0)};
+    if (first != std::string_view::npos && line[first] != '#') break;
+    at = end + 1;
+  }
+  return top;
+}
+
+/// The lines before the header, behind a line break and without their last one.
+std::string lines_before(const text::Source& source, const Top& top) {
+  std::string_view lines = source.text({top.start, top.header->offset - top.start});
+  if (lines.empty()) return "";
+  lines.remove_suffix(lines.ends_with("\r\n") ? 2 : 1);
+  return std::string(source.line_break()) + std::string(lines);
+}
+
+std::string in_words(const text::Source& source, const Top& top) {
+  std::string text = top.start > 0 ? "remove the byte order mark (BOM) before the first line" : "";
+  if (top.header->offset > top.start)
+    text += (text.empty() ? "" : "; ") + std::string("begin the file with ") + std::string(source.text(*top.header));
+  return text;
+}
+
 }  // namespace
 
 std::optional<Mend> header_mend(const text::Document& document) {
   const text::Source& source = document.source();
-  const std::size_t start = source.byte_order_mark();
-  if (!std::string_view(source.bytes).substr(start).starts_with("%YAML:")) return std::nullopt;
-  const Span line = source.line_at(start);
+  const Top top = top_of(source);
+  if (!top.header || !source.text(*top.header).starts_with("%YAML:")) return std::nullopt;
+  const Span line = *top.header;
   const std::string header = header_for(source, line.end());
-  std::string text = header;
+  std::string text = header + lines_before(source, top);
   std::size_t at = line.end();
   std::vector<std::size_t> unspaced;
   collect_unspaced(source, document.root(), unspaced);
@@ -77,37 +114,47 @@ std::optional<Mend> header_mend(const text::Document& document) {
     at = place;
   }
   return Mend{"opencv-header",
-              {line.offset, at - line.offset},
+              {0, at},
               text,
-              "write " + in_words(header) + (unspaced.empty() ? "" : "; and a blank behind every colon")};
+              "write " + in_words(header) + (line.offset > top.start ? " in the first line" : "") +
+                  (unspaced.empty() ? "" : "; and a blank behind every colon")};
 }
 
 std::optional<Mend> layout_mend(const text::Document& document) {
-  if (document.syntax() != text::Syntax::kYaml) return std::nullopt;
+  if (document.syntax() != text::Syntax::kYaml && document.syntax() != text::Syntax::kOpenCvYaml) return std::nullopt;
   const text::Source& source = document.source();
-  // A header behind comments: which of the two is meant to go is not certain.
-  if (source.bytes.find("\n%YAML") != std::string::npos) return std::nullopt;
+  const Top top = top_of(source);
+  // A header in the midst of the file: which part of it is meant is not certain.
+  if (!top.header && source.bytes.find("\n%YAML") != std::string::npos) return std::nullopt;
   std::vector<Span> shallow;
   collect_shallow(source, document.root(), shallow);
-  const std::size_t start = source.byte_order_mark();
-  const bool has_header = std::string_view(source.bytes).substr(start).starts_with("%YAML");
-  if (has_header && shallow.empty()) return std::nullopt;
-  const std::string header = has_header ? "" : header_for(source, start);
-  // From the byte order mark, which OpenCV does not take for one, or from the first list.
-  const std::size_t begin = has_header ? source.line_at(shallow.front().offset).offset : 0;
-  std::size_t at = has_header ? begin : start;
-  std::string text = has_header ? "" : header + std::string(source.line_break());
+  if (top.is_first() && shallow.empty()) return std::nullopt;
+  // From the first byte, or from the first list.
+  std::size_t begin = 0;
+  std::size_t at = top.start;
+  std::string text;
+  std::string first;
+  if (top.is_first()) {
+    begin = at = source.line_at(shallow.front().offset).offset;
+  } else if (top.header) {
+    at = top.header->end();
+    text = std::string(source.text(*top.header)) + lines_before(source, top);
+    first = in_words(source, top);
+  } else {
+    const std::string header = header_for(source, top.start);
+    text = header + std::string(source.line_break());
+    first = "begin the file with " + in_words(header);
+  }
   for (const Span& list : shallow) {
-    const std::size_t first = source.line_at(list.offset).offset;
-    text += source.text({at, first - at});
-    for (at = first; at < list.end();) {
+    const std::size_t start = source.line_at(list.offset).offset;
+    text += source.text({at, start - at});
+    for (at = start; at < list.end();) {
       const Span line = source.line_at(at);
       const std::size_t next = std::min(source.bytes.find('\n', line.end()), source.bytes.size() - 1) + 1;
       text += (line.length > 0 ? "  " : "") + std::string(source.text({line.offset, next - line.offset}));
       at = next;
     }
   }
-  const std::string first = has_header ? "" : "begin the file with " + in_words(header);
   const std::string lists = shallow.empty() ? "" : "indent lists deeper than their key";
   return Mend{"yaml-layout", {begin, at - begin}, text, first + (first.empty() || lists.empty() ? "" : "; ") + lists};
 }

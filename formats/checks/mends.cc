@@ -2,6 +2,7 @@
 #include "mends.h"
 
 #include "layout_mend.h"
+#include "tab_mend.h"
 
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
@@ -57,6 +58,11 @@ std::vector<Mend> spellings(const Node& scalar) {
   }
   if (!scalar.quoted) mends.push_back(spelled("unquoted-text", scalar.span, "\"" + scalar.value + "\""));
   return mends;
+}
+
+std::optional<Mend> blanks_for_tabs(const text::Document& document) {
+  const bool yaml = document.syntax() == text::Syntax::kYaml || document.syntax() == text::Syntax::kOpenCvYaml;
+  return yaml ? tab_mend(document.source()) : std::nullopt;
 }
 
 /// What a program says to the document with a mend in it.
@@ -129,7 +135,7 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
   if (document.source().bytes.size() > kLongest) return std::nullopt;
   const std::vector<std::string> before = program.load(document.source().bytes, options).refusals;
   // Behind the header the program sees the file for the first time: it may go on to refuse something else.
-  for (std::optional<Mend> (*layout)(const text::Document&) : {&header_mend, &layout_mend}) {
+  for (std::optional<Mend> (*layout)(const text::Document&) : {&layout_mend, &header_mend, &blanks_for_tabs}) {
     std::optional<Mend> mend = layout(document);
     if (mend && says(before, complaint) && !says_alike(view_after(document, *mend, program, options).refusals, complaint))
       return mend;

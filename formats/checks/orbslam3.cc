@@ -94,13 +94,26 @@ void check_depth_threshold(const Subject& subject, Findings& findings) {
     constexpr double kNearest = 5.0;
     constexpr double kFarthest = 1000.0;
     if (!threshold || (*threshold >= kNearest && *threshold <= kFarthest)) continue;
+    const SourceRange where = subject.document.range(*find(subject, key));
+    if (*threshold <= 0.0) {
+      findings.add({Severity::kWarning,
+                    "depth-threshold",
+                    std::string(key) + " = " + text::format_short(*threshold, 4) +
+                        ": no point is nearer than that, so none counts as close",
+                    {},
+                    *threshold < 0.0
+                        ? "write " + text::format_real(-*threshold) + " if only the sign is wrong; upstream's are 35 to 60"
+                        : "write 40.0; upstream's are 35 to 60",
+                    where});
+      continue;
+    }
     findings.add({Severity::kWarning,
                   "depth-threshold",
                   std::string(key) + " = " + text::format_short(*threshold, 4) +
                       " is counted in baselines, not in metres; upstream's are 35 to 60",
                   {},
                   "divide the distance in metres by the baseline",
-                  subject.document.range(*find(subject, key))});
+                  where});
   }
 }
 

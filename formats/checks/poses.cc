@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "topics.h"
 
+#include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/pose_slip.h>
 #include <fca/rig/rotation.h>
@@ -18,10 +19,14 @@ constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 std::string name_of(const PoseEdge& edge) { return "T_" + edge.a + "_" + edge.b; }
 
-std::string in_degrees(double radians) { return text::format_short(radians * kDegreesPerRadian, 3) + " deg"; }
+/// Rounding is no difference: 6.8e-14 deg reads as 0.
+double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
 
-std::string in_metres(double metres) {
+std::string in_degrees(double radians) { return text::format_short(without_rounding(radians) * kDegreesPerRadian, 3) + " deg"; }
+
+std::string in_metres(double value) {
   constexpr double kShort = 0.1;
+  const double metres = without_rounding(value);
   return std::abs(metres) < kShort ? text::format_short(metres * 1000.0, 3) + " mm" : text::format_short(metres, 3) + " m";
 }
 
@@ -97,20 +102,13 @@ std::vector<Contradiction> contradictions_of(const Rig& rig, bool& any_redundant
   return found;
 }
 
-bool name_slip(const Subject& subject, const Contradiction& contradiction, Findings& findings) {
-  const PoseEdge& edge = subject.rig().poses[contradiction.index];
-  for (const PoseSlip& slip : pose_slips()) {
-    const std::optional<Transform> undone = slip.undo(edge.T_a_b);
-    if (!undone || close(edge.T_a_b, contradiction.around) || !close(*undone, contradiction.around)) continue;
-    findings.add({Severity::kError,
-                  std::string(slip.code),
-                  name_of(edge) + " " + std::string(slip.does),
-                  {},
-                  std::string(slip.fix),
-                  subject.places.pose(contradiction.index, 0, slip.code == "translation-in-mm" ? 3 : 0)});
-    return true;
+/// The row of the translation where a wrong unit shows best.
+int longest_row(const Transform& T) {
+  int longest = 0;
+  for (int row = 1; row < 3; ++row) {
+    if (std::abs(T(row, 3)) > std::abs(T(longest, 3))) longest = row;
   }
-  return false;
+  return longest;
 }
 
 /// For formats that state metres: cars are longer than 5 m, but their cameras and IMUs sit closer together; a vehicle's frame
@@ -122,8 +120,52 @@ bool too_far(const Subject& subject, double metres, std::string_view from = {}) 
   return metres > (vehicle ? kLongVehicle : kLargeRig) && !subject.calibration.format->any_length_unit;
 }
 
+/// Translations that are too long for metres, and with which alone in millimetres all poses agree: are named.
+bool name_millimetres(const Subject& subject, Findings& findings) {
+  Rig metric = subject.rig();
+  std::vector<std::size_t> in_mm;
+  for (std::size_t i = 0; i < metric.poses.size(); ++i) {
+    Transform& T = metric.poses[i].T_a_b;
+    if (!too_far(subject, distance_of(T), metric.poses[i].a)) continue;
+    for (int row = 0; row < 3; ++row) T(row, 3) *= 1e-3;
+    in_mm.push_back(i);
+  }
+  bool any_redundant = false;
+  if (in_mm.empty() || in_mm.size() == metric.poses.size()) return false;
+  if (!contradictions_of(metric, any_redundant).empty() || !any_redundant) return false;
+  if (contradictions_of(subject.rig(), any_redundant).empty()) return false;
+  for (const std::size_t i : in_mm) {
+    const PoseEdge& edge = subject.rig().poses[i];
+    findings.add({Severity::kError,
+                  "translation-in-mm",
+                  name_of(edge) + " has its translation in millimetres",
+                  {},
+                  "divide the translation by 1000",
+                  subject.places.pose(i, longest_row(edge.T_a_b), 3)});
+  }
+  return true;
+}
+
+bool name_slip(const Subject& subject, const Contradiction& contradiction, Findings& findings) {
+  const PoseEdge& edge = subject.rig().poses[contradiction.index];
+  for (const PoseSlip& slip : pose_slips()) {
+    const std::optional<Transform> undone = slip.undo(edge.T_a_b);
+    if (!undone || close(edge.T_a_b, contradiction.around) || !close(*undone, contradiction.around)) continue;
+    findings.add({Severity::kError,
+                  std::string(slip.code),
+                  name_of(edge) + " " + std::string(slip.does),
+                  {},
+                  std::string(slip.fix),
+                  slip.code == "translation-in-mm" ? subject.places.pose(contradiction.index, longest_row(edge.T_a_b), 3)
+                                                   : subject.places.pose(contradiction.index, 0, 0)});
+    return true;
+  }
+  return false;
+}
+
+constexpr double kLargestRig = 50.0;  // m
+
 void say_distance(double metres, const std::string& what, const SourceRange& where, Findings& findings) {
-  constexpr double kLargestRig = 50.0;
   if (findings.has("translation-in-mm", where)) return;
   findings.add({metres > kLargestRig ? Severity::kError : Severity::kWarning,
                 "translation-in-mm",
@@ -131,6 +173,29 @@ void say_distance(double metres, const std::string& what, const SourceRange& whe
                 {},
                 "divide the translation by 1000 if they are millimetres",
                 where});
+}
+
+/// Stereo.b is the baseline, and people know the number as Camera.bf of the older style: baseline times fx.
+bool name_bf(const Subject& subject, Findings& findings) {
+  const Rig& rig = subject.rig();
+  const text::Node* place = text::find(subject.document.root(), "Stereo.b", text::Dialect::kOpenCv);
+  if (!subject.is("orbslam3") || place == nullptr || rig.cameras.empty()) return false;
+  const auto plausible = [](double metres) { return metres > 0.02 && metres < 2.0; };
+  const double as_bf = *rig.baseline_m / central_focal_lengths(rig.cameras.front().model)[0];
+  const double as_mm = *rig.baseline_m / 1000.0;
+  if (!plausible(as_bf)) return false;
+  const std::string baseline = text::format_short(as_bf, 4);
+  const std::string metres = text::format_short(as_mm, 4);
+  findings.add({*rig.baseline_m > kLargestRig ? Severity::kError : Severity::kWarning,
+                "baseline-is-bf",
+                "Stereo.b = " + text::format_short(*rig.baseline_m, 5) +
+                    " is no baseline in metres; it may be Camera.bf's number (baseline times fx), of a baseline of " +
+                    baseline + " m" + (plausible(as_mm) ? ", or millimetres" : ""),
+                {},
+                "write " + baseline + (plausible(as_mm) ? ", or " + metres + " for millimetres" : "") +
+                    ": how far the two lenses are apart",
+                subject.document.range(*place)});
+  return true;
 }
 
 /// The first camera is the left one: ORB-SLAM3 looks for disparities to one side only.
@@ -154,6 +219,11 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
                 where});
 }
 
+/// "0.65 m above the ground", "3.2 m below the ground"
+std::string above_ground(double height) {
+  return in_metres(std::abs(height)) + (height < 0.0 ? " below" : " above") + " the ground";
+}
+
 /// A camera in a vehicle's frame stands above the ground and not farther from it than a truck is high.
 void check_vehicle_direction(const Subject& subject, Findings& findings) {
   const auto plausible = [](double height) { return height > 0.1 && height < 4.5; };
@@ -166,10 +236,12 @@ void check_vehicle_direction(const Subject& subject, Findings& findings) {
     const bool inverted = plausible((*other)(2, 3));
     findings.add({Severity::kWarning,
                   inverted ? "pose-inverted" : "pose-implausible",
-                  edge.b + " stands " + in_metres(edge.T_a_b(2, 3)) + " above the ground of the vehicle's frame" +
-                      (inverted ? "; the inverse pose would put it at " + in_metres((*other)(2, 3)) : ""),
+                  edge.b + " stands " + above_ground(edge.T_a_b(2, 3)) +
+                      " of the vehicle's frame; the inverse pose would put it " + above_ground((*other)(2, 3)) +
+                      (inverted ? "" : ", where no car has a camera, either"),
                   {},
-                  inverted ? "the file states camera -> vehicle: invert the pose" : "check the translation",
+                  inverted ? "the file states camera -> vehicle: invert the pose"
+                           : "compare the translation with where the camera sits: metres from the ground under the rear axle",
                   subject.places.pose(i, 2, 3)});
   }
 }
@@ -186,13 +258,10 @@ bool check_distances(const Subject& subject, Findings& findings) {
   for (std::size_t i = 0; i < rig.poses.size(); ++i) {
     const Transform& T = rig.poses[i].T_a_b;
     if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;
-    int largest = 0;
-    for (int row = 1; row < 3; ++row) {
-      if (std::abs(T(row, 3)) > std::abs(T(largest, 3))) largest = row;
-    }
-    say_distance(distance_of(T), "the translation of " + name_of(rig.poses[i]), subject.places.pose(i, largest, 3), findings);
+    say_distance(distance_of(T), "the translation of " + name_of(rig.poses[i]), subject.places.pose(i, longest_row(T), 3),
+                 findings);
   }
-  if (rig.baseline_m && too_far(subject, *rig.baseline_m))
+  if (rig.baseline_m && too_far(subject, *rig.baseline_m) && !name_bf(subject, findings))
     say_distance(*rig.baseline_m, "the baseline", subject.places.baseline(), findings);
   check_stereo_order(subject, findings);
   check_vehicle_direction(subject, findings);
@@ -207,11 +276,13 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
   }
   bool any_redundant = false;
   const std::vector<Contradiction> contradictions = contradictions_of(subject.rig(), any_redundant);
-  if (!any_redundant && !poses.empty()) {
+  // Above a vehicle's ground the height decides.
+  if (!any_redundant && !poses.empty() && !subject.is("woodscape")) {
     findings.undecided("pose-inverted",
                        "direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
                        "each is stated once, and a pose and its inverse are equally long");
   }
+  if (!contradictions.empty() && name_millimetres(subject, findings)) return true;
   for (const Contradiction& each : contradictions) {
     if (name_slip(subject, each, findings)) return true;
   }

@@ -98,8 +98,23 @@ class ProgramsCheck {
     return attempts;
   }
 
+  /// The first key of the file that the sentence has as a word: "(2 here, with T_imu_body)"; null if it has none.
+  [[nodiscard]] const text::Node* key_mentioned_in(const std::string& sentence) const {
+    constexpr std::string_view kBetween = " ,;:()";
+    for (std::size_t at = sentence.find_first_not_of(kBetween); at != std::string::npos;) {
+      const std::size_t end = std::min(sentence.find_first_of(kBetween, at), sentence.size());
+      const std::string_view word = std::string_view(sentence).substr(at, end - at);
+      const auto entry =
+          std::ranges::find_if(document_.root().entries, [word](const text::Entry& each) { return each.key.value == word; });
+      if (entry != document_.root().entries.end()) return &entry->key;
+      at = sentence.find_first_not_of(kBetween, end);
+    }
+    return nullptr;
+  }
+
   [[nodiscard]] SourceRange place_of(const std::string& sentence) const {
     const text::Node* node = named_in(document_, sentence);
+    if (node == nullptr) node = key_mentioned_in(sentence);
     if (node == nullptr) return {document_.source().name, 0, 0};
     SourceRange where = document_.range(*node);
     if (!node->is_scalar()) where.length = std::min<std::size_t>(where.length, 1);
@@ -131,8 +146,9 @@ class ProgramsCheck {
     if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), complaint)) {
       finding.code = mend->code;
       const text::Span line = document_.source().line_at(mend->span.offset);
-      finding.where =
-          document_.source().range({mend->span.offset, std::min(mend->span.length, line.end() - mend->span.offset)});
+      // A line that is put in before is wanted where the first one stands.
+      const std::size_t length = std::min(std::max<std::size_t>(mend->span.length, 1), line.end() - mend->span.offset);
+      finding.where = document_.source().range({mend->span.offset, length});
       finding.mend = SpanEdit{mend->span, mend->text};
       finding.fix = mend->fix;
     }
@@ -143,7 +159,9 @@ class ProgramsCheck {
     const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
     const std::string_view first_word = program.program.substr(0, program.program.find(' '));
     const bool named = refusal.find(first_word) != std::string::npos;
-    say({Severity::kError, "program-refuses", named ? refusal : who + " refuses the file: " + refusal, {}, {}, {}}, program,
+    const bool missing = refusal.find(" is missing") != std::string::npos;
+    const std::string fix = missing ? "add it, as the calibration's result or the program's example file has it" : "";
+    say({Severity::kError, "program-refuses", named ? refusal : who + " refuses the file: " + refusal, {}, fix, {}}, program,
         mode, refusal);
   }
 

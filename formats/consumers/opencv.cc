@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -354,9 +355,11 @@ class Reader {
       poses.push_back(read_mc_calib_camera(node(name), name));
     }
     const cv::FileNode declared = node("nb_camera");
-    if (declared.isInt() && static_cast<int>(declared) != count && view_.loads()) {
-      refuse("nb_camera is " + std::to_string(static_cast<int>(declared)) + ", but there are " + std::to_string(count) +
-             " maps camera_0 ...");
+    // A number in quotes is none to cv::FileStorage, and read as INT_MAX.
+    const bool number = declared.isInt() || declared.isReal();
+    const int announced = number ? static_cast<int>(declared) : std::numeric_limits<int>::max();
+    if (!declared.empty() && announced != count && view_.loads()) {
+      refuse("nb_camera is " + std::to_string(announced) + ", but there are " + std::to_string(count) + " maps camera_0 ...");
     }
     for (std::size_t i = 1; i < poses.size(); ++i) {
       if (poses[0] && poses[i]) view_.poses.push_back({"cam0", "cam" + std::to_string(i), relative(*poses[0], *poses[i])});

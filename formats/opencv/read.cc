@@ -23,9 +23,10 @@ class CalibrationReader {
       : document_(document), reader_(document, kDialect, diagnostics), layout_(layout), options_(options) {}
 
   void read_into(Rig& rig) {
-    if (document_.syntax() == text::Syntax::kYaml) {
+    const bool yaml = document_.syntax() == text::Syntax::kYaml || document_.syntax() == text::Syntax::kOpenCvYaml;
+    if (yaml && !document_.source().bytes.starts_with("%YAML")) {
       reader_.warning(document_.root().entries.front().key, "program-refuses",
-                      "the first line is not %YAML:1.0; cv::FileStorage does not open the file", "add that line");
+                      "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0");
     }
     warn_of_duplicates();
     for (std::size_t i = 0; i < layout_.cameras.size(); ++i) read_camera(layout_.cameras[i], "cam" + std::to_string(i), rig);

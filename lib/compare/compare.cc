@@ -29,12 +29,26 @@ struct CameraPair {
   Camera other;
   std::optional<ImageSize> scaled_from;
   double scale = 1.0;  ///< Reference's pixels per pixel of the other.
+  bool size_assumed = false;
 };
+
+/// The image whose middle is that principal point: what is likely where nothing states a size.
+ImageSize image_about(const Pixel& centre) {
+  constexpr double kLargest = 20'000.0;  // of any sensor; also where the principal point is nonsense
+  const auto side = [kLargest](double middle) {
+    return static_cast<int>(std::clamp(std::round(2.0 * middle + 1.0), 1.0, kLargest));
+  };
+  return ImageSize{side(centre[0]), side(centre[1])};
+}
 
 std::optional<CameraPair> at_one_size(const Camera& reference, const Camera& other, Diagnostics& diagnostics) {
   CameraPair pair{reference, other, {}};
   if (!pair.reference.image_size) pair.reference.image_size = other.image_size;
-  if (!pair.other.image_size) pair.other.image_size = reference.image_size;
+  if (!pair.reference.image_size) {
+    pair.reference.image_size = image_about(principal_point(reference.model));
+    pair.size_assumed = true;
+  }
+  if (!pair.other.image_size) pair.other.image_size = pair.reference.image_size;
   if (pair.reference.image_size == pair.other.image_size) return pair;
   const ImageSize& right = *pair.reference.image_size;
   const ImageSize& left = *pair.other.image_size;
@@ -70,7 +84,17 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
   const std::vector<std::string> problems = validate(pair->other.model);
   for (const std::string& problem : problems) diagnostics.error("not-a-camera", other.name + ": " + problem);
   if (!problems.empty()) return std::nullopt;
-  std::optional<Domain> domain = domain_of(pair->reference, options.max_angle_rad, diagnostics);
+  Diagnostics of_domain;
+  std::optional<Domain> domain = domain_of(pair->reference, options.max_angle_rad, of_domain);
+  const bool same_lens = pair->reference.model == pair->other.model && !pair->scaled_from;
+  for (Diagnostic entry : of_domain.entries()) {
+    // Of a lens that sees nothing of its image nothing can be measured, but it is the same as itself.
+    if (same_lens && entry.code == "no-pixel-has-a-ray") {
+      entry.severity = Severity::kWarning;
+      domain = Domain{*pair->reference.image_size, max_angle(pair->reference.model), "no pixel has a ray"};
+    }
+    diagnostics.add(std::move(entry));
+  }
   if (!domain) return std::nullopt;
   return PreparedPair{*std::move(pair), *std::move(domain)};
 }
@@ -84,6 +108,7 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
   result.reference_model = model_info(reference.model).id;
   result.other_model = model_info(other.model).id;
   result.size = pair.domain.size;
+  result.size_assumed = pair.cameras.size_assumed;
   result.other_size = pair.cameras.scaled_from;
   result.identical = reference.model == other.model && !result.other_size;
   result.scored_to_deg = std::min(pair.domain.max_angle_rad, max_angle(other.model)) * kDegreesPerRadian;
@@ -212,6 +237,12 @@ bool PoseComparison::same_but_for_rounding() const {
 bool FactComparison::same_but_for_rounding() const {
   constexpr double kRounding = 1e-9;
   return std::abs(other - reference) <= kRounding * std::abs(reference);
+}
+
+bool FactComparison::alike() const {
+  constexpr double kSameTime = 1e-3;  // s
+  constexpr double kSameShare = 0.05;
+  return std::abs(other - reference) <= (unit == "s" ? kSameTime : kSameShare * std::abs(reference));
 }
 
 bool RigComparison::identical() const {

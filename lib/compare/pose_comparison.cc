@@ -148,3 +148,12 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
 }
 
 }  // namespace fca::internal
+
+namespace fca {
+
+bool PoseComparison::alike() const {
+  const double allowed = std::max(internal::kSameDistance, internal::kSameShare * reference_length_m);
+  return angle_rad <= internal::kSameAngle && distance_m <= allowed;
+}
+
+}  // namespace fca

@@ -36,7 +36,7 @@ constexpr Judged kJudged[] = {
     {"xinli_stereo170.yaml", "not-a-rotation", "Camera.Tbc as in xinli_stereo137"},
     {"thien94__orb_slam3_ros__config__Stereo__RealSense_T265.yaml", "real-for-int", "Camera.fps: 30."},
     {"urbste__ORB_SLAM3__Examples__Stereo__KITTI00-02.yaml", "int-for-real", "Viewer.ViewpointY: -100"},
-    {"SynWoodScape", "program-refuses", "no \"translation\": KeyError in projection.py"},
+    {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };
 
 /// Refusals of SUMMARY.tsv that are no defect of the file: it was given to a program it is not for.

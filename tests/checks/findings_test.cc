@@ -3,6 +3,8 @@
 // said ("line:column severity code").
 #include "check_files.h"
 
+#include <fca/formats/text/numbers.h>
+
 #include <set>
 
 namespace fca::test {
@@ -67,13 +69,16 @@ TEST(CheckCodes, AreThoseThatTheFilesShow) {
   }
 }
 
-// What is wrong, what happens, how to mend it: a finding is no use without the first two.
-TEST(CheckFindings, SayWhatHappens) {
-  for (const fs::path& path : check_files()) {
+// What is wrong, what happens, how to mend it: a finding is no use without all three.
+TEST(CheckFindings, SayWhatHappensAndWhatToDo) {
+  std::vector<fs::path> files = check_files();
+  const std::vector<fs::path> bad = files_of_all_formats("bad");
+  files.insert(files.end(), bad.begin(), bad.end());
+  for (const fs::path& path : files) {
     for (const Finding& finding : checked(path).findings) {
       EXPECT_FALSE(finding.message.empty()) << finding.code;
-      // A program's own words ("... and exits") say it themselves.
-      EXPECT_TRUE(!finding.consequence.empty() || finding.code == "program-misreads") << finding.code << " of " << path;
+      EXPECT_FALSE(finding.consequence.empty()) << finding.code << " of " << path;
+      EXPECT_TRUE(!finding.fix.empty() || finding.severity == Severity::kNote) << finding.code << " of " << path;
     }
   }
 }
@@ -111,6 +116,60 @@ TEST(CheckFindings, AnAmbiguousVectorShowsBothFieldsOfView) {
   // f = 458.6 px of 752: atan(367.2 / f) + atan(383.8 / f) = 78.6 deg without distortion, more with a barrel's.
   EXPECT_NE(report.findings.front().message.find("as pinhole: 92.7"), std::string::npos) << report.findings.front().message;
   EXPECT_NE(report.findings.front().message.find("as fisheye: 120.2"), std::string::npos) << report.findings.front().message;
+}
+
+// Whichever poses of a loop are in millimetres: each is told once, and the others are right.
+TEST(CheckFindings, MillimetresAreToldOncePerPose) {
+  const std::string good = read_file(checks_dir() / "clean-pair.yaml");
+  // The translations of cam0, of cam1 and of the one to the other, by lines.
+  const std::vector<std::vector<int>> poses = {{4, 5, 6}, {18, 19, 20}, {23, 24, 25}};
+  for (unsigned wrong = 1; wrong < 8; ++wrong) {
+    std::string bytes;
+    std::set<int> lines;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      if ((wrong >> i & 1U) != 0) lines.insert(poses[i].begin(), poses[i].end());
+    }
+    int number = 0;
+    for (std::string line : split(good, '\n')) {
+      const std::size_t comma = line.rfind(", ");
+      if (lines.contains(++number)) {
+        line = line.substr(0, comma + 2) + text::format_real(1000.0 * std::stod(line.substr(comma + 2))) + "]";
+      }
+      bytes += line + "\n";
+    }
+    const CheckReport report = checked({"pair.yaml", bytes});
+    EXPECT_EQ(report.findings.size(), lines.size() / 3) << wrong;
+    for (const Finding& finding : report.findings) {
+      EXPECT_EQ(finding.code, "translation-in-mm");
+      EXPECT_NE(finding.fix.find("divide the translation by 1000"), std::string::npos) << finding.fix;
+    }
+  }
+}
+
+// 2.3e-3 is a density made larger for SLAM, or one sample's deviation at 200 Hz.
+TEST(CheckFindings, NoiseThatMayBeEitherIsNotDecided) {
+  const std::string good = read_file(checks_dir() / "clean-imu.yaml");
+  EXPECT_TRUE(checked({"imu.yaml", good}).undecided.empty());
+  const CheckReport report =
+      checked({"imu.yaml", with_replaced(good, "gyroscope_noise_density: 0.00016", "gyroscope_noise_density: 0.0023")});
+  EXPECT_TRUE(report.findings.empty());
+  ASSERT_EQ(report.undecided.size(), 1U);
+  EXPECT_NE(report.undecided.front().why.find("0.000163"), std::string::npos) << report.undecided.front().why;
+}
+
+TEST(CheckFindings, AThresholdBelowZeroIsNotToBeDivided) {
+  const std::string good = read_file(checks_dir() / "clean-settings.yaml");
+  const CheckReport report = checked({"settings.yaml", with_replaced(good, "ThDepth: 40.0", "ThDepth: -40.0")});
+  const auto found = std::ranges::find(report.findings, "depth-threshold", &Finding::code);
+  ASSERT_NE(found, report.findings.end());
+  EXPECT_NE(found->fix.find("write 40.0"), std::string::npos) << found->fix;
+}
+
+TEST(CheckFindings, OfAnImuNameNoCamera) {
+  for (const char* name : {"not-positive.yaml", "program-refuses.yaml"}) {
+    for (const Finding& finding : checked(checks_dir() / name).findings)
+      EXPECT_EQ(finding.consequence.find("camera"), std::string::npos) << finding.consequence;
+  }
 }
 
 // What lies beyond --max-angle is not lens: a fold there is nobody's affair.

@@ -116,12 +116,44 @@ TEST(Layout, ACommentMakesAFisheyeRadialTangential) {
 TEST(Layout, WhatNoLayoutMendsIsLeftAlone) {
   CheckOptions options;
   options.program = consumers::find_consumer("kalibr");
-  std::string tab(kChain);
-  tab.replace(tab.find("camera_model: pinhole"), 21, "camera_model:\tpinhole");
-  EXPECT_FALSE(mended({"camchain.yaml", tab}, options));
-  // A header that a comment keeps from the first line: two would be worse.
+  // A TAB within a word may be meant.
+  EXPECT_FALSE(mended({"camchain.yaml", with_replaced(std::string(kChain), "rostopic: /cam0", "rostopic: /cam\t0")}, options));
+  // A header in the midst: which half is the file?
   options.program = consumers::find_consumer("openvins");
-  EXPECT_FALSE(mended({"camchain.yaml", "# mine\n%YAML:1.0\n" + std::string(kChain)}, options));
+  EXPECT_FALSE(mended({"camchain.yaml", "more: 1\n%YAML:1.0\n" + std::string(kChain)}, options));
+}
+
+// Nothing but comments before: the header goes to the top, and the comments stay.
+TEST(Layout, AHeaderBehindCommentsIsMoved) {
+  CheckOptions options;
+  options.program = consumers::find_consumer("openvins");
+  for (const std::string& line_break : {std::string("\n"), std::string("\r\n")}) {
+    for (const std::string& mark : {std::string(), std::string("\xEF\xBB\xBF")}) {
+      std::string bytes = mark;
+      for (const char c : "# mine\n\n%YAML:1.0\n" + std::string(kChain)) bytes += c == '\n' ? line_break : std::string(1, c);
+      const text::Source source{"camchain.yaml", bytes};
+      const std::optional<text::Source> after = mended(source, options);
+      ASSERT_TRUE(after);
+      EXPECT_TRUE(after->bytes.starts_with("%YAML:1.0" + line_break + "# mine" + line_break)) << after->bytes;
+      EXPECT_EQ(after->bytes.find("%YAML", 1), std::string::npos);
+      EXPECT_EQ(rig_of(*after), rig_of(source));
+      EXPECT_TRUE(options.program->load(after->bytes, {}).loads());
+    }
+  }
+}
+
+TEST(Layout, AByteOrderMarkIsTakenAway) {
+  CheckOptions options;
+  for (const char* name : {"clean-settings.yaml", "clean.yml"}) {
+    const std::string bytes = read_file(fs::path(FCA_TESTDATA_DIR) / "checks" / name);
+    const text::Source source{name, "\xEF\xBB\xBF" + bytes};
+    const CheckReport report = checked(source);
+    ASSERT_TRUE(report.has(Severity::kError)) << name;
+    EXPECT_EQ(line_of(report.findings.front(), source), "1:1 error yaml-layout");
+    const std::optional<text::Source> after = mended(source, {});
+    ASSERT_TRUE(after) << name;
+    EXPECT_EQ(after->bytes, bytes);
+  }
 }
 
 // OpenVINS never looks at camera_model.

@@ -98,6 +98,22 @@ std::vector<TextDefect> defects() {
        {"orbslam3"},
        {"depth-threshold"},
        line_starting("ThDepth:", [](const std::string& line) { return with_number(line, [](double) { return "0.1"; }); })},
+      {"a negative depth threshold",
+       {"orbslam3"},
+       {"depth-threshold"},
+       line_starting("Stereo.ThDepth:",
+                     [](const std::string& line) { return with_number(line, [](double) { return "-40.0"; }); }),
+       10},
+      {"bf for the baseline",
+       {"orbslam3"},
+       {"baseline-is-bf"},
+       [](const Good& good) -> std::optional<SpanEdit> {
+         if (!good.calibration.rig.baseline_m) return std::nullopt;  // a pose stands beside it, and ORB-SLAM3 goes by that
+         return line_starting("Stereo.b:", [](const std::string& line) {
+           return with_number(line, [](double baseline) { return text::format_real(baseline * 450.0); });
+         })(good);
+       },
+       10},
       {"bf without the focal length",
        {"orbslam3"},
        {"bf-is-a-baseline", "baseline-contradicts"},

@@ -160,9 +160,16 @@ TEST(Compare, TheSizeMayComeFromEither) {
   const std::string without = folder.write("without.yaml", text);
   EXPECT_EQ(run_program({"compare", kDs, without}).code, 0);
   EXPECT_EQ(run_program({"compare", without, kDs}).code, 0);
-  const RunResult neither = run_program({"compare", without, without, "--camera", "0"});
-  EXPECT_EQ(neither.code, 2) << neither.out;
-  EXPECT_TRUE(contains(neither.err, "--size")) << neither.err;
+  const RunResult neither = run_program({"compare", without, without, "--max-error", "0"});
+  EXPECT_EQ(neither.code, 0) << neither.err;
+  EXPECT_TRUE(contains(neither.out, "assumed: no file states a size (--size does)")) << neither.out;
+  EXPECT_EQ(last_line(neither.out), "verdict: " + without + ": the same");
+  const std::string moved =
+      folder.write("moved.yaml", with_replaced(read_file(without), "158.28600034966977", "160.28600034966977"));
+  const RunResult differs = run_program({"compare", without, moved});
+  EXPECT_TRUE(last_line(differs.out).ends_with(" (for an assumed image size)")) << differs.out << differs.err;
+  EXPECT_TRUE(
+      document_of(run_program({"compare", without, moved, "--json"}))["files"][0]["cameras"][0]["size_assumed"].GetBool());
 }
 
 TEST(Compare, OtherSizesAreScaledOrRefused) {
@@ -223,6 +230,59 @@ TEST(Compare, MistakesAreCalledByName) {
   const rapidjson::Document document = document_of(run_program({"compare", kTumvi, "--with", kImu, wrong, "--json"}));
   EXPECT_STREQ(document["files"][0]["mistakes"][0]["code"].GetString(), "pose-inverted");
   EXPECT_STREQ(document["files"][0]["mistakes"][0]["subject"].GetString(), "IMU.T_b_c1");
+}
+
+// OCamCalib states its lens twice. Directions are the direct polynomial's, and world2cam's pixels the inverse one's.
+TEST(Compare, AnotherInversePolynomialIsSaid) {
+  const TemporaryFolder folder;
+  const std::string good = testdata("formats/ocamcalib/good/toolbox.txt");
+  const std::string wrong = folder.write("wrong.txt", with_replaced(read_file(good), "19 554.48", "19 559.48"));
+  const RunResult run = run_program({"compare", good, wrong});
+  EXPECT_EQ(run.code, 0) << run.err;
+  // Five pixels more in b0 move every pixel by five.
+  EXPECT_EQ(last_line(run.out),
+            "verdict: " + wrong + ": the same directions, but the inverse polynomials (world2cam) differ by up to 5 px");
+  const rapidjson::Document document = document_of(run_program({"compare", good, wrong, "--json"}));
+  EXPECT_FALSE(document["files"][0]["identical"].GetBool());
+  EXPECT_NEAR(document["files"][0]["inverse_px"].GetDouble(), 5.0, 1e-2);
+  EXPECT_EQ(run_program({"compare", good, wrong, "--max-error", "4"}).code, 1);
+  EXPECT_EQ(run_program({"compare", good, wrong, "--max-error", "6"}).code, 0);
+  const rapidjson::Document same = document_of(run_program({"compare", good, good, "--json"}));
+  EXPECT_TRUE(same["files"][0]["identical"].GetBool());
+  EXPECT_EQ(same["files"][0]["inverse_px"].GetDouble(), 0.0);
+}
+
+TEST(Compare, AMistakeFailsWithMaxErrorAndAnyOtherPoseOrNumberWithStrict) {
+  const TemporaryFolder folder;
+  const std::string text = read_file(kDs);
+  const auto code = [&](const std::string& from, const std::string& to, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments = {"compare", kDs, folder.write("other.yaml", with_replaced(text, from, to))};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_program(arguments).code;
+  };
+  const std::string x = "-0.10106110275180535";
+  const std::string time = "timeshift_cam_imu: 0.0021";
+  // Millimetres, and the other sign.
+  for (const auto& [from, to] : {std::pair(x, std::string("-101.06")), {time, std::string("timeshift_cam_imu: -0.0021")}}) {
+    EXPECT_EQ(code(from, to, {}), 0) << to;
+    EXPECT_EQ(code(from, to, {"--max-error", "1"}), 1) << to;
+    EXPECT_EQ(code(from, to, {"--strict"}), 1) << to;
+  }
+  // 1 cm, and 10 ms.
+  for (const auto& [from, to] : {std::pair(x, std::string("-0.1111")), {time, std::string("timeshift_cam_imu: 0.0121")}}) {
+    EXPECT_EQ(code(from, to, {"--max-error", "1"}), 0) << to;
+    EXPECT_EQ(code(from, to, {"--strict"}), 1) << to;
+  }
+  // 1 mm, 0.2 ms, 0.1 px; and 1 px.
+  for (const auto& [from, to] : {std::pair(x, std::string("-0.1021")), {time, std::string("timeshift_cam_imu: 0.0023")}}) {
+    EXPECT_EQ(code(from, to, {"--strict"}), 0) << to;
+  }
+  EXPECT_EQ(code("254.9611", "255.0611", {"--strict"}), 0);
+  EXPECT_EQ(code("254.9611", "256.3611", {"--strict"}), 1);
+  EXPECT_EQ(code("254.9611", "256.3611", {"--strict", "--max-error", "2"}), 0);
+  // What is not said any more.
+  EXPECT_EQ(code("  " + time + "\n", "", {"--max-error", "1"}), 0);
+  EXPECT_EQ(code("  " + time + "\n", "", {"--strict"}), 1);
 }
 
 TEST(Compare, TheSameMistakeIsToldOnce) {

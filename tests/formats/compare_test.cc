@@ -116,6 +116,30 @@ TEST(CompareFiles, AFileIsExactlyItself) {
   }
 }
 
+// Also those that state no image size.
+TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
+  if (!fs::exists(shared_dir() / "corpus" / "kalibr")) GTEST_SKIP() << "needs ../shared/corpus";
+  std::size_t compared_files = 0;
+  for (const Format& format : all_formats()) {
+    for (const fs::path& path : files_in(shared_dir() / "corpus" / format.id)) {
+      SCOPED_TRACE(path.string());
+      Diagnostics reading;
+      std::optional<text::Document> document = text::read_document(path.string(), reading);
+      if (!document) continue;
+      const std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, reading);
+      if (!calibration) continue;  // tests/formats/corpus_test.cc knows which
+      Diagnostics diagnostics;
+      const RigComparison result = compare(calibration->rig, calibration->rig, {.bound = false}, diagnostics);
+      EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.entries().front().message;
+      EXPECT_TRUE(result.identical() && result.mistakes.empty());
+      EXPECT_EQ(result.cameras.size(), calibration->rig.cameras.size());
+      for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.judgement.error.max, 0.0);
+      ++compared_files;
+    }
+  }
+  EXPECT_GT(compared_files, 300U);
+}
+
 // Which way a file states a pose is its own affair.
 TEST(CompareFiles, APoseStatedTheOtherWayIsTheSame) {
   for (const auto& [name, rig] : good_rigs()) {

@@ -202,9 +202,42 @@ TEST(CompareCameras, OtherProportionsAreRefusedAndASizeIsEnoughOnce) {
   other.image_size.reset();
   EXPECT_TRUE(compared(euroc(), other).identical);
   EXPECT_TRUE(compared(other, euroc()).identical);
-  Diagnostics missing;
-  EXPECT_FALSE(compare(other, other, {}, missing));
-  EXPECT_EQ(missing.entries().front().code, "image-size-missing");
+  EXPECT_FALSE(compared(other, euroc()).size_assumed);
+}
+
+// The image whose middle is the principal point.
+TEST(CompareCameras, WithoutAnySizeOneIsAssumed) {
+  for (Camera camera : {kalibr_ds(), kalibr_kb4(), kalibr_radtan(), euroc()}) {
+    const ImageSize size = *camera.image_size;
+    camera.image_size.reset();
+    const CameraComparison same = compared(camera, camera);
+    EXPECT_TRUE(same.identical && same.size_assumed);
+    EXPECT_EQ(same.difference.judgement.error.max, 0.0);
+    EXPECT_NEAR(same.size.width, size.width, 0.1 * size.width);
+    EXPECT_NEAR(same.size.height, size.height, 0.1 * size.height);
+    Camera moved = camera;
+    ASSERT_TRUE(set_parameter(moved.model, "cx", principal_point(camera.model)[0] + 2.0));
+    const CameraComparison result = compared(camera, moved);
+    EXPECT_FALSE(result.identical);
+    EXPECT_EQ(result.size, same.size);
+    EXPECT_NEAR(result.difference.judgement.error.max, 2.0, 1e-9);
+  }
+}
+
+TEST(CompareCameras, ALensThatSeesNothingIsTheSameAsItself) {
+  const Camera blind = {"cam0", ImageSize{512, 512}, Intrinsics<Kb4>{{10.0, 10.0, 5000.0, 256.5, -0.3, 0.0, 0.0, 0.0}}, {}, {},
+                        {}};
+  Diagnostics diagnostics;
+  const std::optional<CameraComparison> same = compare(blind, blind, {}, diagnostics);
+  ASSERT_TRUE(same);
+  EXPECT_TRUE(same->identical);
+  EXPECT_EQ(same->difference.judgement.error.max, 0.0);
+  ASSERT_EQ(diagnostics.entries().size(), 1U);
+  EXPECT_EQ(diagnostics.entries().front().code, "no-pixel-has-a-ray");
+  EXPECT_FALSE(diagnostics.has_errors());
+  Camera other = blind;
+  ASSERT_TRUE(set_parameter(other.model, "cx", 4999.0));
+  EXPECT_FALSE(compare(blind, other, {}, diagnostics));
 }
 
 }  // namespace

@@ -19,8 +19,9 @@ struct CompareOptions {
 
 /// How `other` differs from `reference`: a pixel of the reference, its ray by the reference, and the other's pixel of that ray,
 /// over the domain that a conversion of the reference would have: so compare(A, convert(A)) is the conversion's report. Images
-/// of another size with the same proportions are scaled (image_change.h); a size that only one states holds for both. Errors:
-/// sizes of other proportions, no size at all, parameters that are no camera, no pixel in common.
+/// of another size with the same proportions are scaled (image_change.h); a size that only one states holds for both, and where
+/// none does, that of the image whose middle is the reference's principal point (CameraComparison::size_assumed). Errors: sizes
+/// of other proportions, parameters that are no camera, no pixel in common.
 [[nodiscard]] std::optional<CameraComparison> compare(const Camera& reference, const Camera& other,
                                                       const CompareOptions& options, Diagnostics& diagnostics);
 

@@ -62,6 +62,7 @@ struct CameraComparison {
   std::string reference_model;
   std::string other_model;
   ImageSize size;                       ///< The reference's image, in whose pixels everything is said.
+  bool size_assumed = false;            ///< Neither states a size: the image whose middle is the reference's principal point.
   std::optional<ImageSize> other_size;  ///< The other's image, where it was scaled to that.
   bool identical = false;               ///< Same model, parameters and image size, to the last bit.
   double scored_to_deg = 0.0;           ///< Nothing further from the axis was scored.
@@ -80,6 +81,8 @@ struct PoseComparison {
 
   /// Up to 1e-9 rad and m: what remains where one rig states a pose and the other implies it.
   [[nodiscard]] bool same_but_for_rounding() const;
+  /// No further apart than two honest calibrations of one rig may be: 0.5 deg, and 5 mm or 5 % of the distance.
+  [[nodiscard]] bool alike() const;
 };
 
 /// A number that both state.
@@ -90,6 +93,8 @@ struct FactComparison {
   double reference = 0.0;
   double other = 0.0;
   [[nodiscard]] bool same_but_for_rounding() const;
+  /// Up to 1 ms of a time offset, 5 % of another number.
+  [[nodiscard]] bool alike() const;
 };
 
 /// Two rigs.

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "told_once.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace fca::checks {
+
+namespace {
+
+/// A finding by its code and a part of its message.
+struct Said {
+  std::string_view code;
+  std::string_view words;
+
+  [[nodiscard]] bool by(const Finding& finding) const {
+    return finding.code == code && finding.message.find(words) != std::string::npos;
+  }
+};
+
+struct Twice {
+  Said kept;
+  Said dropped;
+  bool says_cost = false;  ///< What is dropped is what happens because of it.
+};
+
+constexpr std::array kTwice = {
+    // The matrix's dt is the place, its key is not.
+    Twice{{"matrix-not-float", ""}, {"program-misreads", " is dt: "}},
+    // A missing key stands nowhere: where it should stand the reader knows.
+    Twice{{"pose-missing", "is missing"}, {"program-refuses", " is missing beside "}},
+    Twice{{"missing-key", "'extrinsic'"}, {"program-refuses", "'extrinsic'"}},
+    Twice{{"missing-key", "'quaternion'"}, {"program-refuses", "'quaternion'"}},
+    Twice{{"carla-translation", ""}, {"program-refuses", "'translation'"}},
+    Twice{{"inverse-missing", ""}, {"program-refuses", "inverse polynomial has"}},
+    Twice{{"distortion-missing", ""}, {"program-misreads", "projects without distortion"}},
+    Twice{{"skew", ""}, {"program-misreads", "has a skew of"}, true},
+    Twice{{"program-refuses", "MC-Calib's reader stops"}, {"program-refuses", "maps camera_0"}},
+    Twice{{"program-refuses", "Kalibr wants 0 <= alpha < 1"}, {"program-refuses", "Kalibr demands alpha < 1"}},
+    Twice{{"program-ignores", "is read by nobody"}, {"program-misreads", "only k1 to k4 are read"}},
+    Twice{{"yaml-layout", ""}, {"program-refuses", "the first line is not %YAML"}},
+    Twice{{"eucm-without-type", ""}, {"program-refuses", "Camera.type is missing"}},
+    // DSO names lines at most.
+    Twice{{"program-refuses", "DSO knows no lens ATAN"}, {"program-refuses", "DSO wants RadTan"}},
+    Twice{{"program-refuses", "line 3 must be exactly crop"}, {"program-refuses", "DSO wants exactly crop"}},
+    Twice{{"program-refuses", "DSO wants a line 3"}, {"program-refuses", "DSO wants exactly crop"}},
+    Twice{{"program-refuses", "DSO has not written"}, {"program-refuses", "line 3 is full"}},
+    Twice{{"program-refuses", "differ: DSO stops"}, {"program-refuses", "differ; DSO exits"}},
+    Twice{{"program-misreads", "line 3 is none"}, {"program-ignores", "line 3 is none"}},
+    Twice{{"program-ignores", "the fifth number of Pinhole"}, {"program-misreads", "the fifth number of Pinhole"}},
+    Twice{{"relative-by-centre", ""}, {"program-misreads", "cx and cy are below 1"}},
+    // One follows from the other.
+    Twice{{"relative-by-centre", ""}, {"focal-length-not-in-pixels", ""}},
+    Twice{{"relative-by-centre", ""}, {"not-a-camera", "not a finite number"}},
+};
+
+bool has_place(const Finding& finding) { return finding.where.offset > 0 || finding.where.length > 0; }
+
+void take_from(const Finding& other, Finding& finding) {
+  finding.severity = std::max(finding.severity, other.severity);
+  if (!has_place(finding)) finding.where = other.where;
+  if (finding.fix.empty()) finding.fix = other.fix;
+  if (!finding.mend) finding.mend = other.mend;
+}
+
+}  // namespace
+
+void tell_once(CheckReport& report) {
+  std::vector<Finding>& findings = report.findings;
+  for (const Twice& twice : kTwice) {
+    const auto kept = std::ranges::find_if(findings, [&twice](const Finding& each) { return twice.kept.by(each); });
+    if (kept == findings.end()) continue;
+    Finding merged = *kept;
+    const std::size_t index = static_cast<std::size_t>(kept - findings.begin());
+    std::vector<Finding> rest;
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      if (i != index && twice.dropped.by(findings[i])) {
+        take_from(findings[i], merged);
+        if (twice.says_cost) merged.consequence = findings[i].message + ".";
+      } else {
+        rest.push_back(findings[i]);
+      }
+    }
+    *std::ranges::find_if(rest, [&twice](const Finding& each) { return twice.kept.by(each); }) = std::move(merged);
+    findings = std::move(rest);
+  }
+}
+
+}  // namespace fca::checks
