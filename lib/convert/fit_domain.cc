@@ -12,11 +12,14 @@ namespace fca::internal {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Micros = std::chrono::duration<double, std::micro>;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 /// A cone is worth more than the whole domain if it stays below this and the whole does not.
 constexpr double kLimitRms = 1.0;  // px
+
+constexpr double kNearlyAhead = 85.0 * kRadiansPerDegree;  // here a plane is ten times as large as its distance
 
 /// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
 SampledFit fit(const FitTask& task, const Domain& domain, int count, const FittedModel* coarser = nullptr) {
@@ -43,22 +46,40 @@ bool reaches(const FittedModel& fitted, double angle_rad) {
   return fitted.reaches_all && max_angle(fitted.model) >= (1.0 - kRounding) * angle_rad;
 }
 
-/// The largest cone inside `below_rad`, in steps of 5 degrees, on which the target reaches every ray and stays under the limit;
-/// failing that, the largest on which it reaches every ray.
+/// The fit on the cone of that angle; no model where the target does not reach every ray of it.
+SampledFit fit_cone(const FitTask& task, int count, double angle) {
+  SampledFit result = fit(task, cone_of(task.domain, angle), count);
+  result.reach_rad = angle;
+  if (result.model && !reaches(*result.model, angle)) result.model.reset();
+  return result;
+}
+
+/// The largest cone inside `below_rad` on which the target reaches every ray and stays under the limit, found in steps of 5
+/// degrees and to a degree; failing that, the largest of the steps on which it reaches every ray.
 SampledFit fit_largest_cone(const FitTask& task, int count, double below_rad) {
   constexpr int kNarrowestDeg = 20;
   constexpr int kStepDeg = 5;
+  const auto is_good = [](const SampledFit& cone) { return cone.model && cone.model->rms_px <= kLimitRms; };
   const double below = below_rad / kRadiansPerDegree;
   SampledFit widest_reaching;
   for (int degrees = kStepDeg * static_cast<int>(std::ceil(below / kStepDeg) - 1); degrees >= kNarrowestDeg;
        degrees -= kStepDeg) {
-    const double angle = degrees * kRadiansPerDegree;
-    SampledFit candidate = fit(task, cone_of(task.domain, angle), count);
-    if (too_few(candidate.samples, task.target)) break;
-    if (!candidate.model || !reaches(*candidate.model, angle)) continue;
-    candidate.reach_rad = angle;
-    if (candidate.model->rms_px <= kLimitRms) return candidate;
-    if (!widest_reaching.model) widest_reaching = std::move(candidate);
+    SampledFit cone = fit_cone(task, count, degrees * kRadiansPerDegree);
+    if (too_few(cone.samples, task.target)) break;
+    if (!is_good(cone)) {
+      if (cone.model && !widest_reaching.model) widest_reaching = std::move(cone);
+      continue;
+    }
+    // Near 90 degrees a plane is good on the samples and wild between them.
+    if (sees_ahead_only(task.target.id) && degrees * kRadiansPerDegree > kNearlyAhead - 1e-9) return cone;
+    int good = degrees;
+    for (int bad = std::min(degrees + kStepDeg, static_cast<int>(std::ceil(below))); bad - good > 1;) {
+      const int between = (good + bad) / 2;
+      SampledFit wider = fit_cone(task, count, between * kRadiansPerDegree);
+      (is_good(wider) ? good : bad) = between;
+      if (is_good(wider)) cone = std::move(wider);
+    }
+    return cone;
   }
   return widest_reaching;
 }
@@ -66,7 +87,6 @@ SampledFit fit_largest_cone(const FitTask& task, int count, double below_rad) {
 /// The fit to the whole domain or, if the target cannot describe that, to the largest cone.
 SampledFit fit_as_far_as_possible(const FitTask& task, int count) {
   constexpr double kAhead = std::numbers::pi / 2.0;
-  constexpr double kNearlyAhead = 85.0 * kRadiansPerDegree;  // here a plane is ten times as large as its distance
   const bool ahead_only = sees_ahead_only(task.target.id);
   const double angle = task.domain.max_angle_rad;
   if (ahead_only && angle >= kAhead) {
@@ -107,34 +127,19 @@ double worse_between_samples(const Judgement& judgement, const FittedModel& fitt
   return judgement.error.rms / fitted.rms_px;
 }
 
-/// Gives up the whole domain for a cone, if there is a good one: no number of samples lies close enough to the edge of a plane,
-/// which is infinite at 90 degrees.
-void retreat_to_cone(const FitTask& task, DomainFit& result) {
-  if (result.fitted.reach_rad < std::numbers::pi) return;
-  const Clock::time_point start = Clock::now();
-  SampledFit cone = fit_largest_cone(task, task.options.samples, task.domain.max_angle_rad);
-  result.time += Clock::now() - start;
-  if (!cone.model || cone.model->rms_px > kLimitRms) return;
-  result.score = score_on_lattice({task.camera.model, &cone.model->model, nullptr, task.domain, cone.reach_rad});
-  result.fitted = std::move(cone);
-}
-
-}  // namespace
-
-bool too_few(std::size_t samples, const ModelInfo& target) { return 2 * samples < target.parameters.size(); }
-
-DomainFit fit_domain(const FitTask& task) {
-  constexpr double kWild = 2.0;
+/// From a fit to few samples to one whose error is that of the image: on more samples, while that helps. How many times worse
+/// it is between its samples after all goes to `worse_of_result`.
+DomainFit refine_all(const FitTask& task, const SampledFit& first, Micros time, double& worse_of_result) {
   constexpr int kMostDoublings = 3;
   constexpr double kBorder = 1.03;
   constexpr double kMuchWorse = 1.2;
   constexpr double kHelps = 0.99;
   DomainFit result;
-  double worse_of_result = 1.0;
+  result.time = time;
+  worse_of_result = 1.0;
   for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
-    const int count = task.options.samples << doubling;
     const Clock::time_point start = Clock::now();
-    SampledFit finer = doubling == 0 ? fit_as_far_as_possible(task, count) : refine(task, count, result.fitted);
+    SampledFit finer = doubling == 0 ? first : refine(task, task.options.samples << doubling, result.fitted);
     result.time += Clock::now() - start;
     if (!finer.model) {
       if (doubling == 0) result.fitted = std::move(finer);
@@ -153,8 +158,27 @@ DomainFit fit_domain(const FitTask& task) {
     }
     if (worse <= (helps ? kBorder : kMuchWorse)) break;
   }
-  if (worse_of_result > kWild && result.score.judgement.error.rms > kLimitRms) retreat_to_cone(task, result);
   return result;
+}
+
+}  // namespace
+
+bool too_few(std::size_t samples, const ModelInfo& target) { return 2 * samples < target.parameters.size(); }
+
+DomainFit fit_domain(const FitTask& task) {
+  constexpr double kWild = 2.0;
+  double worse = 1.0;
+  Clock::time_point start = Clock::now();
+  const SampledFit first = fit_as_far_as_possible(task, task.options.samples);
+  DomainFit result = refine_all(task, first, Clock::now() - start, worse);
+  const bool is_whole = result.fitted.reach_rad >= std::numbers::pi;
+  if (!is_whole || worse <= kWild || result.score.judgement.error.rms <= kLimitRms) return result;
+  // No number of samples lies close enough to the edge of a plane, which is infinite at 90 degrees: a cone, if there is a good
+  // one.
+  start = Clock::now();
+  const SampledFit cone = fit_largest_cone(task, task.options.samples, task.domain.max_angle_rad);
+  if (!cone.model || cone.model->rms_px > kLimitRms) return result;
+  return refine_all(task, cone, result.time + (Clock::now() - start), worse);
 }
 
 }  // namespace fca::internal

@@ -97,7 +97,8 @@ std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
   constexpr double kNobodySees = 1e-3;  // px
   const bool may_be_beaten = has_many_parameters(target_) && best && best->rms_px > kNobodySees;
   if (best && best->reaches_all && !may_be_beaten) return best;
-  for (const double scale : {0.8, 0.9, 1.1, 1.25}) {
+  hopeless_ = std::numeric_limits<double>::infinity();
+  for (const double scale : {0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.15, 1.2, 1.25}) {
     const LensCentre other = {{scale * centre.focal[0], scale * centre.focal[1]}, centre.point};
     const std::size_t tried = tried_.size();
     if (std::optional<FoundFit> fit = fit_starts(other)) keep_better(*std::move(fit), best);
@@ -191,11 +192,10 @@ std::vector<Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   }
   std::ranges::sort(starts, {}, &Candidate::cost);
   std::vector<Candidate> polished;
-  // Far worse than the best start: not even the right basin's edge.
-  constexpr double kHopeless = 400.0;
   const double first_cost = starts.front().cost;
-  if (has_many_parameters(target_) && (starts.size() == 1 || starts[1].cost > kHopeless * first_cost)) {
+  if (has_many_parameters(target_) && (starts.size() == 1 || starts[1].cost > hopeless_ * first_cost)) {
     // Nothing to choose from, and a polish on so many samples is half of the fit.
+    for (const Candidate& start : std::span(starts).subspan(1)) std::erase(tried_, start.cost);
     starts.resize(1);
     samples_ = all;
     return starts;
@@ -203,7 +203,7 @@ std::vector<Candidate> Fitter::coarse_fits(const LensCentre& centre) {
   for (Candidate& start : starts) {
     // On one side of a fold a start may look hopeless beside one on the other.
     const std::size_t fewest = target_.folded() ? 2 : 1;
-    if (polished.size() >= fewest && start.cost > kHopeless * first_cost) break;
+    if (polished.size() >= fewest && start.cost > hopeless_ * first_cost) break;
     if (!polisher_.polish(start, samples_, coarse.effort)) continue;
     polished.push_back(start);
     if (start.on_all && start.cost < kExactCost) break;
@@ -292,46 +292,74 @@ std::optional<Candidate> Fitter::fit_terms(std::span<const Correspondence> sampl
   return candidate;
 }
 
+/// The best of all other parameters for a shape.
+struct Fitter::Trial {
+  double shape = 0.0;
+  std::optional<Candidate> candidate;
+
+  [[nodiscard]] double cost() const { return candidate ? candidate->cost : std::numeric_limits<double>::infinity(); }
+};
+
+/// The model's shapes, closer to each other where the cost is low: two bottoms may lie between neighbours.
+std::vector<Fitter::Trial> Fitter::try_shapes(std::span<const Correspondence> few, const LensCentre& centre) const {
+  constexpr int kHalvings = 2;
+  constexpr double kLow = 30.0;  // times the lowest cost
+  std::vector<Trial> trials;
+  for (const double shape : target_.shapes()) trials.push_back({shape, fit_terms(few, centre, shape)});
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    const double low = kLow * std::ranges::min_element(trials, {}, &Trial::cost)->cost();
+    std::vector<Trial> finer;
+    for (const Trial& trial : trials) {
+      if (!finer.empty() && std::min(finer.back().cost(), trial.cost()) < low) {
+        const double between = 0.5 * (finer.back().shape + trial.shape);
+        finer.push_back({between, fit_terms(few, centre, between)});
+      }
+      finer.push_back(trial);
+    }
+    trials = std::move(finer);
+  }
+  return trials;
+}
+
 /// The bottoms along the shape, with the best of all other parameters for each (variable projection: Golub & Pereyra 1973), on
 /// a few of the samples, best first: what a descent in all parameters finds only by a long way through a narrow valley.
-std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) const {
+std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   constexpr std::size_t kSamples = 48;
   constexpr std::size_t kMostBottoms = 3;
-  constexpr int kSections = 12;
-  const std::span<const double> shapes = target_.shapes();
+  constexpr int kSections = 10;
+  if (target_.shapes().empty()) return {};
   const std::vector<Correspondence> few = spread(samples_, kSamples);
-  std::vector<std::optional<Candidate>> tried;
-  for (const double shape : shapes) tried.push_back(fit_terms(few, centre, shape));
-  const auto cost = [](const std::optional<Candidate>& c) { return c ? c->cost : std::numeric_limits<double>::infinity(); };
+  const std::vector<Trial> trials = try_shapes(few, centre);
   std::vector<std::size_t> bottoms;
-  for (std::size_t i = 0; i < tried.size(); ++i) {
-    const bool falls = i == 0 || cost(tried[i]) < cost(tried[i - 1]);
-    const bool rises = i + 1 == tried.size() || cost(tried[i]) <= cost(tried[i + 1]);
-    if (tried[i] && falls && rises) bottoms.push_back(i);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const bool falls = i == 0 || trials[i].cost() < trials[i - 1].cost();
+    const bool rises = i + 1 == trials.size() || trials[i].cost() <= trials[i + 1].cost();
+    if (trials[i].candidate && falls && rises) bottoms.push_back(i);
   }
-  std::ranges::sort(bottoms, {}, [&](std::size_t i) { return cost(tried[i]); });
+  std::ranges::sort(bottoms, {}, [&](std::size_t i) { return trials[i].cost(); });
   bottoms.resize(std::min(bottoms.size(), kMostBottoms));
   std::vector<Candidate> found;
   for (const std::size_t bottom : bottoms) {
-    std::optional<Candidate> best = tried[bottom];
-    double at = shapes[bottom];
-    double low = shapes[bottom > 0 ? bottom - 1 : bottom];
-    double high = shapes[std::min(bottom + 1, shapes.size() - 1)];
+    Trial best = trials[bottom];
+    double low = trials[bottom > 0 ? bottom - 1 : bottom].shape;
+    double high = trials[std::min(bottom + 1, trials.size() - 1)].shape;
     // Golden section: the longer side of what is left is divided.
     constexpr double kGolden = 0.381966011250105;
     for (int i = 0; i < kSections; ++i) {
-      const double trial = high - at > at - low ? at + kGolden * (high - at) : at - kGolden * (at - low);
-      std::optional<Candidate> candidate = fit_terms(few, centre, trial);
-      if (cost(candidate) < cost(best)) {
-        (trial > at ? low : high) = at;
-        at = trial;
-        best = candidate;
+      const double at = best.shape;
+      const double next = high - at > at - low ? at + kGolden * (high - at) : at - kGolden * (at - low);
+      Trial trial{next, fit_terms(few, centre, next)};
+      if (trial.cost() < best.cost()) {
+        (next > at ? low : high) = at;
+        best = std::move(trial);
       } else {
-        (trial > at ? high : low) = trial;
+        (next > at ? high : low) = next;
       }
     }
-    polisher_.hold_fixed(*best);
-    found.push_back(*best);
+    polisher_.hold_fixed(*best.candidate);
+    // Bottoms differ by less than what the search leaves of each.
+    if (bottoms.size() > 1) polisher_.polish(*best.candidate, few, kCoarse.effort);
+    found.push_back(*std::move(best.candidate));
   }
   std::ranges::sort(found, {}, &Candidate::cost);
   return found;

@@ -41,12 +41,17 @@ class Fitter {
   bool is_known(double cost);
   [[nodiscard]] std::optional<Candidate> fit_terms(std::span<const Correspondence> samples, const LensCentre& centre,
                                                    double shape) const;
-  [[nodiscard]] std::vector<Candidate> search_shapes(const LensCentre& centre) const;
+  struct Trial;
+  [[nodiscard]] std::vector<Trial> try_shapes(std::span<const Correspondence> few, const LensCentre& centre) const;
+  std::vector<Candidate> search_shapes(const LensCentre& centre);
 
   const FitTarget& target_;
   std::size_t count_;          ///< Of parameters.
   Effort full_;                ///< Of a fit to all samples.
   std::vector<double> tried_;  ///< The costs of the starts.
+  /// A start that is so many times worse than the best one is not even the right basin's edge; if that basin does not do, it is
+  /// tried all the same.
+  double hopeless_ = 400.0;
   std::span<const Correspondence> samples_;
   std::vector<std::array<double, 2>> pixels_;
   Polisher polisher_;

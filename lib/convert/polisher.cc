@@ -150,17 +150,25 @@ void Polisher::score(const Candidate& candidate, std::span<const Correspondence>
     weight += s.weight;
     lowest = std::min(lowest, s.ray[2]);
   }
-  // The fit knows the distances; the domain's limit, an angle, decides for all rays at once, unless it is too close to tell.
+  // The domain ends at an angle, and to ask for it once is faster than to have project() ask for every ray. The fit knows the
+  // distances if all are inside; what is too close to tell is left to project().
   constexpr double kHair = 1e-9;
-  if (candidate.on_all && lowest > std::cos(target_.max_angle(candidate.values.data())) + kHair) {
+  const double limit = std::cos(target_.max_angle(candidate.values.data()));
+  if (candidate.on_all && lowest > limit + kHair) {
     result.rms_px = std::sqrt(candidate.cost / weight);
     return;
   }
+  std::vector<std::array<double, 2>> pixels(samples.size());
+  target_.pixels(candidate.values.data(), samples, pixels.data());
   weight = 0.0;
   double sum = 0.0;
-  for (const Correspondence& s : samples) {
-    double pixel[2];
-    if (!target_.project(candidate.values.data(), s.ray.data(), pixel)) {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Correspondence& s = samples[k];
+    std::array<double, 2>& pixel = pixels[k];
+    const bool close = std::abs(s.ray[2] - limit) <= kHair;
+    const bool inside = close ? target_.project(candidate.values.data(), s.ray.data(), pixel.data())
+                              : s.ray[2] > limit && !std::isnan(pixel[0]);
+    if (!inside) {
       result.reaches_all = false;
       continue;
     }

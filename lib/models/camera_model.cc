@@ -144,10 +144,8 @@ std::array<double, 2> central_focal_lengths(const CameraModel& model) {
 
 std::optional<std::string> problem_with(const Parameter& parameter, double value) {
   const std::string what = std::string(parameter.name) + " is " + spelled(value);
-  // No lens has such numbers, and their powers overflow a projection.
-  constexpr double kLargest = 1e12;
   if (!std::isfinite(value)) return what + ", not a finite number";
-  if (std::abs(value) > kLargest) return what + ", too large to compute with";
+  if (std::abs(value) > kLargestParameter) return what + ", too large to compute with";
   if (parameter.group == ParameterGroup::kFocalLength && parameter.lower == 0.0 && !(value > 0.0))
     return what + "; a focal length is positive";
   const bool at_open_end = parameter.open && (value == parameter.lower || value == parameter.upper);

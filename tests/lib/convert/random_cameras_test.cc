@@ -6,6 +6,7 @@
 #include <convert/fit_model.h>
 #include <convert/fitter.h>
 #include <convert/jet_target.h>
+#include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
 
@@ -15,8 +16,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <map>
 #include <random>
+#include <tuple>
 
 namespace fca {
 namespace {
@@ -161,38 +162,89 @@ double reference_rms(const Sampled& sampled, Random& random) {
   return best;
 }
 
+/// One fit beside its reference. False where no start of the reference leads anywhere.
+template <CameraModelType M>
+bool expect_no_worse_than_reference(const Camera& camera, const Sampled& sampled, Random& random) {
+  const std::optional<internal::FittedModel> fitted = internal::fit_model(M::kId, sampled.samples, sampled.centre, {});
+  if (fitted) {
+    EXPECT_TRUE(std::isfinite(fitted->rms_px));
+    EXPECT_TRUE(validate(fitted->model).empty());
+  }
+  const double reference = reference_rms<M>(sampled, random);
+  if (!std::isfinite(reference)) return false;
+  constexpr double kNobodySees = 1e-4;  // px
+  // A fit prefers to leave out a few rays to a camera that is useless for all of them.
+  constexpr double kUseless = 4.0;
+  EXPECT_TRUE(fitted && fitted->rms_px <= 1.02 * reference + kNobodySees &&
+              (fitted->reaches_all || kUseless * fitted->rms_px < reference))
+      << model_info(camera.model).id << " "
+      << ::testing::PrintToString(
+             std::vector<double>(parameter_values(camera.model).begin(), parameter_values(camera.model).end()))
+      << " -> " << M::kId << ": " << (fitted ? fitted->rms_px : NAN) << " px, "
+      << (fitted && fitted->reaches_all ? "all" : "not all") << ", reference " << reference;
+  return true;
+}
+
 TEST(RandomCameras, NoFitIsWorseThanTwentyStarts) {
   Random random(21);
   const int count = how_many(25);
-  std::map<std::string, int> worse;
   int compared = 0;
   for (int i = 0; i < count;) {
     const Camera camera = plausible_camera(random);
     const Sampled sampled = samples_of(camera);
     if (sampled.samples.size() < 100) continue;
-    ++i;
-    ModelList::for_each([&]<CameraModelType M>() {
-      const std::optional<internal::FittedModel> fitted = internal::fit_model(M::kId, sampled.samples, sampled.centre, {});
-      if (fitted) {
-        EXPECT_TRUE(std::isfinite(fitted->rms_px));
-        EXPECT_TRUE(validate(fitted->model).empty());
-      }
-      const double reference = reference_rms<M>(sampled, random);
-      if (!std::isfinite(reference)) return;
-      ++compared;
-      constexpr double kNobodySees = 1e-4;  // px
-      const bool good = fitted && fitted->reaches_all && fitted->rms_px <= 1.02 * reference + kNobodySees;
-      if (good) return;
-      ++worse[std::string(M::kId)];
-      ADD_FAILURE() << i << ": " << model_info(camera.model).id << " "
-                    << ::testing::PrintToString(
-                           std::vector<double>(parameter_values(camera.model).begin(), parameter_values(camera.model).end()))
-                    << " -> " << M::kId << ": " << (fitted ? fitted->rms_px : NAN) << " px, "
-                    << (fitted && fitted->reaches_all ? "all" : "not all") << ", reference " << reference;
-    });
+    SCOPED_TRACE(++i);
+    ModelList::for_each(
+        [&]<CameraModelType M>() { compared += expect_no_worse_than_reference<M>(camera, sampled, random) ? 1 : 0; });
   }
   std::printf("  %d cameras, %d fits compared\n", count, compared);
-  for (const auto& [model, times] : worse) std::printf("  worse: %s %d times\n", model.c_str(), times);
+}
+
+// Of the 1,000 those that taught the fit something: two bottoms between two of mei's shapes, one at the largest xi that can be;
+// a start of rational's that looks hopeless and is not; a fold inside the lens.
+TEST(RandomCameras, HardOnes) {
+  Random random(22);
+  const auto expect = [&random]<CameraModelType M>(M /*target*/, const CameraModel& model) {
+    const Camera camera = test::make_camera(model, {640, 480});
+    EXPECT_TRUE(expect_no_worse_than_reference<M>(camera, samples_of(camera), random));
+  };
+  expect(Mei(),
+         Intrinsics<Mei>{{513.779, 503.857, 330.714, 253.181, 1.65342, 0.159617, 0.00873686, -0.000964784, 9.30686e-06}});
+  expect(Mei(), Intrinsics<Mei>{{555.988, 552.554, 310.324, 243.88, 1.29732, 0.0437729, -0.0994998, 0.000990423, 0.000289083}});
+  expect(Mei(), Intrinsics<Ds>{{138.798, 140.695, 319.03, 212.314, 0.792803, -0.273195}});
+  expect(Rational(), Intrinsics<Woodscape>{{262.247, 25.5039, -2.59828, 0.0, 1.00278, 299.581, 224.944}});
+  expect(Rational(), Intrinsics<Woodscape>{{525.037, 21.2609, -2.79847, 0.0, 0.991137, 347.029, 228.315}});
+  expect(Ocamcalib(),
+         Intrinsics<Radtan>{{274.814, 271.434, 335.893, 232.96, -0.1291, -0.0054149, -0.000568722, 1.0277e-05, 0.0108489}});
+}
+
+// The whole of a conversion: no lens and no target leads to a number that is none, or to shares of the image that do not add
+// up.
+TEST(RandomCameras, ConversionsHoldTogether) {
+  Random random(23);
+  const int count = how_many(25);
+  int conversions = 0;
+  for (int i = 0; i < count; ++i) {
+    const Camera camera = plausible_camera(random);
+    for (const ModelInfo& target : all_models()) {
+      ConvertOptions options;
+      options.model = target.id;
+      options.bound = false;
+      Diagnostics diagnostics;
+      const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+      if (!conversion) {
+        EXPECT_TRUE(diagnostics.has_errors());
+        continue;
+      }
+      ++conversions;
+      EXPECT_TRUE(validate(conversion->camera.model).empty());
+      const auto& [coverage, error] = std::tie(conversion->report.judgement.coverage, conversion->report.judgement.error);
+      EXPECT_NEAR(coverage.scored + coverage.outside_lens + coverage.unrepresentable, 1.0, 1e-9);
+      for (const double number : {error.rms, error.mean, error.p50, error.p95, error.p99, error.max})
+        EXPECT_TRUE(number >= 0.0 && std::isfinite(number)) << target.id;
+    }
+  }
+  std::printf("  %d cameras, %d conversions\n", count, conversions);
 }
 
 }  // namespace

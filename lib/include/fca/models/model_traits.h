@@ -30,6 +30,9 @@ struct Parameter {
   bool open = false;  ///< Are the bounds themselves excluded?
 };
 
+/// No lens has larger numbers than this, and their powers would overflow a projection.
+inline constexpr double kLargestParameter = 1e12;
+
 /// A pixel of the source and its ray: what a fit works on.
 struct Correspondence {
   std::array<double, 3> ray{};  ///< Unit length.
