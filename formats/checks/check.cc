@@ -216,14 +216,10 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   report.why = detected->why;
   const std::optional<Calibration> calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
   checks::take_over(diagnostics, source, findings);
-  std::optional<bool> with_cameras;
-  if (calibration) {
-    with_cameras = !calibration->rig.cameras.empty();
-    report.holds_no_camera = !*with_cameras;
-  }
+  report.holds_no_camera = calibration && calibration->rig.cameras.empty();
   // What the reader refuses for a fault of the file is said; programs would stumble over the same place.
   if (calibration || !report.has(Severity::kError)) {
-    checks::check_programs(*document, *detected->format, with_cameras, options, report);
+    checks::check_programs(*document, *detected->format, calibration ? &*calibration : nullptr, options, report);
   }
   if (calibration) {
     checks::run_topics(*document, *calibration, options, report);

@@ -39,14 +39,11 @@ std::string meant_mode(const text::Document& document) {
 
 class ProgramsCheck {
  public:
-  ProgramsCheck(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
+  ProgramsCheck(const text::Document& document, const Format& format, const Calibration* calibration,
                 const CheckOptions& options, CheckReport& report)
-      : document_(document),
-        format_(format),
-        with_cameras_(with_cameras),
-        options_(options),
-        report_(report),
-        findings_(report) {}
+      : document_(document), format_(format), calibration_(calibration), options_(options), report_(report), findings_(report) {
+    if (calibration != nullptr) with_cameras_ = !calibration->rig.cameras.empty();
+  }
 
   void run() {
     report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(""));
@@ -127,6 +124,9 @@ class ProgramsCheck {
     std::string command = "fca-io convert " + document_.source().name + " --to " + to;
     if (!writing.model.empty()) command += " --model " + std::string(writing.model);
     if (!writing.layout.empty()) command += " --" + to + "-layout " + std::string(writing.layout);
+    const bool file_per_camera =
+        calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(to)->many_cameras;
+    if (file_per_camera) command += " -o FOLDER/";
     if (!writing.output.empty()) command += " -o " + std::string(writing.output);
     return writing.then.empty() ? command : command + ", then " + std::string(writing.then);
   }
@@ -134,7 +134,7 @@ class ProgramsCheck {
   void say_other_format(const Consumer& program) {
     findings_.add({Severity::kError,
                    "program-other-format",
-                   std::string(program.program) + " does not read the " + std::string(format_.title) + " format",
+                   "the " + std::string(format_.title) + " format is not read by " + std::string(program.program),
                    "It does not start, or takes the file for something else.",
                    how_to_write_for(program),
                    {document_.source().name, 0, 0}});
@@ -276,6 +276,7 @@ class ProgramsCheck {
 
   const text::Document& document_;
   const Format& format_;
+  const Calibration* calibration_;
   std::optional<bool> with_cameras_;
   const CheckOptions& options_;
   CheckReport& report_;
@@ -284,9 +285,9 @@ class ProgramsCheck {
 
 }  // namespace
 
-void check_programs(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
+void check_programs(const text::Document& document, const Format& format, const Calibration* calibration,
                     const CheckOptions& options, CheckReport& report) {
-  ProgramsCheck(document, format, with_cameras, options, report).run();
+  ProgramsCheck(document, format, calibration, options, report).run();
 }
 
 }  // namespace fca::checks
