@@ -159,8 +159,11 @@ class ProgramsCheck {
     const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
     const std::string_view first_word = program.program.substr(0, program.program.find(' '));
     const bool named = refusal.find(first_word) != std::string::npos;
-    const bool missing = refusal.find(" is missing") != std::string::npos;
-    const std::string fix = missing ? "add it, as the calibration's result or the program's example file has it" : "";
+    const bool missing = refusal.find(" is missing") == refusal.find(' ');  // "Camera.fps is missing; ..."
+    const bool no_camera = refusal.find("every top-level key") != std::string::npos;
+    const std::string fix = missing     ? "add it, as the calibration's result or the program's example file has it"
+                            : no_camera ? "take out of the top level what is no camera"
+                                        : "";
     say({Severity::kError, "program-refuses", named ? refusal : who + " refuses the file: " + refusal, {}, fix, {}}, program,
         mode, refusal);
   }
