@@ -24,6 +24,13 @@ struct Attempt {
 /// Sentences of a program that are told one by one: for each its parser is asked again and again for a mend.
 constexpr std::size_t kMostSaid = 10;
 
+constexpr std::string_view kAddIt = "add it, as the calibration's result or the program's example file has it";
+
+/// "Camera.fps is missing; ORB-SLAM3 V1.0 exits"
+bool is_of_missing_key(std::string_view sentence) {
+  return sentence.substr(std::min(sentence.find(' '), sentence.size())).starts_with(" is missing");
+}
+
 /// The modes that a file's keys speak for, the richest first; the others would not use what stands there.
 std::string meant_mode(const text::Document& document) {
   const auto has = [&document](std::string_view key) {
@@ -159,11 +166,10 @@ class ProgramsCheck {
     const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
     const std::string_view first_word = program.program.substr(0, program.program.find(' '));
     const bool named = refusal.find(first_word) != std::string::npos;
-    const bool missing = refusal.find(" is missing") == refusal.find(' ');  // "Camera.fps is missing; ..."
     const bool no_camera = refusal.find("every top-level key") != std::string::npos;
-    const std::string fix = missing     ? "add it, as the calibration's result or the program's example file has it"
-                            : no_camera ? "take out of the top level what is no camera"
-                                        : "";
+    const std::string fix = is_of_missing_key(refusal) ? std::string(kAddIt)
+                            : no_camera                ? "take out of the top level what is no camera"
+                                                       : "";
     say({Severity::kError, "program-refuses", named ? refusal : who + " refuses the file: " + refusal, {}, fix, {}}, program,
         mode, refusal);
   }
@@ -238,7 +244,12 @@ class ProgramsCheck {
       // Asked for that program, a camera that it takes for another is what one wanted to know.
       const bool wrong = options_.program != nullptr && misreads(view, warning);
       const std::string who = warning.find(own.program) == std::string::npos ? std::string(own.program) + ": " : std::string();
-      say({wrong ? Severity::kError : Severity::kWarning, "program-misreads", who + warning, {}, {}, {}}, own, mode, warning);
+      Finding finding{wrong ? Severity::kError : Severity::kWarning, "program-misreads", who + warning, {}, {}, {}};
+      if (is_of_missing_key(warning)) {
+        finding.consequence = "What needs it does not run.";
+        finding.fix = kAddIt;
+      }
+      say(std::move(finding), own, mode, warning);
     }
     say_more(view.warnings.size(), "warnings", "program-misreads", Severity::kWarning);
   }
