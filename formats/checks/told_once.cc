@@ -40,6 +40,7 @@ constexpr std::array kTwice = {
     Twice{{"program-refuses", "MC-Calib's reader stops"}, {"program-refuses", "maps camera_0"}},
     Twice{{"program-refuses", "Kalibr wants 0 <= alpha < 1"}, {"program-refuses", "Kalibr demands alpha < 1"}},
     Twice{{"program-ignores", "is read by nobody"}, {"program-misreads", "only k1 to k4 are read"}},
+    Twice{{"byte-order-mark", ""}, {"program-refuses", "the first line is not %YAML"}},
     Twice{{"yaml-layout", ""}, {"program-refuses", "the first line is not %YAML"}},
     Twice{{"eucm-without-type", ""}, {"program-refuses", "Camera.type is missing"}},
     // DSO names lines at most.
