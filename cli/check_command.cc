@@ -186,7 +186,8 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
   command.add_option("--fail-on", arguments.fail_on, "Exit with 1 from this severity on: error (default) or warning")
       ->type_name("SEVERITY");
   command.add_flag("--fix", arguments.fix,
-                   "Show the mends that are certain (a decimal point, quotes, a header) as a diff, and check the mended file");
+                   "Show the mends that are certain (a decimal point, quotes, a header, blanks for TABs) as a diff, and check "
+                   "the mended file");
   command.add_flag("--write", arguments.write, "With --fix: write them into the file");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
   command.add_flag("--sarif", arguments.sarif, "SARIF 2.1.0 on standard output, for CI services");

@@ -25,6 +25,23 @@ std::string list_text(const std::string& heading, const std::vector<std::string>
   return paragraph(text, indent);
 }
 
+/// "a, b and c (no place for it)", a reason once.
+std::vector<std::string> losses_by_reason(const std::vector<Loss>& losses) {
+  std::vector<std::string> reasons;
+  for (const Loss& loss : losses) {
+    if (std::ranges::find(reasons, loss.why) == reasons.end()) reasons.push_back(loss.why);
+  }
+  std::vector<std::string> texts;
+  for (const std::string& reason : reasons) {
+    std::vector<std::string> lost;
+    for (const Loss& loss : losses) {
+      if (loss.why == reason) lost.push_back(loss.what);
+    }
+    texts.push_back(enumerated(lost, "and") + " (" + reason + ")");
+  }
+  return texts;
+}
+
 }  // namespace
 
 ConvertOutcome preview_conversion(const std::string& file, const ReadingOptions& reading, const consumers::Consumer& program,
@@ -38,6 +55,10 @@ ConvertOutcome preview_conversion(const std::string& file, const ReadingOptions&
   arguments.output = program.writing.output;
   arguments.dry_run = true;
   ConvertOutcome outcome = convert_inputs(arguments.inputs, arguments, console);
+  if (outcome.diagnostics.has_errors() && arguments.output.empty() && !find_format(program.format)->many_cameras) {
+    arguments.output = "folder/";  // for a file per camera
+    outcome = convert_inputs(arguments.inputs, arguments, console);
+  }
   outcome.outputs.clear();
   return outcome;
 }
@@ -51,8 +72,7 @@ std::string preview_text(const ConvertOutcome& outcome, const std::string& inden
   }
   std::string text = paragraph("convert would write " + outcome.written.headline, indent);
   for (const CameraOutcome& camera : outcome.cameras) text += indent + "  " + camera_text(camera) + "\n";
-  std::vector<std::string> losses;
-  for (const Loss& loss : outcome.written.losses) losses.push_back(loss.what + " (" + loss.why + ")");
+  const std::vector<std::string> losses = losses_by_reason(outcome.written.losses);
   std::vector<std::string> made_up;
   for (const bool look_at_it : {true, false}) {  // those first
     for (const DefaultedValue& value : outcome.written.defaults) {

@@ -61,7 +61,16 @@ void Reader::warn_of_duplicates(const Node& mapping) {
   const std::vector<const text::Entry*> shadowed = text::shadowed_entries(mapping, dialect_);
   for (std::size_t i = 0; i < std::min(kMostNamed, shadowed.size()); ++i) {
     const Node& key = shadowed[i]->key;
-    warning(key, "duplicate-key", "the key " + key.value + " stands twice; this one is not read");
+    const Node& read = text::find_entry(mapping, key.value, dialect_)->value;
+    const Node& here = shadowed[i]->value;
+    const std::string twice = "the key " + key.value + " stands twice";
+    if (read.is_scalar() && here.is_scalar() && read.value == here.value) {
+      diagnostics_.note("duplicate-key", twice + ", with the same value", document_.range(key));
+    } else if (read.is_scalar() && here.is_scalar()) {
+      warning(key, "duplicate-key", twice + ", with " + read.value + " and here with " + here.value + ", which is not read");
+    } else {
+      warning(key, "duplicate-key", twice + "; this one is not read");
+    }
   }
   if (shadowed.size() > kMostNamed) {
     warning(shadowed[kMostNamed]->key, "duplicate-key",

@@ -111,14 +111,15 @@ bool has_code(const Diagnostics& diagnostics, std::string_view code) {
   return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) != diagnostics.entries().end();
 }
 
-/// "84 deg across the image" of the first camera under one reading of its four numbers.
-std::string view_as(const text::Document& document, const CheckOptions& options, const std::string& reading) {
+/// "84 deg across the image" of a camera under one reading of its four numbers.
+std::string view_as(const text::Document& document, const CheckOptions& options, const std::string& reading,
+                    std::size_t index) {
   CheckOptions as = options;
   as.reading.opencv_model = reading;
   Diagnostics ignored;
   const std::optional<Calibration> calibration = read_calibration({document}, options.from, as.reading, ignored);
-  if (!calibration || calibration->rig.cameras.empty()) return "as " + reading + ": no camera";
-  const Camera& camera = calibration->rig.cameras.front();
+  if (!calibration || calibration->rig.cameras.size() <= index) return "as " + reading + ": no camera";
+  const Camera& camera = calibration->rig.cameras[index];
   if (!camera.image_size) return "as " + reading + ": field of view not decidable without the image size (--size)";
   const double row = principal_point(camera.model)[1];
   const std::optional<Ray> left = unproject(camera.model, {0.0, row});
@@ -139,10 +140,13 @@ void suggest_exchanges(const text::Document& document, const Format& format, con
 
 /// Nothing in the file says which of OpenCV's two lenses four numbers are: both readings, by what they would see.
 void show_both_readings(const text::Document& document, const CheckOptions& options, CheckReport& report) {
+  std::size_t camera = 0;  // in the file's order, as the findings
   for (Finding& finding : report.findings) {
     if (finding.code != "ambiguous-model") continue;
     finding.severity = Severity::kWarning;
-    finding.message += "; " + view_as(document, options, "pinhole") + "; " + view_as(document, options, "fisheye");
+    finding.message +=
+        "; " + view_as(document, options, "pinhole", camera) + "; " + view_as(document, options, "fisheye", camera);
+    ++camera;
   }
 }
 
@@ -216,14 +220,10 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   report.why = detected->why;
   const std::optional<Calibration> calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
   checks::take_over(diagnostics, source, findings);
-  std::optional<bool> with_cameras;
-  if (calibration) {
-    with_cameras = !calibration->rig.cameras.empty();
-    report.holds_no_camera = !*with_cameras;
-  }
+  report.holds_no_camera = calibration && calibration->rig.cameras.empty();
   // What the reader refuses for a fault of the file is said; programs would stumble over the same place.
   if (calibration || !report.has(Severity::kError)) {
-    checks::check_programs(*document, *detected->format, with_cameras, options, report);
+    checks::check_programs(*document, *detected->format, calibration ? &*calibration : nullptr, options, report);
   }
   if (calibration) {
     checks::run_topics(*document, *calibration, options, report);

@@ -53,6 +53,10 @@ as UTF-8.)",
         "blank-missing", "no blank behind a key's colon", kNotRead,
         R"(OpenCV's reader takes key:2, to every other YAML parser it is one word, and what follows is read as something else or
 not at all: the parser's own message is about a later line. --fix puts the blank in.)"},
+    CheckCode{
+        "byte-order-mark", "invisible bytes before the first character", kProgramStops,
+        R"(Windows editors begin UTF-8 files with EF BB BF, which no editor shows. cv::FileStorage (OpenCV, ORB-SLAM, OpenVINS) and
+Python's json take them for content and stop; PyYAML skips them. --fix takes them away.)"},
     CheckCode{"cannot-read", "the file cannot be read", "No program can read it.",
               "The operating system refuses: the file does not exist, is a folder or may not be read."},
     CheckCode{

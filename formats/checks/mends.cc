@@ -60,6 +60,12 @@ std::vector<Mend> spellings(const Node& scalar) {
   return mends;
 }
 
+std::optional<Mend> without_mark(const text::Document& document) {
+  const std::size_t length = document.source().byte_order_mark();
+  if (length == 0) return std::nullopt;
+  return Mend{"byte-order-mark", {0, length}, "", "save the file as UTF-8 without a byte order mark (BOM)"};
+}
+
 std::optional<Mend> blanks_for_tabs(const text::Document& document) {
   const bool yaml = document.syntax() == text::Syntax::kYaml || document.syntax() == text::Syntax::kOpenCvYaml;
   return yaml ? tab_mend(document.source()) : std::nullopt;
@@ -135,7 +141,7 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
   if (document.source().bytes.size() > kLongest) return std::nullopt;
   const std::vector<std::string> before = program.load(document.source().bytes, options).refusals;
   // Behind the header the program sees the file for the first time: it may go on to refuse something else.
-  for (std::optional<Mend> (*layout)(const text::Document&) : {&layout_mend, &header_mend, &blanks_for_tabs}) {
+  for (std::optional<Mend> (*layout)(const text::Document&) : {&without_mark, &layout_mend, &header_mend, &blanks_for_tabs}) {
     std::optional<Mend> mend = layout(document);
     if (mend && says(before, complaint) && !says_alike(view_after(document, *mend, program, options).refusals, complaint))
       return mend;

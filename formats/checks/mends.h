@@ -14,7 +14,7 @@ namespace fca::checks {
 /// A replacement of bytes after which the program no longer says that sentence.
 struct Mend {
   std::string code;  ///< What was wrong: "int-for-real", "real-for-int", "number-as-text", "unquoted-text", "opencv-header",
-                     ///< "yaml-layout", "yaml-tab".
+                     ///< "yaml-layout", "yaml-tab", "byte-order-mark".
   text::Span span;
   std::string text;
   std::string fix;  ///< What to do, in words.

@@ -66,10 +66,11 @@ void check_baseline(const Subject& subject, Findings& findings) {
          subject.document.range(place)});
   };
   const Rig& rig = subject.rig();
+  constexpr std::array<std::string_view, 1> kOtherUnit = {"translation-in-mm"};  // told, and bf is right then
   const double fx = number_at(subject, "Camera.fx").value_or(0.0);
   if (const std::optional<double> corner = corner_of(subject, "RIGHT.P")) {
     contradicts(-*corner, "RIGHT.P(0, 3) = " + text::format_short(*corner, 5));
-  } else if (rig.cameras.size() > 1) {
+  } else if (rig.cameras.size() > 1 && !findings.has_any(kOtherUnit)) {
     if (const std::optional<Transform> T = rig.resolve(rig.cameras[0].name, rig.cameras[1].name)) {
       const double baseline = distance_of(*T);
       contradicts(baseline * fx, "the second camera's distance of " + text::format_short(baseline, 4) + " m");

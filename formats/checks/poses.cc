@@ -80,6 +80,12 @@ bool close(const Transform& a, const Transform& b) {
   return angle_between(a, b) < kAngle && distance_between(a, b) < std::max(kDistance, 0.05 * distance_of(b));
 }
 
+/// But for the digits that were not printed.
+bool same(const Transform& a, const Transform& b) {
+  constexpr double kPrinted = 1e-6;  // rad, m
+  return angle_between(a, b) < kPrinted && distance_between(a, b) < kPrinted;
+}
+
 /// A pose that is stated and follows from the others, too.
 struct Contradiction {
   std::size_t index = 0;
@@ -150,7 +156,10 @@ bool name_slip(const Subject& subject, const Contradiction& contradiction, Findi
   const PoseEdge& edge = subject.rig().poses[contradiction.index];
   for (const PoseSlip& slip : pose_slips()) {
     const std::optional<Transform> undone = slip.undo(edge.T_a_b);
-    if (!undone || close(edge.T_a_b, contradiction.around) || !close(*undone, contradiction.around)) continue;
+    if (!undone) continue;
+    // A small rotation and its transpose are as near as honest statements are, but then none of them is exact.
+    const bool explains = !close(edge.T_a_b, contradiction.around) && close(*undone, contradiction.around);
+    if (!explains && !same(*undone, contradiction.around)) continue;
     findings.add({Severity::kError,
                   std::string(slip.code),
                   name_of(edge) + " " + std::string(slip.does),

@@ -24,6 +24,13 @@ struct Attempt {
 /// Sentences of a program that are told one by one: for each its parser is asked again and again for a mend.
 constexpr std::size_t kMostSaid = 10;
 
+constexpr std::string_view kAddIt = "add it, as the calibration's result or the program's example file has it";
+
+/// "Camera.fps is missing; ORB-SLAM3 V1.0 exits"
+bool is_of_missing_key(std::string_view sentence) {
+  return sentence.substr(std::min(sentence.find(' '), sentence.size())).starts_with(" is missing");
+}
+
 /// The modes that a file's keys speak for, the richest first; the others would not use what stands there.
 std::string meant_mode(const text::Document& document) {
   const auto has = [&document](std::string_view key) {
@@ -39,14 +46,11 @@ std::string meant_mode(const text::Document& document) {
 
 class ProgramsCheck {
  public:
-  ProgramsCheck(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
+  ProgramsCheck(const text::Document& document, const Format& format, const Calibration* calibration,
                 const CheckOptions& options, CheckReport& report)
-      : document_(document),
-        format_(format),
-        with_cameras_(with_cameras),
-        options_(options),
-        report_(report),
-        findings_(report) {}
+      : document_(document), format_(format), calibration_(calibration), options_(options), report_(report), findings_(report) {
+    if (calibration != nullptr) with_cameras_ = !calibration->rig.cameras.empty();
+  }
 
   void run() {
     report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(""));
@@ -127,6 +131,9 @@ class ProgramsCheck {
     std::string command = "fca-io convert " + document_.source().name + " --to " + to;
     if (!writing.model.empty()) command += " --model " + std::string(writing.model);
     if (!writing.layout.empty()) command += " --" + to + "-layout " + std::string(writing.layout);
+    const bool file_per_camera =
+        calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(to)->many_cameras;
+    if (file_per_camera) command += " -o FOLDER/";
     if (!writing.output.empty()) command += " -o " + std::string(writing.output);
     return writing.then.empty() ? command : command + ", then " + std::string(writing.then);
   }
@@ -134,7 +141,7 @@ class ProgramsCheck {
   void say_other_format(const Consumer& program) {
     findings_.add({Severity::kError,
                    "program-other-format",
-                   std::string(program.program) + " does not read the " + std::string(format_.title) + " format",
+                   "the " + std::string(format_.title) + " format is not read by " + std::string(program.program),
                    "It does not start, or takes the file for something else.",
                    how_to_write_for(program),
                    {document_.source().name, 0, 0}});
@@ -159,8 +166,10 @@ class ProgramsCheck {
     const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
     const std::string_view first_word = program.program.substr(0, program.program.find(' '));
     const bool named = refusal.find(first_word) != std::string::npos;
-    const bool missing = refusal.find(" is missing") != std::string::npos;
-    const std::string fix = missing ? "add it, as the calibration's result or the program's example file has it" : "";
+    const bool no_camera = refusal.find("every top-level key") != std::string::npos;
+    const std::string fix = is_of_missing_key(refusal) ? std::string(kAddIt)
+                            : no_camera                ? "take out of the top level what is no camera"
+                                                       : "";
     say({Severity::kError, "program-refuses", named ? refusal : who + " refuses the file: " + refusal, {}, fix, {}}, program,
         mode, refusal);
   }
@@ -235,7 +244,12 @@ class ProgramsCheck {
       // Asked for that program, a camera that it takes for another is what one wanted to know.
       const bool wrong = options_.program != nullptr && misreads(view, warning);
       const std::string who = warning.find(own.program) == std::string::npos ? std::string(own.program) + ": " : std::string();
-      say({wrong ? Severity::kError : Severity::kWarning, "program-misreads", who + warning, {}, {}, {}}, own, mode, warning);
+      Finding finding{wrong ? Severity::kError : Severity::kWarning, "program-misreads", who + warning, {}, {}, {}};
+      if (is_of_missing_key(warning)) {
+        finding.consequence = "What needs it does not run.";
+        finding.fix = kAddIt;
+      }
+      say(std::move(finding), own, mode, warning);
     }
     say_more(view.warnings.size(), "warnings", "program-misreads", Severity::kWarning);
   }
@@ -276,6 +290,7 @@ class ProgramsCheck {
 
   const text::Document& document_;
   const Format& format_;
+  const Calibration* calibration_;
   std::optional<bool> with_cameras_;
   const CheckOptions& options_;
   CheckReport& report_;
@@ -284,9 +299,9 @@ class ProgramsCheck {
 
 }  // namespace
 
-void check_programs(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
+void check_programs(const text::Document& document, const Format& format, const Calibration* calibration,
                     const CheckOptions& options, CheckReport& report) {
-  ProgramsCheck(document, format, with_cameras, options, report).run();
+  ProgramsCheck(document, format, calibration, options, report).run();
 }
 
 }  // namespace fca::checks

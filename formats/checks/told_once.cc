@@ -22,12 +22,13 @@ struct Said {
 struct Twice {
   Said kept;
   Said dropped;
-  bool says_cost = false;  ///< What is dropped is what happens because of it.
+  bool says_cost = false;   ///< What is dropped is what happens because of it.
+  bool of_one_key = false;  ///< Both name the key, which begins what is kept.
 };
 
 constexpr std::array kTwice = {
     // The matrix's dt is the place, its key is not.
-    Twice{{"matrix-not-float", ""}, {"program-misreads", " is dt: "}},
+    Twice{{"matrix-not-float", ""}, {"program-misreads", " is dt: "}, false, true},
     // A missing key stands nowhere: where it should stand the reader knows.
     Twice{{"pose-missing", "is missing"}, {"program-refuses", " is missing beside "}},
     Twice{{"missing-key", "'extrinsic'"}, {"program-refuses", "'extrinsic'"}},
@@ -35,10 +36,11 @@ constexpr std::array kTwice = {
     Twice{{"carla-translation", ""}, {"program-refuses", "'translation'"}},
     Twice{{"inverse-missing", ""}, {"program-refuses", "inverse polynomial has"}},
     Twice{{"distortion-missing", ""}, {"program-misreads", "projects without distortion"}},
-    Twice{{"skew", ""}, {"program-misreads", "has a skew of"}, true},
+    Twice{{"skew", ""}, {"program-misreads", "has a skew of"}, true, true},
     Twice{{"program-refuses", "MC-Calib's reader stops"}, {"program-refuses", "maps camera_0"}},
     Twice{{"program-refuses", "Kalibr wants 0 <= alpha < 1"}, {"program-refuses", "Kalibr demands alpha < 1"}},
     Twice{{"program-ignores", "is read by nobody"}, {"program-misreads", "only k1 to k4 are read"}},
+    Twice{{"byte-order-mark", ""}, {"program-refuses", "the first line is not %YAML"}},
     Twice{{"yaml-layout", ""}, {"program-refuses", "the first line is not %YAML"}},
     Twice{{"eucm-without-type", ""}, {"program-refuses", "Camera.type is missing"}},
     // DSO names lines at most.
@@ -57,6 +59,12 @@ constexpr std::array kTwice = {
 
 bool has_place(const Finding& finding) { return finding.where.offset > 0 || finding.where.length > 0; }
 
+bool is_dropped(const Twice& twice, const Finding& kept, const Finding& other) {
+  if (!twice.dropped.by(other)) return false;
+  const std::string key = kept.message.substr(0, kept.message.find(' '));
+  return !twice.of_one_key || other.message.find(key + " ") != std::string::npos;
+}
+
 void take_from(const Finding& other, Finding& finding) {
   finding.severity = std::max(finding.severity, other.severity);
   if (!has_place(finding)) finding.where = other.where;
@@ -69,21 +77,19 @@ void take_from(const Finding& other, Finding& finding) {
 void tell_once(CheckReport& report) {
   std::vector<Finding>& findings = report.findings;
   for (const Twice& twice : kTwice) {
-    const auto kept = std::ranges::find_if(findings, [&twice](const Finding& each) { return twice.kept.by(each); });
-    if (kept == findings.end()) continue;
-    Finding merged = *kept;
-    const std::size_t index = static_cast<std::size_t>(kept - findings.begin());
-    std::vector<Finding> rest;
-    for (std::size_t i = 0; i < findings.size(); ++i) {
-      if (i != index && twice.dropped.by(findings[i])) {
-        take_from(findings[i], merged);
-        if (twice.says_cost) merged.consequence = findings[i].message + ".";
-      } else {
-        rest.push_back(findings[i]);
+    for (std::size_t kept = 0; kept < findings.size(); ++kept) {
+      if (!twice.kept.by(findings[kept])) continue;
+      for (std::size_t other = 0; other < findings.size();) {
+        if (other == kept || !is_dropped(twice, findings[kept], findings[other])) {
+          ++other;
+          continue;
+        }
+        take_from(findings[other], findings[kept]);
+        if (twice.says_cost) findings[kept].consequence = findings[other].message + ".";
+        findings.erase(findings.begin() + static_cast<std::ptrdiff_t>(other));
+        if (other < kept) --kept;
       }
     }
-    *std::ranges::find_if(rest, [&twice](const Finding& each) { return twice.kept.by(each); }) = std::move(merged);
-    findings = std::move(rest);
   }
 }
 

@@ -20,8 +20,8 @@ namespace fca::checks {
 [[nodiscard]] bool check_orbslam3(const Subject& subject, Findings& findings);
 
 /// Who reads the bytes? A program that refuses them is a finding at the place that it stumbles over, with the mend where one is
-/// certain. `with_cameras`: nothing if the file could not be read.
-void check_programs(const text::Document& document, const Format& format, std::optional<bool> with_cameras,
+/// certain. `calibration`: null if the file could not be read.
+void check_programs(const text::Document& document, const Format& format, const Calibration* calibration,
                     const CheckOptions& options, CheckReport& report);
 
 }  // namespace fca::checks

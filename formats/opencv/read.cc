@@ -28,7 +28,7 @@ class CalibrationReader {
       reader_.warning(document_.root().entries.front().key, "program-refuses",
                       "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0");
     }
-    warn_of_duplicates();
+    reader_.warn_of_duplicates(document_.root());
     for (std::size_t i = 0; i < layout_.cameras.size(); ++i) read_camera(layout_.cameras[i], "cam" + std::to_string(i), rig);
     read_count();
     read_stereo_pose(rig);
@@ -36,13 +36,6 @@ class CalibrationReader {
   }
 
  private:
-  void warn_of_duplicates() {
-    for (const text::Entry& entry : document_.root().entries) {
-      if (text::find_entry(document_.root(), entry.key.value, kDialect) != &entry)
-        reader_.warning(entry.key, "duplicate-key", "the key " + entry.key.value + " stands twice; this one is not read");
-    }
-  }
-
   void read_camera(const CameraKeys& keys, const std::string& name, Rig& rig) {
     const Node& map = mapping_of(document_, keys);
     const Node& K_node = *reader_.find(map, keys.matrix);

@@ -92,8 +92,9 @@ CameraDifference difference_of(const ModelPair& pair, const Domain& domain, cons
   difference.judgement = judge_pixels(pair, domain, options);
   JudgeOptions lattice = options;
   lattice.bound = false;
-  difference.angle = angle_summary(judge_angles(pair, domain, lattice));
-  if (pair.T_other_reference == nullptr && pair.reference == pair.other) clear_errors(difference);
+  const bool identical = pair.T_other_reference == nullptr && pair.reference == pair.other;
+  difference.angle = angle_summary(identical ? difference.judgement : judge_angles(pair, domain, lattice));
+  if (identical) clear_errors(difference);
   difference.same_to_deg = same_to_deg(pair, domain, difference.judgement);
   return difference;
 }

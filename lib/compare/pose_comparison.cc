@@ -21,6 +21,8 @@ constexpr double kSameShare = 0.05;     // of the length
 constexpr double kFar = 3.0;
 constexpr double kNear = 1.0;
 constexpr double kExplainedShare = 0.2;
+constexpr double kClose = 0.1;
+constexpr double kExact = 1e-3;  // what printed digits leave
 
 /// How far apart two statements of a pose are, in units of what two honest calibrations may differ by.
 double distance_of_poses(const Transform& reference, const Transform& other) {
@@ -116,9 +118,10 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
     const std::optional<Transform> right = task.reference.resolve(task.poses[i].a, task.poses[i].b);
     if (!right) continue;
     const double apart = distance_of_poses(*right, stated);
-    if (!(apart > kFar)) continue;
+    if (!(apart > kClose)) continue;
     const PoseEdge& own = task.other.poses[i];  // in its own names
-    double best = std::min(kNear, kExplainedShare * apart);
+    // As near as two honest calibrations are, a slip is one only if without it nothing differs.
+    double best = apart > kFar ? std::min(kNear, kExplainedShare * apart) : kExact;
     std::optional<Mistake> mistake;
     for (const PoseSlip& slip : pose_slips()) {
       const std::optional<Transform> undone = slip.undo(stated);

@@ -146,6 +146,21 @@ TEST(CheckFindings, MillimetresAreToldOncePerPose) {
   }
 }
 
+// Camera.bf is not the metres' contradiction besides.
+TEST(CheckFindings, MillimetresOfASecondCameraAreToldOnce) {
+  const std::string good = read_file(testdata_dir() / "orbslam3" / "good" / "slam-no-opt-pair.yaml");
+  const std::size_t at = good.find("CAMERA.T");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t begin = good.find('[', at) + 1;
+  const std::size_t end = good.find(']', begin);
+  std::string numbers;
+  for (const std::string& number : split(good.substr(begin, end - begin), ','))
+    numbers += (numbers.empty() ? "" : ", ") + text::format_real(1000.0 * std::stod(number));
+  const CheckReport report = checked({"pair.yaml", good.substr(0, begin) + numbers + good.substr(end)});
+  EXPECT_TRUE(says(report, "translation-in-mm"));
+  EXPECT_FALSE(says(report, "baseline-contradicts"));
+}
+
 // 2.3e-3 is a density made larger for SLAM, or one sample's deviation at 200 Hz.
 TEST(CheckFindings, NoiseThatMayBeEitherIsNotDecided) {
   const std::string good = read_file(checks_dir() / "clean-imu.yaml");

@@ -144,12 +144,12 @@ TEST(Layout, AHeaderBehindCommentsIsMoved) {
 
 TEST(Layout, AByteOrderMarkIsTakenAway) {
   CheckOptions options;
-  for (const char* name : {"clean-settings.yaml", "clean.yml"}) {
+  for (const char* name : {"clean-settings.yaml", "clean.yml", "clean.json"}) {
     const std::string bytes = read_file(fs::path(FCA_TESTDATA_DIR) / "checks" / name);
     const text::Source source{name, "\xEF\xBB\xBF" + bytes};
     const CheckReport report = checked(source);
     ASSERT_TRUE(report.has(Severity::kError)) << name;
-    EXPECT_EQ(line_of(report.findings.front(), source), "1:1 error yaml-layout");
+    EXPECT_EQ(line_of(report.findings.front(), source), "1:1 error byte-order-mark");
     const std::optional<text::Source> after = mended(source, {});
     ASSERT_TRUE(after) << name;
     EXPECT_EQ(after->bytes, bytes);

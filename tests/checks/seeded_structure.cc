@@ -268,6 +268,9 @@ std::vector<TextDefect> key_defects() {
        {"carla-translation"},
        replaced("\"translation\"", "\"translation used in CARLA (CARLA reference)\""),
        4},
+      {"a byte order mark", {"opencv", "orbslam3", "woodscape"}, {"byte-order-mark"}, of_cameras([](const Good&) {
+         return SpanEdit{{0, 0}, "\xEF\xBB\xBF"};
+       })},
       {"OpenCV's header gone", {"opencv"}, {"yaml-layout", "program-refuses"}, replaced("^%YAML.*\n(---.*\n)?", ""), 10, false},
       {"a pose without its translation",
        {"opencv"},

@@ -171,5 +171,14 @@ TEST(Check, ReadsStandardInput) {
   EXPECT_TRUE(contains(run.out, "<stdin>:6:16: error")) << run.out;
 }
 
+// What converting a pair to a format of one camera would cost, too.
+TEST(Check, ForAFormatOfOneCameraEachIsPriced) {
+  const RunResult run = run_program({"check", testdata("formats/kalibr/good/tumvi.yaml"), "--for", "ocamcalib"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.out, "--to ocamcalib -o FOLDER/")) << run.out;
+  for (const char* camera : {"cam0: kb4 -> ocamcalib, fitted: rms ", "cam1: kb4 -> ocamcalib, fitted: rms "})
+    EXPECT_TRUE(contains(run.out, camera)) << run.out;
+}
+
 }  // namespace
 }  // namespace fca::test

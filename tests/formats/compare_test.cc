@@ -433,6 +433,27 @@ TEST(CompareFiles, PosesHaveTheNamesOfTheirFiles) {
   }
 }
 
+// As near to each other as two honest calibrations are; but none of those is the other's transpose to the last digit.
+TEST(CompareFiles, ATransposedRotationOfAThirdOfADegreeIsNamed) {
+  Rig rig = good_rigs().at("kalibr/tumvi.yaml");
+  const auto pose = [](double degrees) {
+    const double angle = degrees * kRadiansPerDegree;
+    Transform T;
+    T(0, 0) = T(1, 1) = std::cos(angle);
+    T(0, 1) = -std::sin(angle);
+    T(1, 0) = std::sin(angle);
+    T(0, 3) = 0.11;
+    return T;
+  };
+  rig.poses = {{"cam1", "cam0", pose(0.17)}};
+  Rig other = rig;
+  other.poses.front().T_a_b = transposed(pose(0.17));
+  for (int row = 0; row < 3; ++row) other.poses.front().T_a_b(row, 3) = pose(0.17)(row, 3);
+  EXPECT_TRUE(claims(compared(rig, other), "pose-transposed"));
+  other.poses.front().T_a_b = pose(-0.16);
+  EXPECT_EQ(said(compared(rig, other)), "");
+}
+
 TEST(CompareFiles, PosesAloneAreCompared) {
   const std::optional<Calibration> calibration = read(testdata_dir() / "opencv/good/extrinsics.yml");
   ASSERT_TRUE(calibration && calibration->rig.cameras.empty());
