@@ -24,14 +24,15 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 using internal::FitTask;
 
-/// "ucm, eucm, ds, ... have no limit at 90 deg; ": for a target that has one.
+/// "rational reaches further; ucm, eucm, ds, ... have no limit at 90 deg; ": for a target that has one.
 std::string models_without_that_limit(const ModelInfo& target) {
   if (!internal::sees_ahead_only(target.id)) return "";
+  const std::string further = target.id == Rational::kId ? "" : std::string(Rational::kId) + " reaches further; ";
   std::string names;
   for (const ModelInfo& model : all_models()) {
     if (!internal::sees_ahead_only(model.id)) names += (names.empty() ? "" : ", ") + std::string(model.id);
   }
-  return names + " have no limit at 90 deg; ";
+  return further + names + " have no limit at 90 deg; ";
 }
 
 void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
