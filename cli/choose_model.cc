@@ -3,8 +3,15 @@
 
 #include "words.h"
 
+#include <fca/convert/reach.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <future>
+#include <limits>
+#include <thread>
+#include <utility>
 
 namespace fca::cli {
 
@@ -29,17 +36,35 @@ bool keeps(const Camera& camera, const StoredModel& stored) {
   return model_info(camera.model).id == stored.model && within(camera.model, stored.ranges);
 }
 
+std::optional<CameraOutcome> convert_one(const Camera& camera, const StoredModel& stored, const ModelChoice& choice,
+                                         Diagnostics& diagnostics) {
+  if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty())
+    return CameraOutcome{camera, camera, std::nullopt};
+  std::optional<Conversion> conversion = convert(camera, options_for(stored, choice), diagnostics);
+  if (!conversion) return std::nullopt;
+  return CameraOutcome{camera, std::move(conversion->camera), std::move(conversion->report)};
+}
+
+/// As many at the same time as there are processors: they have nothing to do with each other.
 std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>& cameras, const StoredModel& stored,
                                                       const ModelChoice& choice, Diagnostics& diagnostics) {
+  std::vector<Diagnostics> found(cameras.size());
+  std::vector<std::optional<CameraOutcome>> converted(cameras.size());
+  const std::size_t workers = std::min<std::size_t>(cameras.size(), std::max(1U, std::thread::hardware_concurrency()));
+  const auto convert_every_nth = [&](std::size_t first) {
+    for (std::size_t i = first; i < cameras.size(); i += workers)
+      converted[i] = convert_one(cameras[i], stored, choice, found[i]);
+  };
+  std::vector<std::future<void>> others;
+  for (std::size_t first = 1; first < workers; ++first)
+    others.push_back(std::async(std::launch::async, convert_every_nth, first));
+  convert_every_nth(0);
+  for (std::future<void>& other : others) other.get();
   std::vector<CameraOutcome> outcomes;
-  for (const Camera& camera : cameras) {
-    if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty()) {
-      outcomes.push_back({camera, camera, std::nullopt});
-      continue;
-    }
-    std::optional<Conversion> conversion = convert(camera, options_for(stored, choice), diagnostics);
-    if (!conversion) return std::nullopt;
-    outcomes.push_back({camera, std::move(conversion->camera), std::move(conversion->report)});
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    for (const Diagnostic& entry : found[i].entries()) diagnostics.add(entry);
+    if (!converted[i]) return std::nullopt;
+    outcomes.push_back(*std::move(converted[i]));
   }
   return outcomes;
 }
@@ -61,8 +86,9 @@ Merit merit_of(const std::vector<CameraOutcome>& outcomes, Objective objective) 
   return merit;
 }
 
+constexpr double kSameCoverage = 1e-3;  // a share of the image finer than the lattice can tell
+
 bool better(const Merit& a, const Merit& b) {
-  constexpr double kSameCoverage = 1e-3;  // a share of the image finer than the lattice can tell
   if (std::abs(a.unrepresentable - b.unrepresentable) > kSameCoverage) return a.unrepresentable < b.unrepresentable;
   // Nobody sees such a difference: then the order of the format's table, its usual models first, decides.
   constexpr double kSameError = 0.96;       // within 2 %
@@ -89,6 +115,63 @@ std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, 
   return as_read;
 }
 
+/// The share of the images, summed over them, that lies 90 degrees and more from the axis.
+double share_behind(const std::vector<CameraOutcome>& outcomes) {
+  constexpr double kAheadDeg = 90.0;
+  double share = 0.0;
+  for (const CameraOutcome& outcome : outcomes) {
+    if (!outcome.report) continue;
+    for (const ErrorBand& band : outcome.report->judgement.bands) share += band.from_deg >= kAheadDeg ? band.share : 0.0;
+  }
+  return share;
+}
+
+/// All cameras in the best of the models that may be chosen. One that sees only ahead is not tried where another
+/// covers what lies behind: its fit to a cone is the slowest of all.
+std::optional<std::vector<CameraOutcome>> best_model(const std::vector<Camera>& cameras, const Format& format,
+                                                     const ModelChoice& choice, Diagnostics& diagnostics) {
+  struct Candidate {
+    const StoredModel* stored = nullptr;
+    bool tried = false;
+    std::optional<std::vector<CameraOutcome>> outcomes = {};
+    Diagnostics diagnostics = {};
+  };
+  std::vector<Candidate> candidates;
+  for (const StoredModel& stored : format.models) {
+    if (may_be_chosen(stored, choice)) candidates.push_back({&stored});
+  }
+  double uncovered = std::numeric_limits<double>::infinity();
+  double behind = 0.0;
+  const auto try_out = [&](Candidate& candidate) {
+    candidate.tried = true;
+    candidate.outcomes = convert_all(cameras, *candidate.stored, choice, candidate.diagnostics);
+    if (!candidate.outcomes) return;
+    uncovered = std::min(uncovered, merit_of(*candidate.outcomes, choice.objective).unrepresentable);
+    behind = std::max(behind, share_behind(*candidate.outcomes));
+  };
+  for (Candidate& candidate : candidates) {
+    if (!sees_ahead_only(candidate.stored->model)) try_out(candidate);
+  }
+  for (Candidate& candidate : candidates) {
+    if (!candidate.tried && !(behind > uncovered + kSameCoverage)) try_out(candidate);
+  }
+  const Candidate* best = nullptr;
+  const Candidate* failed = nullptr;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.tried) continue;
+    if (!candidate.outcomes) {
+      failed = &candidate;
+    } else if (best == nullptr ||
+               better(merit_of(*candidate.outcomes, choice.objective), merit_of(*best->outcomes, choice.objective))) {
+      best = &candidate;
+    }
+  }
+  const Candidate* told = best != nullptr ? best : failed;
+  if (told == nullptr) return std::nullopt;
+  for (const Diagnostic& entry : told->diagnostics.entries()) diagnostics.add(entry);
+  return told->outcomes;
+}
+
 /// All cameras in one model: theirs, if the stock program reads it and all have it, else the best that it reads.
 std::optional<std::vector<CameraOutcome>> common_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
@@ -97,24 +180,7 @@ std::optional<std::vector<CameraOutcome>> common_model(const std::vector<Camera>
                           std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
     if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
   }
-  std::optional<std::vector<CameraOutcome>> best;
-  Diagnostics best_diagnostics;
-  Diagnostics last_diagnostics;
-  for (const StoredModel& stored : format.models) {
-    if (!may_be_chosen(stored, choice)) continue;
-    Diagnostics found;
-    std::optional<std::vector<CameraOutcome>> candidate = convert_all(cameras, stored, choice, found);
-    if (!candidate) {
-      last_diagnostics = found;
-      continue;
-    }
-    if (!best || better(merit_of(*candidate, choice.objective), merit_of(*best, choice.objective))) {
-      best = std::move(candidate);
-      best_diagnostics = std::move(found);
-    }
-  }
-  for (const Diagnostic& entry : (best ? best_diagnostics : last_diagnostics).entries()) diagnostics.add(entry);
-  return best;
+  return best_model(cameras, format, choice, diagnostics);
 }
 
 }  // namespace

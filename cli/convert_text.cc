@@ -23,6 +23,11 @@ namespace {
 /// A file cannot tell black corners from glass, and the choice changes the error tenfold.
 std::string reach_text(const std::vector<ReachRow>& rows) {
   if (rows.empty()) return "";
+  const auto is_same = [&rows](const ReachRow& row) {
+    return row.scored == rows.front().scored && row.rms_px == rows.front().rms_px;
+  };
+  if (rows.size() > 1 && std::ranges::all_of(rows, is_same))
+    return "  if the lens ends earlier, but beyond 90 deg, the fit is the same\n";
   constexpr std::size_t kWidth = 12;
   std::string text = "  if the lens ends earlier and the corners are black, --max-angle DEG fits only the lens:\n    " +
                      padded("DEG", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";

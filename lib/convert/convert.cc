@@ -24,14 +24,15 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 using internal::FitTask;
 
-/// "ucm, eucm, ds, ... have no limit at 90 deg; ": for a target that has one.
+/// "rational reaches further; ucm, eucm, ds, ... have no limit at 90 deg; ": for a target that has one.
 std::string models_without_that_limit(const ModelInfo& target) {
   if (!internal::sees_ahead_only(target.id)) return "";
+  const std::string further = target.id == Rational::kId ? "" : std::string(Rational::kId) + " reaches further; ";
   std::string names;
   for (const ModelInfo& model : all_models()) {
     if (!internal::sees_ahead_only(model.id)) names += (names.empty() ? "" : ", ") + std::string(model.id);
   }
-  return names + " have no limit at 90 deg; ";
+  return further + names + " have no limit at 90 deg; ";
 }
 
 void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
@@ -41,6 +42,19 @@ void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics
                           " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
                           " deg from the axis, is scored there, and gives wrong pixels or none beyond",
                       {}, models_without_that_limit(task.target) + "fca-io models FILE compares how far each model reaches");
+}
+
+/// A model of a plane goes on to 90 degrees: where a part of the image has no ray, its distortion folds.
+void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& diagnostics) {
+  constexpr double kCorners = 1e-3;
+  if (!sees_ahead_only(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
+  const auto degrees = std::to_string(std::lround(max_angle(camera.model) / kRadiansPerDegree));
+  const auto percent = std::to_string(std::lround(100.0 * coverage.outside_lens));
+  diagnostics.warning("folds-inside-image",
+                      camera.name + ": its distortion folds at " + degrees +
+                          " deg from the axis, inside the image: " + percent + " % of the image has no ray",
+                      {},
+                      "calibrate anew with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)");
 }
 
 /// Everything the report says of a model that counts up to that angle, from what the lattice says of it.
@@ -101,6 +115,13 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   if (internal::too_few(fitted.samples, task.target)) {
     diagnostics.error("domain-too-small",
                       task.camera.name + ": too few pixels of the image have a ray to fit " + std::string(task.target.id));
+    return std::nullopt;
+  }
+  const ImageSize& size = task.domain.size;
+  const double pixels = found.score.judgement.coverage.scored * size.width * size.height;
+  if (fitted.model && 2.0 * pixels < static_cast<double>(task.target.parameters.size())) {
+    diagnostics.error("domain-too-small", task.camera.name + ": too few pixels of the image lie in the domain to fit " +
+                                              std::string(task.target.id) + ", however many samples are taken between them");
     return std::nullopt;
   }
   if (!fitted.model) {
@@ -164,6 +185,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   std::optional<Conversion> conversion = exact_conversion(task);
   if (!conversion) conversion = fitted_conversion(task, diagnostics);
   if (!conversion) return std::nullopt;
+  if (!options.max_angle_rad) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
   conversion->report.from_model = model_info(camera.model).id;
   conversion->report.to_model = target->id;
   if (options.reach) conversion->report.reach = reach_table(camera, options, conversion->report, diagnostics);

@@ -150,7 +150,8 @@ std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::op
   } else {
     // Corners are lattice points, so this is the image's own largest angle; the slack keeps rounding from dropping them.
     domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
-    domain.why = limit_rad ? "the whole image (it ends inside --max-angle)" : "the whole image (nothing states the lens's angle)";
+    domain.why =
+        limit_rad ? "the whole image (it ends inside --max-angle)" : "the whole image (nothing states the lens's angle)";
   }
   return domain;
 }

@@ -351,7 +351,7 @@ std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
       Trial trial{next, fit_terms(few, centre, next)};
       if (trial.cost() < best.cost()) {
         (next > at ? low : high) = at;
-        best = std::move(trial);
+        best = trial;
       } else {
         (next > at ? high : low) = next;
       }
@@ -359,7 +359,7 @@ std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
     polisher_.hold_fixed(*best.candidate);
     // Bottoms differ by less than what the search leaves of each.
     if (bottoms.size() > 1) polisher_.polish(*best.candidate, few, kCoarse.effort);
-    found.push_back(*std::move(best.candidate));
+    found.push_back(*best.candidate);
   }
   std::ranges::sort(found, {}, &Candidate::cost);
   return found;

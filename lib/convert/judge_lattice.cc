@@ -141,9 +141,9 @@ void add_border_weights(const Lattice& lattice, std::span<double> corners) {
   }
 }
 
-/// 5 x 5 parts of a cell, each to be judged at its centre.
+/// 8 x 8 parts of a cell, each to be judged at its centre.
 void add_parts(const Pixel& first, const Pixel& last, double area, Parts& parts) {
-  constexpr int kParts = 5;
+  constexpr int kParts = 8;
   for (int i = 0; i < kParts; ++i) {
     for (int j = 0; j < kParts; ++j) {
       parts.add(first[0] + (last[0] - first[0]) * (i + 0.5) / kParts, first[1] + (last[1] - first[1]) * (j + 0.5) / kParts,

@@ -69,6 +69,8 @@ std::vector<ReachRow> rows(const Camera& camera, const ConvertOptions& options, 
 
 }  // namespace
 
+bool sees_ahead_only(std::string_view model_id) { return internal::sees_ahead_only(model_id); }
+
 std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
   const std::optional<Domain> domain = wide_domain(camera, options, diagnostics);
   if (!domain) return {};

@@ -9,6 +9,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,9 @@ void convert_core(benchmark::State& state, const Source& source, const std::stri
     state.SkipWithError("no fit");
     return;
   }
-  state.counters["rms_px"] = fitted->rms_px;
-  state.counters["iterations"] = fitted->iterations;
+  char label[64];
+  std::snprintf(label, sizeof label, "%d iterations; rms %.3g px", fitted->iterations, fitted->rms_px);
+  state.SetLabel(label);
 }
 
 void sampling(benchmark::State& state, const Source& source) {

@@ -11,6 +11,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +45,9 @@ void certificate(benchmark::State& state, const Source& source, const std::strin
   const Pair pair = make_pair(source, target);
   Judgement judgement;
   for (auto _ : state) judgement = judge(source.camera.model, pair.target, pair.domain);
-  state.counters["bound_over_max"] = judgement.error.bound / judgement.error.max;
+  char label[64];
+  std::snprintf(label, sizeof label, "bound / max %.4f", judgement.error.bound / judgement.error.max);
+  state.SetLabel(label);
 }
 
 void every_pixel(benchmark::State& state, const Source& source, const std::string& target) {
@@ -70,7 +73,7 @@ void bound(benchmark::State& state, const Source& source, const std::string& tar
   const double seen = judge(source.camera.model, pair.target, pair.domain).error.max;
   internal::ErrorBound proof;
   for (auto _ : state) proof = internal::bound_error(source.camera.model, pair.target, pair.domain, 4.0, seen);
-  state.counters["evaluations"] = proof.evaluations;
+  state.SetLabel(std::to_string(proof.evaluations) + " evaluations");
 }
 
 const bool kRegistered = [] {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 
@@ -128,6 +129,43 @@ TEST(Convert, APlaneGetsAConeWhereverTheLensEndsBeyond) {
         EXPECT_GE(max_angle(conversion->camera.model), report.scored_to_deg * test::kRadians * (1.0 - 1e-9));
       }
     }
+  }
+}
+
+TEST(Convert, ALensThatFoldsInsideTheImageIsSaid) {
+  const Camera folded = test::make_camera(Intrinsics<Radtan>{{300, 300, 320, 240, -0.4, 0, 0, 0, 0}}, {640, 480});
+  for (const char* target : {"radtan", "rational", "kb4"}) {
+    Diagnostics diagnostics;
+    ASSERT_TRUE(to(folded, target, diagnostics)) << target;
+    ASSERT_EQ(diagnostics.entries().size(), 1u) << target;
+    EXPECT_EQ(diagnostics.entries()[0].code, "folds-inside-image");
+    EXPECT_NE(diagnostics.entries()[0].message.find("42 deg"), std::string::npos) << diagnostics.entries()[0].message;
+  }
+}
+
+// Whatever angle is asked for: the same cone is the same fit, and no wider one that is asked for outright would be as good.
+TEST(Convert, AConeIsTheBestAndTheLargest) {
+  std::map<long, double> rms_of_cone;
+  for (const double deg : {85.5, 88.75, 89.0, 89.25, 90.0, 97.5}) {
+    Diagnostics diagnostics;
+    const std::optional<Conversion> conversion = to(test::tumvi(), "rational", diagnostics, deg);
+    ASSERT_TRUE(conversion) << deg;
+    if (diagnostics.entries().empty()) continue;
+    const double rms = conversion->report.judgement.error.rms;
+    const auto [known, is_first] = rms_of_cone.emplace(std::lround(conversion->report.scored_to_deg), rms);
+    EXPECT_NEAR(rms / known->second, 1.0, 0.005) << deg;
+  }
+  EXPECT_FALSE(rms_of_cone.empty());
+
+  for (const Camera& camera : {test::tumvi(), test::lens_220()}) {
+    Diagnostics diagnostics;
+    const std::optional<Conversion> cone = to(camera, "radtan", diagnostics);
+    ASSERT_TRUE(cone);
+    EXPECT_GT(cone->report.scored_to_deg, 60.0);
+    const double wider = cone->report.scored_to_deg + 1.0;
+    const std::optional<Conversion> other = to(camera, "radtan", diagnostics, wider);
+    ASSERT_TRUE(other);
+    EXPECT_TRUE(other->report.scored_to_deg < wider - 1e-6 || other->report.judgement.error.rms > 1.0);
   }
 }
 
@@ -347,7 +385,12 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
        {},
        ""},
       {"alpha 1", test::make_camera(Intrinsics<Ucm>{{300, 300, 320, 240, 1.0}}, {640, 480}), {"eucm", "ds"}, {"kb4"}, {}, ""},
-      {"one pixel", test::make_camera(Intrinsics<Kb4>{{300, 300, 0, 0, 0.01, 0, 0, 0}}, {1, 1}), {"kb4"}, {}, {}, ""},
+      {"one pixel",
+       test::make_camera(Intrinsics<Kb4>{{300, 300, 0, 0, 0.01, 0, 0, 0}}, {1, 1}),
+       {"kb4"},
+       {},
+       {"pinhole", "radtan", "rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib", "woodscape"},
+       "domain-too-small"},
       {"fx / fy = 100",
        test::make_camera(Intrinsics<Pinhole>{{30000, 300, 320, 240}}, {640, 480}),
        {"radtan", "rational", "ucm", "eucm", "ds", "mei"},

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras with published parameters, and the error that the best camera of another model reaches on them: least squares over
-// every pixel from many starts, computed once with independent prototypes and printed to the digits given.
+// Cameras with published parameters.
 #pragma once
 
 #include <fca/rig/rig.h>
@@ -59,6 +58,12 @@ inline Camera tumvi() {
       Intrinsics<Kb4>{{190.97847715128717, 190.9733070521226, 254.93170605935475, 256.8974428996504, 0.0034823894022493434,
                        0.0007150348452162257, -0.0020532361418706202, 0.00020293673591811182}},
       {512, 512});
+}
+/// The same camera as Double Sphere (Basalt's published calibration).
+inline Camera tumvi_ds() {
+  return make_camera(Intrinsics<Ds>{{158.28600034966976, 158.2743455478755, 254.96116578191652, 256.8894394501779,
+                                     0.5931177593944744, -0.17213086034353242}},
+                     {512, 512});
 }
 /// Like an Intel T265's, not a real one.
 inline Camera t265_like() {

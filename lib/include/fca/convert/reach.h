@@ -7,9 +7,13 @@
 #include <fca/diagnostics.h>
 #include <fca/rig/rig.h>
 
+#include <string_view>
 #include <vector>
 
 namespace fca {
+
+/// Has no camera of that model a pixel for rays at 90 degrees from the axis and beyond? True of what projects to a plane.
+[[nodiscard]] bool sees_ahead_only(std::string_view model_id);
 
 /// What the same conversion would reach inside 90, 95, 100, ... degrees from the axis, up to and including the domain's angle:
 /// one fit per row, judged inside its own angle. Empty where there is no such choice: options.max_angle_rad is given, or the
