@@ -98,7 +98,11 @@ std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
   const bool may_be_beaten = has_many_parameters(target_) && best && best->rms_px > kNobodySees;
   if (best && best->reaches_all && !may_be_beaten) return best;
   hopeless_ = std::numeric_limits<double>::infinity();
-  for (const double scale : {0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.15, 1.2, 1.25}) {
+  // Where the radius turns back, a fit ends wherever it just does not: closer to each other.
+  static constexpr std::array kScales = {0.8, 0.9, 1.1, 1.25, 0.85, 0.95, 1.05, 1.15, 1.2};
+  constexpr std::size_t kFew = 4;
+  const bool folds = !best || !best->reaches_all;
+  for (const double scale : std::span(kScales).first(folds ? kScales.size() : kFew)) {
     const LensCentre other = {{scale * centre.focal[0], scale * centre.focal[1]}, centre.point};
     const std::size_t tried = tried_.size();
     if (std::optional<FoundFit> fit = fit_starts(other)) keep_better(*std::move(fit), best);

@@ -102,8 +102,8 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
   }
 
   /// Given xi, all of radtan's terms, on its plane.
-  static constexpr std::array kShapes = {0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4,  0.5,  0.65, 0.8,   1.0,
-                                         1.2, 1.5,  1.9,  2.4, 3.2,  4.5, 7.0, 12.0, 25.0, 60.0, 200.0, 1000.0, 1e4};
+  static constexpr std::array kShapes = {0.0, 0.03, 0.06, 0.1, 0.15, 0.2, 0.3,  0.4,  0.5,  0.65,  0.8,    1.0, 1.2,
+                                         1.5, 1.9,  2.4,  3.2, 4.5,  7.0, 12.0, 25.0, 60.0, 200.0, 1000.0, 1e4};
   static constexpr std::size_t kTerms = 5;
   static bool terms(double xi, const double* ray, double* along_u, double* along_v) {
     const double denominator = internal::unified_sum(xi, 1.0, 1.0, ray[2], ray[0] * ray[0] + ray[1] * ray[1]);
