@@ -67,12 +67,19 @@ Pixel distort_equidistant(const Pixel& m, const std::array<double, 4>& coeffs) {
 }
 
 // aslam/cameras/implementation/FovDistortion.hpp
+constexpr double kSmall = 1e-5;
 Pixel distort_fov(const Pixel& m, double w) {
-  constexpr double kSmall = 1e-5;
   const double r = std::sqrt(m[0] * m[0] + m[1] * m[1]);
   const double two_tan = 2.0 * std::tan(w / 2.0);
   const double scaling = w * w < kSmall ? 1.0 : r * r < kSmall ? two_tan / w : std::atan(r * two_tan) / (r * w);
   return {m[0] * scaling, m[1] * scaling};
+}
+
+/// By how much it is off where it takes the radius for small, in units of the focal length: atan(x) = x - x^3 / 3 + ..., at
+/// the largest such radius.
+double series_error_of_fov(double w) {
+  const double x = std::sqrt(kSmall) * 2.0 * std::tan(w / 2.0);
+  return x * x * x / (3.0 * w);
 }
 
 Distortion make_distortion(const KalibrCamera& camera) {
@@ -191,9 +198,10 @@ class CameraReader {
     view_.cameras.push_back({name_, camera_.width, camera_.height, make_projection(camera_)});
     view_.cameras.back().model = camera_.camera_model + "-" + camera_.distortion_model;
     view_.cameras.back().time_offset_s = camera_.time_offset_s;
-    // Near the axis FovDistortion.hpp takes a series instead of the formula.
-    constexpr double kSeriesError = 3e-6;
-    if (camera_.distortion_model == "fov") view_.cameras.back().approximation_px = kSeriesError;
+    if (camera_.distortion_model == "fov") {
+      view_.cameras.back().approximation_px =
+          std::max(camera_.intrinsics.fu, camera_.intrinsics.fv) * series_error_of_fov(camera_.coeffs[0]);
+    }
   }
 
  private:
