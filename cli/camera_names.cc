@@ -28,7 +28,10 @@ void name_as_written(const Format& format, const Written& written, std::vector<C
 }
 
 std::string with_names_of_file(const std::string& text, std::span<const CameraOutcome> cameras) {
-  const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  // '/' and '.': a topic or a file that is called after its camera is not the camera.
+  const auto is_of_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/' || c == '.';
+  };
   std::string result;
   for (auto at = text.begin(); at != text.end();) {
     const auto end = std::find_if_not(at, text.end(), is_of_word);

@@ -96,11 +96,12 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
           arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(),
           {}, "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
-      outcome.diagnostics.error(
-          "proof-failed", program + " would not understand what was to be written: " + disagreement(proof), {},
-          arguments.into.empty() || proof.loads
-              ? ""
-              : "fca-io check " + arguments.into + " says what is wrong in the base itself, and mends it");
+      outcome.diagnostics.error("proof-failed",
+                                program + " would not understand what was to be written: " + disagreement(proof), {},
+                                arguments.into.empty() || proof.loads
+                                    ? ""
+                                    : "fca-io check " + arguments.into +
+                                          " tells whether the base itself is at fault; if not, --sensor takes a poorer mode");
       outcome.code = worse(outcome.code, ExitCode::kJudgedBad);
     }
     outcome.proofs.push_back(std::move(proof));

@@ -46,8 +46,8 @@ void warn_of_wrong_side(const Rig& rig, const ConvertArguments& arguments, const
     diagnostics.warning(
         "stereo-order",
         with_names_of_file(what + ", and " + rig.cameras[0].name + " to the left of " + rig.cameras[1].name, outcome.cameras) +
-            ": their images are turned against each other; " + outcome.written.first_is_left,
-        {}, "turn the images the same way up and calibrate those, if the pose is right (show says it in words)");
+            ": they do not look the same way, the same way up; " + outcome.written.first_is_left,
+        {}, "is their pose right (show says it in words)? If so, they are no left and right camera");
     return;
   }
   diagnostics.warning("stereo-order", with_names_of_file(what, outcome.cameras) + "; " + outcome.written.first_is_left, {},

@@ -49,8 +49,14 @@ bool resize(std::vector<std::string>& tokens, std::size_t count) {
 
 void shape_as(Field& field, const Node& value) {
   const Node* data = value.is_mapping() ? text::find(value, "data", text::Dialect::kOpenCv) : &value;
-  if (data == nullptr || !data->is_sequence() || !resize(field.tokens, count_in(*data))) return;
+  const Node* rows = text::find(value, "rows", text::Dialect::kOpenCv);
   const Node* cols = text::find(value, "cols", text::Dialect::kOpenCv);
+  if (data == nullptr || !data->is_sequence()) return;
+  // OpenCV reads as many numbers as rows and cols say, or nothing.
+  const int stated = rows != nullptr && cols != nullptr
+                         ? text::parse_int(rows->value).value_or(0) * text::parse_int(cols->value).value_or(0)
+                         : 0;
+  if (!resize(field.tokens, stated > 0 ? static_cast<std::size_t>(stated) : count_in(*data))) return;
   const Node* type = text::find(value, "dt", text::Dialect::kOpenCv);
   if (cols != nullptr) field.columns = text::parse_int(cols->value).value_or(field.columns);
   if (type != nullptr) field.element_type = type->value;

@@ -175,7 +175,7 @@ const Sensor* find_sensor(std::string_view id) {
 }
 
 bool crashes_with_depth_and_imu(const Rig& rig, Style style) {
-  return style == Style::kV1 && model_info(rig.cameras.front().model).id == "kb4";
+  return (style == Style::kV1 || style == Style::kOld) && model_info(rig.cameras.front().model).id == "kb4";
 }
 
 std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style) {
@@ -195,8 +195,8 @@ std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style
   if (!sensor.inertial) return missing;
   if (sensor.depth && crashes_with_depth_and_imu(rig, style))
     missing.emplace_back("a lens that ORB-SLAM3 takes in this mode: with KannalaBrandt8 it crashes (--sensor rgbd)");
-  if (style == Style::kSlamNoOpt) {
-    missing.emplace_back("an inertial mode in slam_no_opt");
+  if (style == Style::kSlamNoOpt || style == Style::kOrbSlam2) {
+    missing.emplace_back(style == Style::kSlamNoOpt ? "an inertial mode in slam_no_opt" : "an inertial mode in ORB-SLAM2");
     return missing;
   }
   if (!rig.resolve("imu0", first.name)) {

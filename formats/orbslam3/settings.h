@@ -52,8 +52,8 @@ struct Target {
 /// nothing, and the style can store the models.
 [[nodiscard]] std::vector<fields::Field> settings_fields(const Rig& rig, const Target& target);
 
-/// Does the program crash in a mode with depth and an IMU? V1.0 asks for a second KannalaBrandt8 camera there (Tracking.cc),
-/// which it never read.
+/// Does the program stop in a mode with depth and an IMU? ORB-SLAM3 asks for a second KannalaBrandt8 camera there
+/// (Tracking.cc), which no such file holds.
 [[nodiscard]] bool crashes_with_depth_and_imu(const Rig& rig, Style style);
 
 /// What the rig lacks for a sensor mode, in words with the option that would give it; empty: it serves.

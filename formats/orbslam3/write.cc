@@ -423,11 +423,15 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
     }
     return before;
   }
-  if (base.rig.baseline_m != rig.baseline_m) return before;
+  // Thresholds of depth are as true as before.
   std::erase_if(before, [&](const fields::Field& field) {
-    const bool of_baseline = field.key == "Stereo.b" || field.key == "Stereo.ThDepth";
-    return of_baseline && !is_among(after, field.key);
+    const TuningKey* key = find_tuning_key(field.key);
+    const bool of_depth =
+        key != nullptr && (key->key == tuning_key::kThDepth.key || key->key == tuning_key::kDepthMapFactor.key);
+    return of_depth && !is_among(after, field.key);
   });
+  if (base.rig.baseline_m != rig.baseline_m) return before;
+  std::erase_if(before, [&](const fields::Field& field) { return field.key == "Stereo.b" && !is_among(after, field.key); });
   return before;
 }
 

@@ -121,7 +121,7 @@ TEST(RigOptions, APairOfWhichEachIsLeftOfTheOther) {
                                                          "  - [0.0, 0.0, 0.0, 1.0]\n");
   for (const char* order : {"0,1", "1,0"}) {
     const RunResult run = run_program({"convert", pair, "--camera", order, "--to", "orbslam3"});
-    EXPECT_TRUE(contains(run.err, "turned against each other")) << run.err;
+    EXPECT_TRUE(contains(run.err, "do not look the same way")) << run.err;
     EXPECT_FALSE(contains(run.err, "do: fca-io")) << run.err;
   }
 }
@@ -133,6 +133,7 @@ TEST(RigOptions, LossesNameCamerasAsTheFileWrittenDoes) {
   const RunResult run = run_program({"convert", folder.write("chain.yaml", text), "--camera", "1,0", "--to", "orbslam3"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out + run.err, "of cam1 (input's cam0)")) << run.out << run.err;
+  EXPECT_TRUE(contains(run.out + run.err, "cam1 (input's cam0) /cam0/image_raw")) << run.out << run.err;
 }
 
 TEST(RigOptions, TheProposedCommandIsOneThatAShellTakes) {
