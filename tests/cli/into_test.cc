@@ -437,11 +437,32 @@ TEST(Into, ABaseOfAProgramWithoutTheLensKeepsItsText) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(model_info(rig_in(run.out).cameras.at(0).model).id, "radtan");
   EXPECT_FALSE(contains(run.out, "File.version")) << run.out;
+  // Nor does it know an IMU.
+  const RunResult inertial = run_program({"convert", chain, "--camera", "0", size, "--max-angle", "50", "--into", base,
+                                          "--with", testdata("formats/kalibr/good/imu.yaml")});
+  EXPECT_EQ(inertial.code, 0) << inertial.err;
+  EXPECT_FALSE(contains(inertial.out, "IMU.")) << inertial.out;
+  EXPECT_TRUE(contains(inertial.err, ", mono\n")) << inertial.err;
   const RunResult asked =
       run_program({"convert", chain, "--camera", "0", size, "--model", "kb4", "--into", base, "--in-place"});
   EXPECT_EQ(asked.code, 2) << asked.err;
   EXPECT_TRUE(contains(asked.err, "[into-another-layout]")) << asked.err;
   EXPECT_EQ(read_file(base), settings);
+}
+
+// A pair put into a depth camera's settings: what tells its depth images is not the pair's to take away.
+TEST(Into, AModeThatThePairDoesNotUseKeepsItsKeys) {
+  const TemporaryFolder folder;
+  const std::string depth = "RGBD.DepthMapFactor: 5000.0\nStereo.ThDepth: 35.0\nStereo.b: 0.07\n";
+  const std::string settings = read_file(testdata("formats/orbslam3/good/v1-pinhole.yaml"));
+  const std::string base = folder.write("depth.yaml", settings + (settings.ends_with("\n") ? "" : "\n") + depth);
+  const ImageSize size = rig_in(settings).cameras.at(0).image_size.value();
+  const RunResult run = run_program(
+      {"convert", kTumvi, "--resize", std::to_string(size.width) + "x" + std::to_string(size.height), "--into", base});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "RGBD.DepthMapFactor: 5000.0")) << run.out;
+  EXPECT_TRUE(contains(run.out, "Stereo.ThDepth: 35.0")) << run.out;
+  EXPECT_TRUE(contains(run.out, "Stereo.T_c1_c2")) << run.out;
 }
 
 // The columns that both cameras see are set for images of the cameras that were there.
