@@ -29,7 +29,7 @@ MATLAB's descending order, a list without a1, or another program's polynomial.)"
 --from FORMAT decides. Usually one file was pasted into another: take them apart.)"},
     CheckCode{
         "ambiguous-model", "four distortion coefficients, and nothing says of which lens",
-        "A program that takes them for the other lens is off by tens of degrees at the border.",
+        "A program that takes them for the other lens puts rays wrong: at the border of a wide lens by tens of degrees.",
         R"(cv::projectPoints takes four numbers as k1 k2 p1 p2 of a radial-tangential lens, cv::fisheye as k1 k2 k3 k4 of an
 equidistant one. An OpenCV file need not say which. The finding shows both readings with the angle that each would see
 across the image: the lens's data sheet decides. Then give --opencv-model pinhole or fisheye.)"},

@@ -147,12 +147,19 @@ bool check_time(const Subject& subject, Findings& findings) {
     constexpr double kSlowFrameRate = 10.0;
     const double frame = 1.0 / camera.frame_rate_hz.value_or(kSlowFrameRate);
     const double offset = std::abs(*camera.time_offset_s);
+    constexpr double kFastFrame = 1.0 / 30.0;
+    if (!camera.frame_rate_hz && offset > kFastFrame && offset <= frame) {
+      findings.undecided(
+          "time-offset-large",
+          camera.name + ": whether a time offset of " + number(*camera.time_offset_s) + " s is longer than a frame",
+          "the file states no frame rate");
+    }
     if (offset <= frame) continue;
     constexpr double kMilliseconds = 1.0;
     findings.add({Severity::kWarning,
                   "time-offset-large",
                   camera.name + ": a time offset of " + number(*camera.time_offset_s) + " s is longer than a frame (" +
-                      number(frame) + " s" + (camera.frame_rate_hz ? ")" : " at 10 Hz)") +
+                      number(frame) + " s" + (camera.frame_rate_hz ? ")" : " even at 10 Hz; the file states no rate)") +
                       (offset > kMilliseconds ? "; are these milliseconds?" : ""),
                   {},
                   "it is in seconds: t_imu = t_cam + offset; one as long as that should be taken out of the time stamps",
