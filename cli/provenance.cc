@@ -86,9 +86,10 @@ std::vector<std::string> lines_for(const Written::File& file, const ConvertArgum
     lines.push_back("  " + name + std::string(kHash) + sha256(source.bytes));
   }
   // What the base said of itself goes; what it was does not.
-  if (!arguments.into.empty())
-    lines.push_back("  into " + std::filesystem::path(arguments.into).filename().string() + std::string(kHash) +
-                    sha256(file.document.source().bytes));
+  if (!arguments.into.empty()) {
+    const std::string name = std::filesystem::path(arguments.into).filename().string();
+    lines.push_back("  into " + name + std::string(kHash) + sha256(file.document.source().bytes));
+  }
   lines.push_back(std::string(kCommand) + command(arguments.words));
   for (const CameraOutcome& camera : outcome.cameras) {
     if (std::ranges::find(file.cameras, camera.source.name) != file.cameras.end())
