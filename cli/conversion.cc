@@ -133,28 +133,18 @@ struct Base {
   bool adopted = false;  ///< The input, of another format with the same layout.
 };
 
-/// The model to write where none is asked for: into a fork's file the fork's own; into a line of DSO's the input's where the
-/// format stores it, else the line's.
-std::string model_for(const ConvertArguments& arguments, const Base& base, const Rig& source, const Format& to) {
-  if (!arguments.model.empty() || base.into == nullptr || base.into->rig.cameras.empty()) return arguments.model;
-  const std::string_view model = model_info(base.into->rig.cameras.front().model).id;
-  if (base.document->syntax() == text::Syntax::kWords) {
-    const std::string_view own = model_info(source.cameras.front().model).id;
-    const StoredModel* stored = find_stored_model(to, own, false);
-    return std::string(stored != nullptr && stored->in_words ? own : model);
-  }
-  return find_stored_model(to, model, true) == nullptr ? std::string(model) : "";
-}
-
 /// Does the text of --into's file have to stay?
 bool keeps_text(const ConvertArguments& arguments, const Base& base) {
   return base.into != nullptr && !arguments.anew && arguments.orbslam3_layout.empty() && arguments.opencv_layout.empty();
 }
 
-/// The models that the file of --into can hold as it is; empty: any.
+/// The models to choose from for the file of --into: a fork's file is of the fork's own, another of those that its layout
+/// holds; empty: no such limit.
 std::vector<std::string> models_for(const ConvertArguments& arguments, const Base& base, const Format& to) {
   std::vector<std::string> models;
   if (!keeps_text(arguments, base) || to.layout_holds == nullptr || base.into->rig.cameras.empty()) return models;
+  const std::string_view own = model_info(base.into->rig.cameras.front().model).id;
+  if (find_stored_model(to, own, true) == nullptr) return {std::string(own)};
   for (const StoredModel& stored : to.models) {
     if (stored.stock && to.layout_holds(*base.document, stored.model)) models.emplace_back(stored.model);
   }
@@ -368,7 +358,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   }
   if (!holds_model(arguments, base, *outcome.to, outcome.diagnostics)) return false;
   ModelChoice choice;
-  choice.model = model_for(arguments, base, calibration->rig, *outcome.to);
+  choice.model = arguments.model;
   choice.max_angle_rad = max_angle_rad(arguments.reading);
   choice.every_pixel = arguments.every_pixel;
   choice.objective = arguments.objective == "max" ? Objective::kMax : Objective::kRms;

@@ -2,8 +2,9 @@
 #include "show_command.h"
 #include "words.h"
 
+#include <fca/rig/first_camera.h>
+
 #include <algorithm>
-#include <iterator>
 
 #include <CLI/CLI.hpp>
 
@@ -11,37 +12,17 @@ namespace fca::cli {
 
 namespace {
 
-/// Poses as the first camera sees them: T_other_first of the other cameras, T_first_frame of all else. What cannot be had
-/// from the poses read stays as it was.
-void express_for_first(Calibration& calibration) {
-  Rig& rig = calibration.rig;
-  const std::string& first = rig.cameras.front().name;
-  std::vector<PoseEdge> poses;
-  const auto add = [&](const std::string& frame) {
-    const bool known = std::ranges::any_of(poses, [&](const PoseEdge& pose) { return pose.a == frame || pose.b == frame; });
-    if (frame == first || known) return;
-    const bool camera = rig.find_camera(frame) != nullptr;
-    const std::optional<Transform> T = camera ? rig.resolve(frame, first) : rig.resolve(first, frame);
-    if (T) poses.push_back(camera ? PoseEdge{frame, first, *T} : PoseEdge{first, frame, *T});
-  };
-  for (const Camera& camera : rig.cameras) add(camera.name);
-  for (const PoseEdge& edge : rig.poses) {
-    add(edge.a);
-    add(edge.b);
-  }
-  std::ranges::copy_if(rig.poses, std::back_inserter(poses),
-                       [&](const PoseEdge& edge) { return !rig.resolve(edge.a, first) && !rig.resolve(edge.b, first); });
-  if (!calibration.poses_without_unit.empty()) calibration.poses_without_unit = poses;
-  rig.poses = std::move(poses);
-}
-
 ShownFile read_files(const std::vector<std::string>& files, const ShowArguments& arguments, Console& console) {
   ShownFile shown;
   shown.file = enumerated(files, "and");
   shown.limit_deg = arguments.reading.max_angle_deg.value_or(shown.limit_deg);
   shown.calibration = read_input(files, arguments.reading, console, shown.diagnostics);
   if (shown.calibration) {
-    if (arguments.reading.cameras) express_for_first(*shown.calibration);
+    if (arguments.reading.cameras) {
+      Rig& rig = shown.calibration->rig;
+      rig.poses = poses_of_first(rig);
+      if (!shown.calibration->poses_without_unit.empty()) shown.calibration->poses_without_unit = rig.poses;
+    }
     shown.readers = ask_readers(shown.calibration->format->id, shown.calibration->documents.front().source().bytes,
                                 !shown.calibration->rig.cameras.empty(), {{}, arguments.reading.opencv_model});
     if (!arguments.program.empty()) {

@@ -99,10 +99,6 @@ void take_over(const Diagnostics& diagnostics, const text::Source& source, Findi
     const Severity severity = among(kBeyondUs, entry.code) ? Severity::kWarning : entry.severity;
     Finding finding{severity, entry.code, entry.message, {}, entry.fix, entry.where};
     finding.mend = mend_of(entry, source);
-    if (entry.code == "not-a-rotation" && contains(entry.message, "normalises it")) {
-      finding.consequence = "projection.py divides it by its length and goes on; a program that does not shears every point.";
-      finding.fix = "divide its four numbers by that length";
-    }
     findings.add(std::move(finding));
   }
 }

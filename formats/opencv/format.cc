@@ -14,7 +14,7 @@ constexpr std::array kModels = {
     StoredModel{"rational", "8 coefficients", true, "cv::projectPoints", {}},
     StoredModel{"pinhole", "5 zeros", true, "cv::projectPoints", {}},
     StoredModel{"kb4", "fisheye", true, "cv::fisheye (rays inside 90 deg)", {}},
-    StoredModel{"mei", "omnidir", true, "cv::omnidir", {}, {}, false, true},
+    StoredModel{"mei", "omnidir", true, "cv::omnidir", {}, {}, true},
 };
 
 ProbeResult probe(const text::Document& document) {

@@ -12,8 +12,6 @@ namespace fca::orbslam3 {
 
 namespace {
 
-bool has_overlap(const Layout& layout) { return layout.type == "KannalaBrandt8" || layout.type == "DoubleSphere"; }
-
 /// The columns of one camera that another sees, too.
 std::optional<ColumnRange> columns_of(const Rig& rig, const Target& target, std::size_t from, std::size_t to) {
   const Camera& camera = rig.cameras[from];
@@ -39,7 +37,7 @@ std::vector<OverlapColumn> overlap_columns(const Rig& rig, const Target& target)
   const bool pair = target.sensor.two_cameras && rig.cameras.size() > 1 && target.style != Style::kSlamNoOpt;
   if (!pair || !rig.cameras[0].image_size) return {};
   const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
-  if (layout == nullptr || !has_overlap(*layout)) return {};
+  if (layout == nullptr || !is_fisheye(*layout)) return {};
   std::vector<OverlapColumn> result;
   for (std::size_t i = 0; i < tuning_key::kOverlap.size(); ++i) {
     const ColumnRange all = {0, rig.cameras[i].image_size.value_or(*rig.cameras[0].image_size).width - 1};
@@ -54,7 +52,7 @@ bool shares_no_columns(const Rig& rig, const Target& target) {
   if (!target.sensor.two_cameras || rig.cameras.size() < 2 || !rig.cameras[0].image_size || !rig.cameras[1].image_size)
     return false;
   const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
-  return layout != nullptr && has_overlap(*layout) && !columns_of(rig, target, 0, 1);
+  return layout != nullptr && is_fisheye(*layout) && !columns_of(rig, target, 0, 1);
 }
 
 std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig, std::span<const std::string> replaced) {

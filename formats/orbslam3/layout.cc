@@ -41,6 +41,8 @@ const std::vector<Layout>& layouts() {
   return kLayouts;
 }
 
+bool is_fisheye(const Layout& layout) { return layout.type == "KannalaBrandt8" || layout.type == "DoubleSphere"; }
+
 const Layout* find_layout(Style style, std::string_view model) {
   const auto& rows = layouts();
   const auto found = std::ranges::find_if(rows, [&](const Layout& l) { return l.style == style && l.model == model; });

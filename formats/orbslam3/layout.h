@@ -44,6 +44,9 @@ struct Layout {
   std::vector<Slot> slots;
 };
 
+/// Does the program match a pair of such cameras in the images as they are, without rectifying them?
+[[nodiscard]] bool is_fisheye(const Layout& layout);
+
 /// Writing takes the first row of a style and model.
 [[nodiscard]] const std::vector<Layout>& layouts();
 

@@ -198,7 +198,7 @@ class SettingsReader {
       return;
     }
     // For PinHole the parser before V1.0 knows only rectified pairs: Camera.bf, and one set of intrinsics for both.
-    const bool old_pair = style_ != Style::kV1 && first.type != "KannalaBrandt8" && first.type != "DoubleSphere";
+    const bool old_pair = style_ != Style::kV1 && !is_fisheye(first);
     // Rectified images have one set of intrinsics: V1.0 does not read Camera2.* there.
     if (old_pair || first.type == "Rectified" || !states_lens("Camera2.")) return;
     const Layout* layout = &first;

@@ -251,6 +251,8 @@ class CameraTxtReader {
 
 }  // namespace
 
+bool camera_txt_holds(std::string_view model) { return lens_of(model) != nullptr; }
+
 ProbeResult probe_camera_txt(const text::Document& document) {
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<Node>& lines = document.root().items;

@@ -19,6 +19,9 @@ namespace fca::tumvi {
 
 [[nodiscard]] std::optional<Rig> read_camera_txt(const text::Document& document, Diagnostics& diagnostics);
 
+/// Has DSO a lens of that model?
+[[nodiscard]] bool camera_txt_holds(std::string_view model);
+
 /// Why a camera.txt cannot say this rig (several cameras, another model, a centre that DSO would take for a relative one, no
 /// image size), for people; "" if one can.
 [[nodiscard]] std::string problem_with_camera_txt(const Rig& rig);

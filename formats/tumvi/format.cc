@@ -21,14 +21,14 @@ namespace {
 
 /// What Kalibr holds. The dataset has two calibrations of its cameras, and their models stand first.
 constexpr std::array kModels = {
-    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg), DSO (camera.txt)", {}, {}, true},
+    StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg), DSO (camera.txt)", {}},
     StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
-    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr, DSO (camera.txt)", kalibr::kNoK3, kalibr::kNoK3Reason, true},
+    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr, DSO (camera.txt)", kalibr::kNoK3, kalibr::kNoK3Reason},
     StoredModel{"eucm", "eucm-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
     StoredModel{"ds", "ds-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
     StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
-    StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}, {}, true},
-    StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}, {}, true},
+    StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}},
+    StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}},
 };
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
@@ -40,6 +40,10 @@ constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
 ProbeResult probe(const text::Document& document) { return probe_camera_txt(document); }
 
 bool is_camera_txt(const text::Document& document) { return document.syntax() == text::Syntax::kWords; }
+
+bool layout_holds(const text::Document& document, std::string_view model) {
+  return !is_camera_txt(document) || camera_txt_holds(model);
+}
 
 /// The dataset states T_cam_imu and T_cn_cnm1 of one estimate. Where a rig's contradict each other, the chain and the first
 /// camera's pose are kept, and the others follow from them.
@@ -186,6 +190,7 @@ const Format kFormat = {
     .of_cameras = kOfCameras,
     .models = kModels,
     .probe = probe,
+    .layout_holds = layout_holds,
     .read = read,
     .write = write,
 };

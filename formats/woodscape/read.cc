@@ -178,7 +178,8 @@ class CameraReader {
     constexpr double kPrinted = 1e-3;
     if (std::abs(norm - 1.0) > kPrinted) {
       reader_.warning(*quaternion, "not-a-rotation",
-                      "the quaternion has length " + text::format_short(norm, 4) + ", not 1; projection.py normalises it");
+                      "the quaternion has length " + text::format_short(norm, 4) + ", not 1; projection.py normalises it",
+                      "divide its four numbers by that length");
     }
     const std::optional<Transform> T =
         reader_.checked(pose_of({(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, {(*t)[0], (*t)[1], (*t)[2]}), {*quaternion, "quaternion"},

@@ -4,6 +4,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/check.h>
+#include <fca/formats/text/read_document.h>
 
 namespace fca::test {
 
@@ -11,6 +12,16 @@ inline CheckReport checked(const text::Source& source, const CheckOptions& optio
 
 inline CheckReport checked(const fs::path& path, const CheckOptions& options = {}) {
   return checked(text::Source{path.filename().string(), read_file(path)}, options);
+}
+
+/// What a file says, read as that format (null: as what it is); nothing if it cannot be read.
+inline std::optional<Rig> rig_of(const text::Source& source, const Format* format = nullptr) {
+  Diagnostics diagnostics;
+  const std::optional<text::Document> document = text::parse_document(source, diagnostics);
+  if (!document) return std::nullopt;
+  std::optional<Calibration> calibration = read_calibration({*document}, format, {}, diagnostics);
+  if (!calibration) return std::nullopt;
+  return calibration->rig;
 }
 
 inline bool says(const CheckReport& report, std::string_view code) {

@@ -2,21 +2,10 @@
 // One layout for PyYAML and OpenCV's reader: mended for the other program a chain loads there, and says what it said.
 #include "check_files.h"
 
-#include <fca/formats/text/read_document.h>
-
 #include <cstdio>
 
 namespace fca::test {
 namespace {
-
-std::optional<Rig> rig_of(const text::Source& source) {
-  Diagnostics diagnostics;
-  const std::optional<text::Document> document = text::parse_document(source, diagnostics);
-  if (!document) return std::nullopt;
-  std::optional<Calibration> calibration = read_calibration({*document}, find_format("kalibr"), {}, diagnostics);
-  if (!calibration) return std::nullopt;
-  return calibration->rig;
-}
 
 std::vector<fs::path> chains() {
   std::vector<fs::path> files = files_in(testdata_dir() / "kalibr" / "good");
@@ -48,13 +37,13 @@ TEST(Layout, KalibrsFilesForOpenVins) {
   int mended_files = 0;
   for (const fs::path& path : chains()) {
     const text::Source source{path.filename().string(), read_file(path)};
-    const std::optional<Rig> before = rig_of(source);
+    const std::optional<Rig> before = rig_of(source, find_format("kalibr"));
     if (!before || before->cameras.empty() || is_of_opencv(source.bytes)) continue;
     CheckOptions options;
     options.program = openvins;
     const std::optional<text::Source> after = mended(source, options);
     if (!after) continue;
-    EXPECT_EQ(rig_of(*after), before) << source.name;
+    EXPECT_EQ(rig_of(*after, find_format("kalibr")), before) << source.name;
     const consumers::ConsumerView view = openvins->load(after->bytes, {});
     for (const std::string& refusal : view.refusals) {
       // No mend can give a camera a pose, or four coefficients to a lens without.
@@ -73,11 +62,11 @@ TEST(Layout, OpenVinsChainsForKalibr) {
   int mended_files = 0;
   for (const fs::path& path : chains()) {
     const text::Source source{path.filename().string(), read_file(path)};
-    const std::optional<Rig> before = rig_of(source);
+    const std::optional<Rig> before = rig_of(source, find_format("kalibr"));
     if (!before || before->cameras.empty() || !is_of_opencv(source.bytes)) continue;
     const std::optional<text::Source> after = mended(source, {});
     ASSERT_TRUE(after) << source.name;
-    EXPECT_EQ(rig_of(*after), before) << source.name;
+    EXPECT_EQ(rig_of(*after, find_format("kalibr")), before) << source.name;
     const consumers::ConsumerView view = kalibr->load(after->bytes, {});
     EXPECT_TRUE(view.loads()) << source.name << ": " << view.refusals.front();
     ++mended_files;
@@ -105,7 +94,7 @@ TEST(Layout, ACommentMakesAFisheyeRadialTangential) {
       ASSERT_TRUE(after);
       EXPECT_NE(after->bytes.find("distortion_model: \"equidistant\" # a fisheye"), std::string::npos) << after->bytes;
       EXPECT_EQ(letters(after->bytes), letters(bytes.substr(mark.size())));
-      EXPECT_EQ(rig_of(*after), rig_of(source));
+      EXPECT_EQ(rig_of(*after, find_format("kalibr")), rig_of(source, find_format("kalibr")));
       const consumers::ConsumerView view = options.program->load(after->bytes, {});
       EXPECT_TRUE(view.loads() && view.warnings.empty());
     }
@@ -136,7 +125,7 @@ TEST(Layout, AHeaderBehindCommentsIsMoved) {
       ASSERT_TRUE(after);
       EXPECT_TRUE(after->bytes.starts_with("%YAML:1.0" + line_break + "# mine" + line_break)) << after->bytes;
       EXPECT_EQ(after->bytes.find("%YAML", 1), std::string::npos);
-      EXPECT_EQ(rig_of(*after), rig_of(source));
+      EXPECT_EQ(rig_of(*after, find_format("kalibr")), rig_of(source, find_format("kalibr")));
       EXPECT_TRUE(options.program->load(after->bytes, {}).loads());
     }
   }

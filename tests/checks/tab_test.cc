@@ -2,22 +2,11 @@
 // TABs where YAML wants blanks: mended the file says what it said before somebody's editor put them in.
 #include "check_files.h"
 
-#include <fca/formats/text/read_document.h>
-
 #include <cstdio>
 #include <functional>
 
 namespace fca::test {
 namespace {
-
-std::optional<Rig> rig_of(const text::Source& source) {
-  Diagnostics diagnostics;
-  const std::optional<text::Document> document = text::parse_document(source, diagnostics);
-  if (!document) return std::nullopt;
-  std::optional<Calibration> calibration = read_calibration({*document}, nullptr, {}, diagnostics);
-  if (!calibration) return std::nullopt;
-  return calibration->rig;
-}
 
 std::string by_lines(const std::string& bytes, const std::function<std::string(const std::string&)>& change) {
   std::string result;

@@ -72,23 +72,29 @@ TEST(RigOptions, ASecondCameraOnTheLeftIsWarnedOfWithTheCommand) {
   EXPECT_FALSE(contains(mono.err, "stereo-order")) << mono.err;
 }
 
+/// A chain of two equal cameras and that T_cn_cnm1, row by row.
+std::string pair_posed(const std::string& distortion_model, const std::vector<std::string>& rows) {
+  const std::string camera = "  camera_model: pinhole\n  distortion_model: " + distortion_model +
+                             "\n  intrinsics: [400.0, 400.0, 320.0, 240.0]\n  distortion_coeffs: [-0.1, 0.01, 0.0, 0.0]\n"
+                             "  resolution: [640, 480]\n  rostopic: /c\n";
+  std::string text = "cam0:\n" + camera + "cam1:\n" + camera + "  T_cn_cnm1:\n";
+  for (const std::string& row : rows) text += "  - [" + row + "]\n";
+  return text + "  - [0.0, 0.0, 0.0, 1.0]\n";
+}
+
 // Turned by a quarter about the optical axis, a pair stands one above the other.
 TEST(RigOptions, APairOneAboveTheOtherIsWarnedOf) {
   const TemporaryFolder folder;
-  const auto pair = [&folder](const std::string& model, const std::string& pose) {
-    const std::string camera = "  camera_model: pinhole\n  distortion_model: " + model +
-                               "\n  intrinsics: [400.0, 400.0, 320.0, 240.0]\n  distortion_coeffs: [-0.1, 0.01, 0.0, 0.0]\n"
-                               "  resolution: [640, 480]\n  rostopic: /c\n";
-    return folder.write(model + ".yaml", "cam0:\n" + camera + "cam1:\n" + camera + "  T_cn_cnm1:\n" + pose);
-  };
-  const std::string below =
-      "  - [1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, -0.12]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n";
-  const RunResult run = run_program({"convert", pair("radtan", below), "--to", "orbslam3"});
+  const std::vector<std::string> below = {"1.0, 0.0, 0.0, 0.0", "0.0, 1.0, 0.0, -0.12", "0.0, 0.0, 1.0, 0.0"};
+  const RunResult run = run_program({"convert", folder.write("plane.yaml", pair_posed("radtan", below)), "--to", "orbslam3"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.err, "cam1 sits 12 cm below cam0")) << run.err;
-  // ORB-SLAM3 matches fisheye pairs without rectifying them.
-  const RunResult fisheye = run_program({"convert", pair("equidistant", below), "--to", "orbslam3"});
-  EXPECT_FALSE(contains(fisheye.err, "stereo-vertical")) << fisheye.err;
+  // ORB-SLAM3 matches fisheye pairs without rectifying them, and so does the fork that knows double spheres.
+  const std::string fisheye = folder.write("fisheye.yaml", pair_posed("equidistant", below));
+  for (const char* model : {"kb4", "ds"}) {
+    const RunResult unrectified = run_program({"convert", fisheye, "--model", model, "--to", "orbslam3"});
+    EXPECT_FALSE(contains(unrectified.err, "stereo-vertical")) << unrectified.err;
+  }
   EXPECT_FALSE(contains(run_program({"convert", kTumvi, "--to", "orbslam3"}).err, "stereo-vertical"));
 }
 
@@ -112,17 +118,12 @@ TEST(RigOptions, AnOpenCvPairWithTheSecondCameraOnTheLeft) {
 // With the second camera upside down each stands to the left of the other: no order is right, and none is proposed.
 TEST(RigOptions, APairOfWhichEachIsLeftOfTheOther) {
   const TemporaryFolder folder;
-  const std::string camera =
-      "  camera_model: pinhole\n  distortion_model: radtan\n  intrinsics: [400.0, 400.0, 320.0, 240.0]\n"
-      "  distortion_coeffs: [-0.1, 0.01, 0.0, 0.0]\n  resolution: [640, 480]\n  rostopic: /c\n";
-  const std::string pair = folder.write("pair.yaml", "cam0:\n" + camera + "cam1:\n" + camera +
-                                                         "  T_cn_cnm1:\n  - [-1.0, 0.0, 0.0, -0.12]\n"
-                                                         "  - [0.0, -1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n"
-                                                         "  - [0.0, 0.0, 0.0, 1.0]\n");
+  const std::string pair =
+      folder.write("pair.yaml", pair_posed("radtan", {"-1.0, 0.0, 0.0, -0.12", "0.0, -1.0, 0.0, 0.0", "0.0, 0.0, 1.0, 0.0"}));
   for (const char* order : {"0,1", "1,0"}) {
     const RunResult run = run_program({"convert", pair, "--camera", order, "--to", "orbslam3"});
     EXPECT_TRUE(contains(run.err, "do not look the same way")) << run.err;
-    EXPECT_FALSE(contains(run.err, "do: fca-io")) << run.err;
+    EXPECT_FALSE(contains(run.err, "fix: fca-io")) << run.err;
   }
 }
 

@@ -31,7 +31,6 @@ struct StoredModel {
   std::string_view read_by;                ///< Programs, for people.
   std::span<const ParameterRange> ranges;  ///< What the program demands beyond the model's own ranges (EUCM alpha > 0.5).
   std::string_view why = {};               ///< Why it demands that, for people.
-  bool in_words = false;                   ///< Also in the format's files of bare words, where it has such (DSO's camera.txt).
   bool pairs_only = false;                 ///< A file holds one such camera, or a pair with its pose, and no other rig.
 };
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair.h"
+
+#include "columns.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/rig/stereo_order.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::orbslam3 {
+
+namespace {
+
+/// Does one set of intrinsics and a baseline say all of the pair? What differs less, a file in floats cannot say.
+bool is_posed_as_rectified(const Rig& rig) {
+  constexpr double kFloatPrecision = 1e-6;
+  const std::optional<Transform> T_c1_c2 = rig.resolve(rig.cameras[0].name, rig.cameras[1].name);
+  if (!T_c1_c2 || rig.cameras[0].model != rig.cameras[1].model) return false;
+  Transform beside;
+  beside(0, 3) = std::hypot((*T_c1_c2)(0, 3), (*T_c1_c2)(1, 3), (*T_c1_c2)(2, 3));
+  return std::ranges::equal(T_c1_c2->values, beside.values,
+                            [](double a, double b) { return std::abs(a - b) <= kFloatPrecision; });
+}
+
+/// Frame::ComputeStereoMatches searches along the rows of rectified images; fisheye pairs are matched without rectification.
+void warn_of_vertical_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  const Layout* layout = find_layout(target.style, model_info(rig.cameras.front().model).id);
+  if (layout == nullptr || is_fisheye(*layout)) return;
+  const std::optional<double> below = second_below_first(rig);
+  if (!below) return;
+  diagnostics.warning("stereo-vertical",
+                      rig.cameras[1].name + " sits " + text::format_short(100.0 * std::abs(*below), 3) + " cm " +
+                          (*below > 0.0 ? "below " : "above ") + rig.cameras[0].name +
+                          ", and ORB-SLAM3 looks for a pair's matches along the rows only",
+                      {}, "turn both images by 90 deg and calibrate those; --sensor mono takes one camera");
+}
+
+/// One time stamp stands for both images of a pair.
+void warn_of_unlike_times(const Rig& rig, Diagnostics& diagnostics) {
+  constexpr double kSynchronous = 1e-4;  // s; what is less moves no image by a pixel (at 10 px per ms)
+  const std::optional<double>& first = rig.cameras[0].time_offset_s;
+  const std::optional<double>& second = rig.cameras[1].time_offset_s;
+  if (!first || !second || std::abs(*first - *second) <= kSynchronous) return;
+  diagnostics.warning("pair-not-synchronous",
+                      "the time offsets of " + rig.cameras[0].name + " and " + rig.cameras[1].name + " differ by " +
+                          text::format_short(1e3 * std::abs(*first - *second), 3) +
+                          " ms, and ORB-SLAM3 takes the two images of a pair for taken at one moment",
+                      {}, "are they of one exposure? Then both have one offset");
+}
+
+}  // namespace
+
+bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  const bool before_v1 = target.style == Style::kOld || target.style == Style::kOrbSlam2;
+  if (!before_v1 || !target.sensor.two_cameras || rig.cameras.size() < 2) return true;
+  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
+  const bool holds_two = layout != nullptr && is_fisheye(*layout);
+  if (holds_two || is_posed_as_rectified(rig)) return true;
+  diagnostics.error(
+      "pose-not-storable",
+      "settings of pinhole cameras in the style before ORB-SLAM3 V1.0 are for rectified pairs: they have no place "
+      "for the pose between unrectified cameras nor for a second camera's own intrinsics",
+      {}, "--orbslam3-layout v1 has both; --sensor mono writes the first camera alone; or rectify the images");
+  return false;
+}
+
+void warn_of_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
+  if (shares_no_columns(rig, target)) {
+    diagnostics.warning("nothing-shared",
+                        rig.cameras[0].name + " and " + rig.cameras[1].name +
+                            " see nothing in common, and ORB-SLAM3 matches a fisheye pair only where both see",
+                        {}, "is their pose right (show says it in words)? --sensor mono takes one camera");
+  }
+  warn_of_vertical_pair(rig, target, diagnostics);
+  warn_of_unlike_times(rig, diagnostics);
+}
+
+}  // namespace fca::orbslam3

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What two cameras must be like for ORB-SLAM3 to use them as a stereo pair.
+#pragma once
+
+#include "settings.h"
+
+#include <fca/diagnostics.h>
+
+namespace fca::orbslam3 {
+
+/// False with an error where the style has no place for the pair: before V1.0, settings of pinhole cameras hold one set of
+/// intrinsics and Camera.bf for both.
+[[nodiscard]] bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics);
+
+/// Warnings of a pair that can be written and that the program will hardly match: nothing seen by both, one camera above the
+/// other, images of different moments.
+void warn_of_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics);
+
+}  // namespace fca::orbslam3
