@@ -64,7 +64,7 @@ void explain_no_camera(const ConvertArguments& arguments, const std::string& inp
   const std::string main_file = calibration.format->id == "opencv" ? "intrinsics.yml" : "camchain.yaml";
   const std::string target = arguments.into.empty() ? " --to " + arguments.to : " --into " + arguments.into;
   diagnostics.error("no-camera", "the file holds " + what, {input, 0, 0},
-                    "did you mean: fca-io convert " + main_file + " --with " + input + target);
+                    "did you mean: fca-io convert " + shell_word(main_file) + " --with " + shell_word(input) + target);
 }
 
 Rig converted_rig(const Calibration& calibration, const std::vector<CameraOutcome>& cameras,
@@ -90,7 +90,7 @@ void warn_of_poor_fits(ConvertOutcome& outcome) {
         "poor-fit",
         camera.source.name + ": " + camera.report->to_model + " does not describe this lens: rms " + pixels(error.rms) +
             " px, worst pixel " + pixels(error.max) + " px",
-        {}, "fca-io models " + outcome.input + " compares all models; --max-angle DEG if the corners are black");
+        {}, "fca-io models " + shell_word(outcome.input) + " compares all models; --max-angle DEG if the corners are black");
   }
 }
 

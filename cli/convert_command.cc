@@ -46,7 +46,7 @@ std::optional<std::string> key_set_twice(const std::vector<std::string>& setting
 std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (arguments.in_place && arguments.into.empty()) {
-    const std::string& input = arguments.inputs.front();
+    const std::string input = shell_word(arguments.inputs.front());
     return "--in-place is for --into BASE; to change the input itself: fca-io convert " + input + " --into " + input +
            " --in-place";
   }

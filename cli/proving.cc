@@ -67,7 +67,7 @@ void warn_if_refused(const Calibration& calibration, const std::string& opencv_m
       refused_by_all(calibration.format->id, source.bytes, !calibration.rig.cameras.empty(), {"", opencv_model});
   if (!refusal) return;
   diagnostics.warning("program-refuses", source.name + " is read, but its own program would refuse it, " + *refusal, {},
-                      "fca-io check " + source.name + " says where, and how to mend it");
+                      "fca-io check " + shell_word(source.name) + " says where, and how to mend it");
 }
 
 void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertArguments& arguments, const text::Document* base,
@@ -100,7 +100,7 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
                                 program + " would not understand what was to be written: " + disagreement(proof), {},
                                 arguments.into.empty() || proof.loads
                                     ? ""
-                                    : "fca-io check " + arguments.into +
+                                    : "fca-io check " + shell_word(arguments.into) +
                                           " tells whether the base itself is at fault; if not, --sensor takes a poorer mode");
       outcome.code = worse(outcome.code, ExitCode::kJudgedBad);
     }

@@ -52,11 +52,20 @@ std::string in_lines(std::span<const std::string> parts, std::string_view indent
 std::string wrapped(std::span<const std::string> parts, std::string_view indent) { return in_lines(parts, indent, ", "); }
 
 std::string paragraph(std::string_view text, std::string_view indent) {
+  // Words between blanks; a command is one, however long, since it is there to be copied.
   std::vector<std::string> words;
+  bool in_command = false;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
-    words.emplace_back(text.substr(0, end));
+    const std::string word(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
+    if (in_command && !word.starts_with('(')) {
+      words.back() += " " + word;
+    } else {
+      words.push_back(word);
+      in_command = word == "fca-io" || word == "(fca-io";
+    }
+    if (word.ends_with(',') || word.ends_with(';') || word.ends_with(')')) in_command = false;
   }
   return in_lines(words, indent, " ");
 }
@@ -73,18 +82,6 @@ std::string padded(std::string_view text, std::size_t width) {
   std::string result(text);
   if (result.size() < width) result.append(width - result.size(), ' ');
   return result;
-}
-
-std::string shell_word(const std::string& word) {
-  constexpr std::string_view kSafe = "_-./=,:+@%{}";
-  const bool plain = !word.empty() && std::ranges::all_of(word, [kSafe](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-           kSafe.find(c) != std::string_view::npos;
-  });
-  if (plain) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
 }
 
 std::string size_in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }

@@ -27,18 +27,18 @@ inline constexpr double kDegreesPerRadian = 57.29577951308232;
 [[nodiscard]] std::string parameters_in_words(const CameraModel& model, std::string_view indent);
 /// "a, b, c" over lines of at most 100 characters, each behind `indent`.
 [[nodiscard]] std::string wrapped(std::span<const std::string> parts, std::string_view indent);
-/// A text in lines of at most 100 characters, each behind `indent`.
+/// A text in lines of at most 100 characters, each behind `indent`; a command ("fca-io ..." to the next comma, semicolon or
+/// parenthesis) stays in one line.
 [[nodiscard]] std::string paragraph(std::string_view text, std::string_view indent);
 /// Padded with blanks to `width` on the right.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 using text::enumerated;
 using text::nearest;
+using text::shell_word;
 /// "unknown model 'kb5'; did you mean kb4?", or, where nothing is near, "...; there are kb4 and ds"; `otherwise` in place of
 /// the list, where that is long.
 [[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
                                        std::string_view otherwise = {});
-/// A word of a command as a shell takes it, in quotes where it needs them.
-[[nodiscard]] std::string shell_word(const std::string& word);
 /// "640 x 480"
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
 /// "640x480"

@@ -128,7 +128,7 @@ class ProgramsCheck {
   [[nodiscard]] std::string how_to_write_for(const Consumer& program) const {
     const std::string to(program.format);
     const consumers::Writing& writing = program.writing;
-    std::string command = "fca-io convert " + document_.source().name + " --to " + to;
+    std::string command = "fca-io convert " + text::shell_word(document_.source().name) + " --to " + to;
     if (!writing.model.empty()) command += " --model " + std::string(writing.model);
     if (!writing.layout.empty()) command += " --" + to + "-layout " + std::string(writing.layout);
     const bool file_per_camera =

@@ -59,4 +59,16 @@ std::vector<std::string> nearest(std::string_view typed, std::span<const std::st
   return result;
 }
 
+std::string shell_word(std::string_view word) {
+  constexpr std::string_view kSafe = "_-./=,:+@%{}";
+  const bool plain = !word.empty() && std::ranges::all_of(word, [kSafe](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           kSafe.find(c) != std::string_view::npos;
+  });
+  if (plain) return std::string(word);
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace fca::text

@@ -176,6 +176,12 @@ TEST(Check, ForAFormatOfOneCameraEachIsPriced) {
   const RunResult run = run_program({"check", testdata("formats/kalibr/good/tumvi.yaml"), "--for", "ocamcalib"});
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(contains(run.out, "--to ocamcalib -o FOLDER/")) << run.out;
+  // However long its path is, the command is there to be copied: in one line, and blanks in quotes.
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.write("my files " + std::string(90, 'x') + ".yaml", read_file(testdata("formats/kalibr/good/tumvi.yaml")));
+  const RunResult elsewhere = run_program({"check", file, "--for", "ocamcalib"});
+  EXPECT_TRUE(contains(elsewhere.out, "fca-io convert '" + file + "' --to ocamcalib -o FOLDER/\n")) << elsewhere.out;
   for (const char* camera : {"cam0: kb4 -> ocamcalib, fitted: rms ", "cam1: kb4 -> ocamcalib, fitted: rms "})
     EXPECT_TRUE(contains(run.out, camera)) << run.out;
 }

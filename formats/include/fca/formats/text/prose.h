@@ -17,4 +17,7 @@ namespace fca::text {
 /// Those of `names` that `typed` probably meant, by edit distance; at most three.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
 
+/// A word of a command as a shell takes it, in quotes where it needs them: 'my files/camchain.yaml'.
+[[nodiscard]] std::string shell_word(std::string_view word);
+
 }  // namespace fca::text
