@@ -138,13 +138,19 @@ bool keeps_text(const ConvertArguments& arguments, const Base& base) {
   return base.into != nullptr && !arguments.anew && arguments.orbslam3_layout.empty() && arguments.opencv_layout.empty();
 }
 
-/// The models to choose from for the file of --into: a fork's file is of the fork's own, another of those that its layout
-/// holds; empty: no such limit.
-std::vector<std::string> models_for(const ConvertArguments& arguments, const Base& base, const Format& to) {
+/// Does a camera of --into's file stay, whose model the input's are to share? A mode that is asked for may leave it out.
+bool shares_model(const ConvertArguments& arguments, const Base& base, const Rig& input, const Format& to) {
+  return to.one_model && keeps_text(arguments, base) && arguments.sensor.empty() &&
+         base.into->rig.cameras.size() > input.cameras.size();
+}
+
+/// The models to choose from for the file of --into: a fork's file is of the fork's own, one that keeps a camera of that
+/// camera's, another of those that its layout holds; empty: no such limit.
+std::vector<std::string> models_for(const ConvertArguments& arguments, const Base& base, const Rig& input, const Format& to) {
   std::vector<std::string> models;
   if (!keeps_text(arguments, base) || to.layout_holds == nullptr || base.into->rig.cameras.empty()) return models;
   const std::string_view own = model_info(base.into->rig.cameras.front().model).id;
-  if (find_stored_model(to, own, true) == nullptr) return {std::string(own)};
+  if (find_stored_model(to, own, true) == nullptr || shares_model(arguments, base, input, to)) return {std::string(own)};
   for (const StoredModel& stored : to.models) {
     if (stored.stock && to.layout_holds(*base.document, stored.model)) models.emplace_back(stored.model);
   }
@@ -152,10 +158,19 @@ std::vector<std::string> models_for(const ConvertArguments& arguments, const Bas
 }
 
 /// False with an error where --model asks for what the file of --into has no place for.
-bool holds_model(const ConvertArguments& arguments, const Base& base, const Format& to, Diagnostics& diagnostics) {
+bool holds_model(const ConvertArguments& arguments, const Base& base, const Rig& input, const Format& to,
+                 Diagnostics& diagnostics) {
   const ModelInfo* asked = arguments.model.empty() ? nullptr : find_model(arguments.model);
-  const std::vector<std::string> models = models_for(arguments, base, to);
-  if (asked == nullptr || models.empty() || to.layout_holds(*base.document, asked->id)) return true;
+  const std::vector<std::string> models = models_for(arguments, base, input, to);
+  if (asked == nullptr || models.empty()) return true;
+  if (shares_model(arguments, base, input, to) && asked->id != models.front()) {
+    diagnostics.error(
+        "models-differ",
+        "a camera stays, of the model " + models.front() + ", and " + std::string(to.title) + " have one model for all cameras",
+        {arguments.into, 0, 0}, "--model " + models.front() + ", or an input that has all cameras");
+    return false;
+  }
+  if (to.layout_holds(*base.document, asked->id)) return true;
   diagnostics.error("into-another-layout",
                     "this file's layout has no place for " + std::string(asked->id) + "; it holds " + enumerated(models),
                     {arguments.into, 0, 0}, "--model " + models.front() + " keeps the file's text, --anew writes another file");
@@ -191,9 +206,10 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   }
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
-  drop_byte_order_mark(*written, outcome.diagnostics);
+  const bool edited = written->files.front().document.edited();
+  if (edited || base.into != nullptr) mend_kept_text(*written, outcome.diagnostics);
   if (keeps_text(arguments, base)) return written;
-  const bool asked_for = !options.layout.empty() || written->files.front().document.edited();
+  const bool asked_for = !options.layout.empty() || edited;
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.
   const text::Document* owners = base.into != nullptr ? base.document : nullptr;
@@ -356,13 +372,13 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
              is_base_of(*calibration->format, main_file, *outcome.to)) {
     base = {&main_file, nullptr, calibration->format != outcome.to};
   }
-  if (!holds_model(arguments, base, *outcome.to, outcome.diagnostics)) return false;
+  if (!holds_model(arguments, base, calibration->rig, *outcome.to, outcome.diagnostics)) return false;
   ModelChoice choice;
   choice.model = arguments.model;
   choice.max_angle_rad = max_angle_rad(arguments.reading);
   choice.every_pixel = arguments.every_pixel;
   choice.objective = arguments.objective == "max" ? Objective::kMax : Objective::kRms;
-  choice.among = models_for(arguments, base, *outcome.to);
+  choice.among = models_for(arguments, base, calibration->rig, *outcome.to);
   choice.same_format = calibration->format == outcome.to && calibration->one_format;
   std::optional<std::vector<CameraOutcome>> cameras =
       convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);

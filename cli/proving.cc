@@ -3,6 +3,7 @@
 
 #include "words.h"
 
+#include <fca/formats/mend.h>
 #include <fca/formats/text/numbers.h>
 
 #include <numbers>
@@ -50,15 +51,29 @@ std::optional<std::string> newly_refused(const Written& written, const text::Doc
   return std::nullopt;
 }
 
-void drop_byte_order_mark(Written& written, Diagnostics& diagnostics) {
-  const text::Source& source = written.files.front().document.source();
-  if (source.byte_order_mark() == 0 || !newly_refused(written, nullptr)) return;
-  Written without = written;
-  without.files.front().document.replace({0, source.byte_order_mark()}, "");
-  if (newly_refused(without, nullptr)) return;
-  diagnostics.note("byte-order-mark-dropped",
-                   "the byte order mark is left out: the program that reads the file refuses it with one");
-  written = std::move(without);
+void mend_kept_text(Written& written, Diagnostics& diagnostics) {
+  constexpr int kMostMends = 100;  // each is some runs of the program's reader
+  const consumers::LoadOptions options = load_options(written);
+  for (Written::File& file : written.files) {
+    for (const std::string& id : file.programs) {
+      const consumers::Consumer* program = consumers::find_consumer(id);
+      if (program == nullptr) continue;
+      text::Document document = file.document;
+      Diagnostics mends;
+      std::optional<std::string> refusal;
+      for (int i = 0; i < kMostMends; ++i) {
+        refusal = first_refusal(document.bytes(), id, options);
+        const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
+        if (!mend) break;
+        const bool says_how = refusal->ends_with(mend->fix);
+        mends.note("mended", *refusal + (says_how ? "" : "; " + mend->fix) + ": done", document.source().range(mend->span));
+        document.replace(mend->span, mend->text);
+      }
+      if (refusal) continue;
+      file.document = std::move(document);
+      for (const Diagnostic& each : mends.entries()) diagnostics.add(each);
+    }
+  }
 }
 
 void warn_if_refused(const Calibration& calibration, const std::string& opencv_model, Diagnostics& diagnostics) {

@@ -12,8 +12,10 @@ namespace fca::cli {
 /// Why a program would not load what is written for it, and did load `base` (null: none); nothing if there is no such program.
 [[nodiscard]] std::optional<std::string> newly_refused(const Written& written, const text::Document* base);
 
-/// A byte order mark that came from the base and that a program stumbles over goes, where it is all that the program minds.
-void drop_byte_order_mark(Written& written, Diagnostics& diagnostics);
+/// What of a base's own text, which an edit keeps, the program that is to read it would refuse only for its spelling
+/// (IMU.Frequency: 200, a byte order mark) is mended, with a note of each; where the program would refuse it all the same,
+/// nothing is.
+void mend_kept_text(Written& written, Diagnostics& diagnostics);
 
 /// A warning if the input's own program would not load it: it is read all the same, and may not be what that program used.
 void warn_if_refused(const Calibration& calibration, const std::string& opencv_model, Diagnostics& diagnostics);

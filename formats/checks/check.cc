@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mends.h"
+#include "named_part.h"
 #include "subject.h"
 #include "tab_mend.h"
 #include "told_once.h"

@@ -2,7 +2,7 @@
 // One layout of YAML is read by PyYAML, yaml-cpp and cv::FileStorage alike.
 #pragma once
 
-#include "mends.h"
+#include <fca/formats/mend.h>
 
 namespace fca::checks {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mends.h"
+#include "named_part.h"
 #include "topics.h"
 
+#include <fca/formats/mend.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/prose.h>
 

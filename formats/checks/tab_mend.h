@@ -2,7 +2,7 @@
 // YAML's readers want blanks: PyYAML and cv::FileStorage refuse a TAB nearly everywhere outside of quotes and comments.
 #pragma once
 
-#include "mends.h"
+#include <fca/formats/mend.h>
 
 #include <fca/formats/text/source.h>
 

@@ -426,6 +426,54 @@ TEST(Join, ShowNamesTheJoinedCameras) {
   EXPECT_TRUE(contains(run.out, "\ncam3:")) << run.out;
 }
 
+// Settings have one Camera.type for both cameras: where one stays, the other comes as that.
+TEST(Into, ACameraBesideOneThatStaysTakesItsModel) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("radtan.yaml",
+                                         "cam0:\n"
+                                         "  camera_model: pinhole\n"
+                                         "  distortion_coeffs: [-0.28340811, 0.07395907, 0.00019359, 1.76187114e-05]\n"
+                                         "  distortion_model: radtan\n"
+                                         "  intrinsics: [258.654, 257.296, 257.215, 248.375]\n"
+                                         "  resolution: [512, 512]\n");
+  const Rig before = rig_in(read_file(kSettings));
+  const RunResult run = run_program({"convert", chain, "--into", kSettings});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Rig after = rig_in(run.out);
+  ASSERT_EQ(after.cameras.size(), 2U) << run.out;
+  EXPECT_EQ(model_info(after.cameras[0].model).id, model_info(before.cameras[1].model).id);
+  EXPECT_NE(after.cameras[0].model, before.cameras[0].model);
+  EXPECT_EQ(after.cameras[1].model, before.cameras[1].model);
+  const RunResult other = run_program({"convert", chain, "--into", kSettings, "--model", "radtan"});
+  EXPECT_EQ(other.code, 2) << other.out;
+  EXPECT_TRUE(contains(other.err, "[models-differ]")) << other.err;
+  EXPECT_TRUE(contains(other.err, "--model kb4")) << other.err;
+  const RunResult alone = run_program({"convert", chain, "--into", kSettings, "--model", "radtan", "--sensor", "mono"});
+  EXPECT_EQ(alone.code, 0) << alone.err;
+}
+
+// A base that its own program would refuse for the spelling of a number is of no use with other cameras in it, either.
+TEST(Into, WhatTheProgramRefusesOfTheKeptTextIsMendedAndSaid) {
+  const TemporaryFolder folder;
+  std::string settings = read_file(kSettings);
+  settings = with_replaced(settings, "Camera.fps: 20", "Camera.fps: 20.0");
+  settings = with_replaced(settings, "IMU.Frequency: 200.0", "IMU.Frequency: 200");
+  const std::string base = folder.write("mine.yaml", settings);
+  const RunResult run = run_program({"convert", kTumvi, "--into", base});
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* key : {"Camera.fps", "IMU.Frequency"})
+    EXPECT_TRUE(contains(run.err, std::string("note: ") + key + " is ")) << run.err;
+  EXPECT_TRUE(contains(run.err, "[mended]")) << run.err;
+  EXPECT_EQ(run.out, run_program({"convert", kTumvi, "--into", kSettings}).out) << "and nothing else";
+  EXPECT_EQ(read_file(base), settings);
+  // Where the program would refuse the file all the same, it stays as it is.
+  const std::string incomplete =
+      folder.write("worse.yaml", with_replaced(settings, "ORBextractor.nLevels", "# ORBextractor.nLevels"));
+  const RunResult refused = run_program({"convert", kTumvi, "--into", incomplete});
+  EXPECT_TRUE(contains(refused.err, "ORBextractor.nLevels")) << refused.err;
+  EXPECT_FALSE(contains(refused.err, "[mended]")) << refused.err;
+}
+
 // ORB-SLAM2 knows one lens: into its settings a fisheye goes as that, or not at all.
 TEST(Into, ABaseOfAProgramWithoutTheLensKeepsItsText) {
   const TemporaryFolder folder;

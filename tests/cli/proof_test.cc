@@ -41,7 +41,7 @@ TEST(Proof, AByteOrderMarkIsNoFileOfOpenCvs) {
   // Written into, the mark goes and the rest stays.
   const RunResult run = run_program({"convert", yml, "--to", "opencv", "--model", "rational", "-o", folder / "out.yml"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "byte-order-mark-dropped")) << run.err;
+  EXPECT_TRUE(contains(run.err, "byte order mark (BOM): done [mended]")) << run.err;
   EXPECT_TRUE(opens(folder / "out.yml"));
   EXPECT_TRUE(contains(read_file(folder / "out.yml"), "# As OpenCV's camera_calibration sample")) << "comments stay";
 }

@@ -1,37 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mends.h"
-
 #include "layout_mend.h"
+#include "named_part.h"
 #include "tab_mend.h"
 
-#include <fca/formats/text/dialect.h>
+#include <fca/formats/mend.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-namespace fca::checks {
+namespace fca {
 
 namespace {
 
 using text::Node;
-
-/// The value under a path of keys separated by '/' or '.'; keys may themselves hold points.
-const Node* find_path(const Node& mapping, std::string_view path) {
-  if (const text::Entry* entry = text::find_entry(mapping, path, text::Dialect::kOpenCv))
-    return entry->value.span.length > 0 ? &entry->value : &entry->key;
-  for (std::size_t at = path.find_first_of("/."); at != std::string_view::npos; at = path.find_first_of("/.", at + 1)) {
-    const text::Entry* owner = text::find_entry(mapping, path.substr(0, at), text::Dialect::kOpenCv);
-    if (owner == nullptr) continue;
-    if (owner->value.is_mapping()) {
-      if (const Node* found = find_path(owner->value, path.substr(at + 1))) return found;
-    }
-    return &owner->key;  // the key itself is missing there
-  }
-  return nullptr;
-}
 
 void collect_scalars(const Node& node, std::vector<const Node*>& scalars) {
   if (node.is_scalar()) scalars.push_back(&node);
@@ -68,7 +51,15 @@ std::optional<Mend> without_mark(const text::Document& document) {
 
 std::optional<Mend> blanks_for_tabs(const text::Document& document) {
   const bool yaml = document.syntax() == text::Syntax::kYaml || document.syntax() == text::Syntax::kOpenCvYaml;
-  return yaml ? tab_mend(document.source()) : std::nullopt;
+  return yaml ? checks::tab_mend(document.source()) : std::nullopt;
+}
+
+/// Of the document's own bytes, not of its edits?
+bool is_apart_from_edits(const Mend& mend, const text::Document& document) {
+  const auto overlaps = [&mend](const text::Span& edit) {
+    return mend.span.offset < edit.offset + edit.length && edit.offset < mend.span.offset + mend.span.length;
+  };
+  return std::ranges::none_of(document.edited_spans(), overlaps);
 }
 
 /// What a program says to the document with a mend in it.
@@ -91,62 +82,23 @@ bool says(const std::vector<std::string>& refusals, const std::string& sentence)
   return std::ranges::find(refusals, sentence) != refusals.end();
 }
 
-/// The list whose item begins there, and which.
-struct Item {
-  const Node* list = nullptr;
-  std::size_t index = 0;
-};
-
-std::optional<Item> item_at(const Node& node, std::size_t offset) {
-  for (std::size_t i = 0; i < node.items.size(); ++i) {
-    if (node.items[i].is_scalar() && node.items[i].span.offset == offset) return Item{&node, i};
-    if (std::optional<Item> found = item_at(node.items[i], offset)) return found;
-  }
-  for (const text::Entry& entry : node.entries) {
-    if (std::optional<Item> found = item_at(entry.value, offset)) return found;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
-
-const Node* exchanged_with(const text::Document& document, const Format& format, const ReadOptions& options,
-                           std::size_t offset) {
-  const std::optional<Item> item = item_at(document.root(), offset);
-  if (!item) return nullptr;
-  const std::vector<Node>& items = item->list->items;
-  for (const std::size_t other : {item->index + 1, item->index - 1}) {
-    if (other >= items.size()) continue;  // 0 - 1 is large
-    text::Document exchanged = document;
-    exchanged.replace(items[item->index].span, std::string(document.source().text(items[other].span)));
-    exchanged.replace(items[other].span, std::string(document.source().text(items[item->index].span)));
-    Diagnostics diagnostics;
-    const std::optional<text::Document> reparsed = text::as_edited(exchanged);
-    if (!reparsed) continue;
-    if (format.read(std::span(&*reparsed, 1), options, diagnostics) && !diagnostics.has_errors()) return &items[other];
-  }
-  return nullptr;
-}
-
-const Node* named_in(const text::Document& document, std::string_view sentence) {
-  std::string_view name = sentence.substr(0, sentence.find(' '));
-  while (name.ends_with(':') || name.ends_with(',')) name.remove_suffix(1);
-  return name.empty() ? nullptr : find_path(document.root(), name);
-}
 
 std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
                               const consumers::LoadOptions& options, const std::string& complaint) {
   // Every try is a run of the program's parser; no real calibration is half as long.
   constexpr std::size_t kLongest = 512 * 1024;
   if (document.source().bytes.size() > kLongest) return std::nullopt;
-  const std::vector<std::string> before = program.load(document.source().bytes, options).refusals;
+  const std::vector<std::string> before = program.load(document.bytes(), options).refusals;
   // Behind the header the program sees the file for the first time: it may go on to refuse something else.
-  for (std::optional<Mend> (*layout)(const text::Document&) : {&without_mark, &layout_mend, &header_mend, &blanks_for_tabs}) {
+  for (std::optional<Mend> (*layout)(const text::Document&) :
+       {&without_mark, &checks::layout_mend, &checks::header_mend, &blanks_for_tabs}) {
     std::optional<Mend> mend = layout(document);
-    if (mend && says(before, complaint) && !says_alike(view_after(document, *mend, program, options).refusals, complaint))
+    if (mend && is_apart_from_edits(*mend, document) && says(before, complaint) &&
+        !says_alike(view_after(document, *mend, program, options).refusals, complaint))
       return mend;
   }
-  const Node* named = named_in(document, complaint);
+  const Node* named = checks::named_in(document, complaint);
   if (named == nullptr) return std::nullopt;
   std::vector<const Node*> scalars;
   collect_scalars(*named, scalars);
@@ -159,10 +111,10 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
   constexpr std::size_t kMostTried = 32;
   for (std::size_t i = 0; i < std::min(kMostTried, scalars.size()); ++i) {
     for (Mend& mend : spellings(*scalars[i])) {
-      if (helps(mend)) return std::move(mend);
+      if (is_apart_from_edits(mend, document) && helps(mend)) return std::move(mend);
     }
   }
   return std::nullopt;
 }
 
-}  // namespace fca::checks
+}  // namespace fca

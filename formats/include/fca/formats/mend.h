@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Why a program stumbles over a place, found by trying: a spelling that takes its refusal away is the mend.
+#pragma once
+
+#include <fca/formats/consumers/consumer.h>
+#include <fca/formats/text/document.h>
+
+#include <optional>
+#include <string>
+
+namespace fca {
+
+/// A replacement of bytes after which the program no longer says that sentence. It changes a spelling, never a value.
+struct Mend {
+  std::string code;  ///< What was wrong: "int-for-real", "real-for-int", "number-as-text", "unquoted-text", "opencv-header",
+                     ///< "yaml-layout", "yaml-tab", "byte-order-mark".
+  text::Span span;   ///< Of the document's source.
+  std::string text;
+  std::string fix;  ///< What to do, in words.
+};
+
+/// What takes a refusal or warning of the program away; nothing where no single other spelling does. The document may have
+/// edits: the program is asked about its bytes with them, and they are never part of a mend.
+[[nodiscard]] std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
+                                            const consumers::LoadOptions& options, const std::string& complaint);
+
+}  // namespace fca
