@@ -56,6 +56,7 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
       json.put("compared_share", proof.compared_share);
       json.put("unanswered_share", proof.unanswered_share);
       json.put("wrong_ray_share", proof.wrong_ray_share);
+      json.put("wrong_ray_px", proof.wrong_ray_px);
       json.put("max_diff_pose", proof.max_diff_pose);
       json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
       json.put("refusals", std::span<const std::string>(proof.refusals));

@@ -91,7 +91,7 @@ void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics)
       // The same statement the other way round is no second one.
       if (rig.stated(edge.b, edge.a) == nullptr) {
         diagnostics.note("pose-follows", "the base states the pose of " + edge.a + " relative to " + edge.b +
-                                             ", which a pose of the input contradicts; it is written as it follows from that");
+                                             ", and the input says another; it is written as it follows from the input");
       }
     }
     const auto is_another = [&](const std::string& name) {
@@ -143,6 +143,9 @@ Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Kept& kept, Diagn
     keep(camera.frame_rate_hz, before->frame_rate_hz);
     if (camera.topic.empty()) camera.topic = before->topic;
   }
+  if (!rig.baseline_m && !rig.cameras.empty() && !base.cameras.empty() &&
+      rig.cameras.front().model != base.cameras.front().model)
+    kept.baseline_m = base.baseline_m;
   rig.cameras = merged_cameras(base, rig, kept);
   if (rig.imus.empty()) rig.imus = base.imus;
   keep(rig.baseline_m, base.baseline_m);
@@ -159,6 +162,10 @@ void tell_of_kept(const Kept& kept, const Written& written, const Format& format
   Diagnostics ignored;
   const std::optional<text::Document> document = text::as_edited(file.document);
   const std::optional<Rig> now = document ? format.read(std::span(&*document, 1), {}, ignored) : std::nullopt;
+  if (kept.baseline_m && now && now->baseline_m) {
+    diagnostics.note("baseline-kept", "the input states no baseline: the base's " + fixed(100.0 * *kept.baseline_m, 2) +
+                                          " cm stay, and what is its product with fx (bf) follows");
+  }
   std::vector<std::string> poses;
   for (const PoseEdge& edge : kept.poses) {
     if (now && now->resolve(edge.a, edge.b)) poses.push_back(edge.b + " -> " + edge.a);

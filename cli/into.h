@@ -15,7 +15,8 @@ namespace fca::cli {
 struct Kept {
   std::vector<std::string> replaced;  ///< Its cameras whose place another one of the input takes.
   std::vector<std::string> cameras;
-  std::vector<PoseEdge> poses;  ///< Of cameras that are now others.
+  std::vector<PoseEdge> poses;            ///< Of cameras that are now others.
+  std::optional<double> baseline_m = {};  ///< Of a rectified pair or depth sensor that is now another.
 };
 
 /// What `base` is to say: the rig's cameras in the place of the base's of the same names or, where no name is known there or

@@ -122,8 +122,9 @@ std::vector<std::string> misreadings(const ProofResult& proof, bool within_max_a
                         ", whose rays lie beyond what it can project");
   }
   if (proof.wrong_ray_share > kNoticeable) {
-    sentences.push_back("it gives " + percent(proof.wrong_ray_share) + of_image +
-                        " wrong rays: it projects rays beyond 90 deg from the axis, but takes their pixels for rays inside");
+    sentences.push_back("it gives " + percent(proof.wrong_ray_share) + of_image + " wrong rays, " + pixels(proof.wrong_ray_px) +
+                        " px off at worst: it projects rays beyond 90 deg from the axis, but turns their pixels into rays in "
+                        "front of the camera");
   }
   sentences.insert(sentences.end(), proof.warnings.begin(), proof.warnings.end());
   return sentences;

@@ -25,6 +25,7 @@ struct Comparison {
   double compared = 0.0;
   double misread_area = 0.0;
   double wrong_rays = 0.0;
+  double wrong_ray_px = 0.0;
   bool agrees = true;
 
   void add(const Comparison& other) {
@@ -34,6 +35,7 @@ struct Comparison {
     compared += other.compared;
     misread_area += other.misread_area;
     wrong_rays += other.wrong_rays;
+    wrong_ray_px = std::max(wrong_ray_px, other.wrong_ray_px);
     agrees = agrees && other.agrees;
   }
 };
@@ -47,9 +49,18 @@ bool is_mirrored(const consumers::ConsumerCamera& theirs, const Pixel& image, co
          0.0;
 }
 
+/// How far the program's ray of the pixel lies from it, by the program's own formula; 0 where it has none. Both are the
+/// program's, so that nothing else is counted: its inverse goes wrong beyond 90 degrees.
+double wrong_ray_px(const Pixel& pixel, const consumers::ConsumerCamera& theirs) {
+  if (!theirs.unproject) return 0.0;
+  const std::optional<Ray> ray = theirs.unproject({pixel[0] * theirs.scale[0], pixel[1] * theirs.scale[1]});
+  const std::optional<Pixel> back = ray ? theirs.project(*ray) : std::nullopt;
+  return back ? std::hypot((*back)[0] / theirs.scale[0] - pixel[0], (*back)[1] / theirs.scale[1] - pixel[1]) : 0.0;
+}
+
 /// The difference in pixels; 0 where there is nothing to compare.
-double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs, double area, double tolerance,
-                     Comparison& result) {
+double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs,
+                     double area, double tolerance, Comparison& result) {
   result.asked += area;
   const std::optional<Pixel> image = theirs.project(ray);
   if (!image) return 0.0;
@@ -58,7 +69,11 @@ double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::Consum
   const double in_file_pixels = std::hypot((*image)[0] / theirs.scale[0] - pixel[0], (*image)[1] / theirs.scale[1] - pixel[1]);
   if (ray[2] <= 0.0 && in_file_pixels > 1.0 && (!theirs.misread || is_mirrored(theirs, *image, pixel))) return 0.0;
   result.compared += area;
-  if (angle_from_axis(ray) > theirs.right_rays_rad) result.wrong_rays += area;
+  constexpr double kWrong = 1.0;  // px
+  if (const double off = wrong_ray_px(pixel, theirs); off > kWrong) {
+    result.wrong_rays += area;
+    result.wrong_ray_px = std::max(result.wrong_ray_px, off);
+  }
   if (theirs.misread) {
     result.misread_area += area;
     result.misread = std::max(result.misread, difference);
@@ -229,6 +244,7 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.all_misread = comparison.misread_area > 0.0 && comparison.misread_area == comparison.compared;
   result.compared_share = comparison.asked > 0.0 ? comparison.compared / comparison.asked : 0.0;
   result.unanswered_share = comparison.asked > 0.0 ? 1.0 - result.compared_share : 0.0;
+  result.wrong_ray_px = comparison.wrong_ray_px;
   result.wrong_ray_share = comparison.asked > 0.0 ? comparison.wrong_rays / comparison.asked : 0.0;
   for (const consumers::ConsumerPose& pose : view.poses) {
     result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));

@@ -158,8 +158,6 @@ void read_camera(Sensor& sensor, ConsumerView& view) {
   camera.width = cv::saturate_cast<int>((*resolution)[0]);
   camera.height = cv::saturate_cast<int>((*resolution)[1]);
   camera.project = projection(values, is_equidistant);
-  // cv::fisheye::undistortPoints cuts the distorted angle off at 90 deg.
-  if (is_equidistant) camera.right_rays_rad = std::numbers::pi / 2.0;
   // Of the others it is not read.
   if (sensor.name() == "cam0" && is_number(sensor.node("timeshift_cam_imu")))
     camera.time_offset_s = static_cast<double>(sensor.node("timeshift_cam_imu"));

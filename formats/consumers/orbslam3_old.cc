@@ -15,6 +15,12 @@ namespace {
 constexpr std::array<std::string_view, 4> kPinholeKeys = {"Camera.k1", "Camera.k2", "Camera.p1", "Camera.p2"};
 constexpr std::array<std::string_view, 4> kRadialNames = {"k1", "k2", "k3", "k4"};
 
+/// A camera's formula; the other direction where it is known to go wrong.
+struct Lens {
+  Projection project;
+  Unprojection unproject;
+};
+
 class Parser {
  public:
   Parser(Settings& settings, const Sensor& sensor, const OldDialect& dialect, ConsumerView& view)
@@ -74,8 +80,9 @@ class Parser {
             settings_.real(camera + ".cx") * scale_, settings_.real(camera + ".cy") * scale_};
   }
 
-  void add_camera(std::string name, Projection project) {
-    view_.cameras.push_back({std::move(name), width_, height_, std::move(project), {scale_, scale_}});
+  void add_camera(std::string name, Lens lens) {
+    view_.cameras.push_back({std::move(name), width_, height_, std::move(lens.project), {scale_, scale_}});
+    view_.cameras.back().unproject = std::move(lens.unproject);
     view_.cameras.back().model = type_;
   }
 
@@ -88,11 +95,11 @@ class Parser {
     if (k3.isInt())
       settings_.warn("Camera.k3 is an int; " + settings_.program() + " (old style) ignores it: write it with a '.'");
     drop_distortion_without_k1(distortion);
-    add_camera("cam0", pinhole(k, distortion));
+    add_camera("cam0", {pinhole(k, distortion), {}});
     const float baseline = k.fx != 0.0F ? settings_.loose("Camera.bf") * scale_ / k.fx : 0.0F;
     if (sensor_.rgbd) view_.baseline_m = baseline;
     if (!sensor_.stereo) return;
-    add_camera("cam1", pinhole(k, distortion));  // the images are taken as rectified
+    add_camera("cam1", {pinhole(k, distortion), {}});  // the images are taken as rectified
     if (k.fx != 0.0F) view_.poses.push_back(rectified_baseline(baseline));
     if (settings_.has("RIGHT.K")) {
       settings_.warn(
@@ -112,27 +119,21 @@ class Parser {
     distortion = {};
   }
 
-  Projection read_kannala_brandt8(const std::string& camera) {
+  Lens read_kannala_brandt8(const std::string& camera) {
     const Intrinsics k = read_intrinsics(camera);
     std::array<float, 4> radial{};
     for (std::size_t i = 0; i < radial.size(); ++i)
       radial.at(i) = settings_.real(camera + "." + std::string(kRadialNames.at(i)));
-    return kannala_brandt8(k, radial);
+    return {kannala_brandt8(k, radial), kannala_brandt8_rays(k, radial)};
   }
 
-  Projection read_double_sphere(const std::string& camera) {
+  Lens read_double_sphere(const std::string& camera) {
     const Intrinsics k = read_intrinsics(camera);
     const float xi = settings_.real(camera + ".xi");
-    return double_sphere(k, xi, settings_.real(camera + ".alpha"));
+    return {double_sphere(k, xi, settings_.real(camera + ".alpha")), {}};
   }
 
-  void read_fisheye(Projection (Parser::*read)(const std::string&)) {
-    read_fisheye_cameras(read);
-    if (read != &Parser::read_kannala_brandt8) return;
-    for (ConsumerCamera& camera : view_.cameras) camera.right_rays_rad = kKannalaBrandt8RightRays;
-  }
-
-  void read_fisheye_cameras(Projection (Parser::*read)(const std::string&)) {
+  void read_fisheye(Lens (Parser::*read)(const std::string&)) {
     add_camera("cam0", (this->*read)("Camera"));
     const bool rgbd_inertial =
         sensor_.rgbd && sensor_.inertial && dialect_.rgbd_needs_bf;  // V1.0 reads a second camera there too

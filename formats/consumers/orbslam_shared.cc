@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 namespace fca::consumers::orbslam {
 namespace {
@@ -85,6 +86,35 @@ Projection kannala_brandt8(const Intrinsics& k, const std::array<float, 4>& coef
     const double psi = std::atan2(static_cast<float>(p[1]), static_cast<float>(p[0]));
     const double r = theta_polynomial(theta, coeffs);
     return finite_pixel(k.fx * r * std::cos(psi) + k.cx, k.fy * r * std::sin(psi) + k.cy);
+  };
+}
+
+// KannalaBrandt8::unproject: the distorted angle is cut off at pi/2, ten Newton steps in float, and the tangent of the angle
+// they end at is taken, so that the ray has z = 1: a ray from beyond 90 degrees comes out turned round.
+Unprojection kannala_brandt8_rays(const Intrinsics& k, const std::array<float, 4>& coeffs) {
+  return [k, coeffs](const Pixel& pixel) -> std::optional<Ray> {
+    const float x = (static_cast<float>(pixel[0]) - k.cx) / k.fx;
+    const float y = (static_cast<float>(pixel[1]) - k.cy) / k.fy;
+    constexpr auto kRightAngle = static_cast<float>(std::numbers::pi / 2.0);
+    const float theta_d = std::min(std::sqrt(x * x + y * y), kRightAngle);
+    constexpr float kOnAxis = 1e-8F;
+    if (!(theta_d > kOnAxis)) return Ray{x, y, 1.0};
+    constexpr int kSteps = 10;
+    constexpr float kPrecision = 1e-6F;
+    float theta = theta_d;
+    for (int i = 0; i < kSteps; ++i) {
+      const float theta2 = theta * theta;
+      const float theta4 = theta2 * theta2;
+      const float terms[] = {coeffs[0] * theta2, coeffs[1] * theta4, coeffs[2] * theta4 * theta2, coeffs[3] * theta4 * theta4};
+      const float value = theta * (1.0F + terms[0] + terms[1] + terms[2] + terms[3]) - theta_d;
+      const float slope = 1.0F + 3.0F * terms[0] + 5.0F * terms[1] + 7.0F * terms[2] + 9.0F * terms[3];
+      const float step = value / slope;
+      theta -= step;
+      if (std::abs(step) < kPrecision) break;
+    }
+    const float scale = std::tan(theta) / theta_d;
+    if (!std::isfinite(scale)) return std::nullopt;
+    return Ray{x * scale, y * scale, 1.0};
   };
 }
 

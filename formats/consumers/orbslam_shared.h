@@ -5,7 +5,6 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <numbers>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
@@ -20,6 +19,7 @@ namespace fca::consumers::orbslam {
 using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Projection = std::function<std::optional<Pixel>(const Ray&)>;
+using Unprojection = std::function<std::optional<Ray>(const Pixel&)>;
 
 /// LoadOptions::sensor taken apart.
 struct Sensor {
@@ -39,8 +39,8 @@ using PinholeDistortion = std::array<float, 5>;
 
 [[nodiscard]] Projection pinhole(const Intrinsics& k, const PinholeDistortion& distortion);
 [[nodiscard]] Projection kannala_brandt8(const Intrinsics& k, const std::array<float, 4>& coeffs);
-/// KannalaBrandt8::unproject clamps the distorted angle to +-pi/2 and returns z = 1.
-inline constexpr double kKannalaBrandt8RightRays = std::numbers::pi / 2.0;
+/// Of ORB-SLAM3: right only for rays in front of the camera.
+[[nodiscard]] Unprojection kannala_brandt8_rays(const Intrinsics& k, const std::array<float, 4>& coeffs);
 [[nodiscard]] Projection double_sphere(const Intrinsics& k, float xi, float alpha);
 [[nodiscard]] Projection eucm(const Intrinsics& k, float alpha, float beta);
 

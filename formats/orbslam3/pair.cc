@@ -37,6 +37,16 @@ void warn_of_vertical_pair(const Rig& rig, const Target& target, Diagnostics& di
                       {}, "turn both images by 90 deg and calibrate those; --sensor mono takes one camera");
 }
 
+/// Frame::ComputeStereoMatches searches the images as they are, along their rows; a lens with distortion bends those.
+void warn_of_unrectified_camera(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  if (!target.sensor.two_cameras || rig.cameras.size() != 1 || is_rectified_pair(rig)) return;
+  diagnostics.warning("not-rectified",
+                      "one camera and a baseline stand for a rectified pair, and " + rig.cameras.front().name +
+                          " has distortion: matches are looked for along the rows of images that are not rectified",
+                      {},
+                      "give the camera of the rectified images (P1 of cv::stereoRectify); --sensor mono leaves the pair out");
+}
+
 /// One time stamp stands for both images of a pair.
 void warn_of_unlike_times(const Rig& rig, Diagnostics& diagnostics) {
   constexpr double kSynchronous = 1e-4;  // s; what is less moves no image by a pixel (at 10 px per ms)
@@ -67,6 +77,7 @@ bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) 
 }
 
 void warn_of_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  warn_of_unrectified_camera(rig, target, diagnostics);
   if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
   if (shares_no_columns(rig, target)) {
     diagnostics.warning("nothing-shared",

@@ -392,6 +392,19 @@ void list_left_keys(const Base& base, std::span<const fields::Field> after, cons
   add_not_carried(left, std::string(target.sensor.id) + " settings have no such key", losses);
 }
 
+/// The base's mode is not to be lost in silence: its keys stay, and nothing reads them.
+void warn_of_poorer_mode(const Base& base, const Rig& rig, const Target& target, Diagnostics& diagnostics) {
+  const Sensor& before = base.target.sensor;
+  const Sensor& now = target.sensor;
+  const bool poorer = (before.two_cameras && !now.two_cameras) || (before.depth && !now.depth && !now.two_cameras) ||
+                      (before.inertial && !now.inertial);
+  if (!poorer) return;
+  const std::vector<std::string> missing = missing_for(rig, before, target.style);
+  if (missing.empty()) return;
+  diagnostics.warning("poorer-mode", "the base is for " + std::string(before.id) + ", and with the input's cameras it serves " +
+                                         std::string(now.id) + " only; it lacks " + text::enumerated(missing));
+}
+
 /// Of the values that no input states, those that the base does not already have.
 std::vector<fields::Field> new_fields(const std::vector<fields::Field>& fields, const Base& base) {
   std::vector<fields::Field> result;
@@ -421,6 +434,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   if (!check_cameras(rig, *target, edited, diagnostics) || !check_pair(rig, *target, diagnostics)) return std::nullopt;
 
   warn_of_pair(rig, *target, diagnostics);
+  if (edited != nullptr && options.sensor.empty()) warn_of_poorer_mode(*edited, rig, *target, diagnostics);
   const Audience& audience = audience_of(*target, model_info(rig.cameras.front().model).id);
   const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;

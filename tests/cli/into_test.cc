@@ -257,6 +257,8 @@ TEST(Into, TheBasesBaselineStays) {
   EXPECT_EQ(old_run.code, 0) << old_run.err;
   EXPECT_TRUE(contains(old_run.out, "Camera.bf: 400.0")) << old_run.out;
   EXPECT_TRUE(contains(old_run.out, "ThDepth: 40\n")) << old_run.out;
+  EXPECT_TRUE(contains(old_run.err, "the base's 50.00 cm stay")) << old_run.err;
+  EXPECT_TRUE(contains(old_run.err, "[not-rectified]")) << old_run.err;
   const RunResult run =
       run_program({"convert", input, "--into", folder.write("v1.yaml", rectified), "--no-verify", "--resize", "1241x376"});
   EXPECT_EQ(run.code, 0) << run.err;
@@ -264,6 +266,11 @@ TEST(Into, TheBasesBaselineStays) {
     EXPECT_TRUE(contains(rectified, kept));
     EXPECT_TRUE(contains(run.out, kept)) << run.out;
   }
+  // V1.0's Rectified has no lens: the keys stay, and the pair is none.
+  EXPECT_TRUE(contains(run.err, "the base is for stereo, and with the input's cameras it serves mono only")) << run.err;
+  const RunResult without = run_program({"convert", kDs, "--into", kSettings, "--max-angle", "60", "--resize", "512x512"});
+  EXPECT_FALSE(contains(without.err, "[poorer-mode]")) << without.err;
+  EXPECT_FALSE(contains(without.err, "baseline-kept")) << without.err;
 }
 
 TEST(Into, AForksFileKeepsItsModel) {

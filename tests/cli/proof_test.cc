@@ -7,6 +7,9 @@
 #include <rapidjson/document.h>
 #include <opencv2/core.hpp>
 
+#include <cmath>
+#include <numbers>
+
 namespace fca::test {
 namespace {
 
@@ -44,6 +47,23 @@ TEST(Proof, AByteOrderMarkIsNoFileOfOpenCvs) {
   EXPECT_TRUE(contains(run.err, "byte order mark (BOM): done [mended]")) << run.err;
   EXPECT_TRUE(opens(folder / "out.yml"));
   EXPECT_TRUE(contains(read_file(folder / "out.yml"), "# As OpenCV's camera_calibration sample")) << "comments stay";
+}
+
+// KannalaBrandt8::unproject cuts the distorted angle off at pi/2 and takes the tangent of the angle that has it: a little more
+// than 90 degrees for TUM-VI's lens, so that the corner's ray comes out turned round, at about as many degrees less.
+TEST(Proof, WrongRaysAreToldInPixels) {
+  const TemporaryFolder folder;
+  const RunResult run =
+      run_program({"convert", kTumvi, "--camera", "cam0", "--to", "orbslam3", "--json", "-o", folder / "s.yaml"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const rapidjson::Document json = json_of(run);
+  // TUM-VI's cam0: the corner farthest from the principal point is that at (511, 0).
+  const double corner = std::hypot(511.0 - 254.93, 0.0 - 256.90);
+  const double circle = 190.976 * std::numbers::pi / 2.0;
+  EXPECT_NEAR(json["proof"][0]["wrong_ray_px"].GetDouble(), corner + circle, 10.0) << "k1 to k4 move it by some pixels";
+  const RunResult narrow = run_program(
+      {"convert", kTumvi, "--camera", "cam0", "--to", "orbslam3", "--max-angle", "80", "--json", "-o", folder / "n.yaml"});
+  EXPECT_EQ(json_of(narrow)["proof"][0]["wrong_ray_px"].GetDouble(), 0.0) << narrow.out;
 }
 
 // --opencv-model says how the input is meant; the output says itself what it is, or is told as what it was written.

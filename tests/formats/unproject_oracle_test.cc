@@ -183,5 +183,35 @@ TEST(UnprojectOracle, OrbSlam3) {
   EXPECT_GE(tables.total(), 300);
 }
 
+// The proof counts the pixels that ORB-SLAM3 takes for rays from elsewhere, by its own inverse as we wrote it once more: that
+// gives the rays that were printed, the wrong ones above all.
+TEST(UnprojectOracle, OrbSlam3GoesWrongAsItsConsumerSays) {
+  if (!has_shared()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  const consumers::Consumer& consumer = *consumers::find_consumer("orbslam3");
+  int right = 0;
+  int wrong = 0;
+  double worst = 0.0;
+  for (const OracleTable& table : oracle_tables("orbslam3", "orbslam3")) {
+    SCOPED_TRACE(table.file);
+    const std::optional<OracleCamera> camera = oracle_camera(consumer, table);
+    ASSERT_TRUE(camera);
+    if (!camera->theirs.unproject) continue;
+    for (const OracleRow& row : table.unprojected) {
+      const std::optional<Ray> ray = camera->theirs.unproject(row.pixel);
+      ASSERT_EQ(ray.has_value(), std::isfinite(row.ray[0]));
+      if (!ray) continue;
+      constexpr double kOfFloats = 2e-6;  // rad; its Newton steps end at 1e-6
+      const double angle = angle_between(*ray, row.ray);
+      EXPECT_LE(angle, kOfFloats) << "at " << row.pixel[0] << " " << row.pixel[1];
+      worst = std::max(worst, angle);
+      const std::optional<Pixel> back = camera->theirs.project(row.ray);
+      (back && distance(*back, row.pixel) <= 1.0 ? right : wrong) += 1;
+    }
+  }
+  std::printf("%d rays right and %d wrong, ours off by at most %.2g rad\n", right, wrong, worst);
+  EXPECT_GE(right, 100);
+  EXPECT_GE(wrong, 10);
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,9 +32,8 @@ struct ConsumerCamera {
   bool misread = false;
   /// Where the program approximates its own formula: by how much, in pixels.
   double approximation_px = 0.0;
-  /// Half the field, in radians from the axis, from which the program's other direction, pixel to ray, is right; the pixels of
-  /// rays beyond get wrong ones, whatever `project` says. Where nothing is known of one: no limit.
-  double right_rays_rad = std::numbers::pi;
+  /// The other direction, pixel to ray (not normalised), where the program's own is known to go wrong; empty elsewhere.
+  std::function<std::optional<std::array<double, 3>>(const std::array<double, 2>& pixel)> unproject = {};
   std::string model = {};  ///< What the program takes the lens for, in its own words: "KannalaBrandt8", "cv::fisheye".
   std::optional<double> time_offset_s = {};  ///< t_imu = t_cam + time_offset_s, where the program reads it.
 };
