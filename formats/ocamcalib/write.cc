@@ -63,7 +63,8 @@ void tell_inverse(const Camera& camera, const InversePolynomial& inverse, Writte
   if (good) return;
   diagnostics.warning("inverse-inexact",
                       camera.name + ": no inverse polynomial of up to 64 coefficients comes nearer to the direct one than " +
-                          error + "; OCamCalib's world2cam is off by as much");
+                          error + "; OCamCalib's world2cam is off by as much",
+                      {}, "--max-angle DEG leaves out the border, where the direct polynomial turns; or another model");
 }
 
 /// A word that has the value already is not touched: scanf's %lf takes "0" and "0.0" alike.
