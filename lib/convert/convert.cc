@@ -24,24 +24,13 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 using internal::FitTask;
 
-/// "rational reaches further; ucm, eucm, ds, ... have no limit at 90 deg; ": for a target that has one.
-std::string models_without_that_limit(const ModelInfo& target) {
-  if (!internal::sees_ahead_only(target.id)) return "";
-  const std::string further = target.id == Rational::kId ? "" : std::string(Rational::kId) + " reaches further; ";
-  std::string names;
-  for (const ModelInfo& model : all_models()) {
-    if (!internal::sees_ahead_only(model.id)) names += (names.empty() ? "" : ", ") + std::string(model.id);
-  }
-  return further + names + " have no limit at 90 deg; ";
-}
-
 void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
   const auto degrees = std::to_string(std::lround(cone_rad / kRadiansPerDegree));
   diagnostics.warning("target-cannot-reach",
                       task.camera.name + ": " + std::string(task.target.id) +
                           " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
                           " deg from the axis, is scored there, and gives wrong pixels or none beyond",
-                      {}, models_without_that_limit(task.target) + "fca-io models FILE compares how far each model reaches");
+                      {}, "another model may reach further: fca-io models FILE compares all models");
 }
 
 /// A model of a plane goes on to 90 degrees: where a part of the image has no ray, its distortion folds.
