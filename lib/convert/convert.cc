@@ -46,6 +46,26 @@ void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& d
                       "calibrate anew with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)");
 }
 
+/// What no lens has, but arithmetic can convert all the same. `check` asks for more; this is what cannot be meant.
+void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics& diagnostics) {
+  constexpr double kNoSensor = 2.0;
+  const auto rounded = [](double px) { return std::to_string(std::lround(px)); };
+  const auto [f_u, f_v] = central_focal_lengths(camera.model);
+  if (std::max(f_u, f_v) > kNoSensor * std::min(f_u, f_v)) {
+    diagnostics.warning("focal-lengths-differ",
+                        camera.name + ": the focal lengths along u and v, " + rounded(f_u) + " and " + rounded(f_v) +
+                            " px, differ more than the sides of any sensor's pixels do",
+                        {}, "compare both with the calibration's result");
+  }
+  const auto [u, v] = principal_point(camera.model);
+  if (!(u >= -0.5 && u <= size.width - 0.5 && v >= -0.5 && v <= size.height - 0.5)) {
+    diagnostics.warning("centre-outside",
+                        camera.name + ": the principal point (" + rounded(u) + ", " + rounded(v) + ") lies outside the " +
+                            std::to_string(size.width) + " x " + std::to_string(size.height) + " image",
+                        {}, "right for a part cut out of a larger image; else compare it with the calibration's result");
+  }
+}
+
 /// Everything the report says of a model that counts up to that angle, from what the lattice says of it.
 Judgement final_judgement(const FitTask& task, const internal::Scorer& scorer, internal::Score score) {
   if (task.options.every_pixel) score = internal::score_every_pixel(scorer);
@@ -168,6 +188,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   if (!usable(options, *target, diagnostics)) return std::nullopt;
   const std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
   if (!domain) return std::nullopt;
+  warn_of_odd_camera(camera, domain->size, diagnostics);
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
   const FitTask task{camera, *target, options, *domain, centre};
 

@@ -381,6 +381,7 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
     std::vector<const char*> good;     ///< Targets that describe all that it sees of its image, to half a pixel rms.
     std::vector<const char*> refused;  ///< Targets, or "all".
     const char* code;                  ///< Of the refusal.
+    const char* warning = "";          ///< What every conversion says.
   };
   const std::vector<Case> cases = {
       {"folded",
@@ -398,16 +399,17 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
       {"alpha 1", test::make_camera(Intrinsics<Ucm>{{300, 300, 320, 240, 1.0}}, {640, 480}), {"eucm", "ds"}, {"kb4"}, {}, ""},
       {"one pixel",
        test::make_camera(Intrinsics<Kb4>{{300, 300, 0, 0, 0.01, 0, 0, 0}}, {1, 1}),
-       {"kb4"},
+       {"kb4", "woodscape"},
        {},
-       {"pinhole", "radtan", "rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib", "woodscape"},
+       {"pinhole", "radtan", "rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib"},
        "domain-too-small"},
       {"fx / fy = 100",
        test::make_camera(Intrinsics<Pinhole>{{30000, 300, 320, 240}}, {640, 480}),
        {"radtan", "rational", "ucm", "eucm", "ds", "mei"},
        {"kb4", "fov"},
        {},
-       ""},
+       "",
+       "focal-lengths-differ"},
       {"principal point 10,000 px away",
        test::make_camera(Intrinsics<Kb4>{{300, 300, -4000, 9000, 0, 0, 0, 0}}, {640, 480}),
        {},
@@ -416,10 +418,11 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
        "no-pixel-has-a-ray"},
       {"principal point beside the image",
        test::make_camera(Intrinsics<Kb4>{{300, 300, -200, 240, 0.01, 0, 0, 0}}, {640, 480}),
-       {},
        {"woodscape"},
        {},
-       ""},
+       {},
+       "",
+       "centre-outside"},
   };
   const auto among = [](const std::vector<const char*>& list, std::string_view id) {
     return std::ranges::any_of(list, [id](const char* name) { return name == id; });
@@ -439,6 +442,8 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
         EXPECT_FALSE(among(c.exact, model.id) || among(c.good, model.id));
         continue;
       }
+      const bool said = std::ranges::any_of(diagnostics.entries(), [&c](const Diagnostic& d) { return d.code == c.warning; });
+      EXPECT_EQ(said, *c.warning != '\0');
       const Judgement& judgement = conversion->report.judgement;
       const Coverage& coverage = judgement.coverage;
       EXPECT_NEAR(coverage.scored + coverage.outside_lens + coverage.unrepresentable, 1.0, 1e-9);
