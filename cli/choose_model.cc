@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choose_model.h"
 
+#include "model_advice.h"
 #include "words.h"
 
 #include <fca/convert/reach.h>
@@ -183,10 +184,8 @@ std::optional<std::vector<CameraOutcome>> common_model(const std::vector<Camera>
   return best_model(cameras, format, choice, diagnostics);
 }
 
-}  // namespace
-
-std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Camera>& cameras, const Format& format,
-                                                          const ModelChoice& choice, Diagnostics& diagnostics) {
+std::optional<std::vector<CameraOutcome>> all_cameras(const std::vector<Camera>& cameras, const Format& format,
+                                                      const ModelChoice& choice, Diagnostics& diagnostics) {
   if (!choice.model.empty()) {
     const ModelInfo& model = *find_model(choice.model);
     const StoredModel* stored = find_stored_model(format, model.id, false);
@@ -227,6 +226,26 @@ std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Came
       if (!kept) return std::nullopt;
       outcomes.push_back(kept->front());
     }
+  }
+  return outcomes;
+}
+
+}  // namespace
+
+std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Camera>& cameras, const Format& format,
+                                                          const ModelChoice& choice, Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<std::vector<CameraOutcome>> outcomes = all_cameras(cameras, format, choice, found);
+  for (Diagnostic entry : found.entries()) {
+    if (outcomes && entry.code == "target-cannot-reach") {
+      // The library does not know which models the program reads.
+      const auto about = std::ranges::find_if(*outcomes, [&entry](const CameraOutcome& camera) {
+        return camera.report && entry.message.starts_with(camera.source.name + ": ");
+      });
+      if (about != outcomes->end())
+        entry.fix = better_models(about->source, *about->report, format, choice) + "; fca-io models FILE compares all models";
+    }
+    diagnostics.add(std::move(entry));
   }
   return outcomes;
 }

@@ -20,6 +20,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace fca::cli {
@@ -105,6 +106,18 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
   }
   for (const CameraOutcome& camera : outcome.cameras) {
     if (!arguments.max_error_px || !camera.report) continue;
+    // A pixel that is not there is off by more than any limit.
+    constexpr double kNoticeable = 1e-3;
+    const double missing = camera.report->judgement.coverage.unrepresentable;
+    if (missing > kNoticeable) {
+      const double reach_deg = camera.report->scored_to_deg;
+      outcome.diagnostics.error(
+          "error-limit",
+          camera.source.name + ": " + percent(missing) + " of the image has no pixel or a wrong one as " +
+              camera.report->to_model + ", and --max-error was given",
+          {}, "--max-angle " + text::format_short(std::floor(reach_deg), 3) + " if nothing further from the axis is needed");
+      outcome.code = ExitCode::kJudgedBad;
+    }
     const double worst = camera.report->judgement.error.max;
     if (worst <= *arguments.max_error_px) continue;
     outcome.diagnostics.error("error-limit", camera.source.name + ": the worst pixel is off by " + pixels(worst) +

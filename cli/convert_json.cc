@@ -22,6 +22,7 @@ void put_report(Json& json, const ConversionReport& report) {
   json.array("reach", report.reach, [&](const ReachRow& row) {
     json.object([&] {
       json.put("max_angle_deg", row.max_angle_deg);
+      json.put("scored_to_deg", row.scored_to_deg);
       json.put("scored_share", row.scored);
       json.put("unrepresentable_share", row.unrepresentable);
       json.put("rms_px", row.rms_px);

@@ -28,12 +28,17 @@ std::string reach_text(const std::vector<ReachRow>& rows) {
   };
   if (rows.size() > 1 && std::ranges::all_of(rows, is_same))
     return "  if the lens ends earlier, but beyond 90 deg, the fit is the same\n";
+  constexpr double kNoticeable = 0.05;  // deg
   constexpr std::size_t kWidth = 12;
   std::string text = "  if the lens ends earlier and the corners are black, --max-angle DEG fits only the lens:\n    " +
                      padded("DEG", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
   for (const ReachRow& row : rows) {
     text += "    " + padded(text::format_short(row.max_angle_deg, 4), kWidth) + padded(percent(row.scored), kWidth) +
-            padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) + "\n";
+            padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) +
+            (row.scored_to_deg < row.max_angle_deg - kNoticeable
+                 ? "  (a cone of " + text::format_short(row.scored_to_deg, 3) + " deg: no wider one is described)"
+                 : "") +
+            "\n";
   }
   return text;
 }

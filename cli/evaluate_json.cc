@@ -23,9 +23,9 @@ void put_model(Json& json, std::string_view key, const CameraModel& model) {
 void put_judgement(Json& json, const Judgement& judgement) {
   json.object("domain", [&] {
     json.put("max_angle_deg", judgement.coverage.max_angle_deg);
-    json.put("scored_pixels", static_cast<double>(judgement.coverage.scored_pixels));
-    json.put("outside_lens_pixels", static_cast<double>(judgement.coverage.outside_lens_pixels));
-    json.put("unrepresentable_pixels", static_cast<double>(judgement.coverage.unrepresentable_pixels));
+    json.put("scored_pixels", judgement.coverage.scored_pixels);
+    json.put("outside_lens_pixels", judgement.coverage.outside_lens_pixels);
+    json.put("unrepresentable_pixels", judgement.coverage.unrepresentable_pixels);
   });
   json.object("error_px", [&] {
     json.put("rms", judgement.error.rms);

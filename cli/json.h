@@ -45,6 +45,7 @@ class Json {
   void put(std::string_view key, const char* v) { name(key), value(std::string_view(v)); }
   void put(std::string_view key, double v) { name(key), value(v); }
   void put(std::string_view key, int v) { name(key), writer_.Int(v); }
+  void put(std::string_view key, long long v) { name(key), writer_.Int64(v); }
   void put(std::string_view key, bool v) { name(key), writer_.Bool(v); }
   void put(std::string_view key, const std::optional<double>& v) {
     name(key);

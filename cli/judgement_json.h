@@ -17,9 +17,9 @@ inline void put_domain(Json& json, const Coverage& coverage, double scored_to_de
     json.put("outside_lens_share", coverage.outside_lens);
     json.put("unrepresentable_share", coverage.unrepresentable);
     if (coverage.scored_pixels > 0) {
-      json.put("scored_pixels", static_cast<double>(coverage.scored_pixels));
-      json.put("outside_lens_pixels", static_cast<double>(coverage.outside_lens_pixels));
-      json.put("unrepresentable_pixels", static_cast<double>(coverage.unrepresentable_pixels));
+      json.put("scored_pixels", coverage.scored_pixels);
+      json.put("outside_lens_pixels", coverage.outside_lens_pixels);
+      json.put("unrepresentable_pixels", coverage.unrepresentable_pixels);
     }
   });
 }

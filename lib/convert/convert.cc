@@ -24,24 +24,13 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 using internal::FitTask;
 
-/// "rational reaches further; ucm, eucm, ds, ... have no limit at 90 deg; ": for a target that has one.
-std::string models_without_that_limit(const ModelInfo& target) {
-  if (!internal::sees_ahead_only(target.id)) return "";
-  const std::string further = target.id == Rational::kId ? "" : std::string(Rational::kId) + " reaches further; ";
-  std::string names;
-  for (const ModelInfo& model : all_models()) {
-    if (!internal::sees_ahead_only(model.id)) names += (names.empty() ? "" : ", ") + std::string(model.id);
-  }
-  return further + names + " have no limit at 90 deg; ";
-}
-
 void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
   const auto degrees = std::to_string(std::lround(cone_rad / kRadiansPerDegree));
   diagnostics.warning("target-cannot-reach",
                       task.camera.name + ": " + std::string(task.target.id) +
                           " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
                           " deg from the axis, is scored there, and gives wrong pixels or none beyond",
-                      {}, models_without_that_limit(task.target) + "fca-io models FILE compares how far each model reaches");
+                      {}, "another model may reach further: fca-io models FILE compares all models");
 }
 
 /// A model of a plane goes on to 90 degrees: where a part of the image has no ray, its distortion folds.
@@ -55,6 +44,26 @@ void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& d
                           " deg from the axis, inside the image: " + percent + " % of the image has no ray",
                       {},
                       "calibrate anew with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)");
+}
+
+/// What no lens has, but arithmetic can convert all the same. `check` asks for more; this is what cannot be meant.
+void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics& diagnostics) {
+  constexpr double kNoSensor = 2.0;
+  const auto rounded = [](double px) { return std::to_string(std::lround(px)); };
+  const auto [f_u, f_v] = central_focal_lengths(camera.model);
+  if (std::max(f_u, f_v) > kNoSensor * std::min(f_u, f_v)) {
+    diagnostics.warning("focal-lengths-differ",
+                        camera.name + ": the focal lengths along u and v, " + rounded(f_u) + " and " + rounded(f_v) +
+                            " px, differ more than the sides of any sensor's pixels do",
+                        {}, "compare both with the calibration's result");
+  }
+  const auto [u, v] = principal_point(camera.model);
+  if (!(u >= -0.5 && u <= size.width - 0.5 && v >= -0.5 && v <= size.height - 0.5)) {
+    diagnostics.warning("centre-outside",
+                        camera.name + ": the principal point (" + rounded(u) + ", " + rounded(v) + ") lies outside the " +
+                            std::to_string(size.width) + " x " + std::to_string(size.height) + " image",
+                        {}, "right for a part cut out of a larger image; else compare it with the calibration's result");
+  }
 }
 
 /// Everything the report says of a model that counts up to that angle, from what the lattice says of it.
@@ -179,6 +188,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   if (!usable(options, *target, diagnostics)) return std::nullopt;
   const std::optional<Domain> domain = domain_of(camera, options.max_angle_rad, diagnostics);
   if (!domain) return std::nullopt;
+  warn_of_odd_camera(camera, domain->size, diagnostics);
   const LensCentre centre{central_focal_lengths(camera.model), principal_point(camera.model)};
   const FitTask task{camera, *target, options, *domain, centre};
 

@@ -29,6 +29,12 @@ std::optional<Intrinsics<Radtan>> as_radtan(const CameraModel& source) {
   return std::nullopt;
 }
 
+/// x / (z + xi d) = (x / (1 + xi)) / ((1 - alpha) z + alpha d) with alpha = xi / (1 + xi), d the ray's length.
+Intrinsics<Ucm> unified(const Intrinsics<Pinhole>& focal, double xi) {
+  const auto& [fx, fy, cx, cy] = focal.values;
+  return {{fx / (1.0 + xi), fy / (1.0 + xi), cx, cy, xi / (1.0 + xi)}};
+}
+
 /// The source as UCM, where it is one.
 std::optional<Intrinsics<Ucm>> as_ucm(const CameraModel& source) {
   if (const auto* m = std::get_if<Intrinsics<Ucm>>(&source)) return *m;
@@ -39,12 +45,12 @@ std::optional<Intrinsics<Ucm>> as_ucm(const CameraModel& source) {
   if (const auto* m = std::get_if<Intrinsics<Ds>>(&source)) {
     const auto& [fx, fy, cx, cy, alpha, xi] = m->values;
     if (xi == 0.0) return Intrinsics<Ucm>{{fx, fy, cx, cy, alpha}};
+    if (alpha == 0.0 && xi > 0.0) return unified({fx, fy, cx, cy}, xi);
   }
   if (const auto* m = std::get_if<Intrinsics<Mei>>(&source)) {
     const auto& [fx, fy, cx, cy, xi, k1, k2, p1, p2] = m->values;
     const double distortion[] = {k1, k2, p1, p2};
-    // x / (z + xi d) = (x / (1 + xi)) / ((1 - alpha) z + alpha d) with alpha = xi / (1 + xi)
-    if (all_zero(distortion)) return Intrinsics<Ucm>{{fx / (1.0 + xi), fy / (1.0 + xi), cx, cy, xi / (1.0 + xi)}};
+    if (all_zero(distortion)) return unified({fx, fy, cx, cy}, xi);
   }
   return std::nullopt;
 }
@@ -60,11 +66,29 @@ std::optional<Intrinsics<Pinhole>> as_pinhole(const CameraModel& source) {
     const auto& [fx, fy, cx, cy, alpha] = ucm->values;
     if (alpha == 0.0) return Intrinsics<Pinhole>{{fx, fy, cx, cy}};
   }
+  if (const auto* m = std::get_if<Intrinsics<Eucm>>(&source)) {
+    const auto& [fx, fy, cx, cy, alpha, beta] = m->values;
+    if (alpha == 0.0) return Intrinsics<Pinhole>{{fx, fy, cx, cy}};
+  }
   if (const auto* m = std::get_if<Intrinsics<Ocamcalib>>(&source)) {
     const auto& [cx, cy, c, d, e, a0, a1, a2, a3, a4, a5, a6, a7, a8] = m->values;
     const double others[] = {d, e, a1, a2, a3, a4, a5, a6, a7, a8};
     // A ray ahead is at the height -a0 over the image, whatever its radius.
     if (all_zero(others)) return Intrinsics<Pinhole>{{-a0, -a0 * c, cx, cy}};
+  }
+  return std::nullopt;
+}
+
+/// The radius f angle + f k angle^3 is kb4's without k2, k3, k4 and woodscape's without k2, k4.
+std::optional<CameraModel> of_cubic(const CameraModel& source, std::string_view target_id) {
+  if (const auto* m = std::get_if<Intrinsics<Kb4>>(&source); m != nullptr && target_id == Woodscape::kId) {
+    const auto& [fx, fy, cx, cy, k1, k2, k3, k4] = m->values;
+    const double others[] = {k2, k3, k4};
+    if (all_zero(others)) return Intrinsics<Woodscape>{{fx, 0.0, fx * k1, 0.0, fy / fx, cx, cy}};
+  }
+  if (const auto* m = std::get_if<Intrinsics<Woodscape>>(&source); m != nullptr && target_id == Kb4::kId) {
+    const auto& [k1, k2, k3, k4, aspect, cx, cy] = m->values;
+    if (k2 == 0.0 && k4 == 0.0) return Intrinsics<Kb4>{{k1, k1 * aspect, cx, cy, k3 / k1, 0.0, 0.0, 0.0}};
   }
   return std::nullopt;
 }
@@ -97,7 +121,12 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
       return Intrinsics<Mei>{{fx / (1.0 - alpha), fy / (1.0 - alpha), cx, cy, alpha / (1.0 - alpha), 0, 0, 0, 0}};
     }
   }
-  return std::nullopt;
+  if (ucm && target_id == Ocamcalib::kId && ucm->values[4] == 0.5) {
+    // Stereographic, r = 2 f tan(angle / 2): the ray's height over the radius is f - r^2 / (4 f).
+    const auto& [fx, fy, cx, cy, alpha] = ucm->values;
+    return Intrinsics<Ocamcalib>{{cx, cy, fy / fx, 0, 0, -fx, 0, 0.25 / fx, 0, 0, 0, 0, 0, 0}};
+  }
+  return of_cubic(source, target_id);
 }
 
 std::string_view contained_model(std::string_view id) {

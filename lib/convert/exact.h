@@ -8,10 +8,15 @@
 
 namespace fca::internal {
 
-/// The same camera in a model that contains it, in closed form: the model itself, ucm -> eucm (beta = 1), ds (xi = 0) and mei;
-/// eucm with beta = 1, ds with xi = 0 and undistorted mei -> ucm and on from there; pinhole -> radtan, kin with alpha = 0, and
-/// undistorted radtan -> pinhole; radtan -> rational, and rational with k4 = k5 = k6 = 0 -> radtan; radtan with k3 = 0 -> mei
-/// (xi = 0) and back; pinhole -> ocamcalib (a0 alone) and back. Nothing where a fit is needed.
+/// The same camera in a model that contains it, in closed form; nothing where a fit is needed. Besides the model itself, and
+/// any chain of these:
+///
+///   pinhole                        -> radtan, ucm, ocamcalib (a0 alone), and back where the rest is zero; <- eucm with alpha =
+///   0 radtan                         -> rational, and back where k4 = k5 = k6 = 0 radtan with k3 = 0            <-> mei with
+///   xi = 0 ucm                            -> eucm (beta = 1), ds (xi = 0), mei without distortion, and back where that is so
+///   ds with alpha = 0, xi > 0      -> ucm
+///   ucm with alpha = 1/2           -> ocamcalib (a0, a2)
+///   kb4 with k2 = k3 = k4 = 0     <-> woodscape with k2 = k4 = 0
 [[nodiscard]] std::optional<CameraModel> convert_exactly(const CameraModel& source, std::string_view target_id);
 
 /// The id of the largest model that the model of that id contains for all of its parameters (but alpha = 1 in mei); empty if

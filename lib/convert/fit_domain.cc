@@ -15,15 +15,11 @@ using Clock = std::chrono::steady_clock;
 using Micros = std::chrono::duration<double, std::micro>;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-
-/// A cone is worth more than the whole domain if it stays below this and the whole does not.
-constexpr double kLimitRms = 1.0;  // px
-
-constexpr double kNearlyAhead = 85.0 * kRadiansPerDegree;  // here a plane is ten times as large as its distance
+constexpr double kAhead = std::numbers::pi / 2.0;
 
 /// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
-SampledFit fit(const FitTask& task, const Domain& domain, int count, const FittedModel* coarser = nullptr) {
-  const std::vector<Correspondence> samples = sample(task.camera.model, domain, count);
+SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = nullptr) {
+  const std::vector<Correspondence> samples = sample(task.camera.model, task.domain, count);
   SampledFit result;
   result.samples = samples.size();
   if (!too_few(samples.size(), task.target)) {
@@ -31,91 +27,6 @@ SampledFit fit(const FitTask& task, const Domain& domain, int count, const Fitte
                                       : fit_model(task.target.id, samples, task.centre, task.options.ranges);
   }
   return result;
-}
-
-/// The part of the domain within that angle.
-Domain cone_of(const Domain& domain, double angle_rad) {
-  Domain cone = domain;
-  cone.max_angle_rad = std::min(domain.max_angle_rad, angle_rad);
-  return cone;
-}
-
-/// Does the model reach that angle, and not the samples alone?
-bool reaches(const FittedModel& fitted, double angle_rad) {
-  constexpr double kRounding = 1e-9;
-  return fitted.reaches_all && max_angle(fitted.model) >= (1.0 - kRounding) * angle_rad;
-}
-
-/// The fit on the cone of that angle; no model where the target does not reach every ray of it.
-SampledFit fit_cone(const FitTask& task, int count, double angle) {
-  SampledFit result = fit(task, cone_of(task.domain, angle), count);
-  result.reach_rad = angle;
-  if (result.model && !reaches(*result.model, angle)) result.model.reset();
-  return result;
-}
-
-/// The largest cone inside `below_rad` on which the target reaches every ray and stays under the limit, found in steps of 5
-/// degrees and to a degree; failing that, the largest of the steps on which it reaches every ray.
-SampledFit fit_largest_cone(const FitTask& task, int count, double below_rad) {
-  constexpr int kNarrowestDeg = 20;
-  constexpr int kStepDeg = 5;
-  const auto is_good = [](const SampledFit& cone) { return cone.model && cone.model->rms_px <= kLimitRms; };
-  const double below = below_rad / kRadiansPerDegree;
-  SampledFit widest_reaching;
-  for (int degrees = kStepDeg * static_cast<int>(std::ceil(below / kStepDeg) - 1); degrees >= kNarrowestDeg;
-       degrees -= kStepDeg) {
-    SampledFit cone = fit_cone(task, count, degrees * kRadiansPerDegree);
-    if (too_few(cone.samples, task.target)) break;
-    if (!is_good(cone)) {
-      if (cone.model && !widest_reaching.model) widest_reaching = std::move(cone);
-      continue;
-    }
-    // Near 90 degrees a plane is good on the samples and wild between them.
-    if (sees_ahead_only(task.target.id) && degrees * kRadiansPerDegree > kNearlyAhead - 1e-9) return cone;
-    int good = degrees;
-    for (int bad = std::min(degrees + kStepDeg, static_cast<int>(std::ceil(below))); bad - good > 1;) {
-      const int between = (good + bad) / 2;
-      SampledFit wider = fit_cone(task, count, between * kRadiansPerDegree);
-      (is_good(wider) ? good : bad) = between;
-      if (is_good(wider)) cone = std::move(wider);
-    }
-    return cone;
-  }
-  return widest_reaching;
-}
-
-/// The fit to the whole domain or, if the target cannot describe that, to the largest cone.
-SampledFit fit_as_far_as_possible(const FitTask& task, int count) {
-  constexpr double kAhead = std::numbers::pi / 2.0;
-  const bool ahead_only = sees_ahead_only(task.target.id);
-  const double angle = task.domain.max_angle_rad;
-  if (ahead_only && angle >= kAhead) {
-    if (SampledFit cone = fit_largest_cone(task, count, kAhead); cone.model) return cone;
-  }
-  SampledFit whole = fit(task, task.domain, count);
-  if (too_few(whole.samples, task.target)) return whole;
-  const bool reaches_all = whole.model && whole.model->reaches_all;
-  if (reaches_all) {
-    // What reaches all only because it must may be next to useless.
-    const bool forced = whole.model->second_best || (ahead_only && angle > kNearlyAhead);
-    if (!forced || whole.model->rms_px <= kLimitRms) return whole;
-  }
-  SampledFit cone = fit_largest_cone(task, count, std::min(angle, ahead_only ? kAhead : angle));
-  const bool cone_is_better = cone.model && (!reaches_all || cone.model->rms_px <= kLimitRms);
-  return cone_is_better ? cone : whole;
-}
-
-/// The same on more samples, from where the fit to fewer ended; a narrower cone where it turns out not to reach the edge.
-SampledFit refine(const FitTask& task, int count, const SampledFit& coarser) {
-  const Domain domain = cone_of(task.domain, coarser.reach_rad);
-  SampledFit finer = fit(task, domain, count, &*coarser.model);
-  const bool is_cone = coarser.reach_rad < std::numbers::pi;
-  if (finer.model && (is_cone ? reaches(*finer.model, domain.max_angle_rad) : finer.model->reaches_all)) {
-    finer.reach_rad = coarser.reach_rad;
-    return finer;
-  }
-  if (SampledFit narrower = fit_largest_cone(task, count, domain.max_angle_rad); narrower.model) return narrower;
-  return finer;
 }
 
 /// How many times worse the model is over the image than on the samples of its fit; 1 if nobody sees the difference. One that
@@ -127,38 +38,94 @@ double worse_between_samples(const Judgement& judgement, const FittedModel& fitt
   return judgement.error.rms / fitted.rms_px;
 }
 
-/// From a fit to few samples to one whose error is that of the image: on more samples, while that helps. How many times worse
-/// it is between its samples after all goes to `worse_of_result`.
-DomainFit refine_all(const FitTask& task, const SampledFit& first, Micros time, double& worse_of_result) {
+constexpr double kEdge = 1e-3;  // of the image: what a fit's samples may miss where the domain ends
+
+/// The fit to the domain, its error being that of the image: on more samples, while that helps. Not scored where it does not
+/// reach every sample.
+DomainFit fit_and_score(const FitTask& task) {
   constexpr int kMostDoublings = 3;
   constexpr double kBorder = 1.03;
   constexpr double kMuchWorse = 1.2;
   constexpr double kHelps = 0.99;
   DomainFit result;
-  result.time = time;
-  worse_of_result = 1.0;
   for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
+    const bool is_first = doubling == 0;
     const Clock::time_point start = Clock::now();
-    SampledFit finer = doubling == 0 ? first : refine(task, task.options.samples << doubling, result.fitted);
+    SampledFit finer = fit(task, task.options.samples << doubling, is_first ? nullptr : &*result.fitted.model);
     result.time += Clock::now() - start;
-    if (!finer.model) {
-      if (doubling == 0) result.fitted = std::move(finer);
+    if (!finer.model || !finer.model->reaches_all) {
+      if (is_first) result.fitted = std::move(finer);
       break;
     }
     Score score = score_on_lattice({task.camera.model, &finer.model->model, nullptr, task.domain, finer.reach_rad});
     const Judgement& judgement = score.judgement;
     const Judgement& before = result.score.judgement;
-    const bool helps = doubling == 0 || judgement.coverage.scored > before.coverage.scored + 1e-3 ||
+    const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 ||
                        judgement.error.rms < kHelps * before.error.rms;
     const double worse = worse_between_samples(judgement, *finer.model);
+    const bool misses_edge = judgement.coverage.unrepresentable > kEdge;
     if (helps) {
       result.fitted = std::move(finer);
       result.score = std::move(score);
-      worse_of_result = worse;
     }
-    if (worse <= (helps ? kBorder : kMuchWorse)) break;
+    if (worse <= (helps ? kBorder : kMuchWorse) && !(helps && misses_edge)) break;
   }
   return result;
+}
+
+/// Does the model have a pixel for every ray of the domain, but for its very edge? The radius then grows with the angle as far:
+/// a model ends where it does not.
+bool reaches(const DomainFit& fit) {
+  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kEdge;
+}
+
+/// The rule of fit_domain.h, which decides over the whole domain and over each cone.
+bool describes(const FitTask& task, const DomainFit& fit) {
+  constexpr double kLimitRms = 1.0;  // px
+  return reaches(fit) && (!sees_ahead_only(task.target.id) || fit.score.judgement.error.rms <= kLimitRms);
+}
+
+/// The fit inside that angle, judged there.
+DomainFit fit_cone(const FitTask& task, double degrees) {
+  Domain cone = task.domain;
+  cone.max_angle_rad = std::min(cone.max_angle_rad, degrees * kRadiansPerDegree);
+  DomainFit result = fit_and_score({task.camera, task.target, task.options, cone, task.centre});
+  result.fitted.reach_rad = cone.max_angle_rad;
+  return result;
+}
+
+/// The largest cone narrower than `below_rad` that the target describes, found in steps of 5 degrees and to a degree; failing
+/// that, the widest of the steps that it reaches; failing that, no model.
+DomainFit fit_largest_cone(const FitTask& task, double below_rad) {
+  constexpr int kNarrowestDeg = 5;
+  constexpr int kStepDeg = 5;
+  const int below = static_cast<int>(std::ceil(below_rad / kRadiansPerDegree - 1e-9));
+  DomainFit best;
+  Micros time{};
+  const auto try_out = [&](int degrees) {
+    DomainFit cone = fit_cone(task, degrees);
+    time += cone.time;
+    return cone;
+  };
+  for (int good = (below - 1) / kStepDeg * kStepDeg; good >= kNarrowestDeg; good -= kStepDeg) {
+    DomainFit cone = try_out(good);
+    if (too_few(cone.fitted.samples, task.target)) break;
+    if (!describes(task, cone)) {
+      if (!best.fitted.model && reaches(cone)) best = std::move(cone);
+      continue;
+    }
+    best = std::move(cone);
+    for (int bad = std::min(good + kStepDeg, below); bad - good > 1;) {
+      const int between = (good + bad) / 2;
+      DomainFit wider = try_out(between);
+      const bool is_good = describes(task, wider);
+      (is_good ? good : bad) = between;
+      if (is_good) best = std::move(wider);
+    }
+    break;
+  }
+  best.time = time;
+  return best;
 }
 
 }  // namespace
@@ -166,19 +133,26 @@ DomainFit refine_all(const FitTask& task, const SampledFit& first, Micros time, 
 bool too_few(std::size_t samples, const ModelInfo& target) { return 2 * samples < target.parameters.size(); }
 
 DomainFit fit_domain(const FitTask& task) {
-  constexpr double kWild = 2.0;
-  double worse = 1.0;
-  Clock::time_point start = Clock::now();
-  const SampledFit first = fit_as_far_as_possible(task, task.options.samples);
-  DomainFit result = refine_all(task, first, Clock::now() - start, worse);
-  const bool is_whole = result.fitted.reach_rad >= std::numbers::pi;
-  if (!is_whole || worse <= kWild || result.score.judgement.error.rms <= kLimitRms) return result;
-  // No number of samples lies close enough to the edge of a plane, which is infinite at 90 degrees: a cone, if there is a good
-  // one.
-  start = Clock::now();
-  const SampledFit cone = fit_largest_cone(task, task.options.samples, task.domain.max_angle_rad);
-  if (!cone.model || cone.model->rms_px > kLimitRms) return result;
-  return refine_all(task, cone, result.time + (Clock::now() - start), worse);
+  const double angle = task.domain.max_angle_rad;
+  const bool ahead_only = sees_ahead_only(task.target.id);
+  DomainFit result;
+  if (!ahead_only || angle < kAhead) {
+    result = fit_and_score(task);
+    if (too_few(result.fitted.samples, task.target) || describes(task, result)) return result;
+  }
+  DomainFit cone = fit_largest_cone(task, ahead_only ? std::min(angle, kAhead) : angle);
+  const Micros time = result.time + cone.time;
+  if (cone.fitted.model && (!reaches(result) || describes(task, cone))) {
+    result = std::move(cone);
+  } else if (!result.fitted.model) {
+    result = fit_and_score(task);  // what sees ahead only, to what of the lens lies there
+  }
+  result.time = time;
+  if (const std::optional<FittedModel>& model = result.fitted.model) {
+    // A cone was scored as if the domain ended with it.
+    result.score = score_on_lattice({task.camera.model, &model->model, nullptr, task.domain, result.fitted.reach_rad});
+  }
+  return result;
 }
 
 }  // namespace fca::internal

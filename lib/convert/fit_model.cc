@@ -19,7 +19,7 @@ std::optional<FittedModel> listed(std::optional<FoundFit> fit) {
   if (!fit) return std::nullopt;
   Intrinsics<M> model;
   std::copy_n(fit->parameters.begin(), model.values.size(), model.values.begin());
-  FittedModel result{model, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound), false};
+  FittedModel result{model, fit->rms_px, fit->iterations, fit->reaches_all, std::move(fit->at_bound)};
   if (!validate(result.model).empty()) return std::nullopt;
   return result;
 }
@@ -93,11 +93,21 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
       start);
 }
 
-/// fit_model() without FittedModel::second_best; `own` is the fit from the model's own starts.
-std::optional<FittedModel> best_fit(std::string_view id, std::optional<FittedModel> own,
-                                    std::span<const Correspondence> samples, const LensCentre& centre,
-                                    std::span<const ParameterRange> ranges) {
-  std::optional<FittedModel> best = std::move(own);
+}  // namespace
+
+bool sees_ahead_only(std::string_view id) {
+  bool result = false;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if constexpr (requires { M::kAheadOnly; }) {
+      if (M::kId == id) result = M::kAheadOnly;
+    }
+  });
+  return result;
+}
+
+std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
+                                     std::span<const ParameterRange> ranges) {
+  std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
   if (!best || !best->reaches_all) {
     std::vector<ParameterRange> shorter(ranges.begin(), ranges.end());
     if (const std::string_view bends = bends_back(id); !bends.empty()) shorter.push_back({bends, 0.0, 0.0});
@@ -113,27 +123,6 @@ std::optional<FittedModel> best_fit(std::string_view id, std::optional<FittedMod
       improve_from(*start, samples, ranges, best);
     }
   }
-  return best;
-}
-
-}  // namespace
-
-bool sees_ahead_only(std::string_view id) {
-  bool result = false;
-  ModelList::for_each([&]<CameraModelType M>() {
-    if constexpr (requires { M::kAheadOnly; }) {
-      if (M::kId == id) result = M::kAheadOnly;
-    }
-  });
-  return result;
-}
-
-std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
-                                     std::span<const ParameterRange> ranges) {
-  std::optional<FittedModel> own = fit_from_own_starts(id, samples, centre, ranges);
-  const bool stays_behind = own && !own->reaches_all;
-  std::optional<FittedModel> best = best_fit(id, std::move(own), samples, centre, ranges);
-  if (best) best->second_best = stays_behind && best->reaches_all;
   return best;
 }
 

@@ -20,7 +20,6 @@ struct FittedModel {
   int iterations = 0;
   bool reaches_all = true;  ///< Every sample projects.
   std::vector<std::string> at_bound;
-  bool second_best = false;  ///< Reaches all, which the model's own least-squares fit does not.
 };
 
 /// Fits the listed model of that id to the samples of a lens with that centre; nothing if no start leads to a camera.

@@ -24,9 +24,10 @@ std::optional<Domain> wide_domain(const Camera& camera, const ConvertOptions& op
   return domain;
 }
 
-ReachRow row_of(double angle_rad, const Judgement& judgement) {
-  return {angle_rad / kRadiansPerDegree, judgement.coverage.scored, judgement.coverage.unrepresentable, judgement.error.rms,
-          judgement.error.max};
+ReachRow row_of(double angle_rad, const ConversionReport& report) {
+  const Judgement& judgement = report.judgement;
+  return {angle_rad / kRadiansPerDegree,      report.scored_to_deg, judgement.coverage.scored,
+          judgement.coverage.unrepresentable, judgement.error.rms,  judgement.error.max};
 }
 
 std::optional<ReachRow> fitted_row(const Camera& camera, ConvertOptions options, double angle_rad) {
@@ -37,14 +38,14 @@ std::optional<ReachRow> fitted_row(const Camera& camera, ConvertOptions options,
   Diagnostics unheard;
   const std::optional<Conversion> conversion = convert(camera, options, unheard);
   if (!conversion) return std::nullopt;
-  return row_of(angle_rad, conversion->report.judgement);
+  return row_of(angle_rad, conversion->report);
 }
 
 /// The row of a fit that ends before that angle: it would be made there, too, and only more of the lens be out of its reach.
-ReachRow row_beyond(const Camera& camera, Domain domain, double angle_rad, const Judgement& judgement) {
+ReachRow row_beyond(const Camera& camera, Domain domain, double angle_rad, const ConversionReport& report) {
   domain.max_angle_rad = angle_rad;
   const internal::Scorer lens(camera.model, &camera.model, nullptr, domain, std::numbers::pi);
-  ReachRow row = row_of(angle_rad, judgement);
+  ReachRow row = row_of(angle_rad, report);
   row.unrepresentable = internal::score_on_lattice(lens).judgement.coverage.scored - row.scored;
   return row;
 }
@@ -58,12 +59,12 @@ std::vector<ReachRow> rows(const Camera& camera, const ConvertOptions& options, 
   for (int i = 0; (kFirstDeg + i * kStepDeg) * kRadiansPerDegree < domain.max_angle_rad; ++i) {
     const double angle_rad = (kFirstDeg + i * kStepDeg) * kRadiansPerDegree;
     if (same_fit) {
-      table.push_back(row_beyond(camera, domain, angle_rad, whole->judgement));
+      table.push_back(row_beyond(camera, domain, angle_rad, *whole));
     } else if (const std::optional<ReachRow> row = fitted_row(camera, options, angle_rad)) {
       table.push_back(*row);
     }
   }
-  if (whole != nullptr) table.push_back(row_of(domain.max_angle_rad, whole->judgement));
+  if (whole != nullptr) table.push_back(row_of(domain.max_angle_rad, *whole));
   return table;
 }
 

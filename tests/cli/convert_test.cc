@@ -453,6 +453,49 @@ TEST(Convert, MaxErrorJudgesTheWorstPixel) {
   EXPECT_EQ(below.out, "");
 }
 
+// A pixel that is not there is off by more than any limit.
+TEST(Convert, MaxErrorWantsEveryPixelOfTheLens) {
+  const std::vector<std::string> command = {"convert", kTumvi,   "--camera", "0",           "--to", "opencv",
+                                            "--model", "radtan", "--json",   "--max-error", "1000"};
+  const auto with_angle = [&command](const char* angle_deg) {
+    std::vector<std::string> words = command;
+    words.insert(words.end(), {"--max-angle", angle_deg});
+    return run_program(words);
+  };
+  const RunResult whole = run_program(command);
+  EXPECT_EQ(whole.code, 1);
+  EXPECT_EQ(json_of(whole)["outputs"].Size(), 0U);
+  EXPECT_TRUE(contains(whole.out, "error-limit"));
+  EXPECT_EQ(with_angle("97.5").code, 1);
+  EXPECT_EQ(with_angle("60").code, 0);
+}
+
+// What the advice says of a model is what a conversion to it reports.
+TEST(Convert, TheAdviceForALensOutOfReachNamesWhatTheProgramReads) {
+  const auto convert = [](const char* to, const char* model) {
+    return json_of(
+        run_program({"convert", kTumvi, "--camera", "0", "--to", to, "--model", model, "--max-angle", "97.5", "--json"}));
+  };
+  const auto rms_in = [](const std::string& fix, const std::string& before) {
+    const std::size_t at = fix.find(before);
+    return at == std::string::npos ? -1.0 : std::strtod(fix.c_str() + at + before.size(), nullptr);
+  };
+  const Json radtan = convert("opencv", "radtan");
+  const Value& warning = radtan["diagnostics"][0];
+  EXPECT_STREQ(warning["code"].GetString(), "target-cannot-reach");
+  const std::string fix = warning["fix"].GetString();
+  EXPECT_TRUE(contains(fix, "OpenCV reads kb4 (exact), mei (rms ")) << fix;
+  for (const auto& [model, before] : {std::pair{"mei", "mei (rms "}, {"rational", " deg, rms "}}) {
+    const double rms = convert("opencv", model)["cameras"][0]["error_px"]["rms"].GetDouble();
+    EXPECT_NEAR(rms_in(fix, before), rms, 0.01 * rms) << fix;
+  }
+  // ORB-SLAM3 reads neither.
+  const Json other = convert("orbslam3", "pinhole");
+  const std::string narrower = other["diagnostics"][0]["fix"].GetString();
+  EXPECT_TRUE(contains(narrower, "ORB-SLAM3 reads kb4 (exact) and radtan (up to ")) << narrower;
+  EXPECT_FALSE(contains(narrower, "mei")) << narrower;
+}
+
 TEST(Convert, StrictPassesWhereNothingIsLost) {
   const RunResult run = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "kb4", "--strict"});
   EXPECT_EQ(run.code, 0) << run.err;

@@ -61,6 +61,16 @@ TEST(Convert, ContainedModelsAreExact) {
       {Intrinsics<Mei>{{400, 401, 320, 240, 0, -0.2, 0.05, 1e-3, -2e-3}}, "radtan"},
       {Intrinsics<Mei>{{400, 401, 320, 240, 0, -0.2, 0.05, 1e-3, -2e-3}}, "rational"},
       {Intrinsics<Mei>{{400, 401, 320, 240, 0, 0, 0, 0, 0}}, "pinhole"},
+      {Intrinsics<Ds>{{300, 301, 320, 240, 0.0, 0.4}}, "ucm"},
+      {Intrinsics<Ds>{{300, 301, 320, 240, 0.0, 0.9}}, "eucm"},
+      {Intrinsics<Ds>{{300, 301, 320, 240, 0.0, 0.4}}, "mei"},
+      {Intrinsics<Eucm>{{400, 401, 320, 240, 0.0, 1.7}}, "pinhole"},
+      {Intrinsics<Eucm>{{400, 401, 320, 240, 0.0, 0.3}}, "radtan"},
+      {Intrinsics<Ucm>{{200, 201, 320, 240, 0.5}}, "ocamcalib"},
+      {Intrinsics<Ds>{{200, 201, 320, 240, 0.5, 0.0}}, "ocamcalib"},
+      {Intrinsics<Kb4>{{200, 201, 320, 240, -0.02, 0, 0, 0}}, "woodscape"},
+      {Intrinsics<Kb4>{{200, 201, 320, 240, 0.01, 0, 0, 0}}, "woodscape"},
+      {Intrinsics<Woodscape>{{200, 0, -5, 0, 1.01, 320, 240}}, "kb4"},
       {Intrinsics<Pinhole>{{400, 401, 320, 240}}, "ocamcalib"},
       {Intrinsics<Ocamcalib>{{320, 240, 1.0025, 0, 0, -400, 0, 0, 0, 0, 0, 0, 0, 0}}, "pinhole"},
       {Intrinsics<Ocamcalib>{{320, 240, 1.0025, 0, 0, -400, 0, 0, 0, 0, 0, 0, 0, 0}}, "eucm"},
@@ -218,12 +228,13 @@ TEST(Convert, ABestCameraAtAnOpenBoundIsFound) {
   for (const CameraModel& model : std::vector<CameraModel>{Intrinsics<Pinhole>{{535.4, 539.2, 320.1, 247.6}},
                                                            Intrinsics<Radtan>{{520, 521, 325, 249, 0.05, 0.02, 0, 0, 0}}}) {
     const Camera camera = test::make_camera(model, {640, 480});
+    const std::optional<Conversion> pinhole = to(camera, "pinhole");  // under 1 px: not to the image's corners
+    ASSERT_TRUE(pinhole);
+    options.max_angle_rad = pinhole->report.scored_to_deg * test::kRadians;
     Diagnostics diagnostics;
     const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
     ASSERT_TRUE(conversion) << model_info(model).id;
     EXPECT_EQ(conversion->report.at_bound, (std::vector<std::string>{"alpha", "beta"}));
-    const std::optional<Conversion> pinhole = to(camera, "pinhole");
-    ASSERT_TRUE(pinhole);
     EXPECT_LE(conversion->report.judgement.error.rms, pinhole->report.judgement.error.rms + 1e-4);
   }
 }
@@ -370,6 +381,7 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
     std::vector<const char*> good;     ///< Targets that describe all that it sees of its image, to half a pixel rms.
     std::vector<const char*> refused;  ///< Targets, or "all".
     const char* code;                  ///< Of the refusal.
+    const char* warning = "";          ///< What every conversion says.
   };
   const std::vector<Case> cases = {
       {"folded",
@@ -387,16 +399,17 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
       {"alpha 1", test::make_camera(Intrinsics<Ucm>{{300, 300, 320, 240, 1.0}}, {640, 480}), {"eucm", "ds"}, {"kb4"}, {}, ""},
       {"one pixel",
        test::make_camera(Intrinsics<Kb4>{{300, 300, 0, 0, 0.01, 0, 0, 0}}, {1, 1}),
-       {"kb4"},
+       {"kb4", "woodscape"},
        {},
-       {"pinhole", "radtan", "rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib", "woodscape"},
+       {"pinhole", "radtan", "rational", "ucm", "eucm", "ds", "mei", "fov", "ocamcalib"},
        "domain-too-small"},
       {"fx / fy = 100",
        test::make_camera(Intrinsics<Pinhole>{{30000, 300, 320, 240}}, {640, 480}),
        {"radtan", "rational", "ucm", "eucm", "ds", "mei"},
        {"kb4", "fov"},
        {},
-       ""},
+       "",
+       "focal-lengths-differ"},
       {"principal point 10,000 px away",
        test::make_camera(Intrinsics<Kb4>{{300, 300, -4000, 9000, 0, 0, 0, 0}}, {640, 480}),
        {},
@@ -405,10 +418,11 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
        "no-pixel-has-a-ray"},
       {"principal point beside the image",
        test::make_camera(Intrinsics<Kb4>{{300, 300, -200, 240, 0.01, 0, 0, 0}}, {640, 480}),
-       {},
        {"woodscape"},
        {},
-       ""},
+       {},
+       "",
+       "centre-outside"},
   };
   const auto among = [](const std::vector<const char*>& list, std::string_view id) {
     return std::ranges::any_of(list, [id](const char* name) { return name == id; });
@@ -428,6 +442,8 @@ TEST(Convert, DegenerateCamerasEndInADiagnosticOrARightResult) {
         EXPECT_FALSE(among(c.exact, model.id) || among(c.good, model.id));
         continue;
       }
+      const bool said = std::ranges::any_of(diagnostics.entries(), [&c](const Diagnostic& d) { return d.code == c.warning; });
+      EXPECT_EQ(said, *c.warning != '\0');
       const Judgement& judgement = conversion->report.judgement;
       const Coverage& coverage = judgement.coverage;
       EXPECT_NEAR(coverage.scored + coverage.outside_lens + coverage.unrepresentable, 1.0, 1e-9);

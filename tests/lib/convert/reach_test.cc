@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace fca {
 namespace {
 
@@ -39,6 +42,55 @@ TEST(ReachTable, ShowsWhatBlackCornersCost) {
   ASSERT_EQ(conversion->report.reach.size(), table.size());
   EXPECT_EQ(conversion->report.reach.back().rms_px, table.back().rms_px);
   EXPECT_DOUBLE_EQ(conversion->report.judgement.error.rms, table.back().rms_px);
+}
+
+/// Inside wider and wider angles the same target never scores less of the image, and says so where it ends earlier.
+void expect_no_loss(const Camera& camera, std::string_view target, const std::vector<double>& angles_deg) {
+  double before = 0.0;
+  for (const double deg : angles_deg) {
+    SCOPED_TRACE(camera.name + " " + std::string(target) + " " + std::to_string(deg));
+    ConvertOptions options;
+    options.model = target;
+    options.max_angle_rad = deg * test::kRadians;
+    options.bound = false;
+    Diagnostics diagnostics;
+    const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+    ASSERT_TRUE(conversion);
+    const Coverage& coverage = conversion->report.judgement.coverage;
+    EXPECT_GE(coverage.scored, before - 1e-3);
+    const bool said = std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) {
+      return entry.code == "target-cannot-reach" || entry.code == "folds-inside-image";
+    });
+    EXPECT_TRUE(said || coverage.unrepresentable <= 1e-3) << coverage.unrepresentable;
+    before = std::max(before, coverage.scored);
+  }
+}
+
+std::vector<double> steps(double from, double to, double step) {
+  std::vector<double> result;
+  for (double deg = from; deg <= to; deg += step) result.push_back(deg);
+  return result;
+}
+
+TEST(ReachTable, AWiderAngleNeverScoresLess) {
+  for (const ModelInfo& target : all_models()) {
+    for (const Camera& camera : {test::kalibr_ds(), test::euroc(), test::rational_lens()})
+      expect_no_loss(camera, target.id, steps(20.0, 60.0, 8.0));
+    for (const Camera& camera :
+         {test::tumvi(), test::t265_like(), test::lens_220(), test::woodscape_front(), test::ocamcalib_sample()})
+      expect_no_loss(camera, target.id, steps(55.0, 135.0, 10.0));
+  }
+}
+
+// Where a plane gives up, and close to where every plane does.
+TEST(ReachTable, AWiderAngleNeverScoresLessOnAPlane) {
+  for (const char* target : {"pinhole", "radtan", "rational"}) {
+    for (const Camera& camera : {test::tumvi(), test::t265_like(), test::lens_220()}) {
+      expect_no_loss(camera, target, steps(20.0, 30.0, 2.0));
+      expect_no_loss(camera, target, steps(62.0, 68.0, 1.0));
+      expect_no_loss(camera, target, steps(84.0, 92.0, 1.0));
+    }
+  }
 }
 
 TEST(ReachTable, IsOneFitForATargetThatSeesOnlyWhatIsAhead) {

@@ -25,7 +25,12 @@ template <CameraModelType M>
 
 struct JudgeOptions {
   bool every_pixel = false;  ///< Score each pixel of the image instead of a lattice, and count them.
-  bool bound = true;         ///< Prove ErrorSummary::bound (both must be models of the list).
+  /// Prove ErrorSummary::bound. Both must be models of the list: a proof encloses a model over whole ranges of rays with every
+  /// rounding counted, for which the listed ones are written a second time, in ball arithmetic (lib/convert/bound_polar.h). A
+  /// function can only be asked at points, and M::formula promises no more than to work on doubles: from either one gets a
+  /// largest error that was seen (polished, like that of listed models), or a slope that was seen, but nothing that holds
+  /// between. The bound is then infinite.
+  bool bound = true;
   /// The target counts as unable to represent what lies further from the axis: the cone to which a conversion was restricted.
   double target_reach_rad = std::numbers::pi;
 };

@@ -80,6 +80,7 @@ struct RmsFit {
 /// What a conversion would reach if the lens ended at that angle from the axis.
 struct ReachRow {
   double max_angle_deg = 0.0;
+  double scored_to_deg = 0.0;    ///< As in ConversionReport; less where the target was fitted to a narrower cone.
   double scored = 0.0;           ///< Share of the image.
   double unrepresentable = 0.0;  ///< Share of the image.
   double rms_px = 0.0;
