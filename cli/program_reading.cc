@@ -123,8 +123,8 @@ std::vector<std::string> misreadings(const ProofResult& proof, bool within_max_a
   }
   if (proof.wrong_ray_share > kNoticeable) {
     sentences.push_back("it gives " + percent(proof.wrong_ray_share) + of_image + " wrong rays, " + pixels(proof.wrong_ray_px) +
-                        " px off at worst: it projects rays beyond 90 deg from the axis, but turns their pixels into rays in "
-                        "front of the camera");
+                        " px off at worst: from pixel to ray it goes no further than 90 deg, of the ray and of the distorted "
+                        "angle");
   }
   sentences.insert(sentences.end(), proof.warnings.begin(), proof.warnings.end());
   return sentences;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,17 +85,26 @@ double fold(const OcamModel& model) {
 
 /// How far projecting is from the inverse of unprojecting, over the image: the two polynomials are separate fits.
 double disagreement(const OcamModel& model) {
-  constexpr int kSteps = 40;
   const double farthest = fold(model);
   double worst = 0.0;
+  const auto ask = [&](const Pixel& pixel) {
+    const Vector ray = cam2world(model, pixel);
+    if (std::hypot(ray[0], ray[1]) >= farthest) return;
+    const Pixel back = world2cam(model, ray);
+    const double distance = std::hypot(back[0] - pixel[0], back[1] - pixel[1]);
+    if (!(distance <= worst)) worst = distance;
+  };
+  constexpr int kSteps = 40;
   for (int i = 0; i <= kSteps; ++i) {
-    for (int j = 0; j <= kSteps; ++j) {
-      const Pixel pixel = {(model.height - 1.0) * i / kSteps, (model.width - 1.0) * j / kSteps};
-      const Vector ray = cam2world(model, pixel);
-      if (std::hypot(ray[0], ray[1]) >= farthest) continue;
-      const Pixel back = world2cam(model, ray);
-      const double distance = std::hypot(back[0] - pixel[0], back[1] - pixel[1]);
-      if (!(distance <= worst)) worst = distance;
+    for (int j = 0; j <= kSteps; ++j) ask({(model.height - 1.0) * i / kSteps, (model.width - 1.0) * j / kSteps});
+  }
+  // The two polynomials need not meet on the axis, and beside it the lattice is coarse.
+  const double cell = static_cast<double>(std::max(model.width, model.height)) / kSteps;
+  constexpr int kDirections = 8;
+  for (double radius = 0.125; radius < 2.0 * cell; radius *= 1.25) {
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kDirections;
+      ask({model.xc + radius * std::cos(angle), model.yc + radius * std::sin(angle)});
     }
   }
   return worst;

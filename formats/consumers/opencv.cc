@@ -240,6 +240,7 @@ class Reader {
       std::copy(D.begin(), D.end(), k.begin());
       if (function == Function::kFisheye) {
         camera.project = [K, k](const Ray& ray) { return finite_pixel(fisheye_project_points(K, k, ray)); };
+        camera.unproject = [K, k](const Pixel& pixel) { return std::optional(fisheye_undistort_points(K, k, pixel)); };
       } else {
         camera.project = [K, xi, k](const Ray& ray) { return finite_pixel(omnidir_project_points(K, xi, k, ray)); };
       }

@@ -4,9 +4,11 @@
 // as there. Header only, so that a test that links calib3d can hold it against the originals (tests/lib/consumers).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
+#include <numbers>
 
 namespace fca::consumers::opencv {
 
@@ -93,6 +95,31 @@ inline Pixel fisheye_project_points(const CameraMatrix& K, const std::array<doub
   constexpr double kOnAxis = 1e-8;
   const double factor = r > kOnAxis ? theta_d / r : 1.0;
   return {x * factor * K.fx + K.cx, y * factor * K.fy + K.cy};
+}
+
+/// cv::fisheye::undistortPoints with its default criteria: the distorted angle is cut off at 90 degrees, and a pixel from where
+/// ten Newton steps do not converge goes far away to one side.
+inline Ray fisheye_undistort_points(const CameraMatrix& K, const std::array<double, 4>& k, const Pixel& pixel) {
+  const double x = (pixel[0] - K.cx) / K.fx;
+  const double y = (pixel[1] - K.cy) / K.fy;
+  const double theta_d = std::min(std::hypot(x, y), std::numbers::pi / 2.0);
+  constexpr double kEps = 1e-8;
+  if (!(theta_d > kEps)) return {x, y, 1.0};
+  constexpr int kSteps = 10;
+  double theta = theta_d;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t2 = theta * theta;
+    const double value = theta * (1.0 + t2 * (k[0] + t2 * (k[1] + t2 * (k[2] + t2 * k[3])))) - theta_d;
+    const double slope = 1.0 + t2 * (3.0 * k[0] + t2 * (5.0 * k[1] + t2 * (7.0 * k[2] + t2 * 9.0 * k[3])));
+    const double step = value / slope;
+    theta -= step;
+    if (!(std::abs(step) < kEps)) continue;
+    if (theta < 0.0) break;
+    const double scale = std::tan(theta) / theta_d;
+    return {x * scale, y * scale, 1.0};
+  }
+  constexpr double kNowhere = -1000000.0;
+  return {kNowhere, kNowhere, 1.0};
 }
 
 /// cv::omnidir::projectPoints (Mei's model, k1 k2 p1 p2, with skew). Behind the pole of the projection the pixel folds back.

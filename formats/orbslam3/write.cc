@@ -357,6 +357,14 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
                                      const WriteOptions& options) {
   std::vector<fields::Field> before = settings_fields(base.rig, base.target);
   take_type_as_stated(base, model_info(rig.cameras.front().model).id, before);
+  // Columns that the base lacks and its program demands follow from the new pair.
+  if (options.keeps_layout && !(std::ranges::equal(base.rig.cameras, rig.cameras) && base.rig.poses == rig.poses)) {
+    for (const OverlapColumn& column : overlap_columns(base.rig, base.target)) {
+      const std::string key = base.target.tuning.field(*column.key, base.target.style).key;
+      if (find_key(base.document, key) == nullptr)
+        std::erase_if(before, [&key](const fields::Field& field) { return field.key == key; });
+    }
+  }
   // A time offset that the rig does not know is none that it contradicts.
   if (!rig.cameras.front().time_offset_s)
     std::erase_if(before, [](const fields::Field& field) { return field.key == kDelayKey; });

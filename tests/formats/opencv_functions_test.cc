@@ -96,5 +96,36 @@ TEST(OpenCvFunctions, AgreeOnWhatWeWrite) {
   }
 }
 
+// Pixel to ray, where the distorted angle goes beyond 90 degrees long before the ray's does, and where Newton ends nowhere.
+TEST(OpenCvFunctions, GoWrongAsTheirConsumerSays) {
+  const Format& opencv = *find_format("opencv");
+  for (const std::vector<double>& k : {std::vector<double>{0.15, 0.02, 0.0, 0.0}, {-0.3, 0.2, -0.1, 0.02}}) {
+    Rig rig;
+    const std::vector<double> values = {300.0, 301.0, 640.3, 359.8, k[0], k[1], k[2], k[3]};
+    rig.cameras.push_back({"cam0", ImageSize{1280, 720}, model_of("kb4", values), std::nullopt, std::nullopt, ""});
+    const std::string bytes = written_by(opencv, nullptr, rig, {}).files.at(0).document.bytes();
+    const cv::FileStorage file(bytes, cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    const consumers::ConsumerView view = consumers::find_consumer("opencv")->load(bytes, {"", "fisheye"});
+    ASSERT_EQ(view.cameras.size(), 1U) << bytes;
+    std::vector<cv::Point2d> pixels;
+    for (int u = 0; u < 1280; u += 20) {
+      for (int v = 0; v < 720; v += 20) pixels.emplace_back(u, v);
+    }
+    std::vector<cv::Point2d> theirs;
+    cv::fisheye::undistortPoints(pixels, theirs, file["camera_matrix"].mat(), file["distortion_coefficients"].mat());
+    int wrong = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const Pixel pixel = {pixels[i].x, pixels[i].y};
+      const std::optional<Ray> ray = view.cameras[0].unproject(pixel);
+      ASSERT_TRUE(ray);
+      const double size = std::hypot(theirs[i].x, theirs[i].y);
+      EXPECT_LE(distance({(*ray)[0], (*ray)[1]}, {theirs[i].x, theirs[i].y}), 1e-9 * std::max(1.0, size * size)) << pixels[i];
+      const std::optional<Pixel> back = view.cameras[0].project(*ray);
+      wrong += back && distance(*back, pixel) <= 1.0 ? 0 : 1;
+    }
+    EXPECT_GE(wrong, 50);
+  }
+}
+
 }  // namespace
 }  // namespace fca::test
