@@ -1,56 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/sample.h>
 
+#include "gauss_legendre.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 namespace fca {
 
 namespace {
 
-struct Node {
-  double position;  ///< in (0, 1)
-  double weight;    ///< the weights sum to 1
-};
-
-/// Gauss-Legendre nodes on (0, 1): roots of the Legendre polynomial P_n by Newton's method from Tricomi's starting values. The
-/// other half mirrors them.
-std::vector<Node> compute_gauss_legendre(int n) {
-  std::vector<Node> nodes(static_cast<std::size_t>(n));
-  for (int i = 0; i < (n + 1) / 2; ++i) {
-    double x = (1.0 - (n - 1.0) / (8.0 * n * n * n)) * std::cos(std::numbers::pi * (4.0 * i + 3.0) / (4.0 * n + 2.0));
-    double slope = 1.0;
-    constexpr int kMostSteps = 8;
-    for (int iteration = 0; iteration < kMostSteps; ++iteration) {
-      double p = 1.0;
-      double previous = 0.0;
-      for (int k = 0; k < n; ++k) {
-        const double next = ((2.0 * k + 1.0) * x * p - k * previous) / (k + 1.0);
-        previous = p;
-        p = next;
-      }
-      slope = n * (x * p - previous) / (x * x - 1.0);
-      x -= p / slope;
-      if (std::abs(p / slope) < 1e-15) break;
-    }
-    const double weight = 1.0 / ((1.0 - x * x) * slope * slope);
-    nodes[static_cast<std::size_t>(i)] = {0.5 * (1.0 - x), weight};
-    nodes[static_cast<std::size_t>(n - 1 - i)] = {0.5 * (1.0 + x), weight};
-  }
-  return nodes;
-}
-
-/// The same, remembered: every conversion asks for the same few, and they take as long as the pixels.
-const std::vector<Node>& gauss_legendre(int n) {
-  thread_local std::map<int, std::vector<Node>> known;
-  std::vector<Node>& nodes = known[n];
-  if (nodes.empty()) nodes = compute_gauss_legendre(n);
-  return nodes;
-}
+using internal::gauss_legendre;
+using internal::Node;
 
 /// The domain's rays. Domain::ray asks for an angle, which takes longer than most models' rays; nearly always their height
 /// decides.
