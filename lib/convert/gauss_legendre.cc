@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <map>
+#include <deque>
 #include <numbers>
 
 namespace fca::internal {
@@ -39,8 +39,10 @@ std::vector<Node> compute_gauss_legendre(int n) {
 }  // namespace
 
 const std::vector<Node>& gauss_legendre(int n) {
-  thread_local std::map<int, std::vector<Node>> known;
-  std::vector<Node>& nodes = known[n];
+  thread_local std::deque<std::vector<Node>> known;  // whose elements stay where they are
+  const auto index = static_cast<std::size_t>(n);
+  if (known.size() <= index) known.resize(index + 1);
+  std::vector<Node>& nodes = known[index];
   if (nodes.empty()) nodes = compute_gauss_legendre(n);
   return nodes;
 }

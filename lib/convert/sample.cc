@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/sample.h>
 
+#include "batch.h"
 #include "gauss_legendre.h"
 
 #include <algorithm>
@@ -24,10 +25,16 @@ class Rays {
 
   [[nodiscard]] std::optional<Ray> operator()(const Pixel& pixel) const {
     std::optional<Ray> ray = source_.ray(pixel);
-    constexpr double kUnclear = 1e-9;
-    if (!ray || (*ray)[2] > lowest_ + kUnclear) return ray;
+    if (!ray || surely_inside((*ray)[2])) return ray;
     if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > domain_.max_angle_rad) return std::nullopt;
     return ray;
+  }
+  [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
+  /// The same for many pixels, of a model of the list.
+  [[nodiscard]] std::optional<internal::BatchRays> batch() const {
+    const CameraModel* model = source_.model();
+    if (model == nullptr || !validate(*model).empty()) return std::nullopt;
+    return internal::BatchRays(*model, domain_.max_angle_rad);
   }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
   /// Beyond the domain's limit, in radians; nothing where the source has no ray.
@@ -39,13 +46,46 @@ class Rays {
   [[nodiscard]] const ImageSize& size() const { return domain_.size; }
 
  private:
+  static constexpr double kUnclear = 1e-9;
   const Lens& source_;
   const Domain& domain_;
   double lowest_;  ///< Cosine of the limit.
 };
 
-void add_if_seen(const Rays& rays, const Pixel& pixel, double weight, std::vector<Correspondence>& samples) {
-  if (const std::optional<Ray> ray = rays(pixel)) samples.push_back({*ray, pixel, weight});
+/// A pixel that may be a sample.
+struct Candidate {
+  Pixel pixel;
+  double weight;
+};
+
+/// Those with a ray in the domain.
+std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidate>& candidates) {
+  std::vector<Correspondence> samples;
+  samples.reserve(candidates.size());
+  const std::optional<internal::BatchRays> many = rays.batch();
+  internal::Batch batch;
+  for (std::size_t first = 0; first < candidates.size(); first += internal::Batch::kSize) {
+    const std::size_t count = std::min(internal::Batch::kSize, candidates.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      batch.u[i] = candidates[first + i].pixel[0];
+      batch.v[i] = candidates[first + i].pixel[1];
+    }
+    if (many) {
+      (*many)(batch, count);
+    } else {
+      std::fill_n(batch.z.begin(), count, internal::kAskModel);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [pixel, weight] = candidates[first + i];
+      if (batch.z[i] == internal::kNoRay) continue;
+      if (std::isfinite(batch.z[i]) && rays.surely_inside(batch.z[i])) {
+        samples.push_back({{batch.x[i], batch.y[i], batch.z[i]}, pixel, weight});
+      } else if (const std::optional<Ray> ray = rays(pixel)) {
+        samples.push_back({*ray, pixel, weight});
+      }
+    }
+  }
+  return samples;
 }
 
 /// Tensor of Gauss-Legendre nodes over the whole image; points outside the lens fall away.
@@ -55,15 +95,15 @@ std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
   const double aspect = std::clamp((width + 1.0) / (height + 1.0), 0.1, 10.0);
   const int columns = std::max(2, static_cast<int>(std::lround(std::sqrt(count * aspect))));
   const int rows = std::max(2, static_cast<int>(std::lround(static_cast<double>(count) / columns)));
-  std::vector<Correspondence> samples;
-  samples.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  std::vector<Candidate> candidates;
+  candidates.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   const std::vector<Node>& vertical = gauss_legendre(rows);
   for (const Node& u : gauss_legendre(columns)) {
     for (const Node& v : vertical) {
-      add_if_seen(rays, {u.position * width, v.position * height}, u.weight * v.weight, samples);
+      candidates.push_back({{u.position * width, v.position * height}, u.weight * v.weight});
     }
   }
-  return samples;
+  return seen_of(rays, candidates);
 }
 
 /// How far the image reaches from a centre in a direction.
@@ -188,7 +228,7 @@ class PolarSampler {
         add_sector(begin, end);
       }
     }
-    return std::move(samples_);
+    return seen_of(rays_, candidates_);
   }
 
  private:
@@ -229,7 +269,7 @@ class PolarSampler {
 
   void add_ray_of_samples(const Pixel& direction, double edge, double weight) {
     for (const Node& radius : gauss_legendre(radial_)) {
-      add_if_seen(rays_, along(centre_, direction, radius.position * edge), weight * radius.weight * radius.position, samples_);
+      candidates_.push_back({along(centre_, direction, radius.position * edge), weight * radius.weight * radius.position});
     }
   }
 
@@ -238,7 +278,7 @@ class PolarSampler {
   std::vector<double> pieces_;
   int radial_ = 0;
   double azimuths_per_radian_ = 0.0;
-  std::vector<Correspondence> samples_;
+  std::vector<Candidate> candidates_;
 };
 
 bool whole_image(const Rays& rays) {
