@@ -3,13 +3,13 @@
 #include "storage_programs.h"
 
 extern "C" __attribute__((visibility("default"))) const fca::consumers::StoragePrograms* fca_storage_programs() {
-  using namespace fca::consumers;
-  static constexpr StoragePrograms kPrograms = {.openvins = &load_openvins,
-                                                .openvins_imu = &load_openvins_imu,
-                                                .orbslam3 = &load_orbslam3,
-                                                .orbslam2 = &load_orbslam2,
-                                                .slam_no_opt = &load_slam_no_opt,
-                                                .urbste = &load_urbste,
-                                                .opencv = &load_opencv};
+  namespace consumers = fca::consumers;
+  static constexpr consumers::StoragePrograms kPrograms = {.openvins = &consumers::load_openvins,
+                                                           .openvins_imu = &consumers::load_openvins_imu,
+                                                           .orbslam3 = &consumers::load_orbslam3,
+                                                           .orbslam2 = &consumers::load_orbslam2,
+                                                           .slam_no_opt = &consumers::load_slam_no_opt,
+                                                           .urbste = &consumers::load_urbste,
+                                                           .opencv = &consumers::load_opencv};
   return &kPrograms;
 }

@@ -17,6 +17,11 @@ namespace {
 using internal::gauss_legendre;
 using internal::Node;
 
+template <class... Ms>
+bool is_any_of(const CameraModel& model) {
+  return (std::holds_alternative<Intrinsics<Ms>>(model) || ...);
+}
+
 /// The domain's rays. Domain::ray asks for an angle, which takes longer than most models' rays; nearly always their height
 /// decides.
 class Rays {
@@ -30,10 +35,10 @@ class Rays {
     return ray;
   }
   [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
-  /// The same for many pixels, of a model of the list.
+  /// The same for many pixels, of models that search for a ray: of others one by one is as fast.
   [[nodiscard]] std::optional<internal::BatchRays> batch() const {
     const CameraModel* model = source_.model();
-    if (model == nullptr || !validate(*model).empty()) return std::nullopt;
+    if (model == nullptr || !is_any_of<Kb4, Radtan, Rational>(*model) || !validate(*model).empty()) return std::nullopt;
     return internal::BatchRays(*model, domain_.max_angle_rad);
   }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
