@@ -8,6 +8,8 @@
 #include "show_command.h"
 #include "words.h"
 
+#include <fca/formats/consumers/missing_module.h>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -125,6 +127,9 @@ int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   try {
     return fca::cli::run(argc, argv);
+  } catch (const fca::consumers::MissingModule& error) {
+    std::fprintf(stderr, "fca-io: %s; install fca-io again\n", error.what());
+    return static_cast<int>(fca::cli::ExitCode::kIo);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fca-io: a bug, please report it: %s\n", error.what());
     return static_cast<int>(fca::cli::ExitCode::kBug);

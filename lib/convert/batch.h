@@ -31,6 +31,7 @@ struct Batch {
   Lane x, y, z;  ///< Their rays; z may be kNoRay or kAskModel.
   Lane error;    ///< Distance from (u, v) to the target's pixel of the ray; not finite: ask the model.
   Lane weight;   ///< In pixels.
+  Lane spread;   ///< The weight stands for errors that differ so much from the point's.
   std::array<Verdict, kSize> verdict;
 
   [[nodiscard]] Point point(std::size_t i) const { return {{u[i], v[i]}, weight[i], error[i], z[i], verdict[i]}; }

@@ -11,18 +11,10 @@ namespace fca {
 namespace internal {
 
 Score score_on_lattice(const Scorer& scorer) {
-  constexpr int kBinsPerOctave = 16;
+  constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
-  std::vector<Summary::Weighted> errors;
-  constexpr std::size_t kWithoutParts = 5200;
-  errors.reserve(kWithoutParts);
-  score_lattice(scorer, [&](const Batch& batch, std::size_t count) {
-    summary.add(batch, count);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (batch.verdict[i] == Verdict::kScored) errors.push_back({batch.error[i], batch.weight[i]});
-    }
-  });
-  return {summary.judgement(scorer.domain(), errors), summary.worst()};
+  score_lattice(scorer, [&](const Batch& batch, std::size_t count) { summary.add(batch, count); });
+  return {summary.judgement(scorer.domain()), summary.worst()};
 }
 
 Score score_every_pixel(const Scorer& scorer) {
@@ -31,6 +23,7 @@ Score score_every_pixel(const Scorer& scorer) {
   const ImageSize& size = scorer.domain().size;
   Batch batch;
   batch.weight.fill(1.0);
+  batch.spread.fill(0.0);
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width;) {
       std::size_t count = 0;

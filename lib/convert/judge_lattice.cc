@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judge_lattice.h"
 
+#include "gauss_legendre.h"
+#include "judge_summary.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <span>
 
@@ -12,238 +14,377 @@ namespace fca::internal {
 
 namespace {
 
-/// The coordinates of the lattice's columns and rows, and the numbering of its points.
-struct Lattice {
-  std::vector<double> x;
-  std::vector<double> y;
-  [[nodiscard]] std::size_t at(std::size_t column, std::size_t row) const { return row * x.size() + column; }
-  /// The corners of a cell.
-  [[nodiscard]] std::array<std::size_t, 4> ends(std::size_t column, std::size_t row) const {
-    return {at(column, row), at(column + 1, row), at(column, row + 1), at(column + 1, row + 1)};
-  }
+/// Sine of half an angle from the axis: along a line of an image it is nearly linear.
+double half_sine(double cosine) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * cosine)); }
+/// Where there is no ray: more than any half sine.
+constexpr double kNone = 2.0;
+
+/// From one pixel, at 0, to another, at 1.
+struct Line {
+  Pixel from;
+  Pixel to;
+  [[nodiscard]] Pixel at(double t) const { return {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])}; }
+  [[nodiscard]] double length() const { return std::hypot(to[0] - from[0], to[1] - from[1]); }
 };
 
-/// From 0 to pixels - 1, denser towards both ends: errors are steepest in the corners of an image.
-std::vector<double> lattice_side(int pixels, double points) {
-  const int last = std::min(pixels, std::clamp(static_cast<int>(std::lround(points)), 17, 300)) - 1;
-  std::vector<double> positions = {0.0};
-  for (int i = 1; i <= last; ++i) positions.push_back(0.5 * (pixels - 1.0) * (1.0 - std::cos(std::numbers::pi * i / last)));
-  return positions;
-}
-
-Lattice make_lattice(const ImageSize& size) {
-  // 51 x 51 corners and 50 x 50 centres on a square image; the longer side gets more, so that cells stay square.
-  constexpr double kPointsPerSide = 51.0;
-  const double aspect = std::sqrt(static_cast<double>(size.width) / size.height);
-  return {lattice_side(size.width, kPointsPerSide * aspect), lattice_side(size.height, kPointsPerSide / aspect)};
-}
-
-/// A grid of scored points, one array per figure, row by row.
-struct Scores {
-  std::span<const double> x;
-  std::span<const double> y;
-  std::vector<double> error;
-  std::vector<double> cosine;
-  std::vector<Verdict> verdict;
-  std::vector<double> weight;
-
-  Scores(const Scorer& scorer, std::span<const double> columns, std::span<const double> rows)
-      : x(columns),
-        y(rows),
-        error(x.size() * y.size()),
-        cosine(error.size()),
-        verdict(error.size()),
-        weight(error.size(), 0.0) {
-    Batch batch;
-    in_batches(batch, [&](std::size_t first, std::size_t count) {
-      scorer.score(batch, count);
-      std::copy_n(batch.error.begin(), count, &error[first]);
-      std::copy_n(batch.z.begin(), count, &cosine[first]);
-      std::copy_n(batch.verdict.begin(), count, &verdict[first]);
-    });
-  }
-
-  void hand_to(const LatticeSink& sink) const {
-    Batch batch;
-    in_batches(batch, [&](std::size_t first, std::size_t count) {
-      std::copy_n(&error[first], count, batch.error.begin());
-      std::copy_n(&cosine[first], count, batch.z.begin());
-      std::copy_n(&verdict[first], count, batch.verdict.begin());
-      std::copy_n(&weight[first], count, batch.weight.begin());
-      sink(batch, count);
-    });
-  }
-
- private:
-  /// Fills in the pixels and calls f(number of the first point, count).
-  template <class F>
-  void in_batches(Batch& batch, const F& f) const {
-    std::size_t first = 0;
-    std::size_t count = 0;
-    for (const double v : y) {
-      for (const double u : x) {
-        batch.u[count] = u;
-        batch.v[count] = v;
-        if (++count < Batch::kSize) continue;
-        f(first, count);
-        first += count;
-        count = 0;
-      }
-    }
-    if (count > 0) f(first, count);
-  }
-};
-
-/// Points of single cells, scored and handed on as soon as they fill a batch.
-class Parts {
+/// Points that are scored and handed on as soon as they fill a batch.
+class Points {
  public:
-  Parts(const Scorer& scorer, const LatticeSink& sink) : scorer_(scorer), sink_(sink) {}
+  Points(const Scorer& scorer, const LatticeSink& sink) : scorer_(scorer), sink_(sink) {}
 
-  void add(double u, double v, double weight) {
-    batch_.u[count_] = u;
-    batch_.v[count_] = v;
+  /// The points that follow lie in a row; others stand for themselves.
+  void begin_line() { ++line_; }
+  void add(const Pixel& pixel, double weight) {
+    batch_.u[count_] = pixel[0];
+    batch_.v[count_] = pixel[1];
     batch_.weight[count_] = weight;
+    lines_[count_] = line_;
     if (++count_ == Batch::kSize) finish();
   }
   void finish() {
     scorer_.score(batch_, count_);
+    find_spreads();
     sink_(batch_, count_);
     count_ = 0;
   }
 
  private:
+  /// A point in a row stands for the errors half way to its neighbours.
+  void find_spreads() {
+    std::array<bool, Batch::kSize + 1> joined{};  // to the point before
+    for (std::size_t i = 1; i < count_; ++i)
+      joined[i] = lines_[i] == lines_[i - 1] && lines_[i] > 0 && batch_.verdict[i] == batch_.verdict[i - 1];
+    for (std::size_t i = 0; i < count_; ++i) {
+      const double before = batch_.error[joined[i] ? i - 1 : i];
+      const double after = batch_.error[joined[i + 1] ? i + 1 : i];
+      batch_.spread[i] = (joined[i] && joined[i + 1] ? 0.25 : 0.5) * std::abs(after - before);
+    }
+  }
+
   const Scorer& scorer_;
   const LatticeSink& sink_;
   Batch batch_;
+  std::array<int, Batch::kSize> lines_{};
+  int line_ = 0;
   std::size_t count_ = 0;
 };
 
-/// Pixels on the border reach half a pixel beyond [0, w - 1] x [0, h - 1]: with these strips a sum over the lattice stands
-/// for the sum over all pixels.
-void add_border_weights(const Lattice& lattice, std::span<double> corners) {
-  constexpr double kHalfStripPerEnd = 0.25;
-  const std::size_t right = lattice.x.size() - 1;
-  const std::size_t bottom = lattice.y.size() - 1;
-  for (std::size_t i = 0; i < right; ++i) {
-    for (const std::size_t row : {std::size_t{0}, bottom}) {
-      for (const std::size_t end : {i, i + 1})
-        corners[lattice.at(end, row)] += kHalfStripPerEnd * (lattice.x[i + 1] - lattice.x[i]);
+/// Cuts lines where they cross the borders of the angle bands and the edges of the domain and of the target's reach: between
+/// them nothing of a judgement jumps.
+class Cutter {
+ public:
+  explicit Cutter(const Scorer& scorer)
+      : scorer_(scorer),
+        lens_(edge_at(scorer.domain().max_angle_rad)),
+        scored_(std::min(lens_, edge_at(scorer.target_reach_rad()))) {
+    const double last = scorer.domain().max_angle_rad;
+    for (double angle = kBandRad; angle < last; angle += kBandRad) borders_.push_back(edge_at(angle));
+    for (const double edge : {scored_, lens_}) {
+      if (edge < 1.0) borders_.push_back(edge);
     }
+    std::ranges::sort(borders_);
   }
-  for (std::size_t j = 0; j < bottom; ++j) {
-    for (const std::size_t column : {std::size_t{0}, right}) {
-      for (const std::size_t end : {j, j + 1})
-        corners[lattice.at(column, end)] += kHalfStripPerEnd * (lattice.y[j + 1] - lattice.y[j]);
-    }
-  }
-  for (const std::size_t column : {std::size_t{0}, right}) {
-    for (const std::size_t row : {std::size_t{0}, bottom}) corners[lattice.at(column, row)] += 0.25;
-  }
-}
 
-/// 8 x 8 parts of a cell, each to be judged at its centre.
-void add_parts(const Pixel& first, const Pixel& last, double area, Parts& parts) {
-  constexpr int kParts = 8;
-  for (int i = 0; i < kParts; ++i) {
-    for (int j = 0; j < kParts; ++j) {
-      parts.add(first[0] + (last[0] - first[0]) * (i + 0.5) / kParts, first[1] + (last[1] - first[1]) * (j + 0.5) / kParts,
-                area / (kParts * kParts));
-    }
-  }
-}
-
-/// 3 x 3 Gauss-Legendre points of a cell.
-void add_gauss_points(const Pixel& first, const Pixel& last, double area, Parts& parts) {
-  struct Node {
-    double position;
-    double weight;
+  /// A part of a line.
+  struct Piece {
+    double begin;
+    double end;
+    bool scored;  ///< Inside the lens and the target's reach.
+    [[nodiscard]] double share() const { return end - begin; }
   };
-  constexpr std::array<Node, 3> kNodes = {
-      {{0.5 - 0.3872983346207417, 5.0 / 18.0}, {0.5, 8.0 / 18.0}, {0.5 + 0.3872983346207417, 5.0 / 18.0}}};
-  for (const Node& u : kNodes) {
-    for (const Node& v : kNodes) {
-      parts.add(first[0] + (last[0] - first[0]) * u.position, first[1] + (last[1] - first[1]) * v.position,
-                area * u.weight * v.weight);
-    }
-  }
-}
 
-/// How a cell is scored: by its corners and centre, by Gauss-Legendre points, or in parts.
-enum class Rule : std::uint8_t { kCorners, kGauss, kParts };
-
-std::vector<double> centres_of(std::span<const double> corners) {
-  std::vector<double> centres;
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) centres.push_back(0.5 * (corners[i] + corners[i + 1]));
-  return centres;
-}
-
-/// The rule of each cell, row by row: parts where the domain's edge crosses it, that is where its corners and centre have not
-/// one verdict, and Gauss-Legendre for the eight cells around those.
-std::vector<Rule> rules_of(const Lattice& lattice, std::span<const Verdict> corners, std::span<const Verdict> centres) {
-  const std::size_t columns = lattice.x.size() - 1;
-  const std::size_t rows = lattice.y.size() - 1;
-  std::vector<Rule> rules(columns * rows, Rule::kCorners);
-  const auto differs = [&](Verdict verdict) { return verdict != corners.front(); };
-  if (std::ranges::none_of(corners, differs) && std::ranges::none_of(centres, differs)) return rules;
-  for (std::size_t j = 0; j < rows; ++j) {
-    for (std::size_t i = 0; i < columns; ++i) {
-      const Verdict verdict = centres[j * columns + i];
-      const auto ends = lattice.ends(i, j);
-      if (std::ranges::all_of(ends, [&](std::size_t c) { return corners[c] == verdict; })) continue;
-      for (std::size_t y = j > 0 ? j - 1 : 0; y <= std::min(j + 1, rows - 1); ++y) {
-        for (std::size_t x = i > 0 ? i - 1 : 0; x <= std::min(i + 1, columns - 1); ++x) {
-          Rule& rule = rules[y * columns + x];
-          if (rule == Rule::kCorners && centres[y * columns + x] == Verdict::kScored) rule = Rule::kGauss;
-        }
+  /// Looks along the lines, at kSteps + 1 places of each.
+  void look_along(std::span<const Line> lines) {
+    seen_.resize(lines.size() * (kSteps + 1));
+    Batch batch;
+    std::size_t first = 0;
+    std::size_t count = 0;
+    const auto finish = [&] {
+      scorer_.find_rays(batch, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        seen_[first + i] = batch.z[i] == kNoRay        ? kNone
+                           : std::isfinite(batch.z[i]) ? half_sine(batch.z[i])
+                                                       : ask({batch.u[i], batch.v[i]});
       }
-      rules[j * columns + i] = Rule::kParts;
+      first += count;
+      count = 0;
+    };
+    for (const Line& line : lines) {
+      for (std::size_t step = 0; step <= kSteps; ++step) {
+        const Pixel pixel = line.at(static_cast<double>(step) / kSteps);
+        batch.u[count] = pixel[0];
+        batch.v[count] = pixel[1];
+        if (++count == Batch::kSize) finish();
+      }
+    }
+    finish();
+  }
+
+  /// The pieces of line number `i` of those that were looked along.
+  [[nodiscard]] std::span<const Piece> pieces(std::size_t i, const Line& line) {
+    pieces_.clear();
+    begin_ = 0.0;
+    const std::span<double> seen = std::span(seen_).subspan(i * (kSteps + 1), kSteps + 1);
+    for (std::size_t step = 0; step < kSteps; ++step) cut_step(line, seen, step);
+    end_piece(1.0, seen[kSteps] <= scored_);
+    return pieces_;
+  }
+
+ private:
+  static constexpr std::size_t kSteps = 12;
+  static constexpr double kBandRad = Summary::kBandDegrees * std::numbers::pi / 180.0;
+
+  static double edge_at(double angle) { return angle < std::numbers::pi ? half_sine(std::cos(angle)) : 1.0; }
+
+  [[nodiscard]] double ask(const Pixel& pixel) const {
+    const std::optional<Ray> ray = scorer_.source().ray(pixel);
+    return ray ? half_sine((*ray)[2]) : kNone;
+  }
+
+  void end_piece(double at, bool scored) {
+    constexpr double kSliver = 1e-4;
+    if (at - begin_ > kSliver || pieces_.empty()) {
+      pieces_.push_back({begin_, at, scored});
+    } else {
+      pieces_.back().end = at;
+    }
+    begin_ = at;
+  }
+
+  /// A step of a line: half sines at both ends, and how much the line bends.
+  struct Step {
+    double begin;
+    double end;
+    double from;
+    double to;
+    double bend;  ///< Second difference.
+    /// Where a border between from and to is crossed.
+    [[nodiscard]] double crossing(double border) const {
+      const double rise = to - from;
+      const double straight = (border - from) / rise;
+      double share = straight;
+      constexpr int kRounds = 2;
+      for (int i = 0; i < kRounds; ++i) share = std::clamp(straight + 0.5 * share * (1.0 - share) * bend / rise, 0.0, 1.0);
+      return begin + share * (end - begin);
+    }
+  };
+
+  void cut_step(const Line& line, std::span<double> seen, std::size_t i) {
+    Step step = {static_cast<double>(i) / kSteps, static_cast<double>(i + 1) / kSteps, seen[i], seen[i + 1], 0.0};
+    if (step.from == kNone && step.to == kNone) return;
+    if (step.from == kNone) {
+      find_last_ray(line, step.end, step.begin, step.from);
+      end_piece(step.begin, false);
+    } else if (step.to == kNone) {
+      if (i > 1) {
+        step.bend = seen[i] - 2.0 * seen[i - 1] + seen[i - 2];
+        step.to = 2.0 * seen[i] - seen[i - 1] + step.bend;
+      }
+      if (!end_at_lens(line, step)) {
+        step.bend = 0.0;
+        find_last_ray(line, step.begin, step.end, step.to);
+      }
+    } else if (const std::size_t middle = std::clamp<std::size_t>(i, 1, kSteps - 1);
+               seen[middle - 1] != kNone && seen[middle + 1] != kNone) {
+      step.bend = seen[middle + 1] - 2.0 * seen[middle] + seen[middle - 1];
+    }
+    if (step.from < step.to) {
+      for (auto border = std::ranges::upper_bound(borders_, step.from); border != borders_.end() && *border <= step.to;
+           ++border)
+        end_piece(place_of(line, step, *border), *border <= scored_);
+    } else {
+      for (auto border = std::ranges::upper_bound(borders_, step.from);
+           border != borders_.begin() && *std::prev(border) > step.to;) {
+        --border;
+        end_piece(place_of(line, step, *border), *border < scored_);
+      }
+    }
+    if (seen[i + 1] == kNone && step.to <= lens_) end_piece(step.end, step.to <= scored_);
+  }
+
+  /// Where the edge of what is scored is crossed in a step, as precisely as that asks for; nothing if the lens has no ray
+  /// there.
+  [[nodiscard]] std::optional<double> crossing_of_edge(const Line& line, const Step& step, double edge) const {
+    constexpr double kClose = 0.01;  // of a half sine
+    constexpr double kFine = 1e-3;   // of a line; the next step would be a tenth of that
+    const double whole = step.end - step.begin;
+    double at = step.crossing(edge);
+    double slope = (step.to - step.from + ((at - step.begin) / whole - 0.5) * step.bend) / whole;
+    double before = at;
+    double seen = kNone;
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double found = ask(line.at(at));
+      if (!(std::abs(found - edge) < kClose)) return std::nullopt;
+      if (seen != kNone && found != seen) slope = (found - seen) / (at - before);
+      before = at;
+      seen = found;
+      at += (edge - found) / slope;
+      if (!(at > step.begin && at <= step.end)) return std::nullopt;
+      if (std::abs(at - before) < kFine) return at;
+    }
+    return std::nullopt;
+  }
+
+  /// Shortens a step out of the domain to where that ends: mostly the lens bends on until there. False if it does not.
+  [[nodiscard]] bool end_at_lens(const Line& line, Step& step) const {
+    if (step.to == kNone || !(step.to > lens_)) return false;
+    const std::optional<double> at = crossing_of_edge(line, step, lens_);
+    if (!at) return false;
+    const double share = (*at - step.begin) / (step.end - step.begin);
+    step = {step.begin, *at, step.from, lens_, step.bend * share * share};
+    return true;
+  }
+
+  [[nodiscard]] double place_of(const Line& line, const Step& step, double border) const {
+    if (border == step.to) return step.end;
+    const double roughly = step.crossing(border);
+    return border == scored_ ? crossing_of_edge(line, step, border).value_or(roughly) : roughly;
+  }
+
+  /// From where the domain's rays end on the way from `there` (with a ray) to `none` (without): its place and half sine.
+  void find_last_ray(const Line& line, double there, double& none, double& seen) const {
+    constexpr int kHalvings = 12;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (there + none);
+      if (const double found = ask(line.at(middle)); found <= lens_) {
+        there = middle;
+        seen = found;
+      } else {
+        none = middle;
+      }
+    }
+    none = there;
+  }
+
+  const Scorer& scorer_;
+  // Half sines:
+  double lens_;    ///< of the domain's edge
+  double scored_;  ///< of the edge of what is scored
+  std::vector<double> borders_;
+  std::vector<double> seen_;
+  std::vector<Piece> pieces_;
+  double begin_ = 0.0;
+};
+
+/// Small images: every pixel.
+void score_pixels(const ImageSize& size, Points& points) {
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) points.add({static_cast<double>(x), static_cast<double>(y)}, 1.0);
+  }
+  points.finish();
+}
+
+/// Spokes from the principal point (or the pixel next to it) to nodes along the image's sides: the sides' pieces and the
+/// spokes' end where anything jumps, so that Gauss-Legendre nodes stand for the area between them.
+class Lattice {
+ public:
+  Lattice(const Scorer& scorer, const LatticeSink& sink)
+      : scored_(scorer, sink), unscored_(scorer, sink), cutter_(scorer), size_(scorer.domain().size) {
+    const Pixel axis = scorer.source().centre().point;
+    for (std::size_t i = 0; i < 2; ++i) centre_[i] = std::clamp(axis[i], 0.0, last()[i]);
+  }
+
+  void score() {
+    add_sides();
+    cutter_.look_along(spokes_);
+    for (std::size_t i = 0; i < spokes_.size(); ++i) add_spoke(i);
+    scored_.finish();
+    unscored_.finish();
+  }
+
+ private:
+  [[nodiscard]] Pixel last() const { return {size_.width - 1.0, size_.height - 1.0}; }
+  Points& points_of(const Cutter::Piece& piece) { return piece.scored ? scored_ : unscored_; }
+
+  void add_sides() {
+    const auto [right, bottom] = last();
+    const std::array<Line, 4> sides = {{{{0.0, 0.0}, {right, 0.0}},
+                                        {{right, 0.0}, {right, bottom}},
+                                        {{right, bottom}, {0.0, bottom}},
+                                        {{0.0, bottom}, {0.0, 0.0}}}};
+    cutter_.look_along(sides);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      for (const Cutter::Piece& piece : cutter_.pieces(i, sides[i])) add_piece_of_side(sides[i], piece);
+      scored_.add(sides[i].from, 0.25);
     }
   }
-  return rules;
-}
+
+  /// Its nodes are the ends of spokes. Pixels on the border reach half a pixel beyond it: with the weights of these strips, and
+  /// of the corners, a sum over the lattice stands for that over all pixels.
+  void add_piece_of_side(const Line& side, const Cutter::Piece& piece) {
+    constexpr double kSpokes = 64.0;
+    constexpr int kFewest = 2;
+    constexpr int kFewestInCorner = 7;  // there errors are the steepest
+    const double length = piece.share() * side.length();
+    const double twice_area = piece.share() * std::abs((side.from[0] - centre_[0]) * (side.to[1] - centre_[1]) -
+                                                       (side.from[1] - centre_[1]) * (side.to[0] - centre_[0]));
+    const bool corner = piece.scored && (piece.begin == 0.0 || piece.end == 1.0);
+    const double perimeter = 2.0 * (last()[0] + last()[1]);
+    const int count = std::max(corner ? kFewestInCorner : kFewest, static_cast<int>(std::lround(kSpokes * length / perimeter)));
+    for (const Node& node : gauss_legendre(count)) {
+      const Pixel end = side.at(piece.begin + node.position * piece.share());
+      points_of(piece).add(end, 0.5 * node.weight * length);
+      spokes_.push_back({centre_, end});
+      twice_areas_.push_back(node.weight * twice_area);
+    }
+  }
+
+  /// Where errors are 0 at some angle, their mean asks for nodes at many angles: pieces are divided elsewhere on each spoke.
+  void add_spoke(std::size_t i) {
+    constexpr double kGoldenRatio = 0.6180339887498949;
+    constexpr int kManyAtEdge = 6;  // there errors bend the most
+    const int few = i % 2 == 0 ? 3 : 4;
+    const double turn = static_cast<double>(i) * kGoldenRatio;
+    const double shift = turn - std::floor(turn);
+    const std::span<const Cutter::Piece> pieces = cutter_.pieces(i, spokes_[i]);
+    scored_.begin_line();
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const Cutter::Piece& piece = pieces[k];
+      if (!piece.scored) {
+        add_nodes(i, piece, 1);
+        continue;
+      }
+      const bool at_edge = k + 1 == pieces.size() || !pieces[k + 1].scored;
+      const int fewest = at_edge ? kManyAtEdge : few;
+      const double middle = piece.begin + (at_edge ? 0.55 + 0.3 * shift : 0.25 + 0.5 * shift) * piece.share();
+      for (const Cutter::Piece& half : {Cutter::Piece{piece.begin, middle, true}, Cutter::Piece{middle, piece.end, true}}) {
+        constexpr double kPerSpoke = 20.0;
+        add_nodes(i, half, std::max(fewest, static_cast<int>(std::ceil(kPerSpoke * half.share()))));
+      }
+      // A candidate for the maximum.
+      if (at_edge && piece.end < 1.0) scored_.add(spokes_[i].at(piece.end - kHair), 0.0);
+    }
+  }
+  static constexpr double kHair = 1e-6;
+
+  void add_nodes(std::size_t spoke, const Cutter::Piece& piece, int count) {
+    for (const Node& node : gauss_legendre(count)) {
+      const double t = piece.begin + node.position * piece.share();
+      points_of(piece).add(spokes_[spoke].at(t), twice_areas_[spoke] * node.weight * piece.share() * t);
+    }
+  }
+
+  Points scored_;
+  Points unscored_;  ///< Apart: batches of which all is scored take less time.
+  Cutter cutter_;
+  ImageSize size_;
+  Pixel centre_{};
+  std::vector<Line> spokes_;
+  std::vector<double> twice_areas_;  ///< Of the triangles for which the spokes stand.
+};
 
 }  // namespace
 
-/// A cell is weighted 2/3 centre, 1/12 each corner (exact for cubics; the trapezoidal rule is 2 % off where errors soar at the
-/// edge of a lens); one that the domain's edge crosses is split into parts, and its neighbours, where errors are steepest, get
-/// Gauss-Legendre points (woodscape -> rational at 60 degrees: 2 % off without them).
 void score_lattice(const Scorer& scorer, const LatticeSink& sink) {
-  const Lattice lattice = make_lattice(scorer.domain().size);
-  const std::vector<double> x_centres = centres_of(lattice.x);
-  const std::vector<double> y_centres = centres_of(lattice.y);
-  Scores corners(scorer, lattice.x, lattice.y);
-  Scores centres(scorer, x_centres, y_centres);
-  add_border_weights(lattice, corners.weight);
-  const std::vector<Rule> rules = rules_of(lattice, corners.verdict, centres.verdict);
-  Parts parts(scorer, sink);
-  std::size_t cell = 0;
-  for (std::size_t j = 0; j < y_centres.size(); ++j) {
-    double* above = &corners.weight[lattice.at(0, j)];
-    double* below = &corners.weight[lattice.at(0, j + 1)];
-    for (std::size_t i = 0; i < x_centres.size(); ++i, ++cell) {
-      const Pixel first = {lattice.x[i], lattice.y[j]};
-      const Pixel last = {lattice.x[i + 1], lattice.y[j + 1]};
-      const double area = (last[0] - first[0]) * (last[1] - first[1]);
-      switch (rules[cell]) {
-        case Rule::kParts:
-          add_parts(first, last, area, parts);
-          break;
-        case Rule::kGauss:
-          add_gauss_points(first, last, area, parts);
-          break;
-        case Rule::kCorners:
-          above[i] += area / 12.0;
-          above[i + 1] += area / 12.0;
-          below[i] += area / 12.0;
-          below[i + 1] += area / 12.0;
-          centres.weight[cell] = area * (2.0 / 3.0);
-      }
-    }
+  constexpr long long kPixels = 5000;
+  const ImageSize& size = scorer.domain().size;
+  if (1LL * size.width * size.height <= kPixels) {
+    Points points(scorer, sink);
+    score_pixels(size, points);
+  } else {
+    Lattice(scorer, sink).score();
   }
-  parts.finish();
-  // Points without weight are points all the same, perhaps the worst of all.
-  corners.hand_to(sink);
-  centres.hand_to(sink);
 }
 
 std::vector<Point> score_lattice(const Scorer& scorer) {

@@ -71,7 +71,7 @@ Point edge_point(const Scorer& scorer, double azimuth) {
 
 /// The worst point of the edge of the lens, where errors are often largest: none of the area, but a candidate for the maximum.
 Point worst_edge_point(const Scorer& scorer) {
-  constexpr int kAzimuths = 720;
+  constexpr int kAzimuths = 120;
   constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
   Point worst;
   double azimuth = 0.0;

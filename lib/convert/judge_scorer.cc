@@ -45,7 +45,7 @@ Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program,
   surely_scored_ = std::max(lens_.cosine, surely_reached_.cosine) + Limit::kClose;
 }
 
-void Scorer::score(Batch& batch, std::size_t count) const {
+void Scorer::find_rays(Batch& batch, std::size_t count) const {
   if (rays_) {
     (*rays_)(batch, count);
   } else {
@@ -53,6 +53,10 @@ void Scorer::score(Batch& batch, std::size_t count) const {
     std::fill_n(batch.y.begin(), count, 0.0);
     std::fill_n(batch.z.begin(), count, kAskModel);
   }
+}
+
+void Scorer::score(Batch& batch, std::size_t count) const {
+  find_rays(batch, count);
   if (errors_) {
     (*errors_)(batch, count);
   } else {

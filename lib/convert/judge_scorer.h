@@ -20,6 +20,8 @@ class Scorer {
   /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time.
   void score(Batch& batch, std::size_t count) const;
   void score(std::span<Point> points) const;
+  /// The source's rays alone; z may be kNoRay, surely beyond the domain, or kAskModel.
+  void find_rays(Batch& batch, std::size_t count) const;
   [[nodiscard]] Point at(const Pixel& pixel) const;
 
   [[nodiscard]] const Lens& source() const { return source_; }

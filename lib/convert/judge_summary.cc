@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -13,7 +12,6 @@ namespace fca::internal {
 
 namespace {
 
-constexpr double kBandDegrees = 10.0;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 // Errors outside 2^-60 .. 2^20 px count as these.
 constexpr int kSmallestOctave = -60;
@@ -24,9 +22,8 @@ constexpr int kExponentBias = 1023;
 }  // namespace
 
 Summary::Summary(int bins_per_octave)
-    : bins_per_octave_(bins_per_octave),
-      bin_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(bins_per_octave))) - 1),
-      bins_(static_cast<std::size_t>(kOctaves * bins_per_octave), 0.0) {
+    : bin_bits_(static_cast<int>(std::bit_width(static_cast<unsigned>(bins_per_octave))) - 1),
+      bins_(static_cast<std::size_t>(kOctaves * bins_per_octave)) {
   for (std::size_t i = 0; i < kBands; ++i)
     band_cosine_[i] = std::cos(kBandDegrees * kRadiansPerDegree * static_cast<double>(i + 1));
   band_cosine_.back() = -2.0;
@@ -38,14 +35,6 @@ std::size_t Summary::bin_of(double error) const {
   const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bin_bits_));
   const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bin_bits_;
   return static_cast<std::size_t>(std::clamp(leading - first, 0LL, static_cast<long long>(bins_.size()) - 1));
-}
-
-/// The smallest error of a bin, 0 of the first; infinite for the bin after the last.
-double Summary::start_of(std::size_t bin) const {
-  if (bin == 0) return 0.0;
-  if (bin >= bins_.size()) return std::numeric_limits<double>::infinity();
-  const auto first = static_cast<std::uint64_t>(kExponentBias + kSmallestOctave) << bin_bits_;
-  return std::bit_cast<double>((first + bin) << (kMantissaBits - bin_bits_));
 }
 
 double Summary::smallest_bad() const { return worst_.size() == kWorst ? worst_.back().error : -1.0; }
@@ -82,7 +71,11 @@ void Summary::add(const Batch& batch, std::size_t count) {
       keep_bad(batch.point(i));
       bad = smallest_bad();
     }
-    bins_[bin_of(error)] += weight;
+    for (const double some : {error - 0.5 * batch.spread[i], error + 0.5 * batch.spread[i]}) {
+      Bin& bin = bins_[bin_of(std::abs(some))];
+      bin.weight += 0.5 * weight;
+      bin.sum += 0.5 * weight * std::abs(some);
+    }
     const double cosine = batch.z[i];
     if (!(cosine <= from && cosine > to)) {
       bands_[at] = band;
@@ -112,49 +105,16 @@ long long Summary::count(Verdict verdict) const {
   return std::transform_reduce(bands_.begin(), bands_.end(), 0LL, std::plus{}, [](const Band& band) { return band.count; });
 }
 
-/// The bins first, then the points in them.
-std::array<double, 3> Summary::percentiles(const std::array<double, 3>& fractions, std::span<const Weighted> scored) const {
-  struct Wanted {
-    double weight = 0.0;
-    double below = 0.0;  ///< weight of the bins before
-    std::size_t bin = 0;
-    double from = 0.0;  ///< The bin's errors: from <= error < to
-    double to = 0.0;
-    std::vector<std::pair<double, double>> errors;
-  };
-  std::array<Wanted, 3> wanted;
-  std::array<double, 3> result{};
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    Wanted& w = wanted[i];
-    w.weight = fractions[i] * weight(Verdict::kScored);
-    while (w.bin + 1 < bins_.size() && w.below + bins_[w.bin] < w.weight) w.below += bins_[w.bin++];
-    // Without points: where the bin ends.
-    const double octaves = static_cast<double>(w.bin + 1) / bins_per_octave_;
-    const double edge =
-        std::ldexp(1.0 + octaves - std::floor(octaves), kSmallestOctave + static_cast<int>(std::floor(octaves)));
-    result[i] = std::min(edge, worst_.front().error);
-    w.from = start_of(w.bin);
-    w.to = start_of(w.bin + 1);
-  }
-  for (const Weighted& p : scored) {
-    if (p.error < wanted.front().from) continue;  // half of them: fractions ascend
-    for (Wanted& w : wanted) {
-      if (p.error >= w.from && p.error < w.to) w.errors.emplace_back(p.error, p.weight);
-    }
-  }
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    Wanted& w = wanted[i];
-    std::ranges::sort(w.errors);
-    for (const auto& [error, weight] : w.errors) {
-      result[i] = error;
-      w.below += weight;
-      if (w.below >= w.weight) break;
-    }
-  }
-  return result;
+double Summary::percentile(double fraction) const {
+  const double wanted = fraction * weight(Verdict::kScored);
+  double below = 0.0;
+  const auto bin =
+      std::ranges::find_if(bins_, [&](const Bin& each) { return (below += each.weight) >= wanted && each.weight > 0.0; });
+  const double worst = worst_.front().error;
+  return bin == bins_.end() ? worst : std::min(bin->sum / bin->weight, worst);
 }
 
-Judgement Summary::judgement(const Domain& domain, std::span<const Weighted> errors) const {
+Judgement Summary::judgement(const Domain& domain) const {
   Judgement result;
   result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
   result.coverage.why = domain.why;
@@ -172,10 +132,9 @@ Judgement Summary::judgement(const Domain& domain, std::span<const Weighted> err
   for (const Band& band : bands_) square_sum += band.square;
   error.rms = std::sqrt(square_sum / scored);
   error.mean = sum_ / scored;
-  const auto [p50, p95, p99] = percentiles({0.50, 0.95, 0.99}, errors);
-  error.p50 = p50;
-  error.p95 = p95;
-  error.p99 = p99;
+  error.p50 = percentile(0.50);
+  error.p95 = percentile(0.95);
+  error.p99 = percentile(0.99);
   error.max = worst_.front().error;
   error.max_at = worst_.front().pixel;
   for (std::size_t i = 0; i < kBands; ++i) {

@@ -4,7 +4,6 @@
 #include "judge_scorer.h"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace fca::internal {
@@ -12,30 +11,25 @@ namespace fca::internal {
 /// Sums over scored points, which may come in pieces: shares, moments, angle bands, percentiles, and the worst points.
 class Summary {
  public:
-  /// `bins_per_octave`: how finely errors are sorted; percentiles are exact to a factor 2^(1 / bins_per_octave), from above.
+  /// `bins_per_octave`: how finely errors are sorted; percentiles are exact to a factor 2^(1 / bins_per_octave).
   explicit Summary(int bins_per_octave);
 
   void add(const Batch& batch, std::size_t count);
-  /// An error and its weight in pixels.
-  struct Weighted {
-    double error;
-    double weight;
-  };
-  /// All but bound; the maximum is the worst point's. `errors`, if they are all that was scored, make the percentiles exact.
-  [[nodiscard]] Judgement judgement(const Domain& domain, std::span<const Weighted> errors = {}) const;
+  /// All but bound; the maximum is the worst point's.
+  [[nodiscard]] Judgement judgement(const Domain& domain) const;
   /// Sorted, the worst first.
   [[nodiscard]] const std::vector<Point>& worst() const { return worst_; }
   [[nodiscard]] long long count(Verdict verdict) const;
 
+  static constexpr double kBandDegrees = 10.0;
+
  private:
-  static constexpr std::size_t kBands = 18;  ///< of 10 degrees
+  static constexpr std::size_t kBands = 18;
   static constexpr std::size_t kWorst = 12;
   [[nodiscard]] std::size_t bin_of(double error) const;
   [[nodiscard]] std::size_t band_of(double cosine) const;
-  /// The errors below which these shares of the scored weight lie.
-  [[nodiscard]] std::array<double, 3> percentiles(const std::array<double, 3>& fractions,
-                                                  std::span<const Weighted> scored) const;
-  [[nodiscard]] double start_of(std::size_t bin) const;
+  /// The error below which that share of the scored weight lies.
+  [[nodiscard]] double percentile(double fraction) const;
   /// What a point's error must exceed to be one of the worst.
   [[nodiscard]] double smallest_bad() const;
   void keep_bad(const Point& point);
@@ -47,9 +41,12 @@ class Summary {
     double max = 0.0;
     long long count = 0;
   };
-  int bins_per_octave_;
-  int bin_bits_;  ///< Their binary logarithm.
-  std::vector<double> bins_;
+  struct Bin {
+    double weight = 0.0;
+    double sum = 0.0;  ///< of weighted errors
+  };
+  int bin_bits_;  ///< Binary logarithm of the number of bins per octave.
+  std::vector<Bin> bins_;
   std::array<double, kBands> band_cosine_{};  ///< of the angle at which the band ends
   std::array<Band, kBands> bands_{};
   std::array<double, 2> weight_{};  ///< By verdict of what is not scored.

@@ -34,10 +34,10 @@ std::optional<LensCentre> centre_of(std::span<const Correspondence> table) {
 }
 
 ErrorSummary judge(std::span<const Correspondence> table, const Projection& target) {
-  constexpr int kBinsPerOctave = 16;
+  constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
   internal::Summary summary(kBinsPerOctave);
-  std::vector<internal::Summary::Weighted> errors;
   internal::Batch batch;
+  batch.spread.fill(0.0);
   std::size_t count = 0;
   const auto add = [&] {
     summary.add(batch, count);
@@ -54,13 +54,12 @@ ErrorSummary judge(std::span<const Correspondence> table, const Projection& targ
       if (std::isfinite(error)) {
         batch.error[count] = error;
         batch.verdict[count] = internal::Verdict::kScored;
-        errors.push_back({error, c.weight});
       }
     }
     if (++count == internal::Batch::kSize) add();
   }
   add();
-  return summary.judgement({}, errors).error;
+  return summary.judgement({}).error;
 }
 
 }  // namespace fca

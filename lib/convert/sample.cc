@@ -1,55 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/sample.h>
 
+#include "batch.h"
+#include "gauss_legendre.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 namespace fca {
 
 namespace {
 
-struct Node {
-  double position;  ///< in (0, 1)
-  double weight;    ///< the weights sum to 1
-};
+using internal::gauss_legendre;
+using internal::Node;
 
-/// Gauss-Legendre nodes on (0, 1): roots of the Legendre polynomial P_n by Newton's method from Tricomi's starting values. The
-/// other half mirrors them.
-std::vector<Node> compute_gauss_legendre(int n) {
-  std::vector<Node> nodes(static_cast<std::size_t>(n));
-  for (int i = 0; i < (n + 1) / 2; ++i) {
-    double x = (1.0 - (n - 1.0) / (8.0 * n * n * n)) * std::cos(std::numbers::pi * (4.0 * i + 3.0) / (4.0 * n + 2.0));
-    double slope = 1.0;
-    constexpr int kMostSteps = 8;
-    for (int iteration = 0; iteration < kMostSteps; ++iteration) {
-      double p = 1.0;
-      double previous = 0.0;
-      for (int k = 0; k < n; ++k) {
-        const double next = ((2.0 * k + 1.0) * x * p - k * previous) / (k + 1.0);
-        previous = p;
-        p = next;
-      }
-      slope = n * (x * p - previous) / (x * x - 1.0);
-      x -= p / slope;
-      if (std::abs(p / slope) < 1e-15) break;
-    }
-    const double weight = 1.0 / ((1.0 - x * x) * slope * slope);
-    nodes[static_cast<std::size_t>(i)] = {0.5 * (1.0 - x), weight};
-    nodes[static_cast<std::size_t>(n - 1 - i)] = {0.5 * (1.0 + x), weight};
-  }
-  return nodes;
-}
-
-/// The same, remembered: every conversion asks for the same few, and they take as long as the pixels.
-const std::vector<Node>& gauss_legendre(int n) {
-  thread_local std::map<int, std::vector<Node>> known;
-  std::vector<Node>& nodes = known[n];
-  if (nodes.empty()) nodes = compute_gauss_legendre(n);
-  return nodes;
+template <class... Ms>
+bool is_any_of(const CameraModel& model) {
+  return (std::holds_alternative<Intrinsics<Ms>>(model) || ...);
 }
 
 /// The domain's rays. Domain::ray asks for an angle, which takes longer than most models' rays; nearly always their height
@@ -60,10 +30,16 @@ class Rays {
 
   [[nodiscard]] std::optional<Ray> operator()(const Pixel& pixel) const {
     std::optional<Ray> ray = source_.ray(pixel);
-    constexpr double kUnclear = 1e-9;
-    if (!ray || (*ray)[2] > lowest_ + kUnclear) return ray;
+    if (!ray || surely_inside((*ray)[2])) return ray;
     if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > domain_.max_angle_rad) return std::nullopt;
     return ray;
+  }
+  [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
+  /// The same for many pixels, of models that search for a ray: of others one by one is as fast.
+  [[nodiscard]] std::optional<internal::BatchRays> batch() const {
+    const CameraModel* model = source_.model();
+    if (model == nullptr || !is_any_of<Kb4, Radtan, Rational>(*model) || !validate(*model).empty()) return std::nullopt;
+    return internal::BatchRays(*model, domain_.max_angle_rad);
   }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
   /// Beyond the domain's limit, in radians; nothing where the source has no ray.
@@ -75,13 +51,46 @@ class Rays {
   [[nodiscard]] const ImageSize& size() const { return domain_.size; }
 
  private:
+  static constexpr double kUnclear = 1e-9;
   const Lens& source_;
   const Domain& domain_;
   double lowest_;  ///< Cosine of the limit.
 };
 
-void add_if_seen(const Rays& rays, const Pixel& pixel, double weight, std::vector<Correspondence>& samples) {
-  if (const std::optional<Ray> ray = rays(pixel)) samples.push_back({*ray, pixel, weight});
+/// A pixel that may be a sample.
+struct Candidate {
+  Pixel pixel;
+  double weight;
+};
+
+/// Those with a ray in the domain.
+std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidate>& candidates) {
+  std::vector<Correspondence> samples;
+  samples.reserve(candidates.size());
+  const std::optional<internal::BatchRays> many = rays.batch();
+  internal::Batch batch;
+  for (std::size_t first = 0; first < candidates.size(); first += internal::Batch::kSize) {
+    const std::size_t count = std::min(internal::Batch::kSize, candidates.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      batch.u[i] = candidates[first + i].pixel[0];
+      batch.v[i] = candidates[first + i].pixel[1];
+    }
+    if (many) {
+      (*many)(batch, count);
+    } else {
+      std::fill_n(batch.z.begin(), count, internal::kAskModel);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [pixel, weight] = candidates[first + i];
+      if (batch.z[i] == internal::kNoRay) continue;
+      if (std::isfinite(batch.z[i]) && rays.surely_inside(batch.z[i])) {
+        samples.push_back({{batch.x[i], batch.y[i], batch.z[i]}, pixel, weight});
+      } else if (const std::optional<Ray> ray = rays(pixel)) {
+        samples.push_back({*ray, pixel, weight});
+      }
+    }
+  }
+  return samples;
 }
 
 /// Tensor of Gauss-Legendre nodes over the whole image; points outside the lens fall away.
@@ -91,15 +100,15 @@ std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
   const double aspect = std::clamp((width + 1.0) / (height + 1.0), 0.1, 10.0);
   const int columns = std::max(2, static_cast<int>(std::lround(std::sqrt(count * aspect))));
   const int rows = std::max(2, static_cast<int>(std::lround(static_cast<double>(count) / columns)));
-  std::vector<Correspondence> samples;
-  samples.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  std::vector<Candidate> candidates;
+  candidates.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   const std::vector<Node>& vertical = gauss_legendre(rows);
   for (const Node& u : gauss_legendre(columns)) {
     for (const Node& v : vertical) {
-      add_if_seen(rays, {u.position * width, v.position * height}, u.weight * v.weight, samples);
+      candidates.push_back({{u.position * width, v.position * height}, u.weight * v.weight});
     }
   }
-  return samples;
+  return seen_of(rays, candidates);
 }
 
 /// How far the image reaches from a centre in a direction.
@@ -224,7 +233,7 @@ class PolarSampler {
         add_sector(begin, end);
       }
     }
-    return std::move(samples_);
+    return seen_of(rays_, candidates_);
   }
 
  private:
@@ -265,7 +274,7 @@ class PolarSampler {
 
   void add_ray_of_samples(const Pixel& direction, double edge, double weight) {
     for (const Node& radius : gauss_legendre(radial_)) {
-      add_if_seen(rays_, along(centre_, direction, radius.position * edge), weight * radius.weight * radius.position, samples_);
+      candidates_.push_back({along(centre_, direction, radius.position * edge), weight * radius.weight * radius.position});
     }
   }
 
@@ -274,7 +283,7 @@ class PolarSampler {
   std::vector<double> pieces_;
   int radial_ = 0;
   double azimuths_per_radian_ = 0.0;
-  std::vector<Correspondence> samples_;
+  std::vector<Candidate> candidates_;
 };
 
 bool whole_image(const Rays& rays) {

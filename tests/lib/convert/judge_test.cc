@@ -101,6 +101,18 @@ std::vector<TablePair> table() {
   return pairs;
 }
 
+/// Bands of which there are too few pixels say nothing.
+void expect_same_bands(const Judgement& lattice, const Judgement& pixels) {
+  constexpr double kFewPixels = 0.003;
+  for (std::size_t i = 0; i < pixels.bands.size(); ++i) {
+    const ErrorBand& band = pixels.bands[i];
+    if (band.share < kFewPixels) continue;
+    ASSERT_LT(i, lattice.bands.size());
+    EXPECT_NEAR(lattice.bands[i].share, band.share, 0.02 * band.share) << band.from_deg << " degrees";
+    EXPECT_NEAR(lattice.bands[i].rms_px, band.rms_px, 0.03 * band.rms_px) << band.from_deg << " degrees";
+  }
+}
+
 TEST(Judge, TheLatticeStandsForEveryPixel) {
   for (const TablePair& pair : table()) {
     for (const char* target : pair.targets) {
@@ -127,6 +139,8 @@ TEST(Judge, TheLatticeStandsForEveryPixel) {
       EXPECT_NEAR(lattice.error.mean, pixels.error.mean, 0.01 * pixels.error.mean);
       EXPECT_NEAR(lattice.error.p95, pixels.error.p95, 0.05 * pixels.error.p95);
       EXPECT_NEAR(lattice.error.max, pixels.error.max, 1e-3 * pixels.error.max);
+      EXPECT_NEAR(lattice.coverage.scored, pixels.coverage.scored, 0.002);
+      expect_same_bands(lattice, pixels);
     }
   }
 }

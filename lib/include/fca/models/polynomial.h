@@ -72,11 +72,46 @@ struct Bernstein {
     return right;
   }
 
+  /// First positive, then negative coefficients: by the rule of signs there is one root, and a simple one.
+  [[nodiscard]] bool has_one_root() const {
+    std::size_t i = 0;
+    while (i <= degree && coefficients[i] > 0.0) ++i;
+    if (i == 0 || i > degree) return false;
+    for (; i <= degree; ++i) {
+      if (!(coefficients[i] < 0.0)) return false;
+    }
+    return true;
+  }
+
+  /// That root, by Newton's method inside a shrinking bracket.
+  [[nodiscard]] double only_root() const {
+    double low = 0.0;
+    double high = 1.0;
+    double t = 0.5;
+    constexpr int kMaxSteps = 100;
+    for (int step = 0; step < kMaxSteps; ++step) {
+      std::array<double, N> b = coefficients;
+      for (std::size_t level = degree; level > 1; --level) {
+        for (std::size_t i = 0; i < level; ++i) b[i] += t * (b[i + 1] - b[i]);
+      }
+      const double rise = b[1] - b[0];
+      const double value = b[0] + t * rise;
+      (value > 0.0 ? low : high) = t;
+      double next = t - value / (static_cast<double>(degree) * rise);
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      const bool converged = std::abs(next - t) <= std::numeric_limits<double>::epsilon() * t;
+      t = next;
+      if (converged) break;
+    }
+    return t;
+  }
+
   /// The first place in [0, 1] where the polynomial is not positive; 2 if there is none. A polynomial that stays undecided
   /// after `depth` halvings comes so close to 0 that it counts as touching it.
   [[nodiscard]] double first_root(int depth) const {
     if (!(coefficients[0] > 0.0)) return 0.0;
     if (all_positive()) return 2.0;
+    if (has_one_root()) return only_root();
     if (depth == 0) return 0.0;
     Bernstein left = *this;
     const Bernstein right = left.split();
@@ -113,7 +148,8 @@ template <std::size_t N>
     lower_bound = (lower_bound + (!(coefficients[i] >= 0.0) ? coefficients[i] : 0.0)) * upper;
   }
   if (coefficients[0] + lower_bound > 0.0) return true;
-  return internal::Bernstein<N>::over(coefficients, upper).first_root(internal::kMaxHalvings) > 1.0;
+  const auto form = internal::Bernstein<N>::over(coefficients, upper);
+  return form.coefficients[N - 1] > 0.0 && form.first_root(internal::kMaxHalvings) > 1.0;
 }
 
 /// The x in [0, upper) with f(x) = y, for an f that increases there from f(0) = 0. Newton's method kept inside a shrinking

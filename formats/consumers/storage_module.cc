@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The module's one door.
+#include "storage_programs.h"
+
+extern "C" __attribute__((visibility("default"))) const fca::consumers::StoragePrograms* fca_storage_programs() {
+  namespace consumers = fca::consumers;
+  static constexpr consumers::StoragePrograms kPrograms = {.openvins = &consumers::load_openvins,
+                                                           .openvins_imu = &consumers::load_openvins_imu,
+                                                           .orbslam3 = &consumers::load_orbslam3,
+                                                           .orbslam2 = &consumers::load_orbslam2,
+                                                           .slam_no_opt = &consumers::load_slam_no_opt,
+                                                           .urbste = &consumers::load_urbste,
+                                                           .opencv = &consumers::load_opencv};
+  return &kPrograms;
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace fca::internal {
+
+struct Node {
+  double position;  ///< in (0, 1)
+  double weight;    ///< the weights sum to 1
+};
+
+/// Gauss-Legendre nodes on (0, 1), n >= 1. Remembered: every conversion asks for the same few, and they take as long as the
+/// pixels.
+[[nodiscard]] const std::vector<Node>& gauss_legendre(int n);
+
+}  // namespace fca::internal
