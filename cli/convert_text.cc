@@ -36,7 +36,7 @@ std::string reach_text(const std::vector<ReachRow>& rows) {
     text += "    " + padded(text::format_short(row.max_angle_deg, 4), kWidth) + padded(percent(row.scored), kWidth) +
             padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) +
             (row.scored_to_deg < row.max_angle_deg - kNoticeable
-                 ? "  (a cone of " + text::format_short(row.scored_to_deg, 3) + " deg: no wider one is described)"
+                 ? "  (fitted and scored inside " + text::format_short(row.scored_to_deg, 3) + " deg only)"
                  : "") +
             "\n";
   }

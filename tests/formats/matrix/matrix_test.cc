@@ -173,18 +173,6 @@ std::optional<double> number_in(const rapidjson::Value& camera, const char* owne
   return value.IsNumber() ? std::optional(value.GetDouble()) : std::nullopt;
 }
 
-/// A model that cannot reach the whole lens is fitted and scored inside a cone, which convert tells in words only: "cam0:
-/// pinhole cannot describe ...; it was fitted inside 25 deg from the axis ...".
-void limit_to_cone(const std::string& message, std::vector<Reported>& cameras) {
-  const std::string before = "fitted inside ";
-  const std::size_t at = message.find(before);
-  if (at == std::string::npos) return;
-  const double degrees = std::strtod(message.c_str() + at + before.size(), nullptr);
-  for (Reported& camera : cameras) {
-    if (message.rfind(camera.name + ":", 0) == 0) camera.max_angle = std::min(camera.max_angle, degrees / 180.0 * M_PI + 1e-9);
-  }
-}
-
 /// `output`: within the folder; empty: the folder itself.
 Converted convert(const Source& source, const std::string& target, const std::vector<std::string>& options = {},
                   const std::string& output = {}) {
@@ -203,7 +191,8 @@ Converted convert(const Source& source, const std::string& target, const std::ve
     reported.name = camera["name"].GetString();
     reported.exact = camera["exact"].GetBool();
     reported.max_error = number_in(camera, "error_px", "max").value_or(0.0);
-    if (const std::optional<double> angle = number_in(camera, "domain", "max_angle_deg")) {
+    // A model that cannot reach the whole lens is fitted and scored inside a cone.
+    if (const std::optional<double> angle = number_in(camera, "domain", "scored_to_deg")) {
       reported.max_angle = *angle / 180.0 * M_PI + 1e-9;
     }
     reported.scored = number_in(camera, "domain", "scored_share").value_or(-1.0);
@@ -219,7 +208,6 @@ Converted convert(const Source& source, const std::string& target, const std::ve
   for (const rapidjson::Value& said : json["diagnostics"].GetArray()) {
     const std::string code = said["code"].GetString();
     inexact = inexact || code == "inverse-inexact";
-    if (code == "target-cannot-reach") limit_to_cone(said["message"].GetString(), result.cameras);
   }
   for (const rapidjson::Value& loss : json["losses"].GetArray()) {
     result.losses.emplace_back(loss["what"].GetString());
