@@ -239,7 +239,11 @@ Rig as_restated(Rig rig, const Written& written) {
   for (const PoseEdge& edge : written.restated) {
     const auto stated =
         std::ranges::find_if(rig.poses, [&edge](const PoseEdge& other) { return other.a == edge.a && other.b == edge.b; });
-    if (stated != rig.poses.end()) stated->T_a_b = edge.T_a_b;
+    if (stated != rig.poses.end()) {
+      stated->T_a_b = edge.T_a_b;
+    } else {
+      rig.poses.push_back(edge);
+    }
   }
   return rig;
 }

@@ -8,7 +8,7 @@
 
 namespace fca {
 
-/// "Basalt's calibration JSON (value0 with intrinsics)"; empty if the document looks like none that is known.
+/// "py-OCamCalib's JSON (taylor_coefficient and distortion_center)"; empty if the document looks like none that is known.
 [[nodiscard]] std::string looks_like(const text::Document& document);
 
 }  // namespace fca

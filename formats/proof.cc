@@ -178,7 +178,8 @@ class NumberComparison {
   }
 
   void compare(const Camera& ours, const consumers::ConsumerCamera& theirs) {
-    compare(ours.name + " time offset", ours.time_offset_s, theirs.time_offset_s);
+    constexpr double kHalfNanosecond = 0.5e-9;  // Basalt counts whole ones
+    compare(ours.name + " time offset", ours.time_offset_s, theirs.time_offset_s, kHalfNanosecond);
     if (!ours.image_size || theirs.width == 0) return;
     // What a program scales it cuts to ints.
     const auto cut = [](double scale) { return scale == 1.0 ? 0.0 : 1.0; };

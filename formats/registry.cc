@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
+#include "basalt/basalt.h"
 #include "kalibr/kalibr.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"
@@ -20,7 +21,8 @@ namespace {
 
 const auto& table() {
   static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),   guarded<ocamcalib::kFormat>(),
-                                    guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>()};
+                                    guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),
+                                    guarded<basalt::kFormat>()};
   return kTable;
 }
 

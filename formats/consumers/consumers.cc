@@ -69,6 +69,7 @@ constexpr std::array kConsumers{
     Consumer{"ocamcalib", "OCamCalib's C functions (ocam_functions)", "ocamcalib", kDoublePrecisionPx, &load_ocamcalib},
     Consumer{"woodscape", "WoodScape's projection.py", "woodscape", kDoublePrecisionPx, &load_woodscape},
     Consumer{"woodscape-omnidet", "WoodScape's omnidet", "woodscape", kFloatPrecisionPx, &load_woodscape_omnidet},
+    Consumer{"basalt", "Basalt", "basalt", kDoublePrecisionPx, &load_basalt},
     Consumer{.id = "dso",
              .program = "DSO (camera.txt)",
              .format = "tumvi",

@@ -8,6 +8,7 @@
 
 namespace fca::consumers {
 
+[[nodiscard]] ConsumerView load_basalt(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options);

@@ -3,7 +3,6 @@
 
 #include <fca/formats/text/numbers.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -26,60 +25,5 @@ double offset_of(double centre, int size) {
   }
   return offset;
 }
-
-Transform pose_of(const Quaternion& quaternion, const std::array<double, 3>& translation) {
-  double norm = 0.0;
-  for (const double value : quaternion) norm += value * value;
-  norm = std::sqrt(norm);
-  const double x = quaternion[0] / norm;
-  const double y = quaternion[1] / norm;
-  const double z = quaternion[2] / norm;
-  const double w = quaternion[3] / norm;
-  Transform T;
-  T.values = {1.0 - 2.0 * (y * y + z * z),
-              2.0 * (x * y - z * w),
-              2.0 * (x * z + y * w),
-              translation[0],
-              2.0 * (x * y + z * w),
-              1.0 - 2.0 * (x * x + z * z),
-              2.0 * (y * z - x * w),
-              translation[1],
-              2.0 * (x * z - y * w),
-              2.0 * (y * z + x * w),
-              1.0 - 2.0 * (x * x + y * y),
-              translation[2],
-              0.0,
-              0.0,
-              0.0,
-              1.0};
-  return T;
-}
-
-namespace {
-
-/// Shepperd's method: the largest of the four components is taken from the diagonal, the others are divided by it.
-Quaternion from_rotation(const Transform& R) {
-  const std::array<double, 4> squares = {1.0 + R(0, 0) - R(1, 1) - R(2, 2), 1.0 - R(0, 0) + R(1, 1) - R(2, 2),
-                                         1.0 - R(0, 0) - R(1, 1) + R(2, 2), 1.0 + R(0, 0) + R(1, 1) + R(2, 2)};
-  const std::array<std::array<double, 4>, 4> products = {
-      {{squares[0], R(0, 1) + R(1, 0), R(0, 2) + R(2, 0), R(2, 1) - R(1, 2)},
-       {R(0, 1) + R(1, 0), squares[1], R(1, 2) + R(2, 1), R(0, 2) - R(2, 0)},
-       {R(0, 2) + R(2, 0), R(1, 2) + R(2, 1), squares[2], R(1, 0) - R(0, 1)},
-       {R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1), squares[3]}}};
-  const auto largest = static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
-  Quaternion q = products[largest];
-  double norm = 0.0;
-  for (const double value : q) norm += value * value;
-  // + 0.0 makes a negative zero positive.
-  const double scale = (q[3] < 0.0 ? -1.0 : 1.0) / std::sqrt(norm);
-  for (double& value : q) value = value * scale + 0.0;
-  return q;
-}
-
-}  // namespace
-
-Quaternion quaternion_of(const Transform& T) { return from_rotation(T); }
-
-std::array<double, 3> translation_of(const Transform& T) { return {T(0, 3), T(1, 3), T(2, 3)}; }
 
 }  // namespace fca::woodscape

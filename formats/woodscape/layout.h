@@ -2,8 +2,6 @@
 // How WoodScape's numbers and ours map onto each other.
 #pragma once
 
-#include <fca/rig/rig.h>
-
 #include <array>
 #include <string_view>
 
@@ -21,14 +19,5 @@ inline constexpr std::array<std::string_view, 5> kParameterKeys = {"k1", "k2", "
 /// The offset from which centre_of makes exactly that coordinate. Where no double does (a centre far to the left of the image's
 /// middle has finer digits than its offset), the nearest.
 [[nodiscard]] double offset_of(double centre, int size);
-
-/// x y z w, as scipy's Rotation.from_quat reads it.
-using Quaternion = std::array<double, 4>;
-
-/// T_vehicle_camera. The quaternion need not be of unit length, but not be 0.
-[[nodiscard]] Transform pose_of(const Quaternion& quaternion, const std::array<double, 3>& translation);
-/// The unit quaternion with w >= 0 of the rotation nearest to the pose's.
-[[nodiscard]] Quaternion quaternion_of(const Transform& T);
-[[nodiscard]] std::array<double, 3> translation_of(const Transform& T);
 
 }  // namespace fca::woodscape

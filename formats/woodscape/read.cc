@@ -5,6 +5,7 @@
 #include "../fields.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -182,8 +183,8 @@ class CameraReader {
                       "divide its four numbers by that length");
     }
     const std::optional<Transform> T =
-        reader_.checked(pose_of({(*q)[0], (*q)[1], (*q)[2], (*q)[3]}, {(*t)[0], (*t)[1], (*t)[2]}), {*quaternion, "quaternion"},
-                        {*translation, "translation"});
+        reader_.checked(pose_of(normalised({(*q)[0], (*q)[1], (*q)[2], (*q)[3]}), {(*t)[0], (*t)[1], (*t)[2]}),
+                        {*quaternion, "quaternion"}, {*translation, "translation"});
     if (!T) return false;
     rig.poses.push_back({std::string(kVehicle), name, *T});
     return true;

@@ -68,14 +68,12 @@ void edit_translation(text::Document& document, const Node& list, const std::arr
   }
 }
 
-/// Of q and -q, which are one rotation, the one that is nearer to what the file says.
-Quaternion signed_as(const Node& extrinsic, Quaternion q) {
+/// What the file says; zeros where it says none.
+Quaternion stated_quaternion(const Node& extrinsic) {
   const Node* list = text::find(extrinsic, "quaternion", text::Dialect::kPyYaml);
-  double product = 0.0;
+  Quaternion q{};
   for (std::size_t i = 0; list != nullptr && i < std::min(q.size(), list->items.size()); ++i)
-    product += text::parse_real(list->items[i].value).value_or(0.0) * q.at(i);
-  if (product >= 0.0) return q;
-  for (double& value : q) value = -value;
+    q.at(i) = text::parse_real(list->items[i].value).value_or(0.0);
   return q;
 }
 
@@ -97,7 +95,7 @@ text::Document edited(const text::Document& base, const Rig& old, const Camera& 
   constexpr double kSameRotation = 1e-12;
   if (stated != nullptr && largest_difference(*stated, *pose).distance <= kSameRotation) to.front() = from.front();
   if (stated != nullptr && to.front().tokens != from.front().tokens)
-    to.front() = fields::list("quaternion", signed_as(extrinsic->value, quaternion_of(*pose)));
+    to.front() = fields::list("quaternion", signed_as(quaternion_of(*pose), stated_quaternion(extrinsic->value)));
   if (stated != nullptr) {
     edit_translation(document, *text::find(extrinsic->value, "translation", kDialect), translation_of(*pose));
     from.pop_back();

@@ -54,6 +54,64 @@ double angle_between(const Transform& a, const Transform& b) {
   return sine < 0.5 ? 2.0 * std::asin(sine) : std::acos(std::clamp((trace - 1.0) / 2.0, -1.0, 1.0));
 }
 
+Transform pose_of(const Quaternion& quaternion, const std::array<double, 3>& translation) {
+  const auto& [x, y, z, w] = quaternion;
+  Transform T;
+  T.values = {1.0 - 2.0 * (y * y + z * z),
+              2.0 * (x * y - z * w),
+              2.0 * (x * z + y * w),
+              translation[0],
+              2.0 * (x * y + z * w),
+              1.0 - 2.0 * (x * x + z * z),
+              2.0 * (y * z - x * w),
+              translation[1],
+              2.0 * (x * z - y * w),
+              2.0 * (y * z + x * w),
+              1.0 - 2.0 * (x * x + y * y),
+              translation[2],
+              0.0,
+              0.0,
+              0.0,
+              1.0};
+  return T;
+}
+
+/// Shepperd's method: the largest of the four components is taken from the diagonal, the others are divided by it.
+Quaternion quaternion_of(const Transform& R) {
+  const std::array<double, 4> squares = {1.0 + R(0, 0) - R(1, 1) - R(2, 2), 1.0 - R(0, 0) + R(1, 1) - R(2, 2),
+                                         1.0 - R(0, 0) - R(1, 1) + R(2, 2), 1.0 + R(0, 0) + R(1, 1) + R(2, 2)};
+  const std::array<std::array<double, 4>, 4> products = {
+      {{squares[0], R(0, 1) + R(1, 0), R(0, 2) + R(2, 0), R(2, 1) - R(1, 2)},
+       {R(0, 1) + R(1, 0), squares[1], R(1, 2) + R(2, 1), R(0, 2) - R(2, 0)},
+       {R(0, 2) + R(2, 0), R(1, 2) + R(2, 1), squares[2], R(1, 0) - R(0, 1)},
+       {R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1), squares[3]}}};
+  const auto largest = static_cast<std::size_t>(std::ranges::max_element(squares) - squares.begin());
+  Quaternion q = products[largest];
+  double norm = 0.0;
+  for (const double value : q) norm += value * value;
+  // + 0.0 makes a negative zero positive.
+  const double scale = (q[3] < 0.0 ? -1.0 : 1.0) / std::sqrt(norm);
+  for (double& value : q) value = value * scale + 0.0;
+  return q;
+}
+
+Quaternion normalised(const Quaternion& quaternion) {
+  double norm = 0.0;
+  for (const double value : quaternion) norm += value * value;
+  norm = std::sqrt(norm);
+  Quaternion result = quaternion;
+  for (double& value : result) value /= norm;
+  return result;
+}
+
+Quaternion signed_as(const Quaternion& q, const Quaternion& other) {
+  double product = 0.0;
+  for (std::size_t i = 0; i < q.size(); ++i) product += q.at(i) * other.at(i);
+  return product >= 0.0 ? q : Quaternion{-q[0], -q[1], -q[2], -q[3]};
+}
+
+std::array<double, 3> translation_of(const Transform& T_a_b) { return {T_a_b(0, 3), T_a_b(1, 3), T_a_b(2, 3)}; }
+
 double distance_of(const Transform& T_a_b) { return std::hypot(T_a_b(0, 3), T_a_b(1, 3), T_a_b(2, 3)); }
 
 double distance_between(const Transform& a, const Transform& b) {

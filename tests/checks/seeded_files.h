@@ -14,13 +14,15 @@ struct Good {
   CheckReport report;  ///< Before anything is planted.
 };
 
+/// The formats' own files in their order, then the corpus's. The order decides which files a defect is planted in.
 inline std::vector<Good> good_files() {
-  std::vector<fs::path> paths = files_of_all_formats("good");
-  if (has_corpus()) {
-    for (const Format& format : all_formats()) {
-      const std::vector<fs::path> found = files_in(shared_dir() / "corpus" / format.id);
-      paths.insert(paths.end(), found.begin(), found.end());
-    }
+  std::vector<fs::path> paths;
+  for (const Format& format : all_formats()) {
+    const fs::path good = testdata_dir() / format.id / "good";
+    if (fs::exists(good)) std::ranges::copy(files_in(good), std::back_inserter(paths));
+  }
+  for (const Format& format : all_formats()) {
+    if (has_corpus()) std::ranges::copy(corpus_files_of(format.id), std::back_inserter(paths));
   }
   std::vector<Good> files;
   for (const fs::path& path : paths) {

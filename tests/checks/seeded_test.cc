@@ -16,7 +16,7 @@ bool is_new_number(const Good& good, const text::Source& damaged, const Finding&
 namespace {
 
 /// As many files as a defect is planted in.
-constexpr int kEnough = 20;
+constexpr int kEnough = 40;
 /// Every so many files first, so that all formats take part; then the others.
 constexpr std::size_t kStride = 5;
 

@@ -162,6 +162,12 @@ TEST(ConsumersOracleFiles, DsoTables) {
   compare_tables("dso", "tumvi", "dso", 1);
 }
 
+TEST(ConsumersOracleFiles, BasaltTables) {
+  if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  compare_tables("basalt", "basalt", "basalt", 4);
+  compare_tables("basalt", "tumvi", "basalt", 4);
+}
+
 TEST(ConsumersOracleFiles, TumViChainsAreKalibrs) {
   if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   EXPECT_TRUE(find_consumer("kalibr")->reads("tumvi"));
@@ -222,6 +228,7 @@ TEST(ConsumersOracleFiles, WholeCorpus) {
   list_verdicts("ocamcalib", "ocamcalib", {}, ".txt");
   list_verdicts("woodscape", "woodscape", {"SynWoodScape"}, ".json");
   list_verdicts("woodscape-omnidet", "woodscape", {}, ".json");
+  list_verdicts("basalt", "extra/basalt", {"__83e1872", "__9973a89"}, ".json");  // one number for the noise of three axes
   list_verdicts("dso", "extra/dso_camera_txt", {}, ".txt");
 }
 

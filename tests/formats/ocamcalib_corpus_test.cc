@@ -34,16 +34,6 @@ TEST(WordsCorpus, DsoFilesAreReadAndWrittenBack) {
   }
 }
 
-TEST(WordsCorpus, BasaltIsCalledBasalt) {
-  if (!has_shared()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
-  for (const std::string& file : names_in("tumvi")) {
-    if (!file.ends_with(".json")) continue;
-    const ReadCorpusFile outcome = read_corpus_file(file);
-    ASSERT_FALSE(outcome.calibration) << file;
-    EXPECT_NE(outcome.diagnostics.entries().front().message.find("looks like Basalt's"), std::string::npos) << file;
-  }
-}
-
 /// How far world2cam, by the polynomial written, is from the lens, over the pixels of the image.
 double world2cam_error(const Rig& rig, const std::string& bytes) {
   const consumers::ConsumerView view = consumers::find_consumer("ocamcalib")->load(bytes, {});

@@ -39,6 +39,18 @@ inline std::vector<fs::path> files_in(const fs::path& folder, const std::string&
   return result;
 }
 
+/// Where the corpus has files of a format: a folder of its name, for formats beyond the first six below extra/. It need not be
+/// there.
+inline fs::path corpus_folder(std::string_view format) {
+  const fs::path corpus = shared_dir() / "corpus";
+  return fs::exists(corpus / format) ? corpus / format : corpus / "extra" / format;
+}
+
+/// The files there; none where there is no such folder.
+inline std::vector<fs::path> corpus_files_of(std::string_view format) {
+  return fs::exists(corpus_folder(format)) ? files_in(corpus_folder(format)) : std::vector<fs::path>();
+}
+
 /// The files of testdata/formats/*/good (or bad), without the expected texts.
 inline std::vector<fs::path> files_of_all_formats(const std::string& folder) {
   std::vector<fs::path> files;

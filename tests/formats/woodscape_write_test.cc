@@ -7,6 +7,7 @@
 
 #include <fca/formats/proof.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/rotation.h>
 
 #include <rapidcheck/gtest.h>
 
@@ -21,8 +22,8 @@ double random_in(double low, double high) {
   return low + (high - low) * (static_cast<double>(bits >> 11U) * 0x1p-53);
 }
 
-woodscape::Quaternion random_quaternion() {
-  const woodscape::Quaternion q = {random_in(-1.0, 1.0), random_in(-1.0, 1.0), random_in(-1.0, 1.0), random_in(-1.0, 1.0)};
+Quaternion random_quaternion() {
+  const Quaternion q = {random_in(-1.0, 1.0), random_in(-1.0, 1.0), random_in(-1.0, 1.0), random_in(-1.0, 1.0)};
   RC_PRE(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0.01);
   return q;
 }
@@ -44,7 +45,7 @@ Rig random_rig() {
   rig.cameras.push_back(random_camera());
   rig.poses.push_back(
       {"vehicle", "FV",
-       woodscape::pose_of(random_quaternion(), {random_in(-5.0, 5.0), random_in(-5.0, 5.0), random_in(-5.0, 5.0)})});
+       pose_of(normalised(random_quaternion()), {random_in(-5.0, 5.0), random_in(-5.0, 5.0), random_in(-5.0, 5.0)})});
   return rig;
 }
 
@@ -62,8 +63,8 @@ RC_GTEST_PROP(WoodScapeWrite, ReadsBackBitEqualAndProjectionPyAgrees, ()) {
   // A quaternion is not a matrix: the pose survives to rounding, its translation to the bit.
   const Transform* pose = back.rig.stated("vehicle", "FV");
   RC_ASSERT(pose != nullptr);
-  RC_ASSERT(largest_difference(*pose, rig.poses.front().T_a_b) <= 2e-15);
-  RC_ASSERT(woodscape::translation_of(*pose) == woodscape::translation_of(rig.poses.front().T_a_b));
+  RC_ASSERT(test::largest_difference(*pose, rig.poses.front().T_a_b) <= 2e-15);
+  RC_ASSERT(translation_of(*pose) == translation_of(rig.poses.front().T_a_b));
   const ProofResult proof = prove(projection_py(), bytes, {}, rig);
   RC_ASSERT(proof.agrees());
   RC_ASSERT(proof.max_diff_pose <= 1e-14);
@@ -81,17 +82,17 @@ RC_GTEST_PROP(WoodScapeWrite, TheOffsetGivesBackTheCentre, ()) {
 }
 
 RC_GTEST_PROP(WoodScapeWrite, QuaternionsAreOfUnitLengthWithPositiveW, ()) {
-  const Transform T = woodscape::pose_of(random_quaternion(), {0.0, 0.0, 0.0});
-  const woodscape::Quaternion q = woodscape::quaternion_of(T);
+  const Transform T = pose_of(normalised(random_quaternion()), {0.0, 0.0, 0.0});
+  const Quaternion q = quaternion_of(T);
   RC_ASSERT(q[3] >= 0.0);
   RC_ASSERT(std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) <= 1e-15);
-  RC_ASSERT(largest_difference(woodscape::pose_of(q, {0.0, 0.0, 0.0}), T) <= 2e-15);
+  RC_ASSERT(test::largest_difference(pose_of(q, {0.0, 0.0, 0.0}), T) <= 2e-15);
 }
 
 // Rotations by 180 degrees, where w is 0 and each of the others is the largest once.
 TEST(WoodScapeWrite, HalfTurns) {
-  for (const woodscape::Quaternion& q : {woodscape::Quaternion{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}})
-    EXPECT_EQ(woodscape::quaternion_of(woodscape::pose_of(q, {1.0, 2.0, 3.0})), q);
+  for (const Quaternion& q : {Quaternion{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}})
+    EXPECT_EQ(quaternion_of(pose_of(q, {1.0, 2.0, 3.0})), q);
 }
 
 // omnidet takes list(intrinsic.values()): the order is part of the format.
@@ -100,7 +101,7 @@ TEST(WoodScapeWrite, TheDatasetsLayout) {
   rig.cameras.push_back({"FV", ImageSize{1280, 966},
                          model_of("woodscape", {338.5, -30.25, 46.75, -6.875, 1.0025, 643.4375, 479.75}), std::nullopt,
                          std::nullopt, ""});
-  rig.poses.push_back({"vehicle", "FV", woodscape::pose_of({0.5, -0.5, 0.5, -0.5}, {3.7125, 0.015, 0.655})});
+  rig.poses.push_back({"vehicle", "FV", pose_of({0.5, -0.5, 0.5, -0.5}, {3.7125, 0.015, 0.655})});
   EXPECT_EQ(bytes_of(written_by(woodscape_format(), nullptr, rig)), R"({
   "extrinsic": {
     "quaternion": [
@@ -154,11 +155,11 @@ TEST(WoodScapeWrite, ThePoseIsResolved) {
   Rig rig;
   rig.cameras.push_back({"FV", ImageSize{1280, 966}, model_of("woodscape", {338.5, -30.25, 46.75, -6.875, 1.0, 643.5, 479.75}),
                          std::nullopt, std::nullopt, ""});
-  const Transform T_vehicle_imu = woodscape::pose_of({0.1, 0.2, 0.3, 0.9}, {1.0, 0.5, 0.25});
+  const Transform T_vehicle_imu = pose_of(normalised({0.1, 0.2, 0.3, 0.9}), {1.0, 0.5, 0.25});
   rig.poses.push_back({"FV", "imu0", T_cam0_imu()});
   rig.poses.push_back({"vehicle", "imu0", T_vehicle_imu});
   const Calibration back = calibration_of(bytes_of(written_by(woodscape_format(), nullptr, rig)), "FV.json");
-  EXPECT_LE(largest_difference(*back.rig.stated("vehicle", "FV"), T_vehicle_imu * inverse(T_cam0_imu()).value()), 1e-12);
+  EXPECT_LE(test::largest_difference(*back.rig.stated("vehicle", "FV"), T_vehicle_imu * inverse(T_cam0_imu()).value()), 1e-12);
 }
 
 struct Case {
@@ -197,7 +198,7 @@ TEST(WoodScapeEdit, ATurnedCameraGetsANewQuaternion) {
   const std::string bytes = read_file(testdata_dir() / "woodscape/good/front.json");
   const Calibration calibration = calibration_of(bytes, "front.json");
   Rig rig = calibration.rig;
-  rig.poses.front().T_a_b = woodscape::pose_of({0.5, -0.5, 0.5, -0.5}, {3.7125, 0.015, 0.655});
+  rig.poses.front().T_a_b = pose_of({0.5, -0.5, 0.5, -0.5}, {3.7125, 0.015, 0.655});
   const std::string edited = bytes_of(written_by(woodscape_format(), &calibration.documents.front(), rig));
   const Calibration back = calibration_of(edited, "front.json");
   EXPECT_EQ(back.rig.poses, rig.poses) << edited;
@@ -223,7 +224,7 @@ TEST(WoodScapeEdit, AMissingPoseIsAdded) {
     const Calibration calibration = calibration_of(read_file(testdata_dir() / "woodscape" / "bad" / file), file);
     EXPECT_TRUE(calibration.rig.poses.empty());
     Rig rig = calibration.rig;
-    rig.poses.push_back({"vehicle", "FV", woodscape::pose_of({0.5, -0.5, 0.5, -0.5}, {3.7125, 0.015, 0.655})});
+    rig.poses.push_back({"vehicle", "FV", pose_of({0.5, -0.5, 0.5, -0.5}, {3.7125, 0.015, 0.655})});
     const std::string edited = bytes_of(written_by(woodscape_format(), &calibration.documents.front(), rig));
     EXPECT_EQ(calibration_of(edited, file).rig.poses, rig.poses) << edited;
     EXPECT_TRUE(prove(projection_py(), edited, {}, rig).agrees()) << edited;

@@ -294,9 +294,11 @@ std::vector<Source> corpus_sources(const std::string& format) {
       {"tumvi", "lukasvst__dm-vio__configs__tumvi_calib__camera02.txt"},
       {"woodscape", "valeoai__WoodScape__scripts__calibration__front.json"},
       {"woodscape", "TonyLeng1314__SynWoodScape-Stitching__FV.json"},
+      {"basalt", "VladyslavUsenko__basalt-mirror__data__euroc_ds_calib.json"},
   };
   std::vector<Source> result;
-  const fs::path folder = fs::path(FCA_SHARED_DIR) / "corpus" / format;
+  const fs::path corpus = fs::path(FCA_SHARED_DIR) / "corpus";
+  const fs::path folder = fs::exists(corpus / format) ? corpus / format : corpus / "extra" / format;
   const auto [first, last] = files.equal_range(format);
   for (auto file = first; file != last; ++file) {
     if (!fs::exists(folder)) break;
@@ -433,22 +435,31 @@ TEST(Matrix, EveryFormatHasAnIndependentReader) {
   }
 }
 
-TEST(Matrix, EveryPairReproducesTheSourcesPixels) {
+// A test per source's format, so that they run beside each other.
+class MatrixFrom : public testing::TestWithParam<const Format*> {};
+
+TEST_P(MatrixFrom, EveryTargetReproducesTheSourcesPixels) {
+  const std::string id(GetParam()->id);
+  if (find_reader(id) == nullptr) GTEST_SKIP() << "told above";
   Matrix matrix;
-  for (const Format& format : all_formats()) {
-    const std::string id(format.id);
-    if (find_reader(id) == nullptr) continue;  // told above
-    const std::vector<Source> sources = sources_of(id);
-    EXPECT_FALSE(sources.empty()) << "no file to begin from: " << id;
-    for (const Source& source : sources) matrix.run(source);
-    for (const Format& to : all_formats()) {
-      const auto cell = matrix.table().find({id, std::string(to.id)});
-      EXPECT_TRUE(cell != matrix.table().end() && cell->second.cameras > 0)
-          << id << " -> " << to.id << ": nothing was compared";
-    }
+  const std::vector<Source> sources = sources_of(id);
+  EXPECT_FALSE(sources.empty()) << "no file to begin from: " << id;
+  for (const Source& source : sources) matrix.run(source);
+  for (const Format& to : all_formats()) {
+    const auto cell = matrix.table().find({id, std::string(to.id)});
+    EXPECT_TRUE(cell != matrix.table().end() && cell->second.cameras > 0) << id << " -> " << to.id << ": nothing was compared";
   }
   print(matrix.table());
 }
+
+std::vector<const Format*> formats() {
+  std::vector<const Format*> result;
+  for (const Format& format : all_formats()) result.push_back(&format);
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, MatrixFrom, testing::ValuesIn(formats()),
+                         [](const testing::TestParamInfo<const Format*>& format) { return std::string(format.param->id); });
 
 Source own(const std::string& format, const std::string& name) {
   return {format, {fs::path(FCA_TESTDATA_DIR) / "formats" / format / "good" / name}};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pixels_basalt.h"
 #include "pixels_kalibr.h"
 #include "pixels_ocamcalib.h"
 #include "pixels_opencv.h"
@@ -13,6 +14,7 @@ const FormatReader* find_reader(const std::string& id) {
       {"kalibr", kalibr::camera, kalibr::relative_poses},          {"opencv", opencv::camera, opencv::relative_poses},
       {"ocamcalib", ocamcalib::camera, ocamcalib::relative_poses}, {"tumvi", tumvi::camera, tumvi::relative_poses},
       {"orbslam3", orbslam3::camera, orbslam3::relative_poses},    {"woodscape", woodscape::camera, woodscape::relative_poses},
+      {"basalt", basalt::camera, basalt::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far apart two poses are, and the rotation nearest to what a file calls one.
+// How far apart two poses are, the rotation nearest to what a file calls one, and rotations as quaternions.
 #pragma once
 
 #include <fca/rig/transform.h>
@@ -30,6 +30,20 @@ struct ElementDifference {
 
 /// Length of the translation [m].
 [[nodiscard]] double distance_of(const Transform& T_a_b);
+
+/// x y z w, as scipy's Rotation, Eigen's coeffs() and Basalt's files have it.
+using Quaternion = std::array<double, 4>;
+
+/// The pose with the rotation of a unit quaternion. Of one that is not of unit length its 3 x 3 part is no rotation, as in
+/// programs that do not normalise.
+[[nodiscard]] Transform pose_of(const Quaternion& quaternion, const std::array<double, 3>& translation);
+/// The unit quaternion with w >= 0 of the rotation nearest to the pose's.
+[[nodiscard]] Quaternion quaternion_of(const Transform& T_a_b);
+/// Of length 1; the quaternion must not be 0.
+[[nodiscard]] Quaternion normalised(const Quaternion& quaternion);
+/// Of q and -q, which are one rotation, the one that is nearer to `other`.
+[[nodiscard]] Quaternion signed_as(const Quaternion& q, const Quaternion& other);
+[[nodiscard]] std::array<double, 3> translation_of(const Transform& T_a_b);
 
 /// Distance of two translations [m].
 [[nodiscard]] double distance_between(const Transform& a, const Transform& b);

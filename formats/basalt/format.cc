@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "basalt.h"
+#include "layout.h"
+
+#include <array>
+
+namespace fca::basalt {
+
+using text::Node;
+
+namespace {
+
+constexpr std::array kModels = {
+    StoredModel{"kb4", "kb4", true, "Basalt", {}},
+    StoredModel{"ds", "ds", true, "Basalt", {}},
+    StoredModel{"eucm", "eucm", true, "Basalt", {}},
+    StoredModel{"ucm", "ucm", true, "Basalt", {}},
+    StoredModel{"fov", "fov", true, "Basalt", {}},
+    StoredModel{"pinhole", "pinhole", true, "Basalt", {}},
+    StoredModel{"rational", "pinhole-radtan8", true, "Basalt since 2022, Monado", {}},
+};
+
+constexpr std::array<std::string_view, 1> kOfTheImages = {kVignette};
+constexpr std::array<std::string_view, 1> kOwnFacts = {"IMU biases and scale, vignette"};
+constexpr std::array<std::string_view, 2> kDefaulted = {"pose in the IMU", "IMU noise and rate"};
+
+ProbeResult probe(const text::Document& document) {
+  const Node* value = text::find(document.root(), "value0", kDialect);
+  if (value == nullptr || !value->is_mapping()) return {};
+  for (const std::string_view key : {"intrinsics", "T_imu_cam"}) {
+    if (text::find(*value, key, kDialect) != nullptr) return {evidence::kCamera, "value0 with " + std::string(key)};
+  }
+  for (const std::string_view key : kRequired) {
+    if (text::find(*value, key, kDialect) != nullptr) return {evidence::kHint, "value0 with " + std::string(key)};
+  }
+  return {};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "basalt",
+    .title = "Basalt calibration",
+    .syntaxes = "JSON",
+    .extension = ".json",
+    .program = "Basalt",
+    .many_cameras = true,
+    .extrinsics = true,
+    .imu = true,
+    .image_size = true,
+    .time_offset = true,
+    .own_facts = kOwnFacts,
+    .defaulted = kDefaulted,
+    .of_the_images = kOfTheImages,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::basalt

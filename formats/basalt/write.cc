@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "basalt.h"
+#include "layout.h"
+
+#include "../fields.h"
+#include "../losses.h"
+#include "../one_camera_files.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+#include <fca/formats/text/read_document.h>
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace fca::basalt {
+
+using fields::Field;
+using text::Node;
+
+namespace {
+
+std::vector<Field> parameter_fields(const Camera& camera) {
+  std::vector<Field> result;
+  for (const Parameter& parameter : model_info(camera.model).parameters)
+    result.push_back(fields::real(std::string(parameter.name), fca::parameter(camera.model, parameter.name).value_or(0.0)));
+  return result;
+}
+
+bool is_radtan8(const Camera& camera) { return type_of(model_info(camera.model).id) == "pinhole-radtan8"; }
+
+Field type_field(const Camera& camera) { return fields::quoted("camera_type", type_of(model_info(camera.model).id)); }
+
+std::vector<Field> translation_fields(const Transform& T) {
+  const std::array<double, 3> t = translation_of(T);
+  return {fields::real("px", t[0]), fields::real("py", t[1]), fields::real("pz", t[2])};
+}
+
+std::vector<Field> rotation_fields(const Quaternion& q) {
+  return {fields::real("qx", q[0]), fields::real("qy", q[1]), fields::real("qz", q[2]), fields::real("qw", q[3])};
+}
+
+Quaternion nearest_quaternion(const Transform& T) { return quaternion_of(nearest_rotation(T).value_or(T)); }
+
+/// The one time offset that Basalt has for all cameras, in its nanoseconds: the first that is stated.
+std::optional<double> common_time_offset(const Rig& rig) {
+  for (const Camera& camera : rig.cameras) {
+    if (camera.time_offset_s) return camera.time_offset_s;
+  }
+  return std::nullopt;
+}
+
+Field time_field(const std::optional<double>& offset_s) {
+  return fields::scalar("cam_time_offset_ns", std::to_string(nanoseconds(offset_s.value_or(0.0))));
+}
+
+void list_time_losses(const Rig& rig, std::vector<Loss>& losses) {
+  const std::optional<double> common = common_time_offset(rig);
+  if (!common) return;
+  constexpr double kExact = 1e-12;
+  if (std::abs(seconds(static_cast<double>(nanoseconds(*common))) - *common) > kExact) {
+    losses.push_back({"time-offset-rounded", "the time offset " + text::format_short(*common, 12) + " s",
+                      "Basalt counts whole nanoseconds", "nothing: no camera's clock is that fine"});
+  }
+  for (const Camera& camera : rig.cameras) {
+    if (camera.time_offset_s.value_or(*common) == *common) continue;
+    const std::string more = text::format_short(*camera.time_offset_s - *common, 9);
+    losses.push_back({"time-offset-dropped",
+                      camera.name + " time offset " + text::format_short(*camera.time_offset_s, 9) + " s",
+                      "Basalt has one for all cameras, " + text::format_short(*common, 9) + " s",
+                      "add " + more + " s to every image time stamp of " + camera.name});
+  }
+}
+
+std::vector<Field> imu_fields(const Imu& imu) {
+  std::vector<Field> result;
+  if (imu.rate_hz) result.push_back(fields::real(std::string(kRate), *imu.rate_hz));
+  for (const Noise& noise : kNoises) {
+    if (const std::optional<double>& value = imu.*noise.member)
+      result.push_back(fields::list(std::string(noise.key), std::array{*value, *value, *value}));
+  }
+  return result;
+}
+
+/// The poses T_imu_cam of a rig: relative to its IMU, else to its first camera.
+class ImuPoses {
+ public:
+  explicit ImuPoses(const Rig& rig) : rig_(rig) {
+    frame_ = rig.imus.empty() ? std::string(kImu) : rig.imus.front().name;
+    known_ = std::ranges::any_of(rig.cameras, [this](const Camera& camera) { return pose(camera).has_value(); });
+    if (!known_) frame_ = rig.cameras.front().name;
+  }
+  /// Is any camera's pose relative to the IMU known?
+  [[nodiscard]] bool known() const { return known_; }
+  [[nodiscard]] const std::string& frame() const { return frame_; }
+  [[nodiscard]] std::optional<Transform> pose(const Camera& camera) const {
+    const Transform* stated = rig_.stated(frame_, camera.name);
+    return stated != nullptr ? *stated : rig_.resolve(frame_, camera.name);
+  }
+
+ private:
+  const Rig& rig_;
+  std::string frame_;
+  bool known_ = false;
+};
+
+/// A quaternion says a rotation only; a matrix printed with few digits, or a product of such, is not quite one.
+void list_restated(const ImuPoses& poses, const Camera& camera, const Transform& T, Written& written) {
+  const Transform said = pose_of(nearest_quaternion(T), translation_of(T));
+  constexpr double kRounding = 1e-9;
+  const double off = largest_difference(said, T).distance;
+  if (!poses.known() || off <= kRounding) return;
+  written.restated.push_back({poses.frame(), camera.name, said});
+  written.losses.push_back(
+      {"pose-recomputed", "pose of " + camera.name + " in " + poses.frame(),
+       "its matrix is a rotation only to " + text::format_short(off, 2) + ", and Basalt's quaternion says the nearest one",
+       "nothing: the nearest rotation is meant"});
+}
+
+std::string with_indentation(const std::vector<Field>& fields, std::size_t indentation) {
+  std::string text;
+  for (const Field& field : fields)
+    text += (text.empty() ? "" : ",\n") + fields::spell(field, indentation, text::Syntax::kJson);
+  return text;
+}
+
+std::string numbers(std::span<const double> values) {
+  return fields::spell(fields::list("", values), 0, text::Syntax::kJson).substr(std::string_view("\"\": ").size());
+}
+
+/// A list that a Basalt file had, from what was read of it; zeros where it said nothing.
+std::vector<double> bias_of(const Rig& rig, const Bias& bias) {
+  std::vector<double> values(bias.count, 0.0);
+  const std::string key = std::string(kImu) + " " + std::string(bias.key);
+  const auto extra = std::ranges::find(rig.as_read, key, &AsRead::key);
+  if (extra == rig.as_read.end()) return values;
+  std::vector<double> read;
+  constexpr std::string_view kDigits = "+-.0123456789eE";
+  const std::string& text = extra->value;
+  for (std::size_t at = text.find_first_of(kDigits); at != std::string::npos; at = text.find_first_of(kDigits, at)) {
+    const std::size_t end = std::min(text.find_first_not_of(kDigits, at), text.size());
+    if (const std::optional<double> number = text::parse_real(text.substr(at, end - at))) read.push_back(*number);
+    at = end;
+  }
+  return read.size() == bias.count ? read : values;
+}
+
+bool is_carried(const AsRead& extra) {
+  return std::ranges::any_of(
+      kBiases, [&extra](const Bias& bias) { return extra.key == std::string(kImu) + " " + std::string(bias.key); });
+}
+
+/// The IMU with what Basalt begins from in place of what is not known.
+Imu completed(const Rig& rig, std::vector<DefaultedValue>& defaults) {
+  Imu imu = rig.imus.empty() ? Imu{} : rig.imus.front();
+  const std::string why = " (Basalt's own initial value: it stops without one)";
+  const auto complete = [&](std::optional<double>& value, std::string_view key, double initial) {
+    if (value) return;
+    value = initial;
+    defaults.push_back({std::string(key), text::format_short(initial) + why, true});
+  };
+  complete(imu.rate_hz, kRate, kInitialRate);
+  for (const Noise& noise : kNoises) complete(imu.*noise.member, noise.key, noise.initial);
+  return imu;
+}
+
+/// A fresh calibration.
+std::string compose(const Rig& rig, const ImuPoses& poses, Written& written) {
+  std::string text = "{\n  \"value0\": {\n    \"T_imu_cam\": [";
+  std::string separator = "\n";
+  for (const Camera& camera : rig.cameras) {
+    const std::optional<Transform> T = poses.pose(camera);
+    if (!poses.known() || !T) {
+      const std::string value = T && poses.frame() != camera.name ? "the pose in " + poses.frame() : "identity";
+      written.defaults.push_back(
+          {camera.name + " T_imu_cam", value + ": its pose in the IMU is not in the input, and Basalt stops without it", true});
+    }
+    std::vector<Field> fields = translation_fields(T.value_or(Transform{}));
+    std::ranges::move(rotation_fields(nearest_quaternion(T.value_or(Transform{}))), std::back_inserter(fields));
+    if (T) list_restated(poses, camera, *T, written);
+    text += separator + "      {\n" + with_indentation(fields, 8) + "\n      }";
+    separator = ",\n";
+  }
+  text += "\n    ],\n    \"intrinsics\": [";
+  separator = "\n";
+  for (const Camera& camera : rig.cameras) {
+    std::vector<Field> parameters = parameter_fields(camera);
+    if (is_radtan8(camera)) parameters.push_back(fields::real(std::string(kMaxRadius), kNoMaxRadius));
+    text += separator + "      {\n" + fields::spell(type_field(camera), 8, text::Syntax::kJson) +
+            ",\n        \"intrinsics\": {\n" + with_indentation(parameters, 10) + "\n        }\n      }";
+    separator = ",\n";
+  }
+  text += "\n    ],\n    \"resolution\": [";
+  separator = "";
+  for (const Camera& camera : rig.cameras) {
+    text += separator + "[" + std::to_string(camera.image_size->width) + ", " + std::to_string(camera.image_size->height) + "]";
+    separator = ", ";
+  }
+  text += "],\n";
+  for (const Bias& bias : kBiases) text += "    \"" + std::string(bias.key) + "\": " + numbers(bias_of(rig, bias)) + ",\n";
+  text += with_indentation(imu_fields(completed(rig, written.defaults)), 4) + ",\n" +
+          fields::spell(time_field(common_time_offset(rig)), 4, text::Syntax::kJson);
+  return text + ",\n    \"vignette\": []\n  }\n}\n";
+}
+
+/// A base that says something else of the same cameras.
+class Editor {
+ public:
+  Editor(const text::Document& base, const Rig& old, const Rig& rig)
+      : document_(base), value_(*text::find(base.root(), "value0", kDialect)), old_(old), rig_(rig) {}
+
+  /// Are the cameras the base's, one for one?
+  [[nodiscard]] static bool possible(const Rig& old, const Rig& rig) {
+    return std::ranges::equal(old.cameras, rig.cameras, {}, &Camera::name, &Camera::name);
+  }
+
+  text::Document run(Written& written) {
+    for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
+      edit_lens(i, written.losses);
+      edit_size(i);
+    }
+    edit_poses(written);
+    edit_imu();
+    const Field before = time_field(common_time_offset(old_));
+    const Field after = time_field(common_time_offset(rig_));
+    if (before != after) fields::apply(document_, value_, kDialect, std::span(&before, 1), std::span(&after, 1));
+    return std::move(document_);
+  }
+
+ private:
+  /// The item of the camera of that index in the list under a key; null if there is none.
+  const Node* item(std::string_view key, std::size_t index) const {
+    const Node* list = text::find(value_, key, kDialect);
+    return list != nullptr && index < list->items.size() ? &list->items[index] : nullptr;
+  }
+
+  void edit_lens(std::size_t index, std::vector<Loss>& losses) {
+    const Camera& before = old_.cameras[index];
+    const Camera& after = rig_.cameras[index];
+    if (before.model == after.model) return;
+    const Node& camera = *item("intrinsics", index);
+    fields::apply(document_, camera, kDialect, std::vector{type_field(before)}, std::vector{type_field(after)});
+    std::vector<Field> from = parameter_fields(before);
+    std::vector<Field> to = parameter_fields(after);
+    const Field no_limit = fields::real(std::string(kMaxRadius), kNoMaxRadius);
+    if (is_radtan8(before)) from.push_back(no_limit);
+    if (is_radtan8(after)) to.push_back(no_limit);
+    const std::string limit = after.name + " " + std::string(kMaxRadius);
+    if (std::ranges::find(old_.as_read, limit, &AsRead::key) != old_.as_read.end()) {
+      is_radtan8(after) ? losses.push_back({"stale-derived", limit, "it is kept, and the lens beside it is another one",
+                                            "write where the new lens ends, or -1 for no limit"})
+                        : losses.push_back({"not-carried", limit, after.name + "'s model has no such limit", ""});
+    }
+    fields::apply(document_, *text::find(camera, "intrinsics", kDialect), kDialect, from, to);
+  }
+
+  void edit_size(std::size_t index) {
+    const std::optional<ImageSize>& size = rig_.cameras[index].image_size;
+    const Node* node = item("resolution", index);
+    if (!size || old_.cameras[index].image_size == size || node == nullptr) return;
+    fields::set_scalar(document_, node->items[0], std::to_string(size->width));
+    fields::set_scalar(document_, node->items[1], std::to_string(size->height));
+  }
+
+  void edit_poses(Written& written) {
+    const ImuPoses poses(rig_);
+    if (!poses.known()) return;
+    for (std::size_t i = 0; i < rig_.cameras.size(); ++i) {
+      const Node* node = item("T_imu_cam", i);
+      const std::optional<Transform> now = poses.pose(rig_.cameras[i]);
+      const Transform* stated = old_.stated(kImu, old_.cameras[i].name);
+      if (node == nullptr || stated == nullptr || !now || *stated == *now) continue;
+      fields::apply(document_, *node, kDialect, translation_fields(*stated), translation_fields(*now));
+      constexpr double kSameRotation = 1e-12;
+      if (largest_difference(*stated, *now).distance <= kSameRotation) continue;
+      const Quaternion before = quaternion_in(*node);
+      fields::apply(document_, *node, kDialect, rotation_fields(before),
+                    rotation_fields(signed_as(nearest_quaternion(*now), before)));
+      list_restated(poses, rig_.cameras[i], *now, written);
+    }
+  }
+
+  static Quaternion quaternion_in(const Node& pose) {
+    Quaternion q{};
+    constexpr std::array<std::string_view, 4> kKeys = {"qx", "qy", "qz", "qw"};
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const Node* number = text::find(pose, kKeys.at(i), kDialect);
+      if (number != nullptr) q.at(i) = text::parse_real(number->value).value_or(0.0);
+    }
+    return q;
+  }
+
+  /// What the rig does not state stays.
+  void edit_imu() {
+    if (rig_.imus.empty()) return;
+    const Imu before = old_.imus.empty() ? Imu{} : old_.imus.front();
+    Imu after = rig_.imus.front();
+    if (!after.rate_hz) after.rate_hz = before.rate_hz;
+    for (const Noise& noise : kNoises) {
+      if (!(after.*noise.member)) after.*noise.member = before.*noise.member;
+    }
+    fields::apply(document_, value_, kDialect, imu_fields(before), imu_fields(after));
+  }
+
+  text::Document document_;
+  const Node& value_;
+  const Rig& old_;
+  const Rig& rig_;
+};
+
+/// False with an error if a pose is a mirror image: no quaternion says one.
+bool are_rotations(const Rig& rig, Diagnostics& diagnostics) {
+  const ImuPoses poses(rig);
+  bool good = true;
+  for (const Camera& camera : rig.cameras) {
+    const std::optional<Transform> T = poses.pose(camera);
+    if (!T || rotation_determinant(*T) > 0.0) continue;
+    diagnostics.error("not-a-rotation", camera.name + ": its pose in " + poses.frame() +
+                                            " is a mirror image, which no quaternion of T_imu_cam says");
+    good = false;
+  }
+  return good;
+}
+
+/// What a Basalt calibration has no place for.
+void list_losses(const Rig& rig, std::vector<Loss>& losses) {
+  const std::string no_place = "a Basalt calibration has no place for it";
+  for (Camera camera : rig.cameras) {
+    camera.time_offset_s.reset();
+    add_stream(camera, no_place, losses);
+  }
+  for (std::size_t i = 0; i < rig.imus.size(); ++i) {
+    const Imu& imu = rig.imus[i];
+    if (i > 0) losses.push_back({"imu-dropped", imu.name + " noise and rate", "Basalt has one IMU", ""});
+    if (i == 0 && !imu.topic.empty()) losses.push_back({"topic-dropped", imu.name + " " + imu.topic, no_place, ""});
+  }
+  if (rig.baseline_m)
+    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
+}
+
+}  // namespace
+
+std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
+  Diagnostics ignored;
+  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  const bool edits = old && !options.anew && Editor::possible(*old, rig);
+  if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
+            : !writable_alone(kFormat, rig, "Basalt demands a resolution", diagnostics))
+    return std::nullopt;
+  if (!are_rotations(rig, diagnostics)) return std::nullopt;
+
+  Written written;
+  std::optional<text::Document> document;
+  std::vector<AsRead> said;
+  if (edits) {
+    document = Editor(*base, *old, rig).run(written);
+    said = old->as_read;
+  } else {
+    document = text::parse_document({"calibration.json", compose(rig, ImuPoses(rig), written)}, diagnostics);
+    std::ranges::copy_if(rig.as_read, std::back_inserter(said), is_carried);
+  }
+  if (!document) return std::nullopt;
+  written.files.push_back({*std::move(document), {}, {"basalt"}});
+  for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
+  add_beyond_base(rig.as_read, said, "a Basalt calibration has no place for it", written.losses);
+  if (old && !edits)
+    add_not_carried(extras_beyond(extras_beyond(old->as_read, rig.as_read), said), "the file is composed anew", written.losses);
+  list_time_losses(rig, written.losses);
+  list_losses(rig, written.losses);
+  written.headline = "a calibration for Basalt";
+  return written;
+}
+
+}  // namespace fca::basalt
