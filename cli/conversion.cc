@@ -274,6 +274,22 @@ bool contradicts(const ConvertArguments& arguments, const Calibration& calibrati
   return true;
 }
 
+/// The file of one IMU and the poses of another: where that one stands nobody said.
+bool imu_is_another(const Rig& rig, const std::string& input, Diagnostics& diagnostics) {
+  const auto is_posed = [&rig](const std::string& name) {
+    return std::ranges::any_of(rig.poses, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });
+  };
+  const auto is_imu = [](const std::string& frame) { return frame.starts_with("imu"); };
+  if (rig.imus.empty() || std::ranges::any_of(rig.imus, is_posed, &Imu::name)) return false;
+  const auto other = std::ranges::find_if(rig.poses, [&](const PoseEdge& edge) { return is_imu(edge.a) || is_imu(edge.b); });
+  if (other == rig.poses.end()) return false;
+  const std::string& posed = is_imu(other->a) ? other->a : other->b;
+  const std::string& given = rig.imus.front().name;
+  diagnostics.error("imu-without-pose", "the cameras' poses are to " + posed + ", and the IMU that is given is " + given,
+                    {input, 0, 0}, "give the file of " + posed + "'s noise, or rename " + given + " if it is that one");
+  return true;
+}
+
 /// --into's file. Under --to, that must be its format. --size is about the input.
 std::optional<Calibration> read_into(const ConvertArguments& arguments, Console& console, ConvertOutcome& outcome) {
   ReadingOptions reading;
@@ -379,6 +395,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     return false;
   }
   if (contradicts(arguments, *calibration, outcome)) return false;
+  if (imu_is_another(calibration->rig, outcome.input, outcome.diagnostics)) return false;
   if (into && !has_use_for(*into, calibration->rig, outcome.input, outcome)) return false;
 
   Base base;
@@ -416,7 +433,8 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (into) tell_of_kept(kept, *written, *outcome.to, outcome.diagnostics);
   list_assumed_units(*calibration, *outcome.to, *written);
   if (!into && base.document != nullptr && changes_images(arguments.reading))
-    list_stale_facts(calibration->rig, *outcome.to, *written, outcome.diagnostics);
+    list_facts_of_other_images(calibration->rig, *outcome.to, *written, outcome.diagnostics);
+  if (into) list_facts_of_other_lenses(into->rig, rig, *outcome.to, *written, outcome.diagnostics);
   if (needs_folder(arguments, *written)) {
     outcome.diagnostics.error(
         "one-camera-per-file",

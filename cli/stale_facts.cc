@@ -4,6 +4,7 @@
 #include "words.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,27 +12,39 @@ namespace fca::cli {
 
 namespace {
 
-bool of_the_images(const AsRead& extra, const Format& format) {
-  return std::ranges::any_of(format.of_the_images, [&extra](std::string_view key) {
-    return extra.key == key || extra.key.ends_with(" " + std::string(key));
-  });
+bool is_among(const AsRead& extra, std::span<const std::string_view> keys) {
+  return std::ranges::any_of(
+      keys, [&extra](std::string_view key) { return extra.key == key || extra.key.ends_with(" " + std::string(key)); });
 }
 
-}  // namespace
-
-void list_stale_facts(const Rig& rig, const Format& format, Written& written, Diagnostics& diagnostics) {
+void list_stale(const Rig& rig, std::span<const std::string_view> of, const std::string& why, const std::string& remedy,
+                Written& written, Diagnostics& diagnostics) {
   std::vector<std::string> stale;
   for (const AsRead& extra : rig.as_read) {
     const bool lost =
         std::ranges::any_of(written.losses, [&extra](const Loss& loss) { return loss.what.starts_with(extra.key); });
-    if (of_the_images(extra, format) && !lost) stale.push_back(extra.key);
+    if (is_among(extra, of) && !lost) stale.push_back(extra.key);
   }
   if (stale.empty()) return;
   const std::string keys = enumerated(stale, "and");
-  const std::string why = "of the images as they were calibrated, and kept unchanged";
-  const std::string remedy = "compute it for the new images, or --anew leaves it out";
   diagnostics.warning("stale-derived", keys + ": " + why, {}, remedy);
   written.losses.push_back({"stale-derived", keys, why, remedy});
+}
+
+}  // namespace
+
+void list_facts_of_other_images(const Rig& rig, const Format& format, Written& written, Diagnostics& diagnostics) {
+  list_stale(rig, format.of_the_images, "of the images as they were calibrated, and kept unchanged",
+             "compute it for the new images, or --anew leaves it out", written, diagnostics);
+}
+
+void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& format, Written& written,
+                                Diagnostics& diagnostics) {
+  const bool same = std::ranges::equal(base.cameras, rig.cameras, {}, &Camera::model, &Camera::model) &&
+                    base.poses == rig.poses && base.baseline_m == rig.baseline_m;
+  if (same) return;
+  list_stale(base, format.of_the_lenses, "of the base's cameras, and kept unchanged",
+             "compute it for the new cameras (cv::stereoRectify), or --anew leaves it out", written, diagnostics);
 }
 
 }  // namespace fca::cli

@@ -52,7 +52,7 @@ bool is_mirrored(const consumers::ConsumerCamera& theirs, const Pixel& image, co
 /// How far the program's ray of the pixel lies from it, by the program's own formula; 0 where it has none. Both are the
 /// program's, so that nothing else is counted: its inverse goes wrong beyond 90 degrees.
 double wrong_ray_px(const Pixel& pixel, const consumers::ConsumerCamera& theirs) {
-  if (!theirs.unproject || theirs.misread) return 0.0;  // what is misread is told as that
+  if (!theirs.unproject) return 0.0;
   const std::optional<Ray> ray = theirs.unproject({pixel[0] * theirs.scale[0], pixel[1] * theirs.scale[1]});
   const std::optional<Pixel> back = ray ? theirs.project(*ray) : std::nullopt;
   return back ? std::hypot((*back)[0] / theirs.scale[0] - pixel[0], (*back)[1] / theirs.scale[1] - pixel[1]) : 0.0;

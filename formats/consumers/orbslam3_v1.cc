@@ -279,9 +279,10 @@ class Parser {
 
   [[nodiscard]] ConsumerCamera to_camera(std::string name, const Camera& camera) const {
     const Intrinsics k = {camera.k.fx * scale_x_, camera.k.fy * scale_y_, camera.k.cx * scale_x_, camera.k.cy * scale_y_};
-    Projection project = is_fisheye() && !pinhole_depth_ ? kannala_brandt8(k, camera.radial) : pinhole(k, camera.pinhole);
+    const bool bends = is_fisheye() && !pinhole_depth_;
+    Projection project = bends ? kannala_brandt8(k, camera.radial) : pinhole(k, camera.pinhole);
     ConsumerCamera result = {std::move(name), width_, height_, std::move(project), {scale_x_, scale_y_}, camera.misread};
-    if (is_fisheye()) result.unproject = kannala_brandt8_rays(k, camera.radial);
+    if (bends) result.unproject = kannala_brandt8_rays(k, camera.radial);
     result.model = type_;
     return result;
   }

@@ -36,8 +36,12 @@ constexpr std::array<std::string_view, 6> kDefaulted = {"frame rate",          "
                                                         "overlapping columns", "ORBextractor.*", "Viewer.*"};
 
 /// Of the ROS examples and of ORB-SLAM3's rescaling.
-constexpr std::array<std::string_view, 6> kOfTheImages = {"LEFT.P",  "LEFT.K",          "RIGHT.P",
-                                                          "RIGHT.K", "Camera.newWidth", "Camera.newHeight"};
+constexpr std::array<std::string_view, 10> kOfTheImages = {"LEFT.P",          "LEFT.K",          "LEFT.height",  "LEFT.width",
+                                                           "RIGHT.P",         "RIGHT.K",         "RIGHT.height", "RIGHT.width",
+                                                           "Camera.newWidth", "Camera.newHeight"};
+/// Of both raw cameras and their rectification, as stereo_euroc reads them beside Camera.*.
+constexpr std::array<std::string_view, 8> kOfTheLenses = {"LEFT.D",  "LEFT.K",  "LEFT.R",  "LEFT.P",
+                                                          "RIGHT.D", "RIGHT.K", "RIGHT.R", "RIGHT.P"};
 
 constexpr auto kModes = names_of(kSensors, &Sensor::id);
 constexpr auto kLayouts = names_of(kStyleNames, &StyleName::name);
@@ -77,6 +81,7 @@ const Format kFormat = {
     .layouts = kLayouts,
     .defaulted = kDefaulted,
     .of_the_images = kOfTheImages,
+    .of_the_lenses = kOfTheLenses,
     .models = kModels,
     .probe = probe,
     .range_of = range_of,

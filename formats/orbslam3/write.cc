@@ -115,7 +115,11 @@ void list_camera_losses(const Rig& rig, const Target& target, const std::string&
                         "write it to a file of its own with --camera " + camera.name});
       continue;
     }
-    if (i > 0 || !target.states_delay) add_time_offset(camera, program + " has no key for it", losses);
+    if (i > 0 || !target.states_delay)
+      add_time_offset(camera,
+                      target.style == Style::kSlamNoOpt ? "the settings do not state it (" + std::string(kDelayKey) + ")"
+                                                        : program + " has no key for it",
+                      losses);
     if (!camera.topic.empty()) {
       const bool fork = target.style == Style::kSlamNoOpt;
       losses.push_back(

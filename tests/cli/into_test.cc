@@ -533,5 +533,35 @@ TEST(Into, ColumnsDoNotStayWithTheWrongCamera) {
   EXPECT_FALSE(contains(swapped, "Camera2.overlappingBegin: 44")) << swapped;
 }
 
+// ORB-SLAM3 exits without them, and they follow from the pair that is put in.
+TEST(Into, ColumnsThatTheBaseLacksComeWithThePair) {
+  const TemporaryFolder folder;
+  std::string settings = read_file(kSettings);
+  for (const char* key : {"Camera1.overlappingBegin", "Camera1.overlappingEnd"})
+    settings = with_replaced(settings, key, "Camera" + std::string(key).substr(7));
+  const std::string base = folder.write("base.yaml", settings);
+  const RunResult run = run_program({"convert", kTumvi, "--max-angle", "80", "--into", base});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "\nCamera1.overlappingBegin: ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\nCamera1.overlappingEnd: ")) << run.out;
+  EXPECT_TRUE(contains(run.err, "ORB-SLAM3 V1.0 loads it")) << run.err;
+  // A base that is only written into itself stays as it is.
+  EXPECT_EQ(run_program({"convert", base, "--into", base, "--no-verify"}).out, settings);
+}
+
+// stereo_euroc rectifies by LEFT.* and RIGHT.*, which nobody but who rectified can compute anew.
+TEST(Into, WhatWasComputedFromTheBasesCamerasIsListed) {
+  const TemporaryFolder folder;
+  const std::string settings = read_file(testdata("formats/orbslam3/good/orbslam2-tight.yaml"));
+  const std::string matrix =
+      ": !!opencv-matrix\n  rows: 3\n  cols: 3\n  dt: d\n  data: [400., 0., 320., 0., 400., 240., 0., 0., 1.]\n";
+  const std::string base = folder.write("base.yaml", settings + "\nLEFT.K" + matrix + "RIGHT.R" + matrix);
+  const RunResult run =
+      run_program({"convert", kTumvi, "--camera", "0", "--resize", "640x480", "--max-angle", "50", "--into", base});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "LEFT.K and RIGHT.R: of the base's cameras")) << run.err;
+  EXPECT_FALSE(contains(run_program({"convert", base, "--into", base}).err, "stale-derived"));
+}
+
 }  // namespace
 }  // namespace fca::test

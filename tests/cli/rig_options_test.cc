@@ -39,6 +39,23 @@ TEST(RigOptions, TumViPosesAreTheInverses) {
   expect_close(*settings.stated("imu0", "cam0"), inverse(*kalibr.stated("cam0", "imu0")).value());
 }
 
+// Kalibr's T_cam_imu is about imu0: another IMU's noise does not make it that one's pose.
+TEST(RigOptions, AnotherImuHasNoPose) {
+  const TemporaryFolder folder;
+  const std::string noise =
+      "  accelerometer_noise_density: 0.0028\n  accelerometer_random_walk: 0.00086\n"
+      "  gyroscope_noise_density: 0.00016\n  gyroscope_random_walk: 0.000022\n  update_rate: 200.0\n";
+  const std::string chain = testdata("formats/kalibr/good/tumvi.yaml");
+  const auto converted = [&](const std::string& imu) {
+    return run_program({"convert", chain, "--with", folder.write(imu + ".yaml", imu + ":\n" + noise), "--to", "orbslam3"});
+  };
+  EXPECT_EQ(converted("imu0").code, 0);
+  const RunResult other = converted("imu1");
+  EXPECT_EQ(other.code, 2) << other.out;
+  EXPECT_EQ(other.out, "");
+  EXPECT_TRUE(contains(other.err, "[imu-without-pose]")) << other.err;
+}
+
 TEST(RigOptions, EveryPoseIsThatOfTheNewFirstCamera) {
   const Rig kalibr = rig_in(read_file(kTumvi));
   const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--camera", "1,0", "--to", "orbslam3"});

@@ -4,6 +4,8 @@
 #include "formats/oracle_table.h"
 #include "formats/rigs.h"
 
+#include <fca/formats/consumers/consumer.h>
+
 #include <numbers>
 
 #include <opencv2/calib3d.hpp>
@@ -101,8 +103,8 @@ TEST(OpenCvFunctions, GoWrongAsTheirConsumerSays) {
   const Format& opencv = *find_format("opencv");
   for (const std::vector<double>& k : {std::vector<double>{0.15, 0.02, 0.0, 0.0}, {-0.3, 0.2, -0.1, 0.02}}) {
     Rig rig;
-    const std::vector<double> values = {300.0, 301.0, 640.3, 359.8, k[0], k[1], k[2], k[3]};
-    rig.cameras.push_back({"cam0", ImageSize{1280, 720}, model_of("kb4", values), std::nullopt, std::nullopt, ""});
+    rig.cameras.push_back({"cam0", ImageSize{1280, 720}, model_of("kb4", {300.0, 301.0, 640.3, 359.8, k[0], k[1], k[2], k[3]}),
+                           std::nullopt, std::nullopt, ""});
     const std::string bytes = written_by(opencv, nullptr, rig, {}).files.at(0).document.bytes();
     const cv::FileStorage file(bytes, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     const consumers::ConsumerView view = consumers::find_consumer("opencv")->load(bytes, {"", "fisheye"});

@@ -137,6 +137,8 @@ struct Format {
       {};  ///< What its program demands and calibrations rarely state: "colour order".
   /// Keys of own facts (AsRead, behind their owner's name) that count pixels or rows of the images, and are stale for others.
   std::span<const std::string_view> of_the_images = {};
+  /// Keys of own facts that were computed from the cameras and their poses, and are stale beside others.
+  std::span<const std::string_view> of_the_lenses = {};
   /// Keys of own facts that name cameras by their numbers (1: cam1): who names those anew counts these anew.
   std::span<const std::string_view> of_cameras = {};
   std::span<const StoredModel> models;
