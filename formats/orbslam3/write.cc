@@ -354,6 +354,20 @@ void take_type_as_stated(const Base& base, std::string_view model, std::vector<f
   if (!fits) *type = fields::quoted("Camera.type", stated->value);
 }
 
+/// What the base lacks, or says as its program does not know it, comes with the new cameras: columns, which follow from the
+/// pair, and the name of the model (slam_no_opt's own files also say KannalaBrandt8, which it takes for none).
+void demand_what_is_missing(const Base& base, std::vector<fields::Field>& before) {
+  for (const OverlapColumn& column : overlap_columns(base.rig, base.target)) {
+    const std::string key = base.target.tuning.field(*column.key, base.target.style).key;
+    if (find_key(base.document, key) == nullptr)
+      std::erase_if(before, [&key](const fields::Field& field) { return field.key == key; });
+  }
+  const text::Node* stated = find_key(base.document, "Camera.type");
+  const auto type = std::ranges::find(before, "Camera.type", &fields::Field::key);
+  if (base.target.style == Style::kSlamNoOpt && stated != nullptr && stated->is_scalar() && type != before.end())
+    *type = fields::quoted("Camera.type", stated->value);
+}
+
 /// The fields that the base is taken from. A mode that was asked for has exactly its keys: the base's of other modes are among
 /// them, to go. Else what the base says in a mode that the rig leaves, and the rig still says, stays, for it is as true as
 /// before.
@@ -361,14 +375,8 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
                                      const WriteOptions& options) {
   std::vector<fields::Field> before = settings_fields(base.rig, base.target);
   take_type_as_stated(base, model_info(rig.cameras.front().model).id, before);
-  // Columns that the base lacks and its program demands follow from the new pair.
-  if (options.keeps_layout && !(std::ranges::equal(base.rig.cameras, rig.cameras) && base.rig.poses == rig.poses)) {
-    for (const OverlapColumn& column : overlap_columns(base.rig, base.target)) {
-      const std::string key = base.target.tuning.field(*column.key, base.target.style).key;
-      if (find_key(base.document, key) == nullptr)
-        std::erase_if(before, [&key](const fields::Field& field) { return field.key == key; });
-    }
-  }
+  const bool same = std::ranges::equal(base.rig.cameras, rig.cameras) && base.rig.poses == rig.poses;
+  if (options.keeps_layout && !same) demand_what_is_missing(base, before);
   // A time offset that the rig does not know is none that it contradicts.
   if (!rig.cameras.front().time_offset_s)
     std::erase_if(before, [](const fields::Field& field) { return field.key == kDelayKey; });
@@ -402,6 +410,24 @@ void list_left_keys(const Base& base, std::span<const fields::Field> after, cons
       left.push_back(extra);
   }
   add_not_carried(left, std::string(target.sensor.id) + " settings have no such key", losses);
+}
+
+/// A base whose bf and poses are of two baselines: the new bf follows the poses.
+void warn_of_other_baseline(const Base& base, std::span<const fields::Field> after, Diagnostics& diagnostics) {
+  constexpr double kAnother = 0.01;
+  const text::Node* node = find_key(base.document, "Camera.bf");
+  if (node == nullptr) return;
+  const double stated = text::parse_real(node->value).value_or(0.0);
+  const std::vector<fields::Field> before = settings_fields(base.rig, base.target);
+  const auto implied = std::ranges::find(before, "Camera.bf", &fields::Field::key);
+  const auto now = std::ranges::find(after, "Camera.bf", &fields::Field::key);
+  if (implied == before.end() || now == after.end() || *now == *implied) return;
+  const double from_poses = text::parse_real(implied->tokens.front()).value_or(stated);
+  if (std::abs(stated - from_poses) <= kAnother * std::abs(from_poses)) return;
+  diagnostics.warning("baseline-contradicts",
+                      "Camera.bf of the base is " + node->value + ", and its poses make it " +
+                          text::format_short(from_poses, 4) + ": what is written follows the poses",
+                      base.document.range(*node), "which of the two is right?");
 }
 
 /// The base's mode is not to be lost in silence: its keys stay, and nothing reads them.
@@ -458,6 +484,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
     add_beyond_base(rig.as_read, edited->rig.as_read, "the settings have no place for it", written.losses);
     if (!options.sensor.empty()) list_left_keys(*edited, fields, *target, written.losses);
+    warn_of_other_baseline(*edited, fields, diagnostics);
   } else {
     std::optional<text::Document> document =
         text::parse_document({"settings.yaml", compose(fields, *target, rig, audience.headline)}, diagnostics);
