@@ -115,13 +115,11 @@ void list_camera_losses(const Rig& rig, const Target& target, const std::string&
                         "write it to a file of its own with --camera " + camera.name});
       continue;
     }
-    if (i > 0 || !target.states_delay)
-      add_time_offset(camera,
-                      target.style == Style::kSlamNoOpt ? "the settings do not state it (" + std::string(kDelayKey) + ")"
-                                                        : program + " has no key for it",
-                      losses);
+    const bool fork = target.style == Style::kSlamNoOpt;
+    const std::string why =
+        fork ? "the settings do not state it (" + std::string(kDelayKey) + ")" : program + " has no key for it";
+    if (i > 0 || !target.states_delay) add_time_offset(camera, why, losses);
     if (!camera.topic.empty()) {
-      const bool fork = target.style == Style::kSlamNoOpt;
       losses.push_back(
           {"topic-dropped", camera.name + " " + camera.topic,
            fork ? "the keys of the calibration do not hold it" : program + " takes topics on its command line",
