@@ -3,6 +3,10 @@
 // start was OpenCV's, and most commands ask none of them.
 #include <dlfcn.h>
 
+#include <filesystem>
+#include <string>
+#include <system_error>
+
 #include "fca/formats/consumers/missing_module.h"
 #include "storage_programs.h"
 
@@ -11,14 +15,18 @@ namespace {
 
 /// Never unloaded: what it returned holds functions of it.
 const StoragePrograms& load_module() {
-  // Lazily: OpenCV's libraries have ten thousands of symbols. Found by the command's run path: beside it in the build tree, in
-  // a folder of the libraries where it is installed.
-  void* module = dlopen(FCA_STORAGE_MODULE, RTLD_LAZY | RTLD_LOCAL);
+  // From where the command lies, and from nowhere else: a run path is not asked under AddressSanitizer, and a dataset's folder
+  // must not bring a module.
+  std::error_code ignored;
+  const std::filesystem::path command = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const std::filesystem::path path = command.parent_path() / FCA_STORAGE_MODULE;
+  // Lazily: OpenCV's libraries have ten thousands of symbols.
+  void* module = path.is_absolute() ? dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL) : nullptr;
   void* function = module != nullptr ? dlsym(module, kStorageProgramsFunction) : nullptr;
   if (function == nullptr) {
     const char* why = dlerror();
     throw MissingModule("a part of the installation cannot be loaded, which asks the programs that use OpenCV's reader: " +
-                        std::string(why != nullptr ? why : FCA_STORAGE_MODULE));
+                        (why != nullptr ? std::string(why) : path.string()));
   }
   return *reinterpret_cast<const StoragePrograms* (*)()>(function)();
 }
