@@ -63,9 +63,12 @@ std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>&
   for (std::future<void>& other : others) other.get();
   std::vector<CameraOutcome> outcomes;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    for (const Diagnostic& entry : found[i].entries()) diagnostics.add(entry);
-    if (!converted[i]) return std::nullopt;
+    if (!converted[i]) {
+      for (const Diagnostic& entry : found[i].entries()) diagnostics.add(entry);
+      return std::nullopt;
+    }
     outcomes.push_back(*std::move(converted[i]));
+    outcomes.back().found = std::move(found[i]);
   }
   return outcomes;
 }
@@ -167,10 +170,10 @@ std::optional<std::vector<CameraOutcome>> best_model(const std::vector<Camera>& 
       best = &candidate;
     }
   }
-  const Candidate* told = best != nullptr ? best : failed;
-  if (told == nullptr) return std::nullopt;
-  for (const Diagnostic& entry : told->diagnostics.entries()) diagnostics.add(entry);
-  return told->outcomes;
+  if (best != nullptr) return best->outcomes;
+  if (failed == nullptr) return std::nullopt;
+  for (const Diagnostic& entry : failed->diagnostics.entries()) diagnostics.add(entry);
+  return std::nullopt;
 }
 
 /// All cameras in one model: theirs, if the stock program reads it and all have it, else the best that it reads.
@@ -234,18 +237,15 @@ std::optional<std::vector<CameraOutcome>> all_cameras(const std::vector<Camera>&
 
 std::optional<std::vector<CameraOutcome>> convert_cameras(const std::vector<Camera>& cameras, const Format& format,
                                                           const ModelChoice& choice, Diagnostics& diagnostics) {
-  Diagnostics found;
-  std::optional<std::vector<CameraOutcome>> outcomes = all_cameras(cameras, format, choice, found);
-  for (Diagnostic entry : found.entries()) {
-    if (outcomes && entry.code == "target-cannot-reach") {
+  std::optional<std::vector<CameraOutcome>> outcomes = all_cameras(cameras, format, choice, diagnostics);
+  if (!outcomes) return std::nullopt;
+  for (const CameraOutcome& camera : *outcomes) {
+    for (Diagnostic entry : camera.found.entries()) {
       // The library does not know which models the program reads.
-      const auto about = std::ranges::find_if(*outcomes, [&entry](const CameraOutcome& camera) {
-        return camera.report && entry.message.starts_with(camera.source.name + ": ");
-      });
-      if (about != outcomes->end())
-        entry.fix = better_models(about->source, *about->report, format, choice) + "; fca-io models FILE compares all models";
+      if (entry.code == "target-cannot-reach" && camera.report)
+        entry.fix = better_models(camera.source, *camera.report, format, choice) + "; fca-io models FILE compares all models";
+      diagnostics.add(std::move(entry));
     }
-    diagnostics.add(std::move(entry));
   }
   return outcomes;
 }

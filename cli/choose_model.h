@@ -16,6 +16,7 @@ struct CameraOutcome {
   Camera target;
   std::optional<ConversionReport> report;
   std::string name_in_file = {};  ///< What the file written calls it; empty: as the input does.
+  Diagnostics found = {};         ///< What its conversion said of it.
 
   /// The written name.
   [[nodiscard]] const std::string& name() const { return name_in_file.empty() ? source.name : name_in_file; }

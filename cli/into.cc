@@ -4,7 +4,7 @@
 #include "words.h"
 
 #include <fca/formats/pose_agreement.h>
-#include <fca/formats/text/read_document.h>
+#include <fca/formats/read_back.h>
 
 #include <algorithm>
 #include <iterator>
@@ -159,9 +159,7 @@ void tell_of_kept(const Kept& kept, const Written& written, const Format& format
     if (std::ranges::find(file.cameras, camera) != file.cameras.end())
       diagnostics.note("camera-kept", camera + " of the base is not in the input and stays as it is");
   }
-  Diagnostics ignored;
-  const std::optional<text::Document> document = text::as_edited(file.document);
-  const std::optional<Rig> now = document ? format.read(std::span(&*document, 1), {}, ignored) : std::nullopt;
+  const std::optional<Rig> now = read_back(format, file);
   if (kept.baseline_m && now && now->baseline_m) {
     diagnostics.note("baseline-kept", "the input states no baseline: the base's " + fixed(100.0 * *kept.baseline_m, 2) +
                                           " cm stay, and what is its product with fx (bf) follows");

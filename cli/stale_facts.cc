@@ -3,7 +3,7 @@
 
 #include "words.h"
 
-#include <fca/formats/text/read_document.h>
+#include <fca/formats/read_back.h>
 
 #include <algorithm>
 #include <optional>
@@ -43,16 +43,14 @@ void list_facts_of_other_images(const Rig& rig, const Format& format, Written& w
 
 void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& format, Written& written,
                                 Diagnostics& diagnostics) {
+  const bool same = std::ranges::equal(base.cameras, rig.cameras, {}, &Camera::model, &Camera::model) &&
+                    base.poses == rig.poses && base.baseline_m == rig.baseline_m;
+  if (same || format.of_the_lenses.empty()) return;
   // What the writer knew to follow is no longer as the base had it.
-  Diagnostics ignored;
-  const std::optional<text::Document> document = text::as_edited(written.files.front().document);
-  const std::optional<Rig> now = document ? format.read(std::span(&*document, 1), {}, ignored) : std::nullopt;
+  const std::optional<Rig> now = read_back(format, written.files.front());
   Rig kept = base;
   std::erase_if(kept.as_read,
                 [&now](const AsRead& extra) { return now && std::ranges::find(now->as_read, extra) == now->as_read.end(); });
-  const bool same = std::ranges::equal(base.cameras, rig.cameras, {}, &Camera::model, &Camera::model) &&
-                    base.poses == rig.poses && base.baseline_m == rig.baseline_m;
-  if (same) return;
   list_stale(kept, format.of_the_lenses, "of the base's cameras, and kept unchanged",
              "compute it for the new cameras (cv::stereoRectify), or --anew leaves it out", written, diagnostics);
 }

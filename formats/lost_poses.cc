@@ -2,8 +2,8 @@
 #include "lost_poses.h"
 
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/read_back.h>
 #include <fca/formats/text/prose.h>
-#include <fca/formats/text/read_document.h>
 #include <fca/rig/leave_out.h>
 
 #include <algorithm>
@@ -31,10 +31,7 @@ ReadOptions options_for(const Rig& rig, const Written::File& file) {
 std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Written& written) {
   std::vector<PoseEdge> poses;
   for (const Written::File& file : written.files) {
-    Diagnostics ignored;
-    const std::optional<text::Document> document = text::as_edited(file.document);
-    if (!document) continue;
-    const std::optional<Rig> part = format.read(std::span(&*document, 1), options_for(rig, file), ignored);
+    const std::optional<Rig> part = read_back(format, file, options_for(rig, file));
     if (!part) continue;
     std::map<std::string, std::string> names;  // formats may rename cameras
     for (std::size_t i = 0; i < std::min(part->cameras.size(), file.cameras.size()); ++i)

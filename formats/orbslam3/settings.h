@@ -17,6 +17,9 @@
 
 namespace fca::orbslam3 {
 
+/// Of upstream's examples, in Hz: where nobody states one.
+inline constexpr double kUpstreamFrameRate = 20.0;
+
 /// ORB-SLAM3's sensor modes.
 struct Sensor {
   std::string_view id;  ///< As WriteOptions::sensor says it.

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/formats/format.h>
+
+#include <optional>
+
+namespace fca {
+
+/// What a file that was written in memory says, as its own format reads it; nothing where that does not read it.
+[[nodiscard]] std::optional<Rig> read_back(const Format& format, const Written::File& file, const ReadOptions& options = {});
+
+}  // namespace fca

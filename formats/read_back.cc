@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/read_back.h>
+#include <fca/formats/text/read_document.h>
+
+#include <span>
+
+namespace fca {
+
+std::optional<Rig> read_back(const Format& format, const Written::File& file, const ReadOptions& options) {
+  Diagnostics told_when_written;
+  const std::optional<text::Document> document = text::as_edited(file.document);
+  return document ? format.read(std::span(&*document, 1), options, told_when_written) : std::nullopt;
+}
+
+}  // namespace fca
