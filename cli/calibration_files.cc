@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "calibration_files.h"
 
+#include "output_name.h"
+
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 
 namespace fca::cli {
@@ -12,11 +12,6 @@ namespace fca::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool ends_as_calibration(const fs::path& path) {
-  constexpr std::array<std::string_view, 5> kExtensions = {".yaml", ".yml", ".xml", ".json", ".txt"};
-  return std::ranges::find(kExtensions, path.extension().string()) != kExtensions.end();
-}
 
 /// Errors of single entries (no permission, gone meanwhile) leave those out.
 void walk_folder(const fs::path& folder, std::vector<std::string>& files) {
@@ -28,7 +23,8 @@ void walk_folder(const fs::path& folder, std::vector<std::string>& files) {
       continue;
     }
     std::error_code ignored;
-    if (at->is_regular_file(ignored) && ends_as_calibration(at->path())) files.push_back(at->path().string());
+    if (at->is_regular_file(ignored) && is_calibration_extension(at->path().extension().string()))
+      files.push_back(at->path().string());
   }
 }
 

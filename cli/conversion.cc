@@ -132,6 +132,12 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
   }
 }
 
+/// Files that name each other, and no place for them?
+bool needs_place(const ConvertArguments& arguments, const Written& written) {
+  const bool named = std::ranges::any_of(written.files, &Written::File::named);
+  return named && !arguments.json && !arguments.in_place && (arguments.output.empty() || arguments.output == "-");
+}
+
 /// One file per camera, and only one place to put them?
 bool needs_folder(const ConvertArguments& arguments, const Written& written) {
   if (camera_files(written) < 2 || names_folder(arguments.output)) return false;
@@ -435,6 +441,13 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   if (!into && base.document != nullptr && changes_images(arguments.reading))
     list_facts_of_other_images(calibration->rig, *outcome.to, *written, outcome.diagnostics);
   if (into) list_facts_of_other_lenses(into->rig, rig, *outcome.to, *written, outcome.diagnostics);
+  if (needs_place(arguments, *written)) {
+    outcome.diagnostics.error("one-output",
+                              written->headline + ": these are " + std::to_string(written->files.size()) + " files", {},
+                              "-o FOLDER/, or -o FILE, which has the others beside it");
+    outcome.code = ExitCode::kUsage;
+    return false;
+  }
   if (needs_folder(arguments, *written)) {
     outcome.diagnostics.error(
         "one-camera-per-file",

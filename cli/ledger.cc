@@ -29,24 +29,15 @@ constexpr std::array kFacts = {
     Fact{&Format::baseline, "baseline without poses"},
 };
 
-/// A value that a target defaults: only for what the source holds, and not where the source states it.
-struct Default {
-  std::string_view value;
-  bool Format::*of = nullptr;
-  bool Format::*stated = nullptr;
-};
-
-constexpr std::array kDefaults = {
-    Default{"frame rate", nullptr, &Format::frame_rate},
-    Default{"IMU topic", &Format::imu, &Format::topic},
-    Default{"depth threshold", &Format::extrinsics, nullptr},
-    Default{"overlapping columns", &Format::extrinsics, nullptr},
-};
-
-bool is_defaulted(std::string_view value, const Format& from) {
-  const auto* const row = std::ranges::find(kDefaults, value, &Default::value);
-  if (row == kDefaults.end()) return true;
-  return (row->of == nullptr || from.*row->of) && (row->stated == nullptr || !(from.*row->stated));
+/// A value that the target's program demands: made up only for what the source holds, and where the source does not state it.
+bool is_made_up(const Demand& demand, const Format& from, const Format& to) {
+  // Where there is no other model, everything becomes that one.
+  const bool beside_others = !demand.of_model.empty() && to.models.size() > 1;
+  if (beside_others && find_stored_model(from, demand.of_model, true) == nullptr) return false;
+  if (demand.of != nullptr && !(from.*demand.of)) return false;
+  if (demand.stated != nullptr && from.*demand.stated) return false;
+  const bool computed_anew = !demand.of_model.empty();
+  return computed_anew || std::ranges::find(from.demands, demand.name, &Demand::name) == from.demands.end();
 }
 
 /// What the target demands of a model's parameters and the source does not.
@@ -83,14 +74,38 @@ std::string in_brackets(const std::vector<ParameterRange>& ranges, std::string (
   return text.empty() ? "" : " (" + text + ")";
 }
 
+/// Is every model of the source stored as it is, and as many of its cameras as there are?
+bool holds_all_models(const Format& from, const Format& to) {
+  return std::ranges::all_of(from.models, [&to](const StoredModel& stored) {
+    const StoredModel* there = find_stored_model(to, stored.model, true);
+    return there != nullptr && !there->pairs_only;
+  });
+}
+
+/// Are the limits of parameters that the target's model does not have: k3 = 0?
+bool are_of_missing_parameters(const std::vector<ParameterRange>& ranges) {
+  return std::ranges::all_of(ranges, [](const ParameterRange& range) { return range.lower == range.upper; });
+}
+
+/// A model of the target that contains the source's; null if there is none.
+const StoredModel* container_of(const StoredModel& from, const Format& to) {
+  const auto outer = std::ranges::find_if(to.models, [&from](const StoredModel& stored) {
+    return stored.stock && stored.model != from.model && contains(stored.model, from.model);
+  });
+  return outer == to.models.end() ? nullptr : &*outer;
+}
+
 /// How a model stays exact: as it is (""), within limits, as a model that contains it; nothing where it is fitted.
 std::optional<std::string> how_exact(const StoredModel& from, const Format& to) {
-  if (const StoredModel* there = find_stored_model(to, from.model, true))
-    return in_brackets(limits(from, *there), within_in_words, ", ");
-  const auto outer = std::ranges::find_if(
-      to.models, [&from](const StoredModel& stored) { return stored.stock && contains(stored.model, from.model); });
-  if (outer == to.models.end()) return std::nullopt;
-  return " (as " + std::string(outer->model) + ")";
+  const StoredModel* outer = container_of(from, to);
+  const std::string as = outer != nullptr ? "as " + std::string(outer->model) : "";
+  if (const StoredModel* there = find_stored_model(to, from.model, true)) {
+    const std::vector<ParameterRange> limited = limits(from, *there);
+    if (outer == nullptr || limited.empty() || !are_of_missing_parameters(limited))
+      return in_brackets(limited, within_in_words, ", ");
+    return " (" + as + " where" + in_brackets(limited, beyond_in_words, " or ").replace(1, 1, "");
+  }
+  return outer != nullptr ? std::optional(" (" + as + ")") : std::nullopt;
 }
 
 LedgerRow row(const Format& from, const Format& to) {
@@ -101,7 +116,9 @@ LedgerRow row(const Format& from, const Format& to) {
     const std::string name = std::string(stored.model) + how.value_or("");
     if (std::ranges::find(list, name) == list.end()) list.push_back(name);
     const StoredModel* there = find_stored_model(to, stored.model, true);
-    if (const auto ranges = there != nullptr ? limits(stored, *there) : std::vector<ParameterRange>(); !ranges.empty())
+    const std::vector<ParameterRange> ranges = there != nullptr ? limits(stored, *there) : std::vector<ParameterRange>();
+    const bool held_by_another = are_of_missing_parameters(ranges) && container_of(stored, to) != nullptr;
+    if (!ranges.empty() && !held_by_another)
       result.fitted.push_back(std::string(stored.model) + in_brackets(ranges, beyond_in_words, " or "));
   }
   for (const Fact& fact : kFacts) {
@@ -113,16 +130,19 @@ LedgerRow row(const Format& from, const Format& to) {
   if (to.many_cameras && from.most_cameras > to.most_cameras)
     result.dropped.push_back("cameras beyond " + std::to_string(to.most_cameras));
   for (const StoredModel& stored : to.models) {
-    if (!stored.pairs_only || !from.many_cameras || from.most_cameras <= 2) continue;
+    if (!stored.pairs_only || !from.many_cameras || from.most_cameras <= 2 || holds_all_models(from, to)) continue;
     for (const char* lost : {"several cameras in one file", "poses"})
       result.dropped.push_back(std::string(lost) + " (" + std::string(stored.model) + ", but for a pair)");
   }
+  if (to.pair_poses && from.extrinsics && from.many_cameras && from.most_cameras > 2)
+    result.dropped.emplace_back("poses, but for a stereo pair");
   if (!from.frame.empty() && from.frame != to.frame) result.dropped.push_back("poses in the frame " + std::string(from.frame));
-  for (const std::string_view fact : from.own_facts) {
-    if (std::ranges::find(to.own_facts, fact) == to.own_facts.end()) result.dropped.emplace_back(fact);
+  for (const OwnFact& fact : from.own_facts) {
+    if (std::ranges::find(to.own_facts, fact.name, &OwnFact::name) == to.own_facts.end())
+      result.dropped.emplace_back(fact.name);
   }
-  for (const std::string_view value : to.defaulted) {
-    if (is_defaulted(value, from)) result.defaulted.emplace_back(value);
+  for (const Demand& demand : to.demands) {
+    if (is_made_up(demand, from, to)) result.defaulted.emplace_back(demand.name);
   }
   if (from.any_length_unit && to.extrinsics) result.defaulted.emplace_back("translation unit");
   if (to.image_size && !from.image_size) result.defaulted.emplace_back("nothing: the image size is asked for (--size)");

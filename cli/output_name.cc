@@ -39,7 +39,7 @@ struct Extension {
 };
 
 constexpr std::array kExtensions = {Extension{".yaml", "YAML"}, Extension{".yml", "YAML"}, Extension{".xml", "XML"},
-                                    Extension{".json", "JSON"}, Extension{".txt", "text"}};
+                                    Extension{".json", "JSON"}, Extension{".txt", "text"}, Extension{".ini", "text"}};
 
 std::string_view name_of(text::Syntax syntax) {
   switch (syntax) {
@@ -84,14 +84,18 @@ std::string output_path(const std::string& output, const std::string& input, con
   if (output.empty() || output == "-") return "";
   const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
   const Written::File& file = written.files[index];
+  if (file.named && index > 0) {
+    const fs::path main_file = output_path(output, input, format, written, 0);
+    return (main_file.parent_path() / fs::path(file.document.source().name).filename()).string();
+  }
   if (output.find('{') != std::string::npos) {
     const std::string cameras = as_file_name(joined(file.cameras));
     const std::string path = replaced(replaced(replaced(output, "{stem}", stem), "{format}", format.id), "{camera}", cameras);
     return replaced(path, "{folder}", folder_of(input));
   }
-  if (!names_folder(output)) return output;
   const fs::path proposal = file.document.source().name;
-  if (file.cameras.empty()) return (fs::path(output) / as_file_name(proposal.filename().string())).string();
+  if (!names_folder(output)) return output;
+  if (file.cameras.empty() || file.named) return (fs::path(output) / as_file_name(proposal.filename().string())).string();
   const std::string camera = camera_files(written) > 1 ? "." + as_file_name(joined(file.cameras)) : "";
   return (fs::path(output) / (stem + camera + "." + std::string(format.id) + extension_of(file, format))).string();
 }
@@ -99,6 +103,10 @@ std::string output_path(const std::string& output, const std::string& input, con
 std::string extension_of(const Written::File& file, const Format& format) {
   const fs::path proposal = file.document.source().name;
   return proposal.has_extension() ? proposal.extension().string() : std::string(format.extension);
+}
+
+bool is_calibration_extension(std::string_view extension) {
+  return std::ranges::find(kExtensions, extension, &Extension::extension) != kExtensions.end();
 }
 
 std::string misnamed(const std::string& path, const text::Document& document) {
@@ -110,7 +118,7 @@ std::string misnamed(const std::string& path, const text::Document& document) {
 }
 
 std::ptrdiff_t camera_files(const Written& written) {
-  return std::ranges::count_if(written.files, [](const Written::File& file) { return !file.cameras.empty(); });
+  return std::ranges::count_if(written.files, [](const Written::File& file) { return !file.cameras.empty() && !file.named; });
 }
 
 }  // namespace fca::cli

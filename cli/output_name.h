@@ -19,11 +19,14 @@ namespace fca::cli {
 /// Is `output` (-o) a folder, which has room for several files?
 [[nodiscard]] bool names_folder(const std::string& output);
 
-/// How many of the files hold cameras.
+/// How many of the files hold cameras and have no name that another one gives them.
 [[nodiscard]] std::ptrdiff_t camera_files(const Written& written);
 
 /// The extension of a file that is to be written, with its point.
 [[nodiscard]] std::string extension_of(const Written::File& file, const Format& format);
+
+/// Is the extension (with its point) one that calibration files have?
+[[nodiscard]] bool is_calibration_extension(std::string_view extension);
 
 /// "x.xml is YAML": what a path's extension promises and the document is not; "" if it promises nothing else.
 [[nodiscard]] std::string misnamed(const std::string& path, const text::Document& document);

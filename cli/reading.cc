@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -166,6 +168,36 @@ std::vector<std::string> format_ids() {
   return names;
 }
 
+/// Reads the files that the last of the documents names as parts of it. One that is not there is a warning: what the others say
+/// may be all that is wanted. False with errors.
+bool add_parts(const ReadingOptions& options, Console& console, std::vector<text::Document>& documents,
+               Diagnostics& diagnostics) {
+  Diagnostics told_later;
+  const std::optional<DetectedFormat> detected =
+      options.from.empty() ? detect_format(documents.back(), told_later) : DetectedFormat{find_format(options.from), ""};
+  if (!detected) return true;
+  const std::string main_file = documents.back().source().name;
+  std::vector<text::Document> parts;
+  for (const std::string& path : paths_of_parts(*detected->format, documents.back())) {
+    Diagnostics missing;
+    // A pipe that a file names would be waited for.
+    std::error_code ignored;
+    const bool is_file = std::filesystem::is_regular_file(path, ignored);
+    std::optional<text::Source> source = is_file ? text::read_source(path, missing) : std::nullopt;
+    if (!source) {
+      diagnostics.warning("part-missing", "it names " + path + ", which cannot be read: its cameras are not known",
+                          {main_file, 0, 0}, "put that file there; --into needs it only for cameras that stay");
+      return true;
+    }
+    console.remember(*source);
+    std::optional<text::Document> part = text::parse_document(*std::move(source), diagnostics);
+    if (!part) return false;
+    parts.push_back(*std::move(part));
+  }
+  std::ranges::move(parts, std::back_inserter(documents));
+  return true;
+}
+
 }  // namespace
 
 std::string format_names() { return enumerated(format_ids()); }
@@ -229,6 +261,7 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
     std::optional<text::Document> document = text::parse_document(*std::move(source), diagnostics);
     if (!document) return std::nullopt;
     documents.push_back(*std::move(document));
+    if (!add_parts(options, console, documents, diagnostics)) return std::nullopt;
   }
   const Format* format = options.from.empty() ? nullptr : find_format(options.from);
   std::optional<Calibration> calibration = read_calibration(

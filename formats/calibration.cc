@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 namespace fca {
@@ -168,6 +169,43 @@ void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, 
 
 }  // namespace
 
+std::vector<std::string> paths_of_parts(const Format& format, const text::Document& document) {
+  if (format.parts == nullptr) return {};
+  std::vector<std::string> paths = format.parts(document);
+  const std::filesystem::path folder = std::filesystem::path(document.source().name).parent_path();
+  for (std::string& path : paths) path = (folder / std::filesystem::path(path).relative_path()).string();
+  return paths;
+}
+
+namespace {
+
+/// The first of the documents with the parts of it that follow: all, or none.
+std::span<const text::Document> with_parts(const Format& format, std::span<const text::Document> documents) {
+  const std::vector<std::string> paths = paths_of_parts(format, documents.front());
+  const auto name_of = [](const text::Document& document) { return document.source().name; };
+  const bool all =
+      documents.size() > paths.size() && std::ranges::equal(documents.subspan(1, paths.size()), paths, {}, name_of);
+  return documents.first(all ? 1 + paths.size() : 1);
+}
+
+}  // namespace
+
+/// Joined files of cameras alone put each at the origin of the same frame (ROS: R = I and no baseline): that states no pose.
+void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
+  std::map<std::string, std::vector<std::string>> at_origin;
+  for (const PoseEdge& edge : rig.poses) {
+    const bool own_frame = rig.find_camera(edge.a) == nullptr && !edge.a.starts_with("imu");
+    if (own_frame && edge.T_a_b == Transform{}) at_origin[edge.a].push_back(edge.b);
+  }
+  for (const auto& [frame, cameras] : at_origin) {
+    if (cameras.size() < 2) continue;
+    std::erase_if(rig.poses, [&of = frame](const PoseEdge& edge) { return edge.a == of && edge.T_a_b == Transform{}; });
+    diagnostics.warning("pose-unstated", "the files of " + text::enumerated(cameras) +
+                                             " say the same place for each, as a camera's alone does: " +
+                                             "how they sit to each other is not known");
+  }
+}
+
 std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
                                             const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.empty()) return std::nullopt;
@@ -182,7 +220,8 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       if (!found) return std::nullopt;
       detected = *found;
     }
-    std::optional<Rig> rig = detected.format->read(std::span(&document, 1), options, diagnostics);
+    const std::span<const text::Document> parts = with_parts(*detected.format, std::span(documents).subspan(i));
+    std::optional<Rig> rig = detected.format->read(parts, options, diagnostics);
     if (!rig) return std::nullopt;
     if (main_file) {
       result.format = detected.format;
@@ -194,13 +233,15 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
       result.one_format = result.one_format && (rig->cameras.empty() || detected.format == result.format);
       if (!join(*rig, document, result.rig, diagnostics)) return std::nullopt;
     }
-    result.formats.push_back(detected.format);
+    result.formats.resize(result.formats.size() + parts.size(), detected.format);
+    i += parts.size() - 1;
     const auto own = std::span(result.rig.poses).subspan(files.size());
     if (detected.format->any_length_unit)
       result.poses_without_unit.insert(result.poses_without_unit.end(), own.begin(), own.end());
     files.resize(result.rig.poses.size(), document.source().name);
   }
   warn_of_contradictions(result.rig, files, diagnostics);
+  if (options.join && result.format->pair_poses) forget_common_origins(result.rig, diagnostics);
   result.documents = std::move(documents);
   return result;
 }

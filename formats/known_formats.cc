@@ -18,8 +18,6 @@ struct Known {
 };
 
 constexpr std::array kKnown = {
-    Known{"camodocal's camera file (VINS)", "model_type", "camera_name"},
-    Known{"a VINS configuration, whose cameras stand in files of their own", "cam0_calib", "imu"},
     Known{"MultiCol-SLAM's OCam settings", "Camera.nrpol", "Camera.nrinvpol"},
     Known{"OpenCV's numbers in plain lists, of which cv::FileStorage makes no matrix", "camera_matrix",
           "distortion_coefficients"},

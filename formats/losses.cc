@@ -19,7 +19,7 @@ namespace fca {
 namespace {
 
 /// What tunes a program comes in numbers, and says nothing of the calibration or the images.
-constexpr std::array<std::string_view, 2> kTuning = {"Viewer.", "ORBextractor."};
+constexpr std::array<std::string_view, 3> kTuning = {"Viewer.", "ORBextractor.", "vins."};
 
 /// "Viewer." of "Viewer.PointSize"; nothing of a key that is no tuning.
 std::string_view group_of(const AsRead& extra) {
@@ -108,6 +108,16 @@ void add_time_offset(const Camera& camera, std::string_view why, std::vector<Los
   const std::string shift = text::format_short(*camera.time_offset_s, 12);
   losses.push_back({"time-offset-dropped", camera.name + " timeshift_cam_imu " + shift + " s", std::string(why),
                     "add " + shift + " s to every image time stamp of " + camera.name});
+}
+
+void add_other_time_offsets(const Rig& rig, double common, std::string_view who, std::vector<Loss>& losses) {
+  for (const Camera& camera : rig.cameras) {
+    const double offset = camera.time_offset_s.value_or(common);
+    if (offset == common) continue;
+    losses.push_back({"time-offset-dropped", camera.name + " time offset " + text::format_short(offset, 9) + " s",
+                      std::string(who) + ", " + text::format_short(common, 9) + " s",
+                      "add " + text::format_short(offset - common, 9) + " s to every image time stamp of " + camera.name});
+  }
 }
 
 void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {

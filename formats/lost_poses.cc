@@ -81,14 +81,15 @@ std::string program_of(const Format& format, const Written& written) {
   return std::string(format.program);
 }
 
-Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group& b, const std::string& program) {
+Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group& b, const std::string& program,
+             const std::string& remedy) {
   std::string why = "what is written for " + program + " does not say it";
   std::vector<std::string> kept;
   for (const Group* group : {&a, &b}) {
     if (group->size() > 1) kept.push_back(text::enumerated(std::vector<std::string>(group->begin(), group->end())));
   }
   if (!kept.empty() && a != b) why += "; how " + text::enumerated(kept) + " sit to each other is kept";
-  return {"pose-dropped", text::enumerated(poses), why, ""};
+  return {"pose-dropped", text::enumerated(poses), why, remedy};
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
   std::vector<Loss> losses;
   losses.reserve(lost.size());
   for (const auto& [groups, poses] : lost)
-    losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written)));
+    losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written), written.pose_remedy));
   return losses;
 }
 

@@ -290,7 +290,7 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
     if (!consumer.reads(format_id) || (with_cameras && consumer.cameras != *with_cameras)) continue;
     Readers::Program program;
     program.program = consumer.program;
-    program.other_syntax = consumer.other_syntax;
+    program.other_syntax = consumer.other_syntax && consumer.format != format_id;
     std::size_t fewest = SIZE_MAX;
     for (const std::string_view mode : modes) {
       consumers::LoadOptions asked = options;

@@ -4,8 +4,10 @@
 #include "kalibr/kalibr.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"
+#include "openvins/openvins.h"
 #include "orbslam3/orbslam3.h"
 #include "tumvi/tumvi.h"
+#include "vins/vins.h"
 #include "woodscape/woodscape.h"
 #include "write_guard.h"
 
@@ -22,7 +24,7 @@ namespace {
 const auto& table() {
   static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),   guarded<ocamcalib::kFormat>(),
                                     guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),
-                                    guarded<basalt::kFormat>()};
+                                    guarded<basalt::kFormat>(), guarded<openvins::kFormat>(), guarded<vins::kFormat>()};
   return kTable;
 }
 

@@ -21,8 +21,10 @@ constexpr std::array kModels = {
 };
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {kVignette};
-constexpr std::array<std::string_view, 1> kOwnFacts = {"IMU biases and scale, vignette"};
-constexpr std::array<std::string_view, 2> kDefaulted = {"pose in the IMU", "IMU noise and rate"};
+constexpr std::array kOwnFacts = {OwnFact{"IMU biases and scale, vignette"}};
+constexpr std::array kDemands = {Demand{"pose in the IMU", "T_imu_cam"},
+                                 Demand{"IMU noise", "_std", nullptr, &Format::needs_imu},
+                                 Demand{"IMU rate", "imu_update_rate", nullptr, &Format::needs_imu}};
 
 ProbeResult probe(const text::Document& document) {
   const Node* value = text::find(document.root(), "value0", kDialect);
@@ -47,10 +49,11 @@ const Format kFormat = {
     .many_cameras = true,
     .extrinsics = true,
     .imu = true,
+    .needs_imu = true,
     .image_size = true,
     .time_offset = true,
     .own_facts = kOwnFacts,
-    .defaulted = kDefaulted,
+    .demands = kDemands,
     .of_the_images = kOfTheImages,
     .models = kModels,
     .probe = probe,

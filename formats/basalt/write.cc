@@ -63,14 +63,7 @@ void list_time_losses(const Rig& rig, std::vector<Loss>& losses) {
     losses.push_back({"time-offset-rounded", "the time offset " + text::format_short(*common, 12) + " s",
                       "Basalt counts whole nanoseconds", "nothing: no camera's clock is that fine"});
   }
-  for (const Camera& camera : rig.cameras) {
-    if (camera.time_offset_s.value_or(*common) == *common) continue;
-    const std::string more = text::format_short(*camera.time_offset_s - *common, 9);
-    losses.push_back({"time-offset-dropped",
-                      camera.name + " time offset " + text::format_short(*camera.time_offset_s, 9) + " s",
-                      "Basalt has one for all cameras, " + text::format_short(*common, 9) + " s",
-                      "add " + more + " s to every image time stamp of " + camera.name});
-  }
+  add_other_time_offsets(rig, *common, "Basalt has one for all cameras", losses);
 }
 
 std::vector<Field> imu_fields(const Imu& imu) {

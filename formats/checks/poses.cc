@@ -286,7 +286,8 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
   bool any_redundant = false;
   const std::vector<Contradiction> contradictions = contradictions_of(subject.rig(), any_redundant);
   // Above a vehicle's ground the height decides.
-  if (!any_redundant && !poses.empty() && !subject.is("woodscape")) {
+  const auto is_identity = [](const PoseEdge& edge) { return edge.T_a_b == Transform{}; };
+  if (!any_redundant && !std::ranges::all_of(poses, is_identity) && !subject.is("woodscape")) {
     findings.undecided("pose-inverted",
                        "direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
                        "each is stated once, and a pose and its inverse are equally long");

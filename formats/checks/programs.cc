@@ -136,7 +136,7 @@ class ProgramsCheck {
         calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(to)->many_cameras;
     if (file_per_camera) command += " -o FOLDER/";
     if (!writing.output.empty()) command += " -o " + std::string(writing.output);
-    return writing.then.empty() ? command : command + ", then " + std::string(writing.then);
+    return command;
   }
 
   void say_other_format(const Consumer& program) {

@@ -21,6 +21,7 @@ namespace fca::consumers {
 [[nodiscard]] ConsumerView load_ocamcalib(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_woodscape(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_woodscape_omnidet(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_vins(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_dso(std::string_view bytes, const LoadOptions& options);
 
 }  // namespace fca::consumers

@@ -49,5 +49,6 @@ ConsumerView load_slam_no_opt(std::string_view bytes, const LoadOptions& options
 }
 ConsumerView load_urbste(std::string_view bytes, const LoadOptions& options) { return programs().urbste(bytes, options); }
 ConsumerView load_opencv(std::string_view bytes, const LoadOptions& options) { return programs().opencv(bytes, options); }
+ConsumerView load_vins(std::string_view bytes, const LoadOptions& options) { return programs().vins(bytes, options); }
 
 }  // namespace fca::consumers

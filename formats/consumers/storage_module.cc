@@ -10,6 +10,7 @@ extern "C" __attribute__((visibility("default"))) const fca::consumers::StorageP
                                                            .orbslam2 = &consumers::load_orbslam2,
                                                            .slam_no_opt = &consumers::load_slam_no_opt,
                                                            .urbste = &consumers::load_urbste,
-                                                           .opencv = &consumers::load_opencv};
+                                                           .opencv = &consumers::load_opencv,
+                                                           .vins = &consumers::load_vins};
   return &kPrograms;
 }

@@ -15,6 +15,7 @@ struct StoragePrograms {
   Load slam_no_opt;
   Load urbste;
   Load opencv;
+  Load vins;
 };
 
 /// What the module exports: a function without arguments that returns a pointer to its StoragePrograms.

@@ -25,8 +25,8 @@ constexpr std::array kModels = {
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
 constexpr std::array kOfCameras = {kOverlaps};
-constexpr std::array<std::string_view, 1> kOwnFacts = {"keys of its own (cam_overlaps)"};
-constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
+constexpr std::array kOwnFacts = {OwnFact{"keys of its own (cam_overlaps)"}};
+constexpr std::array kDemands = {Demand{"IMU topic", "rostopic", &Format::imu}};
 
 ProbeResult probe(const text::Document& document) {
   const Node& root = document.root();
@@ -79,7 +79,7 @@ const Format kFormat = {
     .time_offset = true,
     .topic = true,
     .own_facts = kOwnFacts,
-    .defaulted = kDefaulted,
+    .demands = kDemands,
     .of_the_images = kOfTheImages,
     .of_cameras = kOfCameras,
     .models = kModels,

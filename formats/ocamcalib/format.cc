@@ -12,8 +12,9 @@ using text::Node;
 namespace {
 
 constexpr std::array kModels = {StoredModel{"ocamcalib", "direct polynomial", true, "OCamCalib", {}}};
-constexpr std::array<std::string_view, 1> kOwnFacts = {"the inverse polynomial"};
-constexpr std::array<std::string_view, 1> kDefaulted = {"inverse polynomial (fitted)"};
+constexpr std::array kOwnFacts = {OwnFact{"the inverse polynomial"}};
+constexpr std::array kDemands = {
+    Demand{.name = "inverse polynomial (fitted)", .key = "inverse polynomial", .of_model = "ocamcalib"}};
 
 bool mentions(const Node& line, std::string_view lower_case) {
   return std::ranges::any_of(line.items, [lower_case](const Node& word) {
@@ -67,7 +68,7 @@ const Format kFormat = {
     .imu = false,
     .image_size = true,
     .own_facts = kOwnFacts,
-    .defaulted = kDefaulted,
+    .demands = kDemands,
     .models = kModels,
     .probe = probe,
     .read = read,

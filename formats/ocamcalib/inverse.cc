@@ -158,7 +158,7 @@ double inverse_error(const Camera& camera, std::span<const double> coefficients)
   return lens.stretch() * largest_error(curve_of(lens, kCheckedPoints), coefficients);
 }
 
-InversePolynomial fit_inverse(const Camera& camera) {
+InversePolynomial fit_inverse(const Camera& camera, std::size_t most) {
   constexpr double kGoal = 1e-6;   // px
   constexpr double kMargin = 0.8;  // between the points that are checked
   const Lens lens(camera);
@@ -169,7 +169,7 @@ InversePolynomial fit_inverse(const Camera& camera) {
   const long double shift = scale * std::numbers::pi_v<long double> / 2.0L - 1.0L;
   InversePolynomial best;
   best.error_px = HUGE_VAL;
-  for (std::size_t count = 2; count <= kMostCoefficients; ++count) {
+  for (std::size_t count = 2; count <= most; ++count) {
     std::vector<double> coefficients = powers_of_theta(std::span(series).first(count), scale, shift);
     const double error = lens.stretch() * largest_error(curve, coefficients);
     if (error < best.error_px) best = {std::move(coefficients), error};
@@ -180,6 +180,7 @@ InversePolynomial fit_inverse(const Camera& camera) {
   if (best.error_px > kGoal) {
     const Curve nodes = chebyshev_nodes(lens);
     for (const std::size_t count : {20U, 24U, 32U, 40U, 48U, 64U}) {
+      if (count > most) break;
       std::vector<double> coefficients = fit_powers(nodes.theta, nodes.rho, count);
       const double error = lens.stretch() * largest_error(curve, coefficients);
       if (error < best.error_px) best = {std::move(coefficients), error};

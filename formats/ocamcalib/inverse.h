@@ -23,7 +23,8 @@ struct InversePolynomial {
 /// a size. Infinite if a value is no number.
 [[nodiscard]] double inverse_error(const Camera& camera, std::span<const double> coefficients);
 
-/// As few coefficients as are within 1e-6 px over the lens; the best that kMostCoefficients can do where none is.
-[[nodiscard]] InversePolynomial fit_inverse(const Camera& camera);
+/// As few coefficients as are within 1e-6 px over the lens; the best that `most` (at most kMostCoefficients) can do where none
+/// is.
+[[nodiscard]] InversePolynomial fit_inverse(const Camera& camera, std::size_t most = kMostCoefficients);
 
 }  // namespace fca::ocamcalib

@@ -8,7 +8,7 @@ namespace fca::opencv {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> kOwnFacts = {"keys of its own (calibration_time, flags, reprojection errors)"};
+constexpr std::array kOwnFacts = {OwnFact{"keys of its own (calibration_time, flags, reprojection errors)"}};
 constexpr std::array kModels = {
     StoredModel{"radtan", "5 coefficients", true, "cv::projectPoints", {}},
     StoredModel{"rational", "8 coefficients", true, "cv::projectPoints", {}},

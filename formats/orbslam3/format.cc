@@ -31,9 +31,15 @@ constexpr std::array<std::string_view, kCount> names_of(const std::array<Row, kC
   return names;
 }
 
-constexpr std::array<std::string_view, 1> kOwnFacts = {"tuning (ORBextractor, Viewer, RGB, overlapping)"};
-constexpr std::array<std::string_view, 6> kDefaulted = {"frame rate",          "colour order",   "depth threshold",
-                                                        "overlapping columns", "ORBextractor.*", "Viewer.*"};
+constexpr std::array kOwnFacts = {OwnFact{"tuning (ORBextractor, Viewer, RGB, overlapping)"}};
+constexpr std::array kDemands = {
+    Demand{"frame rate", "Camera.fps", nullptr, &Format::frame_rate},
+    Demand{"colour order", "Camera.RGB"},
+    Demand{"depth threshold", "ThDepth", &Format::extrinsics},
+    Demand{"overlapping columns", "overlapping", &Format::extrinsics},
+    Demand{"ORBextractor.*", "ORBextractor"},
+    Demand{"Viewer.*", "Viewer"},
+};
 
 /// Of the ROS examples and of ORB-SLAM3's rescaling.
 constexpr std::array<std::string_view, 10> kOfTheImages = {"LEFT.P",          "LEFT.K",          "LEFT.height",  "LEFT.width",
@@ -79,7 +85,7 @@ const Format kFormat = {
     .own_facts = kOwnFacts,
     .modes = kModes,
     .layouts = kLayouts,
-    .defaulted = kDefaulted,
+    .demands = kDemands,
     .of_the_images = kOfTheImages,
     .of_the_lenses = kOfTheLenses,
     .models = kModels,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <span>
 #include <vector>
 
 namespace fca::text {
@@ -71,6 +72,18 @@ bool begins_as_json(std::string_view text) {
   return next == std::string_view::npos || std::string_view("[{]\"'-0123456789").find(text[next]) != std::string_view::npos;
 }
 
+/// "[image]" alone in its line, and behind it neither a key of YAML nor another value: the sections of an .ini, whose lines are
+/// words.
+bool begins_as_ini(std::span<const std::string_view> lines) {
+  if (lines.size() < 2) return false;
+  const std::vector<std::string_view> header = words_of(lines[0]);
+  const std::string_view first = header.front();
+  const std::string_view last = header.back();
+  const bool brackets =
+      first.starts_with('[') && last.ends_with(']') && lines[0].find_first_of(",:{}\"'") == std::string_view::npos;
+  return brackets && std::isalpha(static_cast<unsigned char>(words_of(lines[1]).front()[0])) != 0 && !can_begin_yaml(lines[1]);
+}
+
 std::string_view content_of(const Source& source) {
   std::string_view text = std::string_view(source.bytes).substr(source.byte_order_mark());
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
@@ -100,6 +113,7 @@ Syntax choose_syntax(const Source& source) {
 
   const std::vector<std::string_view> lines = first_lines(text, 2);
   if (!lines.empty() && is_line_of_numbers(lines.front())) return Syntax::kWords;
+  if (begins_as_ini(lines)) return Syntax::kWords;
   if (!lines.empty() && can_begin_yaml(lines.front())) return Syntax::kYaml;
   if (named_as_yaml(source)) return Syntax::kYaml;
   const std::string extension = extension_of(source);

@@ -33,8 +33,9 @@ constexpr std::array kModels = {
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
 constexpr std::array kOfCameras = {kalibr::kOverlaps};
-constexpr std::array<std::string_view, 2> kOwnFacts = {"keys of its own (cam_overlaps)", "DSO's rectified image"};
-constexpr std::array<std::string_view, 1> kDefaulted = {"IMU topic"};
+constexpr std::array<std::string_view, 1> kOfDso = {"DSO's rectified image"};
+constexpr std::array kOwnFacts = {OwnFact{"keys of its own (cam_overlaps)"}, OwnFact{kOfDso.front(), kOfDso}};
+constexpr std::array kDemands = {Demand{"IMU topic", "rostopic", &Format::imu}};
 
 /// A chain is Kalibr's, and says so.
 ProbeResult probe(const text::Document& document) { return probe_camera_txt(document); }
@@ -185,7 +186,7 @@ const Format kFormat = {
     .image_size = true,
     .topic = true,
     .own_facts = kOwnFacts,
-    .defaulted = kDefaulted,
+    .demands = kDemands,
     .of_the_images = kOfTheImages,
     .of_cameras = kOfCameras,
     .models = kModels,

@@ -16,8 +16,8 @@ namespace {
 constexpr std::array kInPixels = {ParameterRange{"k1", 10.0, 1e9}};
 constexpr std::array kModels = {
     StoredModel{"woodscape", "radial_poly", true, "WoodScape's projection.py", kInPixels, "k1 counts pixels per radian"}};
-constexpr std::array<std::string_view, 1> kOwnFacts = {"keys of its own"};
-constexpr std::array<std::string_view, 1> kDefaulted = {"pose in the vehicle"};
+constexpr std::array kOwnFacts = {OwnFact{"keys of its own"}};
+constexpr std::array kDemands = {Demand{"pose in the vehicle", "extrinsic"}};
 
 ProbeResult probe(const text::Document& document) {
   constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
@@ -51,7 +51,7 @@ const Format kFormat = {
     .image_size = true,
     .frame = "vehicle",
     .own_facts = kOwnFacts,
-    .defaulted = kDefaulted,
+    .demands = kDemands,
     .models = kModels,
     .probe = probe,
     .read = read,

@@ -64,7 +64,9 @@ TEST(Layout, OpenVinsChainsForKalibr) {
     const text::Source source{path.filename().string(), read_file(path)};
     const std::optional<Rig> before = rig_of(source, find_format("kalibr"));
     if (!before || before->cameras.empty() || !is_of_opencv(source.bytes)) continue;
-    const std::optional<text::Source> after = mended(source, {});
+    CheckOptions options;
+    options.from = find_format("kalibr");
+    const std::optional<text::Source> after = mended(source, options);
     ASSERT_TRUE(after) << source.name;
     EXPECT_EQ(rig_of(*after, find_format("kalibr")), before) << source.name;
     const consumers::ConsumerView view = kalibr->load(after->bytes, {});
@@ -160,7 +162,7 @@ TEST(Layout, AnotherModelIsAnErrorForOpenVins) {
   const text::Source source{"camchain.yaml", bytes};
   const CheckReport report = checked(source, options);
   ASSERT_TRUE(report.has(Severity::kError));
-  EXPECT_EQ(line_of(report.findings.front(), source), "8:17 error program-misreads");
+  EXPECT_EQ(line_of(report.findings.front(), source), "8:17 error unknown-model");
 }
 
 }  // namespace

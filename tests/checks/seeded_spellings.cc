@@ -56,6 +56,26 @@ std::vector<TextDefect> defects() {
        {"kalibr"},
        {"unknown-model"},
        line_starting("camera_model:", [](const std::string&) { return "  camera_model: pinhol"; })},
+      {"a model type in small letters",
+       {"vins"},
+       {"unknown-model"},
+       line_starting("model_type:",
+                     [](const std::string& line) -> std::optional<std::string> {
+                       if (line.find("scaramuzza") != std::string::npos) return std::nullopt;  // read in any case
+                       std::string small = line;
+                       std::ranges::transform(small, small.begin(), [](char c) {
+                         return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+                       });
+                       return small;
+                     }),
+       10},
+      {"another program's name for a parameter",
+       {"vins"},
+       {"missing-key"},
+       line_starting("p2:", [](const std::string& line) { return with_replaced(line, "p2", "t2"); }),
+       5,
+       false},
+      {"a configuration for three cameras", {"vins"}, {"out-of-range"}, replaced("num_of_cam: *[12]", "num_of_cam: 3"), 5},
       {"a TAB as indentation",
        {"kalibr", "orbslam3"},
        {"yaml-tab"},
@@ -81,8 +101,11 @@ std::vector<TextDefect> defects() {
        {"opencv-header"},
        [](const Good& good) -> std::optional<SpanEdit> {
          if (bytes_of(good).starts_with("%") || bytes_of(good).starts_with("---")) return std::nullopt;
+         // With a pose to the IMU it is OpenVINS' chain.
+         if (bytes_of(good).find("T_cam_imu") != std::string::npos) return std::nullopt;
          return SpanEdit{{0, 0}, "%YAML:1.0\n"};
-       }},
+       },
+       15},
       {"a matrix of doubles",
        {"orbslam3"},
        {"matrix-not-float"},

@@ -2,6 +2,7 @@
 // Nothing ever crashes: every subcommand over every real file and over seeded ruins of ours ends with a code of the contract,
 // in time.
 #include "cli/run_program.h"
+#include "formats/corpus_folders.h"
 
 #include <fca/formats/format.h>
 
@@ -80,11 +81,10 @@ class Watch {
 class CorpusRobustness : public testing::TestWithParam<const Format*> {};
 
 TEST_P(CorpusRobustness, EverySubcommandOverEveryFile) {
-  // Formats beyond the first six stand below extra/.
-  const fs::path corpus = fs::path(FCA_SHARED_DIR) / "corpus";
-  const fs::path folder = fs::exists(corpus / GetParam()->id) ? corpus / GetParam()->id : corpus / "extra" / GetParam()->id;
-  if (!fs::exists(folder)) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
-  std::vector<fs::path> files = files_in(folder);
+  std::vector<fs::path> files;
+  for (const fs::path& folder : corpus_folders(FCA_SHARED_DIR, GetParam()->id))
+    std::ranges::copy(files_in(folder), std::back_inserter(files));
+  if (files.empty()) GTEST_SKIP() << "no corpus of it in '" FCA_SHARED_DIR "'";
 #ifdef __SANITIZE_ADDRESS__
   // Ten times as slow: every other file, neighbours in the listing being alike.
   std::size_t at = 0;

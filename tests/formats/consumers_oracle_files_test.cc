@@ -168,6 +168,11 @@ TEST(ConsumersOracleFiles, BasaltTables) {
   compare_tables("basalt", "tumvi", "basalt", 4);
 }
 
+TEST(ConsumersOracleFiles, CamodocalTables) {
+  if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  compare_tables("vins", "camodocal", "camodocal", 14);
+}
+
 TEST(ConsumersOracleFiles, TumViChainsAreKalibrs) {
   if (!has_oracles()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
   EXPECT_TRUE(find_consumer("kalibr")->reads("tumvi"));
@@ -229,6 +234,7 @@ TEST(ConsumersOracleFiles, WholeCorpus) {
   list_verdicts("woodscape", "woodscape", {"SynWoodScape"}, ".json");
   list_verdicts("woodscape-omnidet", "woodscape", {}, ".json");
   list_verdicts("basalt", "extra/basalt", {"__83e1872", "__9973a89"}, ".json");  // one number for the noise of three axes
+  list_verdicts("vins", "extra/camodocal", {}, ".yaml");
   list_verdicts("dso", "extra/dso_camera_txt", {}, ".txt");
 }
 

@@ -129,8 +129,10 @@ double largest_pose_difference(const Rig& a, const Rig& b) {
   return worst;
 }
 
-/// OCamCalib's inverse polynomial is fitted to the direct one.
-bool others_follow(const Base& base, const Parameter& parameter) {
+/// OCamCalib's inverse polynomial is fitted to the direct one. camodocal's scaramuzza, the same lens in other numbers, has c in
+/// all.
+bool others_follow(const Base& base, const ModelInfo& model, const Parameter& parameter) {
+  if (base.calibration.format->id == "vins" && model.id == "ocamcalib") return parameter.name != "cx" && parameter.name != "cy";
   return base.calibration.format->id == "ocamcalib" && parameter.name.starts_with('a');
 }
 
@@ -152,7 +154,7 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
         double& value = parameter_values(rig.cameras[c].model)[p];
         // Four coefficients may stand for five of which the last is 0.
         const bool may_be_unstated = value == 0.0 && info.parameters[p].name == "k3";
-        if (may_be_unstated || others_follow(base, info.parameters[p])) continue;
+        if (may_be_unstated || others_follow(base, info, info.parameters[p])) continue;
         // A coefficient that is 0 may be so small that no lens folds by it.
         constexpr double kSmall = 1e-9;
         value = storable(base, value == 0.0 ? kSmall : value * factor(random));

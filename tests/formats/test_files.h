@@ -2,6 +2,8 @@
 // What the tests of the formats share: files, parsing with its diagnostics, and the leaves of a tree.
 #pragma once
 
+#include "corpus_folders.h"
+
 #include <fca/formats/calibration.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/text/render.h>
@@ -39,16 +41,12 @@ inline std::vector<fs::path> files_in(const fs::path& folder, const std::string&
   return result;
 }
 
-/// Where the corpus has files of a format: a folder of its name, for formats beyond the first six below extra/. It need not be
-/// there.
-inline fs::path corpus_folder(std::string_view format) {
-  const fs::path corpus = shared_dir() / "corpus";
-  return fs::exists(corpus / format) ? corpus / format : corpus / "extra" / format;
-}
-
-/// The files there; none where there is no such folder.
+/// The corpus' files of a format; none where there is no such folder.
 inline std::vector<fs::path> corpus_files_of(std::string_view format) {
-  return fs::exists(corpus_folder(format)) ? files_in(corpus_folder(format)) : std::vector<fs::path>();
+  std::vector<fs::path> files;
+  for (const fs::path& folder : corpus_folders(shared_dir(), format))
+    std::ranges::copy(files_in(folder), std::back_inserter(files));
+  return files;
 }
 
 /// The files of testdata/formats/*/good (or bad), without the expected texts.

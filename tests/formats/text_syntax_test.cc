@@ -32,7 +32,7 @@ const char* name_of(Syntax syntax) {
 Syntax wanted(const fs::path& path, const std::string& bytes) {
   if (path.extension() == ".xml") return Syntax::kXml;
   if (path.extension() == ".json") return Syntax::kJson;
-  if (path.extension() == ".txt") return Syntax::kWords;
+  if (path.extension() == ".txt" || path.extension() == ".ini") return Syntax::kWords;
   return bytes.find("%YAML:") < 4 ? Syntax::kOpenCvYaml : Syntax::kYaml;
 }
 
@@ -112,8 +112,13 @@ TEST(TextSyntax, OfSmallFiles) {
       {"camera", "a.yaml", Syntax::kYaml},
       {"camera model\n1 2 3\n", "a.yml", Syntax::kYaml},
       {"garbage", "/a.b/c", Syntax::kYaml},
-      {"# [image]\n[image]\nwidth\n640\n", "a.ini", Syntax::kYaml},
-      {"[image]\nwidth\n640\n", "a.ini", Syntax::kYaml},
+      // Sections before lines of text: an .ini. A list of YAML is one before anything else.
+      {"# [image]\n[image]\nwidth\n640\n", "a.ini", Syntax::kWords},
+      {"[image]\n\n#comment\nwidth\n640\n", "a", Syntax::kWords},
+      {"[narrow stereo/left]\ncamera matrix\n1 2 3\n", "a.txt", Syntax::kWords},
+      {"[image]\nwidth: 640\n", "a.ini", Syntax::kYaml},
+      {"[a, b]\nwidth\n", "a.yaml", Syntax::kYaml},
+      {"[image]\n", "a.ini", Syntax::kYaml},
       {"<<<<<<< HEAD\na: 1\n", "a.yaml", Syntax::kYaml},
   };
   for (const Row& row : kRows)

@@ -3,18 +3,25 @@
 #include "pixels_kalibr.h"
 #include "pixels_ocamcalib.h"
 #include "pixels_opencv.h"
+#include "pixels_openvins.h"
 #include "pixels_orbslam3.h"
 #include "pixels_tumvi.h"
+#include "pixels_vins.h"
 #include "pixels_woodscape.h"
 
 namespace fca::matrix {
 
 const FormatReader* find_reader(const std::string& id) {
   static const std::vector<FormatReader> readers = {
-      {"kalibr", kalibr::camera, kalibr::relative_poses},          {"opencv", opencv::camera, opencv::relative_poses},
-      {"ocamcalib", ocamcalib::camera, ocamcalib::relative_poses}, {"tumvi", tumvi::camera, tumvi::relative_poses},
-      {"orbslam3", orbslam3::camera, orbslam3::relative_poses},    {"woodscape", woodscape::camera, woodscape::relative_poses},
+      {"kalibr", kalibr::camera, kalibr::relative_poses},
+      {"opencv", opencv::camera, opencv::relative_poses},
+      {"ocamcalib", ocamcalib::camera, ocamcalib::relative_poses},
+      {"tumvi", tumvi::camera, tumvi::relative_poses},
+      {"orbslam3", orbslam3::camera, orbslam3::relative_poses},
+      {"woodscape", woodscape::camera, woodscape::relative_poses},
       {"basalt", basalt::camera, basalt::relative_poses},
+      {"openvins", openvins::camera, openvins::relative_poses},
+      {"vins", vins::camera, vins::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The independent readers by themselves: small texts, with pixels computed by other means (Python's mpmath, 30 digits, from the
 // formulas of FORMATS.md), and the tables that the real programs printed, where they are beside the repository.
+#include "formats/corpus_folders.h"
 #include "formats/matrix/geometry.h"
 #include "formats/matrix/ray_search.h"
 
@@ -286,10 +287,11 @@ bool another_camera(const std::string& format, const std::string& bytes, std::si
 TEST(MatrixReaders, AgreeWithWhatTheRealProgramsPrinted) {
   const fs::path shared = FCA_SHARED_DIR;
   if (!fs::exists(shared / "oracles")) GTEST_SKIP() << "no tables beside the repository: " << shared / "oracles";
-  for (const std::string format : {"kalibr", "opencv", "ocamcalib", "tumvi", "orbslam3", "woodscape", "basalt"}) {
+  for (const test::SharedFolders& folders : test::kSharedFolders) {
+    const std::string format(folders.format);
     int tables = 0;
     double worst = 0.0;
-    for (const fs::directory_entry& entry : fs::directory_iterator(shared / "oracles" / format)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(shared / "oracles" / folders.tables)) {
       const OracleTable table = read_table(entry.path());
       if (format != "basalt" && entry.path().string().find(".basalt.") != std::string::npos) continue;  // another format
       const std::string bytes = read_bytes(shared / "corpus" / table.corpus_file);

@@ -31,7 +31,11 @@ struct DetectedFormat {
 /// The format whose content the document has. No format, or a tie, is an error.
 [[nodiscard]] std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics);
 
-/// Reads one calibration. `format`: null to detect it. `with`: further parts of the same calibration (imu.yaml).
+/// Where the files lie that a document of that format names as parts of its calibration (Format::parts).
+[[nodiscard]] std::vector<std::string> paths_of_parts(const Format& format, const text::Document& document);
+
+/// Reads one calibration. `format`: null to detect it. `with`: further parts of the same calibration (imu.yaml). The files at
+/// paths_of_parts() of a document, all of them, may follow it and are read with it.
 [[nodiscard]] std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
                                                           const ReadOptions& options, Diagnostics& diagnostics);
 

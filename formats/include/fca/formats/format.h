@@ -49,6 +49,23 @@ struct DefaultedValue {
   bool look_at_it = false;  ///< The user must check it (fps, colour order); the others are tuning with upstream's value.
 };
 
+struct Format;
+
+/// What a format states and a Rig has no member for.
+struct OwnFact {
+  std::string_view name;                        ///< For people: "IMU intrinsics".
+  std::span<const std::string_view> keys = {};  ///< That state it (AsRead, behind their owner's name); none: all others.
+};
+
+/// What a format's program demands and calibrations rarely state.
+struct Demand {
+  std::string_view name;           ///< For people: "colour order".
+  std::string_view key;            ///< Part of the keys that are written for it (DefaultedValue): "Camera.RGB".
+  bool Format::*of = nullptr;      ///< It is demanded only of what can hold this: an IMU's topic. Null: of everything.
+  bool Format::*stated = nullptr;  ///< What can hold this states it. Null: only what demands the same does.
+  std::string_view of_model = {};  ///< It is demanded of this model only, and computed anew.
+};
+
 /// What a writer is asked for.
 struct WriteOptions {
   std::string sensor;  ///< orbslam3: "mono", "stereo", ...; empty: the richest the rig serves.
@@ -73,12 +90,15 @@ struct Written {
     text::Document document;            ///< Bytes with edits; its source's name is a proposal ("imu.yaml", "cam1.txt").
     std::vector<std::string> cameras;   ///< Names, as in the rig, of the cameras in it.
     std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
+    /// Another of the files names it: it lies beside that one, under its source's name.
+    bool named = false;
   };
   std::vector<File> files;
   std::string headline;        ///< First line for people: mode, who reads it, who does not.
   std::string sensor;          ///< orbslam3: the mode written for.
   std::string opencv_model;    ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
   std::string first_is_left;   ///< Why the first of two cameras is to be the left one, for people; empty: nothing asks for it.
+  std::string pose_remedy;     ///< What to do about poses that the files do not say; may be empty.
   std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
@@ -120,21 +140,21 @@ struct Format {
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
+  bool pair_poses = false;       ///< Of the poses between cameras it states that of a stereo pair only, the rig's first two.
   bool any_length_unit = false;  ///< Its files do not say in what unit translations are; metres elsewhere.
   bool imu = true;
-  bool imu_file = false;  ///< An IMU without cameras is a file of its own: Kalibr's imu.yaml.
+  bool needs_imu = false;  ///< Its program does nothing without an IMU: its calibrations state one.
+  bool imu_file = false;   ///< An IMU without cameras is a file of its own: Kalibr's imu.yaml.
   bool image_size = true;
   bool time_offset = false;
   bool frame_rate = false;
   bool topic = false;
   bool baseline = false;        ///< Of a rectified pair or depth sensor, without a pose.
   std::string_view frame = {};  ///< That it states poses in, beside those of cameras and IMUs: "vehicle".
-  std::span<const std::string_view> own_facts =
-      {};                                          ///< What it states and a Rig has no member for, for people: "cam_overlaps".
+  std::span<const OwnFact> own_facts = {};
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
-  std::span<const std::string_view> defaulted =
-      {};  ///< What its program demands and calibrations rarely state: "colour order".
+  std::span<const Demand> demands = {};
   /// Keys of own facts (AsRead, behind their owner's name) that count pixels or rows of the images, and are stale for others.
   std::span<const std::string_view> of_the_images = {};
   /// Keys of own facts that were computed from the cameras and their poses, and are stale beside others.
@@ -156,7 +176,10 @@ struct Format {
   /// Can the document hold the model without another layout? Null: any model that the format stores.
   bool (*layout_holds)(const text::Document& document, std::string_view model) = nullptr;
 
-  /// Documents that together are one calibration, or nothing with errors.
+  /// The files that the document names as parts of its calibration, as paths relative to its folder. Null: it names none.
+  std::vector<std::string> (*parts)(const text::Document& document) = nullptr;
+
+  /// Documents that together are one calibration, or nothing with errors. Those of parts() follow the one that names them.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);
 
   /// Edits `base` (a document this format read) so that it says what `rig` says; only fields in which the two differ are

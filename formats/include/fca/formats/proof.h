@@ -70,7 +70,7 @@ struct Readers {
   struct Program {
     std::string program;
     bool loads = false;
-    bool other_syntax = false;          ///< As consumers::Consumer's.
+    bool other_syntax = false;          ///< As consumers::Consumer's, of this format.
     std::vector<std::string> sensors;   ///< ORB-SLAM3 and kin: the modes it loads in.
     std::vector<std::string> refusals;  ///< Of the mode that comes furthest.
     std::vector<std::string> warnings;  ///< Of the first mode it loads in, then what further modes add ("as stereo: ...").

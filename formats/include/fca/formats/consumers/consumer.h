@@ -83,7 +83,6 @@ struct Writing {
   std::string_view model = {};   ///< --model
   std::string_view layout = {};  ///< --FORMAT-layout
   std::string_view output = {};  ///< -o, where the name decides the syntax
-  std::string_view then = {};    ///< A command that the written file needs.
 };
 
 /// A row of the table of consumers.
@@ -96,8 +95,8 @@ struct Consumer {
   bool cameras = true;  ///< false: it reads files without a camera (Kalibr's imu.yaml).
   /// Id of a second format whose files it reads, or "": TUM-VI's chains are Kalibr's.
   std::string_view second_format = {};
-  /// It reads the format's keys in another syntax than the format's own program: a file that only it reads has the format's
-  /// keys and is not of the format (OpenVINS: Kalibr's keys through cv::FileStorage).
+  /// It reads the second format's keys in another syntax than that format's own program: a file that only it reads has that
+  /// format's keys and is not of the format (OpenVINS: Kalibr's keys through cv::FileStorage).
   bool other_syntax = false;
   Writing writing = {};
   [[nodiscard]] constexpr bool reads(std::string_view format_id) const {

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "openvins.h"
+
+#include "../kalibr/blocks.h"
+#include "../kalibr/demands.h"
+#include "../kalibr/kalibr.h"
+#include "../kalibr/layout.h"
+#include "../kalibr/overlaps.h"
+#include "../losses.h"
+#include "../one_camera_files.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace fca::openvins {
+
+using fields::Field;
+using text::Node;
+
+namespace {
+
+constexpr std::array kModels = {
+    StoredModel{"radtan", "pinhole-radtan", true, "OpenVINS", kalibr::kNoK3, "OpenVINS' radtan has no k3"},
+    StoredModel{"kb4", "pinhole-equidistant", true, "OpenVINS (rays inside 90 deg)", {}},
+    StoredModel{"pinhole", "pinhole-radtan with zeros", true, "OpenVINS", {}},
+};
+
+constexpr std::array<std::string_view, 1> kOfTheImages = {"line_delay"};
+constexpr std::array kOfCameras = {kalibr::kOverlaps};
+
+/// The IMU's own intrinsics: what OpenVINS stops without, and what a calibrated IMU has there.
+struct Intrinsic {
+  std::string_view key;
+  bool identity;
+};
+constexpr std::array kIntrinsics = {Intrinsic{"Tw", true}, Intrinsic{"R_IMUtoGYRO", true}, Intrinsic{"Ta", true},
+                                    Intrinsic{"R_IMUtoACC", true}, Intrinsic{"Tg", false}};
+
+constexpr std::array<std::string_view, 2> kOfTheImu = {"time_offset", "model"};
+
+constexpr auto kImuModelKeys = [] {
+  std::array<std::string_view, kIntrinsics.size() + kOfTheImu.size()> keys;
+  std::ranges::copy(kOfTheImu, std::ranges::transform(kIntrinsics, keys.begin(), &Intrinsic::key).out);
+  return keys;
+}();
+constexpr std::array kOwnFacts = {OwnFact{"keys of its own (cam_overlaps)"},
+                                  OwnFact{"IMU model and intrinsics", kImuModelKeys}};
+constexpr std::array kDemands = {Demand{"pose in the IMU", "T_imu_cam"}, Demand{"IMU topic", "rostopic", &Format::imu},
+                                 Demand{"IMU intrinsics", "IMU intrinsics", &Format::imu}};
+
+constexpr std::string_view kHeader = "%YAML:1.0";
+
+bool is_opencv_yaml(const text::Document& document) { return document.syntax() == text::Syntax::kOpenCvYaml; }
+
+ProbeResult probe(const text::Document& document) {
+  if (!is_opencv_yaml(document)) return {};
+  constexpr text::Dialect kDialect = text::Dialect::kOpenCv;
+  for (const text::Entry& entry : document.root().entries) {
+    const std::string& name = entry.key.value;
+    for (const std::string_view key : {"T_imu_cam", "T_cam_imu"}) {
+      if (kalibr::index_in(name, "cam") && text::find(entry.value, key, kDialect) != nullptr)
+        return {evidence::kCamera + 1, "%YAML:1.0 and " + std::string(key) + " below " + name};
+    }
+    if (!kalibr::index_in(name, "imu")) continue;
+    for (const Intrinsic& intrinsic : kIntrinsics) {
+      if (text::find(entry.value, intrinsic.key, kDialect) != nullptr)
+        return {evidence::kPart + 1, "%YAML:1.0 and " + std::string(intrinsic.key) + " below " + name};
+    }
+  }
+  return {};
+}
+
+std::string imu_of(const Rig& rig) { return rig.imus.empty() ? "imu0" : rig.imus.front().name; }
+
+std::optional<Transform> pose_in(const Rig& rig, const std::string& frame, const Camera& camera) {
+  const Transform* stated = rig.stated(frame, camera.name);
+  return stated != nullptr ? *stated : rig.resolve(frame, camera.name);
+}
+
+bool knows_imu_poses(const Rig& rig) {
+  return std::ranges::all_of(rig.cameras,
+                             [&rig](const Camera& camera) { return pose_in(rig, imu_of(rig), camera).has_value(); });
+}
+
+/// T_imu_cam of a camera; where the IMU is not known, in the first camera's frame, as a value to look at.
+Transform pose_of(const Rig& rig, const Camera& camera, std::vector<DefaultedValue>& defaults) {
+  if (const std::optional<Transform> T = pose_in(rig, imu_of(rig), camera)) return *T;
+  const Camera& first = rig.cameras.front();
+  const std::optional<Transform> T = pose_in(rig, first.name, camera);
+  const std::string value = T && first.name != camera.name ? "the pose in " + first.name : "identity";
+  defaults.push_back(
+      {camera.name + " T_imu_cam", value + ": its pose in the IMU is not in the input, and OpenVINS stops without it", true});
+  return T.value_or(Transform{});
+}
+
+/// A fresh chain.
+std::string compose(const Rig& rig, std::vector<AsRead>& said, std::vector<DefaultedValue>& defaults) {
+  std::string bytes = std::string(kHeader) + "\n";
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const Camera& camera = rig.cameras[i];
+    std::vector<Field> fields = {fields::rows("T_imu_cam", pose_of(rig, camera, defaults))};
+    const auto extra = std::ranges::find(rig.as_read, camera.name + " " + std::string(kalibr::kOverlaps), &AsRead::key);
+    const std::optional<Field> overlaps = kalibr::overlaps_read(rig.as_read, camera.name, rig);
+    if (overlaps) fields.push_back(*overlaps);
+    if (extra != rig.as_read.end() && kalibr::is_whole(overlaps, *extra)) said.push_back(*extra);
+    std::ranges::move(kalibr::lens_fields(camera), std::back_inserter(fields));
+    bytes += "\n" + kalibr::indexed("cam", i) + ":";
+    for (const Field& field : fields) bytes += "\n" + fields::spell(field, 2);
+    bytes += "\n";
+  }
+  return bytes;
+}
+
+/// What an OpenVINS chain was read to say under a key of imu0; nothing if it said nothing.
+const AsRead* read_of(const Rig& rig, const Imu& imu, std::string_view key) {
+  const auto found = std::ranges::find(rig.as_read, imu.name + " " + std::string(key), &AsRead::key);
+  return found == rig.as_read.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> missing_in(const Imu& imu) {
+  std::vector<std::string> missing;
+  if (!imu.accelerometer_noise_density) missing.emplace_back("accelerometer_noise_density");
+  if (!imu.accelerometer_random_walk) missing.emplace_back("accelerometer_random_walk");
+  if (!imu.gyroscope_noise_density) missing.emplace_back("gyroscope_noise_density");
+  if (!imu.gyroscope_random_walk) missing.emplace_back("gyroscope_random_walk");
+  return missing;
+}
+
+/// kalibr_imu_chain.yaml, if the noise is complete.
+void add_imu_file(const Rig& rig, std::vector<AsRead>& said, Written& written, Diagnostics& diagnostics) {
+  Imu imu = rig.imus.front();
+  if (const std::vector<std::string> missing = missing_in(imu); !missing.empty()) {
+    written.losses.push_back(
+        {"imu-dropped", imu.name + " noise and rate", "OpenVINS demands " + text::enumerated(missing) + ", too", ""});
+    return;
+  }
+  if (imu.topic.empty()) {
+    imu.topic = "/" + imu.name;
+    written.defaults.push_back({"rostopic (kalibr_imu_chain.yaml)", imu.topic, true});
+  }
+  std::string bytes = std::string(kHeader) + "\n\nimu0:\n";
+  for (const Field& field : kalibr::imu_fields(imu)) bytes += fields::spell(field, 2) + "\n";
+  std::vector<std::string> made_up;
+  for (const std::string_view key : kOfTheImu) {
+    const AsRead* read = read_of(rig, imu, key);
+    bytes += "  " + std::string(key) + ": " + (read != nullptr ? read->value : key == "model" ? "\"kalibr\"" : "0.0") + "\n";
+    if (read != nullptr) said.push_back(*read);
+  }
+  for (const Intrinsic& intrinsic : kIntrinsics) {
+    const AsRead* read = read_of(rig, imu, intrinsic.key);
+    const std::string one = intrinsic.identity ? "1.0" : "0.0";
+    const std::string fresh = "[[" + one + ", 0.0, 0.0], [0.0, " + one + ", 0.0], [0.0, 0.0, " + one + "]]";
+    bytes += "  " + std::string(intrinsic.key) + ": " + (read != nullptr ? read->value : fresh) + "\n";
+    if (read != nullptr) {
+      said.push_back(*read);
+    } else {
+      made_up.emplace_back(intrinsic.key);
+    }
+  }
+  if (!made_up.empty())
+    written.defaults.push_back({"IMU intrinsics (" + text::enumerated(made_up) + ")", "those of a calibrated IMU", false});
+  if (std::optional<text::Document> document = text::parse_document({"kalibr_imu_chain.yaml", bytes}, diagnostics))
+    written.files.push_back({*std::move(document), {}, {"openvins-imu"}});
+}
+
+void list_losses(const Rig& rig, std::vector<Loss>& losses) {
+  const std::string no_place = "OpenVINS' chains have no key for it";
+  for (const Camera& camera : rig.cameras) {
+    if (camera.frame_rate_hz) {
+      losses.push_back(
+          {"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz", no_place, ""});
+    }
+  }
+  add_other_time_offsets(rig, rig.cameras.front().time_offset_s.value_or(0.0),
+                         "OpenVINS takes that of the first camera for all", losses);
+  for (std::size_t i = 1; i < rig.imus.size(); ++i)
+    losses.push_back({"imu-dropped", rig.imus[i].name + " noise and rate", "OpenVINS has one IMU", ""});
+  if (rig.baseline_m)
+    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
+}
+
+/// The base's own text with what differs, by Kalibr's editor: its layout is the same. Nothing if that cannot be.
+std::optional<Written> edited(const text::Document& base, const Rig& old, const Rig& rig, const WriteOptions& options,
+                              Diagnostics& diagnostics) {
+  const bool same_imus = rig.imus.empty() || rig.imus == old.imus || old.cameras.empty();
+  if (!is_opencv_yaml(base) || options.anew || (!rig.cameras.empty() && !knows_imu_poses(rig))) return std::nullopt;
+  Rig chain = rig;
+  if (!rig.cameras.empty()) chain.imus = old.imus;
+  Diagnostics said;
+  std::optional<Written> written = kalibr::write(&base, chain, options, said);
+  if (!written || written->files.front().document.source().bytes != base.source().bytes) return std::nullopt;
+  for (const Diagnostic& entry : said.entries()) diagnostics.add(entry);
+  written->files.resize(1);
+  written->files.front().programs = {rig.cameras.empty() ? "openvins-imu" : "openvins"};
+  if (!same_imus) {
+    std::vector<AsRead> ignored;
+    add_imu_file(rig, ignored, *written, diagnostics);
+  }
+  return written;
+}
+
+/// An error for every camera whose model OpenVINS takes for another one: camera_model is never read, and every distortion_model
+/// but equidistant is radtan (VioManagerOptions.h).
+void refuse_misread(const text::Document& document, Diagnostics& diagnostics) {
+  fields::Reader reader(document, text::Dialect::kOpenCv, diagnostics);
+  for (const text::Entry& entry : document.root().entries) {
+    const std::string& name = entry.key.value;
+    if (!kalibr::index_in(name, "cam")) continue;
+    const std::string fix =
+        "--from kalibr reads it by its names: convert it with that and --to openvins, and the lens is fitted";
+    const Node* model = reader.find(entry.value, "camera_model");
+    const Node* distortion = reader.find(entry.value, "distortion_model");
+    if (model != nullptr && model->value != "pinhole") {
+      reader.error(*model, "unknown-model",
+                   name + ": OpenVINS never reads camera_model: it would take the first four intrinsics of this " +
+                       model->value + " camera for fx fy cx cy",
+                   fix);
+    } else if (distortion != nullptr && distortion->value != "radtan" && distortion->value != "equidistant") {
+      reader.error(*distortion, "unknown-model",
+                   name + ": OpenVINS takes distortion_model " + distortion->value + " for radtan", fix);
+    }
+  }
+}
+
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  std::optional<Rig> rig = kalibr::read(documents, options, diagnostics);
+  for (const text::Document& document : documents) refuse_misread(document, diagnostics);
+  return diagnostics.has_errors() ? std::nullopt : rig;
+}
+
+std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
+  Diagnostics ignored;
+  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  if (rig.cameras.empty() ? rig.imus.empty()
+                          : !can_store(kFormat, rig, old && is_opencv_yaml(*base) ? &*old : nullptr, diagnostics)) {
+    if (rig.cameras.empty()) diagnostics.error("no-camera", "an OpenVINS chain needs a camera and the input has none");
+    return std::nullopt;
+  }
+  if (old) {
+    if (std::optional<Written> written = edited(*base, *old, rig, options, diagnostics)) {
+      if (!rig.cameras.empty()) list_losses(rig, written->losses);
+      written->headline = "a chain for OpenVINS";
+      return written;
+    }
+  }
+  if (!rig.cameras.empty() && !writable_alone(kFormat, rig, "OpenVINS demands a resolution", diagnostics)) return std::nullopt;
+
+  Written written;
+  std::vector<AsRead> said;
+  if (!rig.cameras.empty()) {
+    std::optional<text::Document> document =
+        text::parse_document({"kalibr_imucam_chain.yaml", compose(rig, said, written.defaults)}, diagnostics);
+    if (!document) return std::nullopt;
+    written.files.push_back({*std::move(document), {}, {"openvins"}});
+    for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
+  }
+  if (!rig.imus.empty()) add_imu_file(rig, said, written, diagnostics);
+  if (written.files.empty()) {
+    diagnostics.error("no-camera",
+                      "OpenVINS demands what the input does not state: " + text::enumerated(missing_in(rig.imus.front())));
+    return std::nullopt;
+  }
+  add_beyond_base(rig.as_read, said, "OpenVINS' chains have no place for it", written.losses);
+  if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
+  if (old)
+    add_not_carried(extras_beyond(extras_beyond(old->as_read, rig.as_read), said), "the file is composed anew", written.losses);
+  if (!rig.cameras.empty()) list_losses(rig, written.losses);
+  written.headline = rig.cameras.empty() ? "an IMU's chain for OpenVINS" : "a chain for OpenVINS";
+  return written;
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "openvins",
+    .title = "OpenVINS chain",
+    .syntaxes = "OpenCV YAML",
+    .extension = ".yaml",
+    .program = "OpenVINS",
+    .many_cameras = true,
+    .extrinsics = true,
+    .imu = true,
+    .needs_imu = true,
+    .imu_file = true,
+    .image_size = true,
+    .time_offset = true,
+    .topic = true,
+    .own_facts = kOwnFacts,
+    .demands = kDemands,
+    .of_the_images = kOfTheImages,
+    .of_cameras = kOfCameras,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::openvins

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compose.h"
+
+#include "scaramuzza.h"
+
+#include "../ocamcalib/inverse.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+
+
+namespace fca::vins {
+
+using fields::Field;
+
+namespace {
+
+/// As cv::FileStorage writes it for camodocal.
+std::string compose(const Camera& camera, std::string_view name, std::span<const double> inverse) {
+  std::string text = "%YAML:1.0\n---\n";
+  for (const Field& field : head_of(camera, name)) text += fields::spell(field) + "\n";
+  for (const Section& section : sections_of(camera, inverse)) text += spelled(section, false) + "\n";
+  return text;
+}
+
+}  // namespace
+
+bool is_scaramuzza(const Camera& camera) { return layout_of_model(model_info(camera.model).id)->type == kScaramuzza; }
+
+std::vector<double> fitted_inverse(const Camera& camera, Written& written, Diagnostics& diagnostics) {
+  if (!is_scaramuzza(camera)) return {};
+  const ocamcalib::InversePolynomial inverse = ocamcalib::fit_inverse(camera, kInverseCount);
+  constexpr double kGoal = 1e-6;  // px
+  const std::string error = text::format_short(inverse.error_px, 2) + " px";
+  const bool good = inverse.error_px <= kGoal;
+  written.defaults.push_back(
+      {camera.name + " inverse polynomial",
+       std::to_string(inverse.coefficients.size()) + " coefficients, fitted to the direct one within " + error, !good});
+  if (!good) {
+    diagnostics.warning("inverse-inexact",
+                        camera.name +
+                            ": no inverse polynomial of the 20 coefficients that camodocal holds comes nearer to the " +
+                            "direct one than " + error + "; it projects off by as much",
+                        {}, "--max-angle DEG leaves out the border, where the direct polynomial turns; or another model");
+  }
+  return inverse.coefficients;
+}
+
+std::string spelled(const Section& section, bool flow) {
+  std::string text = section.name + (flow ? ": {" : ":");
+  for (const Field& field : section.fields) {
+    text += flow ? (&field == &section.fields.front() ? " " : ", ") + fields::spell(field) : "\n" + fields::spell(field, 3);
+  }
+  return text + (flow ? " }" : "");
+}
+
+std::optional<text::Document> fresh_camera_file(const Camera& camera, std::string_view name, const std::string& file,
+                                                Written& written, Diagnostics& diagnostics) {
+  return text::parse_document({file, compose(camera, name, fitted_inverse(camera, written, diagnostics))}, diagnostics);
+}
+
+}  // namespace fca::vins

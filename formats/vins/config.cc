@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "config.h"
+
+#include "camera_file.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <set>
+
+namespace fca::vins {
+
+using text::Node;
+
+namespace {
+
+constexpr std::string_view kImu = "imu0";
+constexpr std::string_view kTuning = "vins.";
+
+std::string numbered(std::string_view before, std::size_t index, std::string_view after = "") {
+  return std::string(before) + std::to_string(index) + std::string(after);
+}
+
+const Node* find(const text::Document& config, std::string_view key) { return text::find(config.root(), key, kDialect); }
+
+class ConfigReader {
+ public:
+  ConfigReader(const text::Document& config, const ReadOptions& options, Diagnostics& diagnostics)
+      : config_(config), reader_(config, kDialect, diagnostics), options_(options) {}
+
+  void read_into(std::span<const text::Document> camera_files, Rig& rig) {
+    if (!config_.source().bytes.starts_with("%YAML")) {
+      reader_.warning(config_.root().entries.front().key, "program-refuses",
+                      "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0");
+    }
+    reader_.warn_of_duplicates(config_.root());
+    const std::optional<std::size_t> count = read_count();
+    const std::optional<ImageSize> size = read_size();
+    if (!count) return;
+    read_poses(*count, rig);
+    read_cameras(camera_files, size, rig);
+    for (const text::Entry& entry : config_.root().entries) {
+      if (!read_.contains(entry.key.value))
+        rig.as_read.push_back({std::string(kTuning) + entry.key.value, fields::value_text(entry.value)});
+    }
+  }
+
+ private:
+  const Node* take(const std::string& key) {
+    read_.insert(key);
+    return find(config_, key);
+  }
+
+  std::optional<std::size_t> read_count() {
+    const Node* node = take("num_of_cam");
+    if (node == nullptr) {
+      reader_.error(config_.root().entries.front().key, "missing-key", "there is no num_of_cam: VINS-Fusion stops",
+                    "num_of_cam: 1 or 2");
+      return std::nullopt;
+    }
+    const std::optional<int> count = reader_.integer(*node, "num_of_cam");
+    if (count && (*count == 1 || *count == 2)) return static_cast<std::size_t>(*count);
+    if (count) reader_.error(*node, "out-of-range", "num_of_cam is " + node->value + "; VINS-Fusion takes 1 or 2");
+    return std::nullopt;
+  }
+
+  std::optional<ImageSize> read_size() {
+    const Node* width = take("image_width");
+    const Node* height = take("image_height");
+    if (width == nullptr || height == nullptr) return std::nullopt;
+    return reader_.image_size(*width, *height, "image ");
+  }
+
+  void read_poses(std::size_t count, Rig& rig) {
+    const Node* estimated = find(config_, "estimate_extrinsic");
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string key = numbered("body_T_cam", i);
+      // 2: VINS-Fusion begins cam0 from the identity whatever stands there.
+      if (i == 0 && estimated != nullptr && estimated->value == "2") continue;
+      const Node* node = take(key);
+      if (node == nullptr) {
+        reader_.error(config_.root().entries.front().key, "missing-key", "there is no " + key + ": VINS-Fusion stops");
+        continue;
+      }
+      const std::optional<fields::Reader::Matrix> matrix = reader_.opencv_matrix(*node, key);
+      if (!matrix) continue;
+      if (matrix->rows != 4 || matrix->cols != 4) {
+        reader_.error(*node, "wrong-length", key + " must be 4 x 4");
+        continue;
+      }
+      Transform T;
+      std::ranges::copy(matrix->values, T.values.begin());
+      if (const std::optional<Transform> checked = reader_.checked(T, *node, key))
+        rig.poses.push_back({std::string(kImu), numbered("cam", i), *checked});
+    }
+  }
+
+  void read_cameras(std::span<const text::Document> files, const std::optional<ImageSize>& size, Rig& rig) {
+    std::optional<double> offset;
+    if (const Node* td = take("td")) offset = reader_.time_offset(*td, "td");
+    for (std::size_t i = 0; i < camera_files_of(config_).size(); ++i) take(numbered("cam", i, "_calib"));
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      Rig one;
+      read_camera_file(files[i], options_, one, reader_.diagnostics());
+      if (one.cameras.empty()) continue;
+      Camera camera = one.cameras.front();
+      for (AsRead extra : one.as_read) {
+        if (extra.key.starts_with(camera.name + " ")) extra.key.replace(0, camera.name.size(), numbered("cam", i));
+        rig.as_read.push_back(std::move(extra));
+      }
+      camera.name = numbered("cam", i);
+      camera.time_offset_s = offset;
+      const Node* topic = take(numbered("image", i, "_topic"));
+      if (topic != nullptr && topic->is_scalar()) camera.topic = topic->value;
+      warn_of_size(camera, size, files[i]);
+      if (size) camera.image_size = size;
+      rig.cameras.push_back(std::move(camera));
+    }
+  }
+
+  void warn_of_size(const Camera& camera, const std::optional<ImageSize>& size, const text::Document& file) {
+    if (!size || !camera.image_size || *size == *camera.image_size) return;
+    const auto words = [](const ImageSize& s) { return std::to_string(s.width) + " x " + std::to_string(s.height); };
+    reader_.warning(*find(config_, "image_width"), "size-contradicts",
+                    "the images are of " + words(*size) + " px here and of " + words(*camera.image_size) + " px in " +
+                        file.source().name + "; VINS-Fusion goes by this one",
+                    "which of the two is right?");
+  }
+
+  const text::Document& config_;
+  fields::Reader reader_;
+  const ReadOptions& options_;
+  std::set<std::string, std::less<>> read_;  ///< Keys that were asked for.
+};
+
+}  // namespace
+
+bool is_config(const text::Document& document) {
+  return find(document, "model_type") == nullptr &&
+         (find(document, "cam0_calib") != nullptr || find(document, "body_T_cam0") != nullptr);
+}
+
+std::vector<std::string> camera_files_of(const text::Document& config) {
+  std::vector<std::string> names;
+  const Node* count = find(config, "num_of_cam");
+  const int used = count != nullptr ? text::parse_int(count->value).value_or(0) : 0;
+  for (std::size_t i = 0; i < kMostCameras && static_cast<int>(i) < used; ++i) {
+    const Node* name = find(config, numbered("cam", i, "_calib"));
+    if (name == nullptr || !name->is_scalar() || name->value.empty()) break;
+    names.push_back(name->value);
+  }
+  return names;
+}
+
+void read_config(const text::Document& config, std::span<const text::Document> camera_files, const ReadOptions& options,
+                 Rig& rig, Diagnostics& diagnostics) {
+  ConfigReader(config, options, diagnostics).read_into(camera_files, rig);
+}
+
+}  // namespace fca::vins

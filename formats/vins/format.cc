@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_file.h"
+#include "config.h"
+#include "vins.h"
+
+#include <array>
+
+namespace fca::vins {
+
+namespace {
+
+constexpr std::string_view kReaders = "VINS-Mono, VINS-Fusion";
+constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
+constexpr std::array kDegreeFour = {ParameterRange{"a5", 0.0, 0.0}, ParameterRange{"a6", 0.0, 0.0},
+                                    ParameterRange{"a7", 0.0, 0.0}, ParameterRange{"a8", 0.0, 0.0}};
+constexpr std::array kModels = {
+    StoredModel{"radtan", "PINHOLE", true, kReaders, kNoK3, "camodocal's PINHOLE has no k3"},
+    StoredModel{"rational", "PINHOLE_FULL", true, "VINS-Fusion", {}},
+    StoredModel{"mei", "MEI", true, kReaders, {}},
+    StoredModel{"kb4", "KANNALA_BRANDT", true, kReaders, {}},
+    StoredModel{"ocamcalib", "scaramuzza", true, kReaders, kDegreeFour, "camodocal's polynomial is of degree 4"},
+    StoredModel{"pinhole", "PINHOLE", true, kReaders, {}},
+};
+constexpr std::array<std::string_view, 1> kInverse = {"inverse polynomial"};
+constexpr std::array kOwnFacts = {OwnFact{"keys of its own (VINS-Fusion's configuration)"},
+                                  OwnFact{"the inverse polynomial", kInverse}};
+constexpr std::array kDemands = {
+    Demand{.name = "inverse polynomial (fitted)", .key = "inverse polynomial", .of_model = "ocamcalib"}};
+
+ProbeResult probe(const text::Document& document) {
+  if (!is_yaml(document)) return {};
+  const auto has = [&document](std::string_view key) { return text::find(document.root(), key, kDialect) != nullptr; };
+  for (const std::string_view section : {"projection_parameters", "poly_parameters"}) {
+    if (has(section)) return {evidence::kCamera, "top-level " + std::string(section)};
+  }
+  for (const std::string_view key : {"cam0_calib", "body_T_cam0"}) {
+    if (has(key)) return {evidence::kCamera, "top-level " + std::string(key)};
+  }
+  if (has("model_type") && has("camera_name")) return {evidence::kPart, "model_type and camera_name"};
+  return {};
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "vins",
+    .title = "VINS calibration (camodocal)",
+    .syntaxes = "YAML",
+    .extension = ".yaml",
+    .program = "VINS-Fusion",
+    .many_cameras = false,
+    .extrinsics = false,
+    .imu = false,
+    .image_size = true,
+    .own_facts = kOwnFacts,
+    .demands = kDemands,
+    .models = kModels,
+    .probe = probe,
+    .parts = camera_files_of,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::vins

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where ../shared has real files of each format, and the tables of what its program computes from them.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+namespace fca::test {
+
+struct SharedFolders {
+  std::string_view format;
+  std::string_view files;            ///< Below shared/corpus.
+  std::string_view tables;           ///< Below shared/oracles.
+  std::string_view more_files = {};  ///< As files; may be empty.
+};
+
+inline constexpr std::array kSharedFolders = {
+    SharedFolders{"kalibr", "kalibr", "kalibr"},
+    SharedFolders{"opencv", "opencv", "opencv"},
+    SharedFolders{"ocamcalib", "ocamcalib", "ocamcalib"},
+    SharedFolders{"tumvi", "tumvi", "tumvi"},
+    SharedFolders{"orbslam3", "orbslam3", "orbslam3"},
+    SharedFolders{"woodscape", "woodscape", "woodscape"},
+    SharedFolders{"basalt", "extra/basalt", "basalt"},
+    SharedFolders{"vins", "extra/camodocal", "camodocal", "extra/vins_config"},
+};
+
+/// Those of a format that are there: OpenVINS' files lie among Kalibr's.
+inline std::vector<std::filesystem::path> corpus_folders(const std::filesystem::path& shared, std::string_view format) {
+  std::vector<std::filesystem::path> folders;
+  for (const SharedFolders& row : kSharedFolders) {
+    if (row.format != format) continue;
+    for (const std::string_view files : {row.files, row.more_files}) {
+      if (!files.empty() && std::filesystem::exists(shared / "corpus" / files)) folders.push_back(shared / "corpus" / files);
+    }
+  }
+  return folders;
+}
+
+}  // namespace fca::test
