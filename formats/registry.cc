@@ -6,6 +6,7 @@
 #include "opencv/opencv.h"
 #include "openvins/openvins.h"
 #include "orbslam3/orbslam3.h"
+#include "ros/ros.h"
 #include "tumvi/tumvi.h"
 #include "vins/vins.h"
 #include "woodscape/woodscape.h"
@@ -24,7 +25,8 @@ namespace {
 const auto& table() {
   static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),   guarded<ocamcalib::kFormat>(),
                                     guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),
-                                    guarded<basalt::kFormat>(), guarded<openvins::kFormat>(), guarded<vins::kFormat>()};
+                                    guarded<basalt::kFormat>(), guarded<openvins::kFormat>(), guarded<vins::kFormat>(),
+                                    guarded<ros::kFormat>()};
   return kTable;
 }
 

@@ -77,6 +77,7 @@ constexpr std::array kConsumers{
              .tolerance_px = kDoublePrecisionPx,
              .load = &load_vins,
              .cameras = false},
+    Consumer{"ros", "ROS", "ros", kDoublePrecisionPx, &load_ros},
     Consumer{.id = "dso",
              .program = "DSO (camera.txt)",
              .format = "tumvi",

@@ -22,6 +22,7 @@ namespace fca::consumers {
 [[nodiscard]] ConsumerView load_woodscape(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_woodscape_omnidet(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_vins(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_ros(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_dso(std::string_view bytes, const LoadOptions& options);
 
 }  // namespace fca::consumers

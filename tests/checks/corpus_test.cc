@@ -39,6 +39,10 @@ constexpr Judged kJudged[] = {
     {"euroc_eucm_calib__9973a89.json", "program-refuses", "the same"},
     {"tumvi_512_ds_calib__1f5d4b8.json", "program-refuses", "the same"},
     {"tumvi_512_eucm_calib__50010a8.json", "program-refuses", "the same"},
+    {"rovio__cfg__M600", "program-refuses",
+     "ROVIO's: neither rectification_matrix nor projection_matrix, which ROS's parser wants"},
+    {"rovio__cfg__domi_cam", "program-refuses", "the same"},
+    {"rovio__cfg__euroc_cam", "program-refuses", "the same"},
     {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };
 

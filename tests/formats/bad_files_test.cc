@@ -19,7 +19,7 @@ bool is_stock(const std::string& program, const Calibration& calibration) {
   if (calibration.documents.front().syntax() == text::Syntax::kWords && calibration.format->id == "tumvi")
     return program.starts_with("DSO");
   return program.starts_with("Kalibr") || program == "ORB-SLAM3 V1.0" || program.starts_with("OCamCalib") ||
-         program == "WoodScape's projection.py" || program == "Basalt" || program == "VINS-Fusion" ||
+         program == "WoodScape's projection.py" || program == "Basalt" || program == "VINS-Fusion" || program == "ROS" ||
          (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
 }
 

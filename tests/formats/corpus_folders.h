@@ -25,6 +25,7 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"woodscape", "woodscape", "woodscape"},
     SharedFolders{"basalt", "extra/basalt", "basalt"},
     SharedFolders{"vins", "extra/camodocal", "camodocal", "extra/vins_config"},
+    SharedFolders{"ros", "extra/ros_camera_info", "ros_camera_info"},
 };
 
 /// Those of a format that are there: OpenVINS' files lie among Kalibr's.

@@ -77,6 +77,9 @@ Pieces pieces_of(const text::Document& document) {
 /// times fx.
 bool is_redundant(const std::string& path) { return path == "Camera.bf" || path.starts_with("LEFT."); }
 
+/// P of a camera_info whose image is K's goes with K, and so does what it says in pixels of a baseline.
+bool is_projection(const std::string& path) { return path == "projection_matrix/data"; }
+
 /// Why more changed than one number, and one of each redundant statement; empty if not.
 std::string unexplained(const text::Document& before, const text::Document& after) {
   const Pieces was = pieces_of(before);
@@ -85,12 +88,15 @@ std::string unexplained(const text::Document& before, const text::Document& afte
     return std::to_string(was.scalars.size()) + " scalars became " + std::to_string(is.scalars.size());
   if (was.gaps != is.gaps) return "bytes between the scalars changed";
   std::map<std::string, int> changed;
+  bool projection = false;
   for (std::size_t i = 0; i < was.scalars.size(); ++i) {
     if (was.scalars[i] == is.scalars[i]) continue;
+    projection = projection || is_projection(was.paths[i]);
+    if (is_projection(was.paths[i])) continue;
     const std::string statement = is_redundant(was.paths[i]) ? was.paths[i] : "the number";
     if (++changed[statement] > 1) return was.paths[i] + " " + was.scalars[i] + " became " + is.scalars[i];
   }
-  return changed.contains("the number") ? "" : "nothing changed";
+  return changed.contains("the number") || projection ? "" : "nothing changed";
 }
 
 std::string written_over(const Base& base, const Rig& rig) {
@@ -109,9 +115,11 @@ std::optional<Calibration> read_back(const Base& base, const std::string& bytes)
   return back;
 }
 
-/// DSO's camera.txt may state its numbers relative to the image's size: they come back to rounding.
+/// DSO's camera.txt may state its numbers relative to the image's size, and ROS's those of the sensor that is binned: they come
+/// back to rounding.
 bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
-  if (base.calibration.format->id != "tumvi") return a.cameras == b.cameras;
+  const bool binned = base.calibration.format->id == "ros" && base.bytes.find("binning_") != std::string::npos;
+  if (base.calibration.format->id != "tumvi" && !binned) return a.cameras == b.cameras;
   return std::ranges::equal(a.cameras, b.cameras, [](const Camera& x, const Camera& y) {
     return x.model.index() == y.model.index() &&
            std::ranges::equal(parameter_values(x.model), parameter_values(y.model),
@@ -177,6 +185,12 @@ bool stores_quaternions(const Base& base) {
   return base.calibration.format->id == "woodscape" || base.calibration.format->id == "basalt";
 }
 
+/// P of a camera_info has a place in the rectified image's plane.
+bool stores_in_plane(const Base& base, int element) {
+  constexpr int kDepth = 11;
+  return base.calibration.format->id == "ros" && element == kDepth;
+}
+
 TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
   std::mt19937_64 random(2);
   // Small enough that a rotation stays one as far as readers care.
@@ -187,7 +201,7 @@ TEST(EditProperty, OneElementOfAPoseChangesItsOwnNumberOnly) {
     for (std::size_t p = 0; p < base.calibration.rig.poses.size(); ++p) {
       for (int element = 0; element < kElements; ++element) {
         const bool of_rotation = element % 4 != 3;
-        if (of_rotation && stores_quaternions(base)) continue;
+        if ((of_rotation && stores_quaternions(base)) || stores_in_plane(base, element)) continue;
         Rig rig = base.calibration.rig;
         double& value = rig.poses[p].T_a_b(element / 4, element % 4);
         value = storable(base, value + shift(random));

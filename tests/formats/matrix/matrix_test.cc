@@ -297,6 +297,8 @@ std::vector<Source> corpus_sources(const std::string& format) {
       {"woodscape", "TonyLeng1314__SynWoodScape-Stitching__FV.json"},
       {"basalt", "VladyslavUsenko__basalt-mirror__data__euroc_ds_calib.json"},
       {"vins", "HKUST-Aerial-Robotics__VINS-Fusion__config__euroc__cam0_mei.yaml"},
+      {"ros", "ros-perception__image_common__camera_info_manager__tests__test_calibration__860e9b5.yaml"},
+      {"ros", "ethz-asl__rovio__cfg__p22021_equidist.yaml"},
   };
   std::vector<Source> result;
   const std::vector<fs::path> folders = test::corpus_folders(FCA_SHARED_DIR, format);

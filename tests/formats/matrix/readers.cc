@@ -5,6 +5,7 @@
 #include "pixels_opencv.h"
 #include "pixels_openvins.h"
 #include "pixels_orbslam3.h"
+#include "pixels_ros.h"
 #include "pixels_tumvi.h"
 #include "pixels_vins.h"
 #include "pixels_woodscape.h"
@@ -22,6 +23,7 @@ const FormatReader* find_reader(const std::string& id) {
       {"basalt", basalt::camera, basalt::relative_poses},
       {"openvins", openvins::camera, openvins::relative_poses},
       {"vins", vins::camera, vins::relative_poses},
+      {"ros", ros::camera, ros::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;

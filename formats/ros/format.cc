@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ini.h"
+#include "layout.h"
+#include "ros.h"
+
+#include <array>
+
+namespace fca::ros {
+
+using text::Node;
+
+namespace {
+
+constexpr std::array kModels = {
+    StoredModel{"radtan", "plumb_bob", true, "image_geometry", {}},
+    StoredModel{"rational", "rational_polynomial", true, "image_geometry", {}},
+    StoredModel{"kb4", "equidistant", true, "image_geometry (rays inside 90 deg)", {}},
+    StoredModel{"pinhole", "plumb_bob with zeros", true, "image_geometry", {}},
+};
+
+constexpr std::array kOwnFacts = {OwnFact{"rectified image (projection_matrix), binning, roi"}};
+constexpr std::array<std::string_view, 4> kOfTheImages = {kProjection, "binning_x", "binning_y", "roi"};
+constexpr std::array<std::string_view, 1> kOfTheLenses = {kProjection};
+
+bool is_plain_matrix(const Node* node) {
+  return node != nullptr && node->is_mapping() && !node->tag.ends_with("opencv-matrix") &&
+         text::find(*node, "dt", kDialect) == nullptr && text::find(*node, "data", kDialect) != nullptr;
+}
+
+ProbeResult probe(const text::Document& document) {
+  if (document.syntax() == text::Syntax::kWords)
+    return looks_like_ini(document) ? ProbeResult{evidence::kCamera, "sections of an .ini"} : ProbeResult{};
+  const Node& root = document.root();
+  const bool camera = is_plain_matrix(text::find(root, kMatrix, kDialect));
+  for (const std::string_view key : {kRectification, kProjection, kCoefficients}) {
+    if (!is_plain_matrix(text::find(root, key, kDialect))) continue;
+    if (camera) return {evidence::kCamera, "camera_matrix and " + std::string(key) + " with rows, cols and data"};
+    return {evidence::kHint, std::string(key) + " with rows, cols and data"};
+  }
+  if (camera) return {evidence::kHint, "camera_matrix with rows, cols and data"};
+  return {};
+}
+
+bool layout_holds(const text::Document& document, std::string_view model) {
+  return document.syntax() != text::Syntax::kWords || ini_holds(model);
+}
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "ros",
+    .title = "ROS camera_info",
+    .syntaxes = "YAML, INI",
+    .extension = ".yaml",
+    .program = "ROS",
+    .many_cameras = false,
+    .extrinsics = true,
+    .pair_poses = true,
+    .imu = false,
+    .image_size = true,
+    .frame = "rectified",
+    .own_facts = kOwnFacts,
+    .of_the_images = kOfTheImages,
+    .of_the_lenses = kOfTheLenses,
+    .models = kModels,
+    .probe = probe,
+    .layout_holds = layout_holds,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::ros

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ini.h"
+
+#include "camera_info.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+
+namespace fca::ros {
+
+using text::Node;
+
+namespace {
+
+/// A line that is neither blank nor a comment.
+struct Line {
+  const Node* node = nullptr;  ///< Its words.
+  std::string text;            ///< Without blanks around it.
+};
+
+struct Section {
+  Line header;
+  std::vector<Line> lines;
+};
+
+std::vector<Line> lines_of(const text::Document& document) {
+  std::vector<Line> lines;
+  for (const Node& node : document.root().items) {
+    if (node.items.empty()) continue;
+    std::string text = document.source().bytes.substr(node.span.offset, node.span.length);
+    if (text.starts_with('#') || text.starts_with(';')) continue;
+    lines.push_back({&node, std::move(text)});
+  }
+  return lines;
+}
+
+/// As parse_ini.cpp has it: brackets, wherever they stand.
+bool is_header(const Line& line) {
+  return line.text.find('[') != std::string::npos && line.text.find(']') != std::string::npos;
+}
+
+class IniFinder {
+ public:
+  explicit IniFinder(fields::Reader& reader) : reader_(reader) {}
+
+  std::optional<std::vector<CameraInfo>> run() {
+    std::vector<CameraInfo> infos;
+    CameraInfo image;
+    for (const Section& section : sections()) {
+      if (section.header.text == "[image]") {
+        image = {};
+        if (!read_image(section, image)) return std::nullopt;
+      } else if (section.header.text != "[externals]") {
+        if (image.width == nullptr) {
+          reader_.warning(*section.header.node, "missing-key",
+                          "there is no section [image] before the camera: ROS takes its image for one of 0 x 0 pixels",
+                          "add [image] with width and height");
+        }
+        CameraInfo info = image;
+        if (!read_camera(section, info)) return std::nullopt;
+        infos.push_back(std::move(info));
+      }
+    }
+    if (infos.empty()) {
+      reader_.error(reader_.document().root(), "missing-key", "no section of a camera stands here: [name], camera matrix, ...");
+      return std::nullopt;
+    }
+    if (infos.size() > 1) {
+      reader_.warning(*infos.back().K->place, "program-misreads",
+                      "the file holds " + std::to_string(infos.size()) + " cameras, of which ROS's parser keeps the last",
+                      "write each camera into a file of its own");
+    }
+    return infos;
+  }
+
+ private:
+  std::vector<Section> sections() {
+    std::vector<Section> result;
+    for (Line& line : lines_of(reader_.document())) {
+      if (is_header(line)) {
+        result.push_back({std::move(line), {}});
+      } else if (!result.empty()) {
+        result.back().lines.push_back(std::move(line));
+      }
+    }
+    return result;
+  }
+
+  /// The line behind a key; nothing, with an error, where there is none.
+  std::optional<std::size_t> value_of(const Section& section, std::string_view key) {
+    const auto found = std::ranges::find(section.lines, key, &Line::text);
+    if (found == section.lines.end() || found + 1 == section.lines.end()) {
+      reader_.error(*section.header.node, "missing-key", "the section " + section.header.text + " has no " + std::string(key));
+      return std::nullopt;
+    }
+    return static_cast<std::size_t>(found + 1 - section.lines.begin());
+  }
+
+  bool read_image(const Section& section, CameraInfo& info) {
+    const std::optional<std::size_t> width = value_of(section, "width");
+    const std::optional<std::size_t> height = value_of(section, "height");
+    if (!width || !height) return false;
+    info.width = &section.lines[*width].node->items.front();
+    info.height = &section.lines[*height].node->items.front();
+    return true;
+  }
+
+  bool read_camera(const Section& section, CameraInfo& info) {
+    const std::string& header = section.header.text;
+    info.name = header.substr(1, header.size() - 2);
+    info.counted = true;
+    info.D.emplace();
+    return read_matrix(section, "camera matrix", 3, 3, info.K) && read_coefficients(section, *info.D) &&
+           read_matrix(section, "rectification", 3, 3, info.R) && read_matrix(section, "projection", 3, 4, info.P);
+  }
+
+  bool read_row(const Line& line, const std::string& what, Numbers& numbers) {
+    for (const Node& word : line.node->items) {
+      const std::optional<double> value = reader_.real(word, what);
+      if (!value) return false;
+      numbers.nodes.push_back(&word);
+      numbers.values.push_back(*value);
+    }
+    return true;
+  }
+
+  bool read_matrix(const Section& section, const std::string& key, std::size_t rows, std::size_t columns,
+                   std::optional<Numbers>& into) {
+    const std::optional<std::size_t> first = value_of(section, key);
+    if (!first) return false;
+    Numbers numbers{section.lines[*first].node, {}, {}};
+    for (std::size_t row = 0; row < rows; ++row) {
+      const bool there = *first + row < section.lines.size();
+      const Line& line = section.lines[there ? *first + row : section.lines.size() - 1];
+      const std::size_t count = there ? line.node->items.size() : 0;
+      if (there && !read_row(line, key, numbers)) return false;
+      if (count == columns) continue;
+      reader_.error(*line.node, "wrong-length",
+                    key + ", row " + std::to_string(row + 1) + ": " + std::to_string(count) + " numbers; " +
+                        std::to_string(columns) + " are wanted, in " + std::to_string(rows) + " rows");
+      return false;
+    }
+    into = std::move(numbers);
+    return true;
+  }
+
+  /// parse_ini.cpp: 8 numbers where there are more than 5, else 5; what is missing becomes nan.
+  bool read_coefficients(const Section& section, Numbers& numbers) {
+    const std::optional<std::size_t> first = value_of(section, "distortion");
+    if (!first) return false;
+    const Line& line = section.lines[*first];
+    numbers.place = line.node;
+    if (!read_row(line, "distortion", numbers)) return false;
+    constexpr std::size_t kPlumbBob = 5;
+    constexpr std::size_t kRational = 8;
+    if (numbers.values.size() == kPlumbBob || numbers.values.size() == kRational) return true;
+    reader_.error(*line.node, "wrong-length",
+                  "distortion has " + std::to_string(numbers.values.size()) +
+                      " numbers; plumb_bob has 5, rational_polynomial 8, and ROS's parser takes what is missing for nan");
+    return false;
+  }
+
+  fields::Reader& reader_;
+};
+
+std::string block(std::string_view key, std::span<const double> values, std::size_t columns) {
+  std::string text = "\n" + std::string(key) + "\n";
+  for (std::size_t i = 0; i < values.size(); ++i) text += text::format_real(values[i]) + ((i + 1) % columns == 0 ? "\n" : " ");
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::vector<CameraInfo>> find_in_ini(fields::Reader& reader) { return IniFinder(reader).run(); }
+
+bool looks_like_ini(const text::Document& document) {
+  if (document.syntax() != text::Syntax::kWords) return false;
+  const std::vector<Line> lines = lines_of(document);
+  return !lines.empty() && is_header(lines.front());
+}
+
+bool ini_holds(std::string_view model) { return model == "radtan" || model == "rational" || model == "pinhole"; }
+
+std::string compose_ini(const Camera& camera, const Rectified& rectified) {
+  const std::vector<double> D = coefficients_of(camera.model);
+  return "# Camera intrinsics\n\n[image]\n\nwidth\n" + std::to_string(camera.image_size->width) + "\n\nheight\n" +
+         std::to_string(camera.image_size->height) + "\n\n[" + camera.name + "]\n" +
+         block("camera matrix", camera_matrix_of(camera.model), 3) + block("distortion", D, D.size()) +
+         block("rectification", rectified.R, 3) + block("projection", rectified.P, 4);
+}
+
+}  // namespace fca::ros

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layout.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+
+namespace fca::ros {
+
+namespace {
+
+struct Names {
+  std::string_view distortion_model;
+  std::string_view model;
+};
+/// In the order in which a model of ours looks for its name.
+constexpr std::array kNames = {Names{"plumb_bob", "radtan"}, Names{"plumb_bob", "pinhole"},
+                               Names{"rational_polynomial", "rational"}, Names{"equidistant", "kb4"}};
+
+constexpr std::string_view kFrame = "rectified";
+
+}  // namespace
+
+std::string_view model_of(std::string_view distortion_model) {
+  const auto* const found = std::ranges::find(kNames, distortion_model, &Names::distortion_model);
+  return found == kNames.end() ? std::string_view() : found->model;
+}
+
+std::string_view name_of(const CameraModel& model) {
+  const auto* const found = std::ranges::find(kNames, model_info(model).id, &Names::model);
+  return found == kNames.end() ? std::string_view() : found->distortion_model;
+}
+
+std::vector<double> coefficients_of(const CameraModel& model) {
+  constexpr std::size_t kPlumbBob = 5;
+  constexpr std::array<std::string_view, 8> kOpenCv = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  constexpr std::array<std::string_view, 4> kFisheye = {"k1", "k2", "k3", "k4"};
+  std::vector<double> values;
+  const auto add = [&](std::span<const std::string_view> names) {
+    for (const std::string_view name : names) values.push_back(parameter(model, name).value_or(0.0));
+  };
+  const std::string_view id = model_info(model).id;
+  if (id == "kb4") {
+    add(kFisheye);
+  } else {
+    add(std::span(kOpenCv).first(id == "rational" ? kOpenCv.size() : kPlumbBob));
+  }
+  return values;
+}
+
+Matrix3 camera_matrix_of(const CameraModel& model) {
+  const auto value = [&model](std::string_view name) { return parameter(model, name).value_or(0.0); };
+  return {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
+}
+
+PixelMap Reduction::map() const {
+  return {{1.0 / binning_x, 1.0 / binning_y}, {-static_cast<double>(x) / binning_x, -static_cast<double>(y) / binning_y}};
+}
+
+std::string frame_of(const Projection& P) {
+  return std::string(kFrame) + "(" + text::format_short(P[0]) + " " + text::format_short(P[6]) + ")";
+}
+
+bool is_rectified_frame(std::string_view frame) { return frame.starts_with(kFrame) && frame.ends_with(")"); }
+
+Transform pose_of(const Matrix3& R, const Projection& P) {
+  Transform T;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) T(row, column) = R[static_cast<std::size_t>(3 * row + column)];
+  }
+  // 0 rather than -0: poses are compared and printed.
+  T(0, 3) = P[3] == 0.0 ? 0.0 : -P[3] / P[0];
+  T(1, 3) = P[7] == 0.0 ? 0.0 : -P[7] / P[5];
+  return T;
+}
+
+Projection projection_of(const Matrix3& K) { return {K[0], 0.0, K[2], 0.0, 0.0, K[4], K[5], 0.0, 0.0, 0.0, 1.0, 0.0}; }
+
+}  // namespace fca::ros

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the cameras of a rig are rectified: what R and P of their files are to say.
+#pragma once
+
+#include "layout.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fca::ros {
+
+/// R and P of one camera; R the identity and P [K | 0] where nothing else is known.
+struct Rectified {
+  Matrix3 R = kIdentity;
+  Projection P{};
+  bool stated = false;  ///< P's image is one that a file stated for this camera, beside K.
+};
+
+struct Rectification {
+  std::vector<Rectified> cameras;  ///< As in the rig.
+  /// The first two cameras are a pair whose rectified image nobody stated: it was chosen here.
+  bool chosen = false;
+  /// Their pose is known, and no rectified image holds what both see (they look more than 45 deg away from it).
+  bool not_stereo = false;
+  /// The pose of a chosen pair is no exact rotation; the nearest one was taken: T_second_first as the files say it.
+  std::optional<PoseEdge> restated;
+};
+
+/// R and P are those of the pair that the files state (`as_read` and poses in rectified frames), where these still agree with
+/// the poses of the rig; else of two cameras: both turned by half the rotation between them, and then so that their rows (of
+/// cameras above each other: their columns) lie along the baseline. Further cameras are rectified alone.
+[[nodiscard]] Rectification rectification_of(const Rig& rig);
+
+}  // namespace fca::ros
