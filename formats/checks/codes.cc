@@ -73,7 +73,8 @@ out rather than guessed.)"},
     CheckCode{
         "centre-swapped", "OCamCalib's centre has column before row", kWrongPixels,
         R"(calib_results.txt has the centre as row, column and the size as height, width. MATLAB's DistortionCenter is column,
-row. The other order is said if it is nearer to the middle; on a square image nobody can tell.)"},
+row. The other order is said if it puts the centre at most half as far from the middle, and as it stands it is more than 0.03
+diagonals of the image from there; on an image that is almost square nobody can tell.)"},
     CheckCode{
         "comment-lines", "a line too many before a block", kGarbage,
         R"(get_ocam_model reads calib_results.txt by lines: one line skipped, one block read, five times over. With two comment

@@ -16,6 +16,11 @@ namespace {
 /// Farther than this from the exact inverse, the two polynomials are not of one lens. findinvpoly.m stops at 0.01 px.
 constexpr double kStalePx = 1.0;
 
+/// A centre is taken for swapped if the other order puts it at most half as far from the middle, and it is farther from there,
+/// in diagonals of the image, than lenses are mounted.
+constexpr double kSwappedRatio = 0.5;
+constexpr double kSwappedDiagonals = 0.03;
+
 std::string listed(std::span<const double> values) {
   std::string list;
   for (const double value : values) list += (list.empty() ? "" : " ") + text::format_real(value);
@@ -114,14 +119,15 @@ class ResultsReader {
     return false;
   }
 
-  /// Some exporters write column before row (MATLAB's DistortionCenter is so). On a square image nobody can tell.
+  /// Some exporters write column before row (MATLAB's DistortionCenter is so). On an image that is almost square nobody can
+  /// tell.
   bool warn_if_swapped(const Blocks& blocks, const Camera& camera) {
     const double row = *parameter(camera.model, "cy");
     const double column = *parameter(camera.model, "cx");
     const ImageSize size = *camera.image_size;
     const double straight = std::hypot(row - 0.5 * size.height, column - 0.5 * size.width);
     const double swapped = std::hypot(row - 0.5 * size.width, column - 0.5 * size.height);
-    if (swapped >= straight) return false;
+    if (swapped > kSwappedRatio * straight || straight < kSwappedDiagonals * std::hypot(size.width, size.height)) return false;
     reader_.warning(*blocks.centre[0], "centre-swapped",
                     "the centre is row " + blocks.centre[0]->value + ", column " + blocks.centre[1]->value +
                         " of an image of " + std::to_string(size.height) + " rows and " + std::to_string(size.width) +
