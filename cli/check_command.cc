@@ -10,6 +10,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include <CLI/CLI.hpp>
 
@@ -53,6 +54,7 @@ CheckOptions options_for(const CheckArguments& arguments, bool with_cameras) {
   options.reading = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
   options.from = arguments.reading.from.empty() ? nullptr : find_format(arguments.reading.from);
   options.max_angle_rad = max_angle_rad(arguments.reading);
+  options.parts = true;
   if (!arguments.program.empty()) options.program = &reader_of(*find_program(arguments.program), with_cameras);
   return options;
 }
@@ -106,6 +108,16 @@ CheckReport unreadable(const Diagnostics& diagnostics) {
   return report;
 }
 
+/// Files that the one at `index` names as parts of it are checked next, each once.
+void add_parts(const std::vector<std::string>& parts, std::size_t index, std::vector<FoundFile>& files) {
+  for (const std::string& path : parts) {
+    const auto same = [&path](const FoundFile& file) {
+      return std::filesystem::path(file.path).lexically_normal() == std::filesystem::path(path).lexically_normal();
+    };
+    if (std::ranges::none_of(files, same)) files.insert(files.begin() + static_cast<std::ptrdiff_t>(++index), {path, true});
+  }
+}
+
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.list_codes) {
@@ -125,7 +137,9 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   const bool for_people = !arguments.json && !arguments.sarif;
   ExitCode exit_code = ExitCode::kGood;
   CheckedFiles all;
-  for (const FoundFile& file : walk(arguments.files)) {
+  std::vector<FoundFile> files = walk(arguments.files);
+  for (std::size_t i = 0; i < files.size(); ++i) {  // the files that one names are checked behind it
+    const FoundFile file = files[i];
     Diagnostics diagnostics;
     std::optional<text::Source> source = text::read_source(file.path, diagnostics);
     if (!source) {
@@ -144,6 +158,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
       all.skipped.push_back(file.path);
       continue;
     }
+    add_parts(report.parts, i, files);
     exit_code = worse(exit_code, code_of(report, arguments));
     std::optional<ConvertOutcome> instead = instead_of(file.path, report, arguments, console);
     all.files.push_back({*std::move(source), std::move(report), std::move(instead)});

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -176,17 +175,12 @@ bool add_parts(const ReadingOptions& options, Console& console, std::vector<text
   const std::optional<DetectedFormat> detected =
       options.from.empty() ? detect_format(documents.back(), told_later) : DetectedFormat{find_format(options.from), ""};
   if (!detected) return true;
-  const std::string main_file = documents.back().source().name;
   std::vector<text::Document> parts;
-  for (const std::string& path : paths_of_parts(*detected->format, documents.back())) {
-    Diagnostics missing;
-    // A pipe that a file names would be waited for.
-    std::error_code ignored;
-    const bool is_file = std::filesystem::is_regular_file(path, ignored);
-    std::optional<text::Source> source = is_file ? text::read_source(path, missing) : std::nullopt;
+  for (const NamedFile& named : named_parts(*detected->format, documents.back())) {
+    std::optional<text::Source> source = read_part(named);
     if (!source) {
-      diagnostics.warning("part-missing", "it names " + path + ", which cannot be read: its cameras are not known",
-                          {main_file, 0, 0}, "put that file there; --into needs it only for cameras that stay");
+      diagnostics.warning("part-missing", "it names " + named.path + ", which cannot be read: its cameras are not known",
+                          named.where, "put that file there; --into needs it only for cameras that stay");
       return true;
     }
     console.remember(*source);

@@ -8,6 +8,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <cmath>
@@ -169,23 +170,32 @@ void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, 
 
 }  // namespace
 
-std::vector<std::string> paths_of_parts(const Format& format, const text::Document& document) {
-  if (format.parts == nullptr) return {};
-  std::vector<std::string> paths = format.parts(document);
+std::vector<NamedFile> named_parts(const Format& format, const text::Document& document) {
+  std::vector<NamedFile> parts;
+  if (format.parts == nullptr) return parts;
   const std::filesystem::path folder = std::filesystem::path(document.source().name).parent_path();
-  for (std::string& path : paths) path = (folder / std::filesystem::path(path).relative_path()).string();
-  return paths;
+  for (const text::Node* node : format.parts(document)) {
+    parts.push_back({(folder / std::filesystem::path(node->value).relative_path()).string(), document.range(*node)});
+  }
+  return parts;
+}
+
+std::optional<text::Source> read_part(const NamedFile& part) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(part.path, ignored)) return std::nullopt;
+  Diagnostics unheard;
+  return text::read_source(part.path, unheard);
 }
 
 namespace {
 
 /// The first of the documents with the parts of it that follow: all, or none.
 std::span<const text::Document> with_parts(const Format& format, std::span<const text::Document> documents) {
-  const std::vector<std::string> paths = paths_of_parts(format, documents.front());
+  const std::vector<NamedFile> named = named_parts(format, documents.front());
   const auto name_of = [](const text::Document& document) { return document.source().name; };
-  const bool all =
-      documents.size() > paths.size() && std::ranges::equal(documents.subspan(1, paths.size()), paths, {}, name_of);
-  return documents.first(all ? 1 + paths.size() : 1);
+  const bool all = documents.size() > named.size() &&
+                   std::ranges::equal(documents.subspan(1, named.size()), named, {}, name_of, &NamedFile::path);
+  return documents.first(all ? 1 + named.size() : 1);
 }
 
 }  // namespace

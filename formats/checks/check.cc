@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "named_part.h"
+#include "parts.h"
 #include "subject.h"
 #include "tab_mend.h"
 #include "told_once.h"
@@ -223,6 +224,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   }
   if (calibration) {
     checks::run_topics(*document, *calibration, options, report);
+    if (options.parts) checks::check_parts(*document, *detected->format, options, report);
   } else {
     findings.undecided(report.findings.empty() ? "wrong-syntax" : report.findings.front().code,
                        "everything beyond the file's syntax", "the file could not be read as a calibration");

@@ -173,6 +173,8 @@ leaves the second out unless find_and_export_data was run. fca-io convert FILE -
               "RFC 8259: double quotes, no comments, no comma behind the last item, no NaN. Python writes NaN and reads it; "
               "others do not.",
               "write numbers as numbers and names in double quotes, without a comma behind the last one"},
+    CheckCode{"key-assumed", "a key is missing that the program has a value for", "The program goes on with its own value.",
+              "The message says which. Whether that is what was meant nothing in the file tells.", "state it"},
     CheckCode{"left-handed", "a pose that mirrors", kWrongPose,
               "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
     CheckCode{"matlab-origin", "MATLAB counts pixels from 1", "The principal point is one pixel off.",
@@ -277,6 +279,11 @@ alike: first line %YAML 1.2, second line ---, lists indented deeper than their k
         R"(fca-io's limits are far beyond any camera's: they keep arithmetic from overflowing. A number like 1e300 is a digit too many
 or uninitialised memory.)",
         "compare it with the calibration's result: a digit too many?"},
+    CheckCode{
+        "part-missing", "a file that it names as its part is missing",
+        "VINS-Fusion goes on without that camera and crashes at its first image.",
+        R"(VINS-Fusion's configuration names its camera files (cam0_calib, cam1_calib), relative to its own folder. Each is
+looked for there and checked as a file of its own.)"},
     CheckCode{
         "polynomial-sign", "OCamCalib's a0 is positive", kWrongPixels,
         "OCamCalib's camera looks along -z: f(0) = a0 < 0, some -200 to -2000 px. A positive one is another toolbox's sign."},

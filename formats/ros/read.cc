@@ -83,7 +83,7 @@ class CameraReader {
   std::optional<Family> family() {
     if (info_.counted) return Family::kOpenCv;
     if (info_.model == nullptr) {
-      reader_.warning(*info_.D->place, "missing-key",
+      reader_.warning(*info_.D->place, "key-assumed",
                       "there is no distortion_model: ROS's parser takes plumb_bob, with a warning of its own",
                       "add  distortion_model: plumb_bob");
       return Family::kOpenCv;
@@ -220,7 +220,7 @@ class CameraReader {
     }
     if (!info_.P || !check_projection(*info_.P) || !info_.R) return true;
     if (info_.R->all_zero()) {
-      reader_.warning(*info_.R->place, "not-a-rotation", "rectification_matrix is all 0: every rectified point is nan",
+      reader_.warning(*info_.R->place, "program-misreads", "rectification_matrix is all 0: every rectified point is nan",
                       "of a camera that is no part of a stereo pair it is the identity");
       return true;
     }

@@ -101,6 +101,12 @@ class ConfigReader {
     for (std::size_t i = 0; i < camera_files_of(config_).size(); ++i) take(numbered("cam", i, "_calib"));
     for (std::size_t i = 0; i < files.size(); ++i) {
       Rig one;
+      if (is_config(files[i])) {
+        reader_.error(*camera_files_of(config_)[i], "no-calibration",
+                      "it names a configuration, not a camera file: camodocal finds no model_type there",
+                      "name the camera's file");
+        continue;
+      }
       read_camera_file(files[i], options_, one, reader_.diagnostics());
       if (one.cameras.empty()) continue;
       Camera camera = one.cameras.front();
@@ -140,14 +146,14 @@ bool is_config(const text::Document& document) {
          (find(document, "cam0_calib") != nullptr || find(document, "body_T_cam0") != nullptr);
 }
 
-std::vector<std::string> camera_files_of(const text::Document& config) {
-  std::vector<std::string> names;
+std::vector<const Node*> camera_files_of(const text::Document& config) {
+  std::vector<const Node*> names;
   const Node* count = find(config, "num_of_cam");
   const int used = count != nullptr ? text::parse_int(count->value).value_or(0) : 0;
   for (std::size_t i = 0; i < kMostCameras && static_cast<int>(i) < used; ++i) {
     const Node* name = find(config, numbered("cam", i, "_calib"));
     if (name == nullptr || !name->is_scalar() || name->value.empty()) break;
-    names.push_back(name->value);
+    names.push_back(name);
   }
   return names;
 }

@@ -25,8 +25,8 @@ namespace fca::vins {
 
 [[nodiscard]] bool is_config(const text::Document& document);
 
-/// The camera files that it names, of as many cameras as it uses.
-[[nodiscard]] std::vector<std::string> camera_files_of(const text::Document& config);
+/// The nodes that name camera files, of as many cameras as it uses.
+[[nodiscard]] std::vector<const text::Node*> camera_files_of(const text::Document& config);
 
 /// What the configuration and its camera files, if they are there, say together.
 void read_config(const text::Document& config, std::span<const text::Document> camera_files, const ReadOptions& options,

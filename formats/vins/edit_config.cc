@@ -201,6 +201,17 @@ void warn_of_missing_cameras(const text::Document& base, std::size_t used, Diagn
                       base.range(*count), "put that file there, or write  num_of_cam: " + std::to_string(used));
 }
 
+/// The second camera alone would be written as the first, beside the base's own second.
+bool keeps_its_place(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
+  const Node* count = text::find(base.root(), "num_of_cam", kDialect);
+  const bool pair = count != nullptr && text::parse_int(count->value) == static_cast<int>(kMostCameras);
+  if (!pair || rig.cameras.size() != 1 || rig.cameras.front().name != "cam1") return true;
+  diagnostics.error("camera-misplaced",
+                    "a single camera becomes cam0 of the configuration, and cam1 is to be written into one of two",
+                    base.range(*count), "give both cameras (no --camera), or write  num_of_cam: 1");
+  return false;
+}
+
 /// A warning where the configuration was for images of another size; cameras of its own were compared when they were read.
 void warn_of_other_images(const text::Document& base, const Rig& old, const Rig& rig, Diagnostics& diagnostics) {
   const Node* width = text::find(base.root(), "image_width", kDialect);
@@ -228,7 +239,7 @@ bool same_size(const Rig& rig, Diagnostics& diagnostics) {
 std::optional<Written> write_config(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
   // Poses alone go there, too.
   const bool writable = rig.cameras.empty() || writable_alone(kFormat, rig, "VINS-Fusion wants the image size", diagnostics);
-  if (!writable || !same_size(rig, diagnostics)) return std::nullopt;
+  if (!writable || !same_size(rig, diagnostics) || !keeps_its_place(base, rig, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);
   if (!old) {

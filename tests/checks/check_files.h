@@ -48,6 +48,7 @@ inline bool has_corpus() { return fs::exists(shared_dir() / "corpus" / "kalibr")
 inline bool is_of_no_file(std::string_view code) {
   constexpr std::string_view kAskedFor[] = {
       "cannot-read",           // said of a path
+      "part-missing",          // of the folder a file lies in
       "program-other-format",  // of the program asked for (--for)
       "no-calibration",
       "not-settings",

@@ -136,7 +136,10 @@ std::vector<Defect> defects() {
            return true;
          }
          return false;
-       }},
+       },
+       20,
+       nullptr,
+       "\"qw\""},  // a quaternion
       {"gyroscope noise as a variance", {"imu-noise-too-small"}, imu(&Imu::gyroscope_noise_density, 1e-4)},
       {"gyroscope noise in degrees and discrete",
        {"imu-noise-too-large", "imu-sensors-swapped"},

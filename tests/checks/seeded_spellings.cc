@@ -81,6 +81,7 @@ std::vector<TextDefect> defects() {
        {"unknown-model"},
        line_starting("distortion_model:", [](const std::string&) { return "distortion_model: fov"; }),
        5},
+      {"no distortion model", {"ros"}, {"key-assumed"}, without_line("distortion_model:"), 5, false},
       {"an equidistant lens of zeros, which image_geometry takes for none",
        {"ros"},
        {"program-misreads"},

@@ -165,6 +165,38 @@ TEST(Check, ForAProgramOfAnotherFormat) {
   EXPECT_TRUE(contains(imu.out, "convert would not write it: ")) << imu.out;
 }
 
+// A configuration is as good as the camera files that it names: each is looked for, and checked as a file of its own.
+TEST(Check, FilesThatAConfigurationNamesAreCheckedWithIt) {
+  const std::string config = read_file(testdata("formats/vins/good/config.yaml"));
+  const std::string camera = read_file(testdata("formats/vins/good/kannala-brandt.yaml"));
+  const TemporaryFolder folder;
+  const std::string file = folder.write("config.yaml", config);
+  const RunResult alone = run_program({"check", file});
+  EXPECT_EQ(alone.code, 1);
+  EXPECT_TRUE(contains(alone.out, "config.yaml:13:13: error: there is no file " + (folder / "cam0.yaml"))) << alone.out;
+  EXPECT_TRUE(contains(alone.out, "[part-missing]")) << alone.out;
+
+  folder.write("cam0.yaml", camera);
+  folder.write("cam1.yaml", with_replaced(camera, "k2: ", "k2: x"));
+  const RunResult both = run_program({"check", file});
+  EXPECT_EQ(both.code, 1);
+  EXPECT_FALSE(contains(both.out, "part-missing")) << both.out;
+  EXPECT_TRUE(contains(both.out, (folder / "cam0.yaml") + ": ")) << both.out;
+  EXPECT_TRUE(contains(both.out, "[not-a-number]")) << both.out;
+  // Each once, however they are named.
+  const RunResult walked = run_program({"check", folder.path().string(), file});
+  EXPECT_TRUE(contains(walked.out, "4 calibrations checked")) << walked.out;
+
+  folder.write("cam1.yaml", with_replaced(camera, "image_width: ", "image_width: 1"));
+  const RunResult other_size = run_program({"check", file});
+  EXPECT_TRUE(contains(other_size.out, "config.yaml:15:14: warning: the images are of 512 x 512 px here and of "))
+      << other_size.out;
+
+  folder.write("cam1.yaml", config);
+  const RunResult itself = run_program({"check", file});
+  EXPECT_TRUE(contains(itself.out, "it names a configuration, not a camera file")) << itself.out;
+}
+
 TEST(Check, ReadsStandardInput) {
   const RunResult run = run_program({"check", "-"}, {.input = read_file(check_file("int-for-real.yaml"))});
   EXPECT_EQ(run.code, 1);

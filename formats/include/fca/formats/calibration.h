@@ -31,11 +31,20 @@ struct DetectedFormat {
 /// The format whose content the document has. No format, or a tie, is an error.
 [[nodiscard]] std::optional<DetectedFormat> detect_format(const text::Document& document, Diagnostics& diagnostics);
 
-/// Where the files lie that a document of that format names as parts of its calibration (Format::parts).
-[[nodiscard]] std::vector<std::string> paths_of_parts(const Format& format, const text::Document& document);
+/// A file that a document names as part of its calibration.
+struct NamedFile {
+  std::string path;   ///< With the document's own folder before it.
+  SourceRange where;  ///< What names it.
+};
+
+/// The files that a document of that format names as parts of its calibration (Format::parts).
+[[nodiscard]] std::vector<NamedFile> named_parts(const Format& format, const text::Document& document);
+
+/// The bytes of such a file; nothing if no file is there that can be read. A pipe that a file names would be waited for.
+[[nodiscard]] std::optional<text::Source> read_part(const NamedFile& part);
 
 /// Reads one calibration. `format`: null to detect it. `with`: further parts of the same calibration (imu.yaml). The files at
-/// paths_of_parts() of a document, all of them, may follow it and are read with it.
+/// named_parts() of a document, all of them, may follow it and are read with it.
 [[nodiscard]] std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
                                                           const ReadOptions& options, Diagnostics& diagnostics);
 

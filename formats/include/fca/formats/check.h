@@ -47,7 +47,8 @@ struct CheckReport {
   std::vector<Finding> findings;   ///< In the order of their places.
   std::vector<std::string> checked;
   std::vector<Undecided> undecided;
-  Readers readers;  ///< Who reads the file.
+  Readers readers;                 ///< Who reads the file.
+  std::vector<std::string> parts;  ///< Paths of the files that it names as parts of it and that are there.
   [[nodiscard]] bool has(Severity severity) const;
 };
 
@@ -56,9 +57,10 @@ struct CheckOptions {
   const Format* from = nullptr;                  ///< Null: detected.
   const consumers::Consumer* program = nullptr;  ///< The program the file is meant for; null: the format's own.
   std::optional<double> max_angle_rad;           ///< What counts as lens, from the axis.
+  bool parts = false;                            ///< Are the files that it names as parts of it to be looked for, and read?
 };
 
-/// Checks one file by itself.
+/// Checks one file by itself. The faults of its parts are told by a check of theirs.
 [[nodiscard]] CheckReport check_file(const text::Source& source, const CheckOptions& options);
 
 /// The file with every mend that is certain, also those that only show when others are made; nothing if there is none. Only

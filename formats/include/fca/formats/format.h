@@ -176,8 +176,8 @@ struct Format {
   /// Can the document hold the model without another layout? Null: any model that the format stores.
   bool (*layout_holds)(const text::Document& document, std::string_view model) = nullptr;
 
-  /// The files that the document names as parts of its calibration, as paths relative to its folder. Null: it names none.
-  std::vector<std::string> (*parts)(const text::Document& document) = nullptr;
+  /// Where the document names files that are parts of its calibration, as paths relative to its folder. Null: it names none.
+  std::vector<const text::Node*> (*parts)(const text::Document& document) = nullptr;
 
   /// Documents that together are one calibration, or nothing with errors. Those of parts() follow the one that names them.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parts.h"
+
+#include "subject.h"
+
+#include <fca/formats/text/read_document.h>
+
+namespace fca::checks {
+
+namespace {
+
+/// The document and the parts of it, as far as all are there and can be read.
+std::optional<std::vector<text::Document>> with_parts(const text::Document& document, const Format& format,
+                                                      CheckReport& report) {
+  Findings findings(report);
+  std::vector<text::Document> documents = {document};
+  bool all = true;
+  for (const NamedFile& named : named_parts(format, document)) {
+    std::optional<text::Source> source = read_part(named);
+    if (!source) {
+      findings.add({Severity::kError,
+                    "part-missing",
+                    "there is no file " + named.path + " that can be read",
+                    {},
+                    "put the camera's file there, or name the right one (paths are relative to this file's folder)",
+                    named.where});
+      all = false;
+      continue;
+    }
+    report.parts.push_back(named.path);
+    Diagnostics said_in_its_own_report;
+    std::optional<text::Document> part = text::parse_document(*std::move(source), said_in_its_own_report);
+    all = all && part;
+    if (part) documents.push_back(*std::move(part));
+  }
+  return all ? std::optional(std::move(documents)) : std::nullopt;
+}
+
+}  // namespace
+
+void check_parts(const text::Document& document, const Format& format, const CheckOptions& options, CheckReport& report) {
+  if (format.parts == nullptr) return;
+  std::optional<std::vector<text::Document>> documents = with_parts(document, format, report);
+  if (!documents || documents->size() < 2) return;
+  Diagnostics diagnostics;
+  const std::optional<Calibration> ignored = read_calibration(*std::move(documents), &format, options.reading, diagnostics);
+  Findings findings(report);
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (entry.where.file != document.source().name || findings.has(entry.code, entry.where)) continue;
+    findings.add({entry.severity, entry.code, entry.message, {}, entry.fix, entry.where});
+  }
+}
+
+}  // namespace fca::checks
