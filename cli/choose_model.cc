@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choose_model.h"
 
+#include "at_once.h"
 #include "model_advice.h"
 #include "words.h"
 
@@ -9,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <future>
 #include <limits>
-#include <thread>
 #include <utility>
 
 namespace fca::cli {
@@ -46,21 +45,11 @@ std::optional<CameraOutcome> convert_one(const Camera& camera, const StoredModel
   return CameraOutcome{camera, std::move(conversion->camera), std::move(conversion->report)};
 }
 
-/// As many at the same time as there are processors: they have nothing to do with each other.
 std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>& cameras, const StoredModel& stored,
                                                       const ModelChoice& choice, Diagnostics& diagnostics) {
   std::vector<Diagnostics> found(cameras.size());
   std::vector<std::optional<CameraOutcome>> converted(cameras.size());
-  const std::size_t workers = std::min<std::size_t>(cameras.size(), std::max(1U, std::thread::hardware_concurrency()));
-  const auto convert_every_nth = [&](std::size_t first) {
-    for (std::size_t i = first; i < cameras.size(); i += workers)
-      converted[i] = convert_one(cameras[i], stored, choice, found[i]);
-  };
-  std::vector<std::future<void>> others;
-  for (std::size_t first = 1; first < workers; ++first)
-    others.push_back(std::async(std::launch::async, convert_every_nth, first));
-  convert_every_nth(0);
-  for (std::future<void>& other : others) other.get();
+  at_once(cameras.size(), [&](std::size_t i) { converted[i] = convert_one(cameras[i], stored, choice, found[i]); });
   std::vector<CameraOutcome> outcomes;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     if (!converted[i]) {

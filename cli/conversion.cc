@@ -2,6 +2,7 @@
 #include "conversion.h"
 
 #include "assumptions.h"
+#include "at_once.h"
 #include "camera_names.h"
 #include "into.h"
 #include "joined_files.h"
@@ -329,12 +330,13 @@ bool has_use_for(const Calibration& into, const Rig& rig, const std::string& inp
 
 /// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
 void add_reach(const Format& to, const ModelChoice& choice, std::vector<CameraOutcome>& cameras) {
-  for (CameraOutcome& camera : cameras) {
+  at_once(cameras.size(), [&](std::size_t i) {
+    CameraOutcome& camera = cameras[i];
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
-    if (!camera.report || camera.report->exact || stored == nullptr) continue;
+    if (!camera.report || camera.report->exact || stored == nullptr) return;
     Diagnostics told_already;
     camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, told_already);
-  }
+  });
 }
 
 /// A base for images of one size is not silently made one for images of another, whose thresholds and columns differ: false
@@ -391,6 +393,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     outcome.code = ExitCode::kUsage;
     return false;
   }
+  const std::future<void> programs = arguments.no_verify ? std::future<void>() : prepare_programs(*outcome.to);
   const std::optional<Calibration> calibration = read_input(inputs, arguments.reading, console, outcome.diagnostics);
   if (!calibration) return false;
   outcome.from = calibration->format;

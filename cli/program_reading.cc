@@ -123,8 +123,7 @@ std::vector<std::string> misreadings(const ProofResult& proof, bool within_max_a
   }
   if (proof.wrong_ray_share > kNoticeable) {
     sentences.push_back("it gives " + percent(proof.wrong_ray_share) + of_image + " wrong rays, " + pixels(proof.wrong_ray_px) +
-                        " px off at worst: from pixel to ray it goes no further than 90 deg, of the ray and of the distorted "
-                        "angle");
+                        " px off at worst: " + proof.wrong_ray_why);
   }
   sentences.insert(sentences.end(), proof.warnings.begin(), proof.warnings.end());
   return sentences;

@@ -4,10 +4,15 @@
 
 #include "conversion.h"
 
+#include <future>
 #include <optional>
 #include <string>
 
 namespace fca::cli {
+
+/// Has the programs that read the format get ready while something else is done (OpenCV's libraries take as long as a fit).
+/// They are when the future is; nobody needs to wait for it.
+[[nodiscard]] std::future<void> prepare_programs(const Format& format);
 
 /// Why a program would not load what is written for it, and did load `base` (null: none); nothing if there is no such program.
 [[nodiscard]] std::optional<std::string> newly_refused(const Written& written, const text::Document* base);

@@ -246,6 +246,10 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.compared_share = comparison.asked > 0.0 ? comparison.compared / comparison.asked : 0.0;
   result.unanswered_share = comparison.asked > 0.0 ? 1.0 - result.compared_share : 0.0;
   result.wrong_ray_px = comparison.wrong_ray_px;
+  if (comparison.wrong_rays > 0.0) {
+    const auto named = std::ranges::find_if(view.cameras, [](const auto& each) { return !each.unproject_fault.empty(); });
+    if (named != view.cameras.end()) result.wrong_ray_why = named->unproject_fault;
+  }
   result.wrong_ray_share = comparison.asked > 0.0 ? comparison.wrong_rays / comparison.asked : 0.0;
   for (const consumers::ConsumerPose& pose : view.poses) {
     result.max_diff_pose = std::max(result.max_diff_pose, pose_difference(rig, view, pose));

@@ -209,7 +209,7 @@ void check(const OcamModel& model, ConsumerView& view) {
   const double swapped = std::hypot(model.xc - 0.5 * model.width, model.yc - 0.5 * model.height);
   const double straight = std::hypot(model.xc - 0.5 * model.height, model.yc - 0.5 * model.width);
   const double diagonal = std::hypot(model.width, model.height);
-  constexpr double kMounted = 0.03;  // diagonals: lenses sit no farther from the middle, so on a nearly square image it is silent
+  constexpr double kMounted = 0.03;  // diagonals: no lens sits farther from the middle; an almost square image tells nothing
   if (swapped <= 0.5 * straight && straight >= kMounted * diagonal) {
     view.warnings.emplace_back(
         "the centre is read as (row, column), but is nearer to the middle of the image as (column, row): are they swapped?");

@@ -16,6 +16,7 @@
 
 #include "opencv_formulas.h"
 #include "programs.h"
+#include "ray_limits.h"
 #include "storage.h"
 
 namespace fca::consumers {
@@ -241,6 +242,7 @@ class Reader {
       if (function == Function::kFisheye) {
         camera.project = [K, k](const Ray& ray) { return finite_pixel(fisheye_project_points(K, k, ray)); };
         camera.unproject = [K, k](const Pixel& pixel) { return std::optional(fisheye_undistort_points(K, k, pixel)); };
+        camera.unproject_fault = kUpToNinety;
       } else {
         camera.project = [K, xi, k](const Ray& ray) { return finite_pixel(omnidir_project_points(K, xi, k, ray)); };
       }

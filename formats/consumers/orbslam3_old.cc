@@ -7,6 +7,7 @@
 
 #include "orbslam_shared.h"
 #include "programs.h"
+#include "ray_limits.h"
 
 namespace fca::consumers {
 namespace orbslam {
@@ -83,6 +84,7 @@ class Parser {
   void add_camera(std::string name, Lens lens) {
     view_.cameras.push_back({std::move(name), width_, height_, std::move(lens.project), {scale_, scale_}});
     view_.cameras.back().unproject = std::move(lens.unproject);
+    view_.cameras.back().unproject_fault = kUpToNinety;
     view_.cameras.back().model = type_;
   }
 

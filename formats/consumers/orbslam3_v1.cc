@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "orbslam_shared.h"
+#include "ray_limits.h"
 
 namespace fca::consumers::orbslam {
 namespace {
@@ -282,7 +283,10 @@ class Parser {
     const bool bends = is_fisheye() && !pinhole_depth_;
     Projection project = bends ? kannala_brandt8(k, camera.radial) : pinhole(k, camera.pinhole);
     ConsumerCamera result = {std::move(name), width_, height_, std::move(project), {scale_x_, scale_y_}, camera.misread};
-    if (bends) result.unproject = kannala_brandt8_rays(k, camera.radial);
+    if (bends) {
+      result.unproject = kannala_brandt8_rays(k, camera.radial);
+      result.unproject_fault = kUpToNinety;
+    }
     result.model = type_;
     return result;
   }

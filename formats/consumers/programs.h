@@ -22,6 +22,8 @@ namespace fca::consumers {
 [[nodiscard]] ConsumerView load_woodscape(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_woodscape_omnidet(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_vins(std::string_view bytes, const LoadOptions& options);
+/// For those that read with cv::FileStorage, whose libraries the command loads when it asks the first of them.
+void prepare_storage_programs();
 [[nodiscard]] ConsumerView load_ros(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_dso(std::string_view bytes, const LoadOptions& options);
 

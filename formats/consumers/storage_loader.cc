@@ -38,6 +38,14 @@ const StoragePrograms& programs() {
 
 }  // namespace
 
+void prepare_storage_programs() {
+  try {
+    static_cast<void>(programs());
+  } catch (const MissingModule&) {
+    // Whoever asks a program is told.
+  }
+}
+
 ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options) { return programs().openvins(bytes, options); }
 ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options) {
   return programs().openvins_imu(bytes, options);

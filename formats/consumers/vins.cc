@@ -263,6 +263,7 @@ Projection read_scaramuzza(Parameters& parameters, ConsumerCamera& camera, Consu
   }
   view.warnings.emplace_back("a point exactly on the axis has no pixel in scaramuzza (0 / 0)");
   camera.unproject = [ocam](const Pixel& pixel) { return std::optional(ocam.unproject(pixel)); };
+  camera.unproject_fault = "from pixel to ray it leaves out the affine part (ac, ad, ae)";
   return [ocam](const Ray& ray) { return finite(ocam.project(ray)); };
 }
 

@@ -39,6 +39,7 @@ struct ProofResult {
   double unanswered_share = 0.0;  ///< Of the image asked about, how much the program has no right pixel for.
   double wrong_ray_share = 0.0;   ///< Of the image asked about, how much the program gives wrong rays though right pixels.
   double wrong_ray_px = 0.0;      ///< How far such a pixel lies, at most, from the pixel of the ray that it is given.
+  std::string wrong_ray_why;      ///< A clause.
   double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
   bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;

@@ -34,6 +34,7 @@ struct ConsumerCamera {
   double approximation_px = 0.0;
   /// The other direction, pixel to ray (not normalised), where the program's own is known to go wrong; empty elsewhere.
   std::function<std::optional<std::array<double, 3>>(const std::array<double, 2>& pixel)> unproject = {};
+  std::string_view unproject_fault = {};  ///< In what way that one goes wrong, a clause.
   std::string model = {};  ///< What the program takes the lens for, in its own words: "KannalaBrandt8", "cv::fisheye".
   std::optional<double> time_offset_s = {};  ///< t_imu = t_cam + time_offset_s, where the program reads it.
 };
@@ -99,6 +100,8 @@ struct Consumer {
   /// format's keys and is not of the format (OpenVINS: Kalibr's keys through cv::FileStorage).
   bool other_syntax = false;
   Writing writing = {};
+  /// What load() waits for at its first call (a library that is loaded), beforehand; any thread may call it. Null: nothing.
+  void (*prepare)() = nullptr;
   [[nodiscard]] constexpr bool reads(std::string_view format_id) const {
     return !format_id.empty() && (format_id == format || format_id == second_format);
   }
