@@ -12,7 +12,7 @@ struct FoundFile {
   bool named = true;  ///< By the user; false: met in a folder.
 };
 
-/// The paths with their folders walked: files in them by name that end as calibrations do (.yaml .yml .xml .json .txt), without
+/// The paths with patterns (* ? [...], for where no shell expanded them) resolved and their folders walked: files in them by name that end as calibrations do (.yaml .yml .xml .json .txt), without
 /// hidden ones.
 [[nodiscard]] std::vector<FoundFile> walk(const std::vector<std::string>& paths);
 

@@ -78,6 +78,7 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
   source = *better;
   if (!arguments.write) return ExitCode::kGood;
   const OutputFile output{source.name, source.bytes};
+  remove_leftovers(std::filesystem::path(source.name).parent_path().string());
   const std::optional<std::string> problem = write_files(std::span(&output, 1), true, false);
   if (!problem) return ExitCode::kGood;
   console.error(*problem);

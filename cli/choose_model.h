@@ -4,6 +4,7 @@
 #include <fca/convert/convert.h>
 #include <fca/formats/format.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct ModelChoice {
   bool every_pixel = false;  ///< Judge by every pixel instead of the lattice.
   Objective objective = Objective::kRms;
   std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
+  std::size_t jobs = 0;                 ///< Cameras fitted at the same time; 0: as many as there are processors.
   bool same_format = false;             ///< The cameras come from a file of the format they are written to.
 };
 

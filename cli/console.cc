@@ -27,6 +27,12 @@ void Console::show(const Diagnostics& diagnostics) const {
   for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources_, colour_));
 }
 
+void Console::show_errors(const Diagnostics& diagnostics) const {
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (entry.severity == Severity::kError) err(text::render(entry, sources_, colour_));
+  }
+}
+
 void Console::error(const std::string& message, const std::string& fix) const {
   err(text::render({Severity::kError, "", message, fix, {}}, sources_, colour_));
 }

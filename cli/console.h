@@ -21,6 +21,8 @@ class Console {
   void remember(const text::Source& source) { sources_.push_back(source); }
   /// Renders to stderr, with colour on a terminal unless NO_COLOR is set.
   void show(const Diagnostics& diagnostics) const;
+  /// Its errors alone.
+  void show_errors(const Diagnostics& diagnostics) const;
   void error(const std::string& message, const std::string& fix = {}) const;
   /// An error that ends the command before it has a document of its own to print: as text, and under --json as a document, too.
   [[nodiscard]] ExitCode refuse(ExitCode code, const std::string& message, const std::string& fix = {}) const;

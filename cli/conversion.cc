@@ -330,7 +330,7 @@ bool has_use_for(const Calibration& into, const Rig& rig, const std::string& inp
 
 /// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
 void add_reach(const Format& to, const ModelChoice& choice, std::vector<CameraOutcome>& cameras) {
-  at_once(cameras.size(), [&](std::size_t i) {
+  at_once(cameras.size(), choice.jobs, [&](std::size_t i) {
     CameraOutcome& camera = cameras[i];
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
     if (!camera.report || camera.report->exact || stored == nullptr) return;
@@ -420,6 +420,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
   choice.model = arguments.model;
   choice.max_angle_rad = max_angle_rad(arguments.reading);
   choice.every_pixel = arguments.every_pixel;
+  choice.jobs = arguments.jobs;
   choice.objective = arguments.objective == "max" ? Objective::kMax : Objective::kRms;
   choice.among = models_for(arguments, base, calibration->rig, *outcome.to);
   choice.same_format = calibration->format == outcome.to && calibration->one_format;

@@ -30,6 +30,7 @@ struct ConvertArguments {
   bool anew = false;
   bool every_pixel = false;
   std::string objective = "rms";
+  std::size_t jobs = 0;  ///< Inputs, or cameras of one input, at the same time; 0: as many as there are processors.
   std::optional<double> fps;
   std::optional<double> max_error_px;
   std::optional<double> baseline_m;

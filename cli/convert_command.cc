@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
 
+#include "batch.h"
+#include "calibration_files.h"
 #include "option_use.h"
 #include "output_file.h"
 #include "output_name.h"
@@ -43,7 +45,7 @@ std::optional<std::string> key_set_twice(const std::vector<std::string>& setting
   return std::nullopt;
 }
 
-std::optional<std::string> usage_error(const ConvertArguments& arguments) {
+std::optional<std::string> usage_error(const ConvertArguments& arguments, const std::vector<FoundFile>& files) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (arguments.in_place && arguments.into.empty()) {
     const std::string input = shell_word(arguments.inputs.front());
@@ -74,7 +76,7 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments) {
   if (const auto error = not_among(arguments.sensor, "sensor mode", "orbslam3", &Format::modes)) return error;
   if (const auto error = not_among(arguments.orbslam3_layout, "layout", "orbslam3", &Format::layouts)) return error;
   if (const auto error = not_among(arguments.opencv_layout, "layout", "opencv", &Format::layouts)) return error;
-  const bool many = grouped(arguments.inputs, arguments.reading).size() > 1;
+  const bool many = !arguments.reading.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
   if (many && !arguments.into.empty()) return "--into wants one input, or several that are one rig (--join)";
   const bool one_path =
       !arguments.output.empty() && arguments.output.find('{') == std::string::npos && !names_folder(arguments.output);
@@ -140,31 +142,61 @@ void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, c
   }
 }
 
+void remove_leftovers_beside(const std::vector<ConvertOutcome>& outcomes) {
+  std::set<std::string> folders;
+  for (const ConvertOutcome& outcome : outcomes) {
+    for (const ConvertOutcome::Output& output : outcome.outputs) {
+      if (!output.path.empty()) folders.insert(fs::path(output.path).parent_path().string());
+    }
+  }
+  for (const std::string& folder : folders) remove_leftovers(folder);
+}
+
+/// With more inputs than that each has a line in the table; --json has everything.
+constexpr std::size_t kMostInFull = 8;
+
+/// Reading anything else may wait for ever.
+bool is_regular(const FoundFile& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file.path, ignored);
+}
+
 ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
-  std::vector<ConvertOutcome> outcomes;
-  for (const std::vector<std::string>& group : grouped(arguments.inputs, arguments.reading))
-    outcomes.push_back(convert_inputs(group, arguments, console));
-  for (ConvertOutcome& outcome : outcomes) outcome.one_of_many = outcomes.size() > 1;
+  const std::vector<FoundFile> files = walk(arguments.inputs);
+  if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
+  const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular));
+  Batch batch = convert_batch(files, arguments, interrupt, console);
+  std::vector<ConvertOutcome>& outcomes = batch.outcomes;
+  if (outcomes.empty() && batch.left == 0) {
+    return console.refuse(ExitCode::kBadInput, "no calibration with a camera in " + enumerated(arguments.inputs) + " (" +
+                                                   std::to_string(batch.skipped) + " files looked at)");
+  }
   if (const std::optional<std::string> error = opencv_model_without_use(arguments, outcomes))
     return console.refuse(ExitCode::kUsage, *error);
   if (collide(arguments, outcomes, console)) return ExitCode::kUsage;
 
   ExitCode code = ExitCode::kGood;
-  // Several inputs: every diagnostic names its file itself.
+  const bool in_full = outcomes.size() <= kMostInFull;
   const bool file_on_stdout = (arguments.output.empty() && !arguments.in_place) || arguments.output == "-";
+  if (!arguments.dry_run) remove_leftovers_beside(outcomes);
   for (ConvertOutcome& outcome : outcomes) {
+    if (outcomes.size() > 1 && interrupt.asked()) {
+      ++batch.unwritten;
+      continue;
+    }
     write_outputs(arguments, outcome, console);
     if (!arguments.json) {
-      if (!outcome.outputs.empty()) {
+      if (!outcome.outputs.empty() && in_full) {
         const std::string report = convert_text(outcome, !arguments.dry_run);
         file_on_stdout && !arguments.dry_run ? console.say_aside(report) : console.say(report);
       }
-      console.show(outcome.diagnostics);
+      in_full ? console.show(outcome.diagnostics) : console.show_errors(outcome.diagnostics);
     }
     code = worse(code, outcome.code);
   }
   if (arguments.json) console.out(convert_json(outcomes, console));
+  const bool several = outcomes.size() > 1 || batch.skipped > 0 || batch.left > 0;
+  if (several) arguments.json ? console.say_aside(batch_text(batch)) : console.say(batch_text(batch));
   return code;
 }
 
@@ -173,7 +205,9 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
 void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run) {
   CLI::App& command =
       *app.add_subcommand("convert", "Convert a calibration to another format, and to another camera model if need be");
-  command.add_option("INPUT", arguments.inputs, "Calibration file(s); '-' is standard input")->required();
+  command
+      .add_option("INPUT", arguments.inputs, "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input")
+      ->required();
   command.add_option("--to", arguments.to, "The format to write")->type_name("FORMAT");
   command
       .add_option("--model", arguments.model,
@@ -230,6 +264,9 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       "--verify", [](std::int64_t) {},
       "Ask the real program's reader about the bytes before they are put in place (the default)");
   command.add_flag("--no-verify", arguments.no_verify, "Do not ask it")->excludes(verify);
+  command.add_option("--jobs", arguments.jobs, "Inputs converted at the same time (default: as many as there are processors)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
   command.add_flag("--dry-run", arguments.dry_run, "Report, write nothing");
   command.add_flag("--force", arguments.force, "Overwrite existing files");
   command.add_flag("--fsync", arguments.fsync, "Force the file to disk before it replaces an old one");

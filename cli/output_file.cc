@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -24,6 +27,11 @@ class Descriptor {
   explicit Descriptor(int fd) : fd_(fd) {}
   ~Descriptor() {
     if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
   }
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
@@ -61,7 +69,19 @@ std::optional<std::string> write_directly(const std::string& path, std::string_v
   return std::nullopt;
 }
 
-/// A temporary file beside its place; gone with the object unless it was put there.
+constexpr std::string_view kTemporary = ".fca-io-";
+constexpr const char* kOwnFiles = "/proc/self/fd";
+
+/// A name for a temporary file in that folder that nobody else has just now.
+std::string temporary_name(const fs::path& folder) {
+  std::random_device random;
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x%08x", random(), random());
+  return (folder / (std::string(kTemporary) + digits.data())).string();
+}
+
+/// What is to be put into a place: without a name as long as that can be (a killed program leaves nothing), then beside it. It
+/// is locked while its writer lives.
 class StagedFile {
  public:
   StagedFile() = default;
@@ -69,36 +89,59 @@ class StagedFile {
     if (!temporary_.empty()) ::unlink(temporary_.c_str());
   }
   StagedFile(StagedFile&& other) noexcept
-      : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, {})) {}
+      : target_(std::move(other.target_)), temporary_(std::exchange(other.temporary_, {})), file_(std::move(other.file_)) {}
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
   StagedFile& operator=(StagedFile&&) = delete;
 
   [[nodiscard]] std::optional<std::string> write(const std::string& target, std::string_view bytes, mode_t mode, bool sync) {
     target_ = target;
-    std::string pattern = (fs::path(target).parent_path() / ".fca-io-XXXXXX").string();
-    Descriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
-    if (file.get() < 0) return failure("cannot create a file beside", target);
-    temporary_ = pattern;
-    if (write_all(file.get(), bytes) && ::fchmod(file.get(), mode) == 0 && (!sync || ::fsync(file.get()) == 0) && file.close())
+    const fs::path folder = folder_of_target();
+    constexpr mode_t kMine = 0600;
+    if (::access(kOwnFiles, X_OK) == 0) file_ = Descriptor(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMine));
+    if (file_.get() < 0) {  // not every file system knows files without names, and without /proc they get none
+      const std::string name = temporary_name(folder);
+      file_ = Descriptor(::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMine));
+      if (file_.get() < 0) return failure("cannot create a file beside", target);
+      temporary_ = name;
+    }
+    ::flock(file_.get(), LOCK_EX | LOCK_NB);
+    if (write_all(file_.get(), bytes) && ::fchmod(file_.get(), mode) == 0 && (!sync || ::fsync(file_.get()) == 0))
       return std::nullopt;
     return failure("cannot write", target);
   }
 
   /// Puts the file into its place; without `overwrite` not over one that appeared meanwhile.
   [[nodiscard]] std::optional<std::string> put(bool overwrite) {
+    if (temporary_.empty()) {
+      if (!overwrite) return link(target_) ? std::nullopt : std::optional(failure("cannot write", target_));
+      const std::string name = temporary_name(folder_of_target());
+      if (!link(name)) return failure("cannot write", target_);
+      temporary_ = name;
+    }
     const unsigned flags = overwrite ? 0 : RENAME_NOREPLACE;
     int result = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags);
     // Some file systems know no such flag.
     if (result != 0 && errno == EINVAL) result = ::rename(temporary_.c_str(), target_.c_str());
     if (result != 0) return failure("cannot write", target_);
     temporary_.clear();
-    return std::nullopt;
+    return file_.close() ? std::nullopt : std::optional(failure("cannot write", target_));
   }
 
  private:
+  [[nodiscard]] fs::path folder_of_target() const {
+    const fs::path folder = fs::path(target_).parent_path();
+    return folder.empty() ? fs::path(".") : folder;
+  }
+
+  [[nodiscard]] bool link(const std::string& name) const {
+    const std::string unnamed = kOwnFiles + std::string("/") + std::to_string(file_.get());
+    return ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  }
+
   std::string target_;
   std::string temporary_;
+  Descriptor file_{-1};
 };
 
 /// Where a path leads and what is there.
@@ -137,6 +180,19 @@ std::optional<std::string> find_place(const std::string& path, bool overwrite, P
 }
 
 }  // namespace
+
+void remove_leftovers(const std::string& folder) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, error); !error && at != fs::directory_iterator();
+       at.increment(error)) {
+    if (!at->path().filename().string().starts_with(kTemporary)) continue;
+    const Descriptor file(::open(at->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    const bool dead = file.get() >= 0 && ::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode) &&
+                      ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
+    if (dead) ::unlink(at->path().c_str());
+  }
+}
 
 std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync) {
   std::vector<Place> places(files.size());

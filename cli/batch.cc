@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "batch.h"
+
+#include "at_once.h"
+#include "progress.h"
+#include "words.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace fca::cli {
+
+namespace {
+
+/// Inputs that are converted together.
+struct Group {
+  std::vector<std::string> files;
+  bool named = true;  ///< By the user; false: met in a folder.
+};
+
+std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments) {
+  std::vector<Group> groups;
+  for (const FoundFile& file : inputs) {
+    if (groups.empty() || !arguments.reading.join) groups.push_back({{}, file.named});
+    groups.back().files.push_back(file.path);
+  }
+  return groups;
+}
+
+bool holds_no_camera(const ConvertOutcome& outcome) {
+  return std::ranges::any_of(outcome.diagnostics.entries(), [](const Diagnostic& entry) {
+    return entry.code == "unknown-format" || entry.code == "no-camera" || entry.code == "no-calibration";
+  });
+}
+
+/// Of ten thousand conversions only what is still to be written and told is kept.
+void forget_documents(ConvertOutcome& outcome) {
+  for (Written::File& file : outcome.written.files) file.document = text::Document({}, file.document.syntax(), {});
+}
+
+std::string models(const ConvertOutcome& outcome) {
+  std::vector<std::string> said;
+  for (const CameraOutcome& camera : outcome.cameras) {
+    const std::string from(model_info(camera.source.model).id);
+    const std::string to(model_info(camera.target.model).id);
+    const std::string one = from == to ? to : from + " -> " + to;
+    if (std::ranges::find(said, one) == said.end()) said.push_back(one);
+  }
+  return enumerated(said);
+}
+
+/// The largest of a figure over the cameras that were judged.
+std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure) {
+  std::optional<double> most;
+  for (const CameraOutcome& camera : outcome.cameras) {
+    if (!camera.report || camera.report->exact) continue;
+    most = std::max(most.value_or(0.0), camera.report->judgement.error.*figure);
+  }
+  return most ? pixels(*most) : "0";
+}
+
+std::string result(const ConvertOutcome& outcome) {
+  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
+    if (entry.severity == Severity::kError) return "error: " + entry.code;
+  }
+  const auto warnings = std::ranges::count(outcome.diagnostics.entries(), Severity::kWarning, &Diagnostic::severity);
+  return warnings == 0 ? "good" : std::to_string(warnings) + (warnings == 1 ? " warning" : " warnings");
+}
+
+constexpr std::size_t kGap = 2;
+constexpr std::size_t kWidest = 60;  // longer names push their line to the right
+
+struct Line {
+  std::string input;
+  std::string models;
+  std::string rms;
+  std::string max;
+  std::string result;
+};
+
+std::string table(const std::vector<Line>& lines) {
+  const auto width = [&lines](std::string Line::*column) {
+    std::size_t widest = 0;
+    for (const Line& line : lines) widest = std::max(widest, std::min((line.*column).size(), kWidest));
+    return widest + kGap;
+  };
+  const std::size_t input = width(&Line::input);
+  const std::size_t model = width(&Line::models);
+  const std::size_t rms = width(&Line::rms);
+  const std::size_t max = width(&Line::max);
+  std::string text;
+  for (const Line& line : lines) {
+    text += padded(line.input, input) + padded(line.models, model) + padded(line.rms, rms) + padded(line.max, max) +
+            line.result + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const HeldInterrupt& interrupt,
+                    Console& console) {
+  struct Job {
+    std::optional<ConvertOutcome> outcome;
+    std::vector<text::Source> sources;  ///< What its diagnostics point into.
+  };
+  const std::vector<Group> groups = groups_of(inputs, arguments);
+  std::vector<Job> jobs(groups.size());
+  ConvertArguments each = arguments;
+  if (groups.size() > 1) each.jobs = 1;
+  Progress progress(groups.size());
+  at_once(groups.size(), arguments.jobs, [&](std::size_t i) {
+    if (interrupt.asked()) return;
+    Console own;
+    jobs[i].outcome = convert_inputs(groups[i].files, each, own);
+    if (!jobs[i].outcome->diagnostics.entries().empty()) jobs[i].sources = own.sources();
+    if (groups.size() > 1) forget_documents(*jobs[i].outcome);
+    progress.step();
+  });
+  Batch batch;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    Job& job = jobs[i];
+    if (!job.outcome) {
+      ++batch.left;
+    } else if (!groups[i].named && holds_no_camera(*job.outcome)) {
+      ++batch.skipped;
+    } else {
+      for (const text::Source& source : job.sources) console.remember(source);
+      batch.outcomes.push_back(*std::move(job.outcome));
+    }
+  }
+  for (ConvertOutcome& outcome : batch.outcomes) outcome.one_of_many = batch.outcomes.size() > 1;
+  return batch;
+}
+
+std::string batch_text(const Batch& batch) {
+  std::vector<Line> lines = {{"input", "model", "rms px", "max px", "result"}};
+  std::size_t good = 0;
+  std::size_t files = 0;
+  for (const ConvertOutcome& outcome : batch.outcomes) {
+    const bool converted = outcome.code == ExitCode::kGood;
+    good += converted ? 1 : 0;
+    files += converted ? outcome.outputs.size() : 0;
+    lines.push_back({outcome.input, models(outcome), outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::rms),
+                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::max), result(outcome)});
+  }
+  std::string text = "\n" + table(lines) + "\n" + std::to_string(good) + " of " + std::to_string(batch.outcomes.size()) +
+                     " inputs converted: " + std::to_string(files) + " files";
+  if (batch.skipped > 0) text += "; " + std::to_string(batch.skipped) + " files in folders hold no camera";
+  if (batch.left > 0) text += "; interrupted, " + std::to_string(batch.left) + " not tried";
+  if (batch.unwritten > 0) text += "; interrupted, " + std::to_string(batch.unwritten) + " not written";
+  return text + "\n";
+}
+
+}  // namespace fca::cli

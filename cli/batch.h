@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Several inputs converted at the same time, and what came of them in a few lines.
+#pragma once
+
+#include "calibration_files.h"
+#include "conversion.h"
+#include "held_interrupt.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace fca::cli {
+
+struct Batch {
+  std::vector<ConvertOutcome> outcomes;  ///< In the order of the inputs.
+  std::size_t skipped = 0;               ///< Files met in folders that hold no camera.
+  std::size_t left = 0;                  ///< Not tried: Ctrl-C.
+  std::size_t unwritten = 0;             ///< Converted and not written: Ctrl-C.
+};
+
+/// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt.
+[[nodiscard]] Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
+                                  const HeldInterrupt& interrupt, Console& console);
+
+/// One line for each of several inputs, and one for all.
+[[nodiscard]] std::string batch_text(const Batch& batch);
+
+}  // namespace fca::cli

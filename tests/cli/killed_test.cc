@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A command that is killed at any moment, and several that write the same file: the old bytes or the new, never half of them.
+#include "cli/run_program.h"
+
+#include <random>
+
+#include <sys/file.h>
+
+namespace fca::test {
+namespace {
+
+const std::string kChain = testdata("formats/kalibr/good/tumvi.yaml");
+
+std::vector<std::string> conversion_to(const std::string& output) {
+  return {"convert", kChain, "--to", "orbslam3", "--max-angle", "97.5", "-o", output, "--force"};
+}
+
+/// Names in the folder that a killed command left.
+std::size_t leftovers(const TemporaryFolder& folder) {
+  std::size_t count = 0;
+  for (const std::string& name : folder.names()) count += name.starts_with(".fca-io-") ? 1 : 0;
+  return count;
+}
+
+TEST(Killed, WhileItWritesTheFileIsTheOldOrTheNew) {
+  const TemporaryFolder folder;
+  const std::string output = folder.write("settings.yaml", "");
+  const RunResult whole = run_program(conversion_to(output));
+  ASSERT_EQ(whole.code, 0) << whole.err;
+  const std::string written = read_file(output);
+  const std::string old = "%YAML:1.0\n# the old one\n";
+
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> moment(0.0, 1.1 * whole.seconds / kSlowdown);
+  int finished = 0;
+  constexpr int kRuns = kSlowdown > 1.0 ? 30 : 300;  // sanitizers look at what a run does, not at when it ends
+  for (int i = 0; i < kRuns; ++i) {
+    folder.write("settings.yaml", old);
+    const RunResult run = run_program(conversion_to(output), {.limit_seconds = moment(random)});
+    const std::string bytes = read_file(output);
+    ASSERT_TRUE(bytes == old || bytes == written) << "after " << run.seconds << " s: " << bytes.size() << " bytes";
+    finished += bytes == written ? 1 : 0;
+  }
+  std::printf("%d of %d runs had put the new file in place; %zu temporary files left\n", finished, kRuns, leftovers(folder));
+  EXPECT_LT(finished, kRuns);
+  EXPECT_EQ(run_program(conversion_to(output)).code, 0);
+  EXPECT_EQ(leftovers(folder), 0U);
+}
+
+TEST(Killed, WhatIsLeftOfAnotherIsRemovedAndWhatIsInUseStays) {
+  const TemporaryFolder folder;
+  folder.write(".fca-io-0123456789abcdef", "half a fi");
+  const std::string in_use = folder.write(".fca-io-fedcba9876543210", "of a command that still writes");
+  const int file = ::open(in_use.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(file, LOCK_EX), 0);
+  EXPECT_EQ(run_program(conversion_to(folder / "settings.yaml")).code, 0);
+  ::close(file);
+  EXPECT_EQ(folder.names(), (std::set<std::string>{".fca-io-fedcba9876543210", "settings.yaml"}));
+}
+
+}  // namespace
+}  // namespace fca::test
