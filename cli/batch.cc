@@ -35,8 +35,12 @@ bool holds_no_camera(const ConvertOutcome& outcome) {
 }
 
 /// Of ten thousand conversions only what is still to be written and told is kept.
-void forget_documents(ConvertOutcome& outcome) {
+void forget(ConvertOutcome& outcome, bool in_full) {
   for (Written::File& file : outcome.written.files) file.document = text::Document({}, file.document.syntax(), {});
+  if (in_full) return;
+  outcome.written.losses = {};
+  outcome.written.defaults = {};
+  outcome.proofs = {};
 }
 
 std::string models(const ConvertOutcome& outcome) {
@@ -99,6 +103,11 @@ std::string table(const std::vector<Line>& lines) {
 
 }  // namespace
 
+bool is_told_in_full(std::size_t inputs) {
+  constexpr std::size_t kMost = 8;
+  return inputs <= kMost;
+}
+
 Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const HeldInterrupt& interrupt,
                     Console& console) {
   struct Job {
@@ -107,6 +116,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
   };
   const std::vector<Group> groups = groups_of(inputs, arguments);
   std::vector<Job> jobs(groups.size());
+  const bool in_full = arguments.json || is_told_in_full(groups.size());
   ConvertArguments each = arguments;
   if (groups.size() > 1) each.jobs = 1;
   Progress progress(groups.size());
@@ -114,8 +124,9 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     if (interrupt.asked()) return;
     Console own;
     jobs[i].outcome = convert_inputs(groups[i].files, each, own);
-    if (!jobs[i].outcome->diagnostics.entries().empty()) jobs[i].sources = own.sources();
-    if (groups.size() > 1) forget_documents(*jobs[i].outcome);
+    const Diagnostics& said = jobs[i].outcome->diagnostics;
+    if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = own.sources();
+    if (groups.size() > 1) forget(*jobs[i].outcome, in_full);
     progress.step();
   });
   Batch batch;
@@ -126,7 +137,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     } else if (!groups[i].named && holds_no_camera(*job.outcome)) {
       ++batch.skipped;
     } else {
-      for (const text::Source& source : job.sources) console.remember(source);
+      for (text::Source& source : job.sources) console.remember(std::move(source));
       batch.outcomes.push_back(*std::move(job.outcome));
     }
   }

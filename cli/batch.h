@@ -19,6 +19,9 @@ struct Batch {
   std::size_t unwritten = 0;             ///< Converted and not written: Ctrl-C.
 };
 
+/// Few inputs have their reports; many have a line each in the table, and --json has everything.
+[[nodiscard]] bool is_told_in_full(std::size_t inputs);
+
 /// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt.
 [[nodiscard]] Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
                                   const HeldInterrupt& interrupt, Console& console);

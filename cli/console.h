@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fca::cli {
@@ -18,7 +19,7 @@ class Console {
   Console();
 
   /// Texts diagnostics may point into.
-  void remember(const text::Source& source) { sources_.push_back(source); }
+  void remember(text::Source source) { sources_.push_back(std::move(source)); }
   /// Renders to stderr, with colour on a terminal unless NO_COLOR is set.
   void show(const Diagnostics& diagnostics) const;
   /// Its errors alone.

@@ -152,9 +152,6 @@ void remove_leftovers_beside(const std::vector<ConvertOutcome>& outcomes) {
   for (const std::string& folder : folders) remove_leftovers(folder);
 }
 
-/// With more inputs than that each has a line in the table; --json has everything.
-constexpr std::size_t kMostInFull = 8;
-
 /// Reading anything else may wait for ever.
 bool is_regular(const FoundFile& file) {
   std::error_code ignored;
@@ -176,7 +173,7 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   if (collide(arguments, outcomes, console)) return ExitCode::kUsage;
 
   ExitCode code = ExitCode::kGood;
-  const bool in_full = outcomes.size() <= kMostInFull;
+  const bool in_full = is_told_in_full(outcomes.size() + batch.skipped + batch.left);
   const bool file_on_stdout = (arguments.output.empty() && !arguments.in_place) || arguments.output == "-";
   if (!arguments.dry_run) remove_leftovers_beside(outcomes);
   for (ConvertOutcome& outcome : outcomes) {
