@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contents.h"
+
+#include <string>
+
+namespace fca::cli {
+
+/// One HTML file that needs nothing beside itself: no script, no request, light and dark, for screens of any width and for
+/// paper. The same contents give the same bytes.
+[[nodiscard]] std::string report_page(const ReportContents& contents);
+
+}  // namespace fca::cli
