@@ -165,7 +165,7 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
 /// Standard input can be read once; who asks for it again (a report shows, checks and converts) gets what was read.
 std::optional<text::Source> read_once(const std::string& path, const Console& console, Diagnostics& diagnostics) {
   const auto& read = console.sources();
-  const auto found = path == "-" ? std::ranges::find(read, path, &text::Source::name) : read.end();
+  const auto found = path == "-" ? std::ranges::find(read, text::kStandardInput, &text::Source::name) : read.end();
   return found != read.end() ? std::optional(*found) : text::read_source(path, diagnostics);
 }
 

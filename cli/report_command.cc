@@ -9,6 +9,7 @@
 #include <fca/convert/domain.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -135,6 +136,10 @@ ExitCode run_report(const ReportArguments& arguments, const CLI::App& command, C
   const Calibration& calibration = *contents.shown.calibration;
   if (!arguments.model.empty() && calibration.rig.cameras.empty())
     return console.refuse(ExitCode::kBadInput, contents.shown.file + " holds no camera");
+  std::vector<std::string> names;
+  for (const std::string& input : arguments.inputs)
+    names.push_back(input == "-" ? "standard input" : std::filesystem::path(input).filename().string());
+  contents.title = enumerated(names, "and");
   contents.max_angle_rad = max_angle_rad(arguments.reading);
   contents.to = arguments.to.empty() ? nullptr : find_format(arguments.to);
   if (contents.to != nullptr) {

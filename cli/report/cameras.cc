@@ -243,12 +243,14 @@ void put_camera(Html& html, const DrawnCamera& camera, std::optional<double> lim
   std::optional<MapFigure> map = camera.errs() ? error_map(camera, limit_rad) : angle_map(camera, limit_rad);
   const double domain = domain_deg(camera, map && !camera.errs() ? &map->field : nullptr);
   html.element("div", {{"class", "figures"}}, [&] {
-    if (map) put_map(html, *map);
+    html.element("div", {{"class", "stack"}}, [&] {
+      if (map) put_map(html, *map);
+      if (camera.errs()) put_bands(html, camera.report()->judgement.bands);
+    });
     html.element("div", {{"class", "stack"}}, [&] {
       put_chart(html, radius_chart(camera, domain));
       if (camera.errs()) put_chart(html, error_chart(camera));
     });
-    if (camera.errs()) put_bands(html, camera.report()->judgement.bands);
   });
   if (!map) {
     html.element("p", {{"class", "warning"}},

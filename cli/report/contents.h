@@ -14,6 +14,7 @@
 namespace fca::cli {
 
 struct ReportContents {
+  std::string title;                ///< The names of the files, without their folders.
   ShownFile shown;                  ///< Has a calibration.
   std::vector<CheckedFile> checks;  ///< Of its files.
   std::optional<double> max_angle_rad;

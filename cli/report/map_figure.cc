@@ -69,11 +69,18 @@ Placed place(const ImageSize& image) {
 
 std::vector<double> contour_levels(const ColourScale& scale) {
   if (!scale.logarithmic) return linear_ticks(scale.from, scale.to, 10);
-  std::vector<double> levels = decades(scale.from, scale.to);
-  // Where it matters, finer.
-  for (const double factor : {0.2, 0.5}) levels.push_back(factor * scale.to);
-  std::erase_if(levels, [&scale](double level) { return level <= scale.from || level >= scale.to; });
+  // Where it matters. Far below there are thin rings where the error changes its sign.
+  constexpr double kLess = 0.02;
+  std::vector<double> levels = decades(kLess * scale.to, scale.to);
+  double level = scale.to;
+  for (int i = 0; i < 2; ++i) {
+    level = nice_below(0.9 * level);
+    levels.push_back(level);
+  }
+  std::erase_if(levels, [&scale](double each) { return each > 0.99 * scale.to; });
   std::ranges::sort(levels);
+  const auto same = [](double a, double b) { return b < 1.01 * a; };
+  levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
   return levels;
 }
 
@@ -113,7 +120,7 @@ void put_contours(Html& html, const MapFigure& figure, const Placed& placed, Lab
     std::string path;
     bool labelled = false;
     for (const ContourLine& line : contours(grid, level)) {
-      constexpr std::size_t kSpeck = 8;  // points: noise
+      constexpr std::size_t kSpeck = 40;  // points: shorter ones are where a thin ring falls between the cells
       if (line.size() < kSpeck) continue;
       std::vector<Point> points;
       for (const auto& [column, row] : line) {
@@ -124,8 +131,7 @@ void put_contours(Html& html, const MapFigure& figure, const Placed& placed, Lab
       for (std::size_t i = 0; i + (closed ? 1 : 0) < points.size(); ++i)
         path += (i == 0 ? "M" : "L") + coordinate(points[i][0]) + " " + coordinate(points[i][1]);
       if (closed) path += "Z";
-      constexpr std::size_t kLong = 40;  // points: worth a label
-      if (labelled || points.size() < kLong) continue;
+      if (labelled) continue;
       const auto at = std::ranges::find_if(points, [&labels](const Point& point) { return labels.free(point); });
       if (at == points.end()) continue;
       labels.take(*at);

@@ -20,7 +20,7 @@ std::string report_page(const ReportContents& contents) {
       html.element_without_end("meta", {{"name", "generator"}, {"content", "fca-io " FCA_VERSION}});
       // Browsers ask for an icon where a page names none.
       html.element_without_end("link", {{"rel", "icon"}, {"href", "data:,"}});
-      html.element("title", {}, contents.shown.file + " - fca-io report");
+      html.element("title", {}, contents.title + " - fca-io report");
       html.style(kStyle);
     });
     html.element("body", {}, [&] {

@@ -24,7 +24,7 @@ inline constexpr std::string_view kStyle = R"css(
 }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--page); color: var(--text); font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; }
-main { max-width: 1360px; margin: 0 auto; padding: 20px 20px 60px; overflow-wrap: anywhere; }
+main { max-width: 1160px; margin: 0 auto; padding: 20px 20px 60px; overflow-wrap: anywhere; }
 h1 { font-size: 1.5rem; line-height: 1.25; margin: 8px 0 4px; }
 h2 { font-size: 1.2rem; margin: 36px 0 10px; padding-bottom: 4px; border-bottom: 1px solid var(--line); }
 h3 { font-size: 1rem; margin: 18px 0 6px; }
@@ -40,10 +40,10 @@ code, pre { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size:
 code { padding: 1px 4px; }
 pre { padding: 10px 12px; margin: 6px 0; white-space: pre-wrap; border: 1px solid var(--line); }
 .card { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 14px 16px; margin: 10px 0; }
-.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 250px), 1fr)); gap: 12px; margin: 14px 0; }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 190px), 1fr)); gap: 12px; margin: 14px 0; }
 .tile { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 12px 16px; }
 .tile .big { font-size: 1.3rem; font-weight: 600; line-height: 1.3; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 360px), 1fr)); gap: 14px; align-items: start; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 14px; align-items: start; }
 figure { margin: 0; background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 12px 14px; }
 figcaption { font-weight: 600; margin-bottom: 8px; }
 .chart { display: block; width: 100%; max-width: 640px; height: auto; margin: 0 auto; overflow: visible; }
@@ -95,7 +95,7 @@ td:first-child { font-weight: 600; }
 .short { white-space: nowrap; }
 figure table { border: none; margin: 0; }
 figure th, figure td { padding: 3px 6px; }
-.stack { display: grid; gap: 14px; }
+.stack { display: grid; grid-template-columns: minmax(0, 1fr); gap: 14px; }
 .beside { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 14px; align-items: start; }
 .beside table { margin: 0; }
 details { margin: 10px 0; }

@@ -62,7 +62,8 @@ void put_findings_tile(Html& html, const ReportContents& contents) {
     for (const Finding& finding : file.report.findings) {
       errors += finding.severity == Severity::kError ? 1 : 0;
       warnings += finding.severity == Severity::kWarning ? 1 : 0;
-      if (finding.severity != Severity::kNote) lines.push_back(finding.code);
+      if (finding.severity != Severity::kNote && std::ranges::find(lines, finding.code) == lines.end())
+        lines.push_back(finding.code);
     }
   }
   std::vector<std::string> parts;
@@ -91,12 +92,12 @@ void put_losses_tile(Html& html, const ConvertOutcome& outcome) {
 
 void put_summary(Html& html, const ReportContents& contents) {
   const Calibration& calibration = *contents.shown.calibration;
-  html.element("h1", {}, contents.shown.file);
+  html.element("h1", {}, contents.title);
   html.element("p", {{"class", "soft"}},
                std::string(calibration.format->title) + " (" + calibration.why + "), as fca-io " FCA_VERSION " reads it");
   if (contents.conversion && !contents.conversion->written.headline.empty()) {
     html.element("p", {}, [&] {
-      html.element("span", {{"class", "strong"}}, "What convert writes: " + contents.conversion->written.headline + ".");
+      html.element("span", {{"class", "strong"}}, "The written file: " + contents.conversion->written.headline + ".");
       if (contents.conversion->code == ExitCode::kJudgedBad)
         html.element("span", {{"class", "error strong"}}, " convert would refuse to write it.");
     });
