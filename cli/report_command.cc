@@ -2,6 +2,7 @@
 #include "report_command.h"
 
 #include "output_file.h"
+#include "report/command_line.h"
 #include "report/contents.h"
 #include "report/page.h"
 #include "words.h"
@@ -32,20 +33,6 @@ std::optional<std::string> problem_with(const ReportArguments& arguments) {
   if (arguments.objective != "rms" && arguments.objective != "max")
     return "unknown objective '" + arguments.objective + "'; there are rms and max";
   return std::nullopt;
-}
-
-/// The command as one would type it again, with those of its options that `keep` wants.
-template <class Keep>
-std::string command_line(const CLI::App& command, std::string_view name, Keep&& keep) {
-  std::string line = "fca-io " + std::string(name);
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0 || !keep(option->get_name())) continue;
-    for (const std::string& value : option->reduced_results()) {
-      if (!option->get_positional()) line += " " + option->get_name();
-      if (option->get_items_expected_max() > 0) line += " " + shell_word(value);
-    }
-  }
-  return line;
 }
 
 /// As `convert --to FORMAT` would, in memory.
@@ -192,7 +179,9 @@ void add_report_command(CLI::App& app, ReportArguments& arguments, std::function
       "Example:\n"
       "  fca-io report camchain.yaml --with imu.yaml --to orbslam3 --model eucm --max-angle 97.5 -o page.html\n"
       "  fca-io report camchain.yaml --model all -o models.html\n");
-  command.callback([&] { run = [&](Console& console) { return run_report(arguments, command, console); }; });
+  command.callback([&arguments, &command, &run] {
+    run = [&arguments, &command](Console& console) { return run_report(arguments, command, console); };
+  });
 }
 
 }  // namespace fca::cli

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
-#include <optional>
+#include <tuple>
 
 namespace fca::cli {
 
@@ -16,7 +15,10 @@ struct Side {
   int column = 0;
   int row = 0;
   bool down = false;  ///< To the cell below; else to the one on the right.
-  auto operator<=>(const Side&) const = default;
+  bool operator==(const Side&) const = default;
+  bool operator<(const Side& other) const {
+    return std::tie(row, column, down) < std::tie(other.row, other.column, other.down);
+  }
 };
 
 /// The sides that a line goes on to from each side: two within a line, one at its end.
@@ -39,7 +41,7 @@ class Square {
       if (above_.at(i) != above_.at((i + 1) % sides.size())) crossed.push_back(sides.at(i));
     }
     // A saddle: the value in the middle tells which corners hang together, and the lines go around the other two.
-    if (crossed.size() == 4 && above_[0] != middle_above) std::ranges::rotate(crossed, crossed.begin() + 1);
+    if (crossed.size() == 4 && above_[0] != middle_above) std::rotate(crossed.begin(), crossed.begin() + 1, crossed.end());
     for (std::size_t i = 0; i + 1 < crossed.size(); i += 2) {
       links[crossed[i]].push_back(crossed[i + 1]);
       links[crossed[i + 1]].push_back(crossed[i]);

@@ -2,6 +2,7 @@
 #include "sections.h"
 
 #include "../words.h"
+#include "said.h"
 
 #include <fca/formats/text/source.h>
 
@@ -30,29 +31,6 @@ std::string place_of(const SourceRange& where, const text::Source& source) {
   return where.file + ", line " + std::to_string(source.position(where.offset).line);
 }
 
-struct Said {
-  Severity severity = Severity::kNote;
-  std::string code;
-  std::string message;
-  std::string place;
-  std::string consequence;
-  std::string fix;
-};
-
-void put_said(Html& html, const Said& said) {
-  const std::string severity = name_of(said.severity);
-  html.element("div", {{"class", "finding " + severity}}, [&] {
-    html.element("p", {}, [&] {
-      html.element("span", {{"class", "strong " + severity}}, severity + ": ");
-      html.text(said.message + " ");
-      html.element("code", {}, said.code);
-      if (!said.place.empty()) html.element("span", {{"class", "soft"}}, " " + said.place);
-    });
-    if (!said.consequence.empty()) html.element("p", {{"class", "soft"}}, "If used: " + said.consequence);
-    if (!said.fix.empty()) html.element("p", {{"class", "soft"}}, "Fix: " + said.fix);
-  });
-}
-
 void put_checked(Html& html, const CheckedFile& file) {
   const CheckReport& report = file.report;
   html.element("h3", {}, file.source.name);
@@ -72,6 +50,20 @@ void put_checked(Html& html, const CheckedFile& file) {
 }
 
 }  // namespace
+
+void put_said(Html& html, const Said& said) {
+  const std::string severity = name_of(said.severity);
+  html.element("div", {{"class", "finding " + severity}}, [&] {
+    html.element("p", {}, [&] {
+      html.element("span", {{"class", "strong " + severity}}, severity + ": ");
+      html.text(said.message + " ");
+      html.element("code", {}, said.code);
+      if (!said.place.empty()) html.element("span", {{"class", "soft"}}, " " + said.place);
+    });
+    if (!said.consequence.empty()) html.element("p", {{"class", "soft"}}, "If used: " + said.consequence);
+    if (!said.fix.empty()) html.element("p", {{"class", "soft"}}, "Fix: " + said.fix);
+  });
+}
 
 void put_findings(Html& html, const ReportContents& contents) {
   html.element("h2", {}, "Is it sane?");

@@ -54,6 +54,15 @@ Ray direction(double angle, double around) {
   return {std::sin(angle) * std::cos(around), std::sin(angle) * std::sin(around), std::cos(angle)};
 }
 
+Ray turned(const Transform& rotation, const Ray& ray) {
+  Ray result{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column)
+      result.at(static_cast<std::size_t>(row)) += rotation(row, column) * ray.at(static_cast<std::size_t>(column));
+  }
+  return result;
+}
+
 constexpr int kAround = 90;
 double around(int i) { return 2.0 * std::numbers::pi * i / kAround; }
 
@@ -74,7 +83,8 @@ std::optional<ImageField> angle_field(const Camera& camera, std::optional<double
                   [](const Pixel&, const Ray& ray) { return std::optional(angle_from_axis(ray) * kDegreesPerRadian); });
 }
 
-std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double reach_rad) {
+std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double reach_rad,
+                                        const Transform* rotation) {
   std::vector<ProfilePoint> profile;
   if (!source.image_size) return profile;
   const double right = source.image_size->width - 1.0;
@@ -89,7 +99,7 @@ std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel&
       const Ray ray = direction(angle, around(j));
       const std::optional<Pixel> here = project(source.model, ray);
       if (!here || (*here)[0] < 0.0 || (*here)[0] > right || (*here)[1] < 0.0 || (*here)[1] > bottom) continue;
-      const std::optional<Pixel> there = project(target, ray);
+      const std::optional<Pixel> there = project(target, rotation != nullptr ? turned(*rotation, ray) : ray);
       if (!there) continue;
       const double error = std::hypot((*there)[0] - (*here)[0], (*there)[1] - (*here)[1]);
       squares += error * error;

@@ -47,8 +47,10 @@ struct ProfilePoint {
   double rms_px = 0.0;
   double max_px = 0.0;
 };
-/// The error from the axis to `reach_rad`; angles that no pixel of the image has are left out.
-[[nodiscard]] std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double reach_rad);
+/// The error from the axis to `reach_rad`; angles that no pixel of the image has are left out. `rotation`: takes the source's
+/// rays to the target's; null: they have the same.
+[[nodiscard]] std::vector<ProfilePoint> error_profile(const Camera& source, const CameraModel& target, double reach_rad,
+                                                      const Transform* rotation = nullptr);
 
 /// How far from the principal point a model has rays of each angle, in pixels: the mean of all directions around the axis.
 struct RadiusPoint {

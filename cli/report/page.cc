@@ -8,7 +8,7 @@
 
 namespace fca::cli {
 
-std::string report_page(const ReportContents& contents) {
+std::string page_around(const std::string& title, const std::function<void(Html&)>& content) {
   Html html;
   html.element("html", {{"lang", "en"}}, [&] {
     html.element("head", {}, [&] {
@@ -20,25 +20,29 @@ std::string report_page(const ReportContents& contents) {
       html.element_without_end("meta", {{"name", "generator"}, {"content", "fca-io " FCA_VERSION}});
       // Browsers ask for an icon where a page names none.
       html.element_without_end("link", {{"rel", "icon"}, {"href", "data:,"}});
-      html.element("title", {}, contents.title + " - fca-io report");
+      html.element("title", {}, title + " - fca-io report");
       html.style(kStyle);
     });
     html.element("body", {}, [&] {
       put_colour_scale(html);
-      html.element("main", {}, [&] {
-        put_summary(html, contents);
-        put_candidates(html, contents);
-        put_camera_table(html, contents);
-        put_cameras(html, contents);
-        put_poses(html, contents);
-        put_imus(html, contents);
-        put_findings(html, contents);
-        put_ledger(html, contents);
-        put_sources(html, contents);
-      });
+      html.element("main", {}, [&] { content(html); });
     });
   });
   return html.document();
+}
+
+std::string report_page(const ReportContents& contents) {
+  return page_around(contents.title, [&contents](Html& html) {
+    put_summary(html, contents);
+    put_candidates(html, contents);
+    put_camera_table(html, contents);
+    put_cameras(html, contents);
+    put_poses(html, contents);
+    put_imus(html, contents);
+    put_findings(html, contents);
+    put_ledger(html, contents);
+    put_sources(html, contents);
+  });
 }
 
 }  // namespace fca::cli

@@ -162,6 +162,7 @@ class Drawing {
     const Point origin = at(T, {0, 0, 0});
     if (frame.kind == Kind::kCamera) {
       std::vector<Point> corners;
+      corners.reserve(kCorners.size());
       for (const Point3& corner : kCorners) corners.push_back(at(T, scaled(corner, axis_m_)));
       html.element("path", {{"class", "body"}, {"d", path(corners, true)}}, "");
       for (const Point& corner : corners) html.element("path", {{"class", "body"}, {"d", path({origin, corner}, false)}}, "");

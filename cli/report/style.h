@@ -61,6 +61,7 @@ figcaption { font-weight: 600; margin-bottom: 8px; }
 .curve.alone { stroke: var(--source); }
 .curve.max { stroke: var(--target); stroke-width: 5; opacity: 0.5; }
 .curve.rms { stroke: var(--source); stroke-width: 1.8; }
+.curve.rotated { stroke: var(--good); stroke-width: 1.8; stroke-dasharray: 8 3; }
 .curve.reference { stroke: var(--reference); stroke-width: 1.3; stroke-dasharray: 6 4; }
 .curve.reference.dotted { stroke-dasharray: 2 3; }
 .curve.c0 { stroke: #3b82f6; } .curve.c1 { stroke: #f97316; } .curve.c2 { stroke: #16a34a; } .curve.c3 { stroke: #e11d48; }
