@@ -164,7 +164,7 @@ std::optional<MapFigure> angle_map(const DrawnCamera& camera) {
 
 void put_bands(Html& html, const DrawnCamera& camera) {
   Table table{{"deg from the axis", "share", "rms px", "max px"}, {}, "numbers"};
-  if (camera.rotated != nullptr) table.titles.insert(table.titles.end(), {"rotated rms", "max px"});
+  if (camera.rotated != nullptr) table.titles.insert(table.titles.end(), {"turned rms", "turned max"});
   for (std::size_t i = 0; i < camera.judgement->bands.size(); ++i) {
     const ErrorBand& band = camera.judgement->bands[i];
     if (band.share <= 0.0) continue;
@@ -176,7 +176,9 @@ void put_bands(Html& html, const DrawnCamera& camera) {
     row.push_back(pixels(camera.rotated->bands[i].max_px));
   }
   html.element("figure", {}, [&] {
-    html.element("figcaption", {}, camera.distance + " in bands of angles");
+    html.element("figcaption", {},
+                 camera.distance + " in bands of angles" +
+                     (camera.rotated != nullptr ? " (turned: with the best rotation undone)" : ""));
     put_table(html, table);
   });
 }

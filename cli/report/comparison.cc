@@ -23,12 +23,16 @@ std::string file_name(const std::string& path) {
   return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
 }
 
+std::string both_names(const CameraComparison& camera) {
+  return camera.reference == camera.other ? camera.reference : camera.reference + " and " + camera.other;
+}
+
 void put_tiles(Html& html, const RigComparison& comparison) {
   html.element("div", {{"class", "tiles"}}, [&] {
     for (const CameraComparison& camera : comparison.cameras) {
       const ErrorSummary& error = camera.difference.judgement.error;
       html.element("div", {{"class", "tile"}}, [&] {
-        html.element("div", {{"class", "soft"}}, camera.reference + " and " + camera.other);
+        html.element("div", {{"class", "soft"}}, both_names(camera));
         html.element("div", {{"class", "big"}}, camera.identical ? "identical" : "rms " + pixels(error.rms) + " px");
         if (camera.identical) return;
         html.element("div", {{"class", "soft"}}, "worst pixel " + pixels(error.max) + " px");
@@ -80,8 +84,8 @@ void put_camera(Html& html, const CameraComparison& compared, const Rig& referen
   const Camera* from = reference.find_camera(compared.reference);
   const Camera* to = other.find_camera(compared.other);
   html.element("h3", {},
-               compared.reference + " and " + compared.other + ": " + compared.reference_model + " and " +
-                   compared.other_model + ", " + size_in_words(compared.size) + " px");
+               both_names(compared) + ": " + compared.reference_model + " and " + compared.other_model + ", " +
+                   size_in_words(compared.size) + " px");
   put_words(html, compared);
   if (from == nullptr || to == nullptr) return;
   Camera source = *from;

@@ -96,6 +96,7 @@ td:first-child { font-weight: 600; }
 .short { white-space: nowrap; }
 figure table { border: none; margin: 0; }
 figure th, figure td { padding: 3px 6px; }
+figure th.short { white-space: normal; vertical-align: bottom; overflow-wrap: normal; }
 .stack { display: grid; grid-template-columns: minmax(0, 1fr); gap: 14px; }
 .beside { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 14px; align-items: start; }
 .beside table { margin: 0; }

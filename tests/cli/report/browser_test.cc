@@ -105,6 +105,14 @@ TEST_P(ReportInABrowser, LongNamesFit) {
   expect_good(page({file, "--to", "orbslam3"}), 1);
 }
 
+TEST_P(ReportInABrowser, AComparisonFits) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "page.html";
+  const std::string other = folder.write("other.yaml", with_replaced(read_file(kTumvi), "254.93", "257.93"));
+  ASSERT_EQ(run_program({"compare", kTumvi, other, "--report", path}).code, 0);
+  expect_good(read_file(path), 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(Widths, ReportInABrowser, testing::Values(400, 1400));
 
 // Were the test's questions no questions, it would find every page good.
