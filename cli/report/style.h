@@ -107,7 +107,9 @@ summary { cursor: pointer; color: var(--link); }
 .finding.warning { border-color: var(--warning); color: inherit; }
 @media (max-width: 640px) {
   main { padding: 12px 12px 40px; }
-  figure { padding: 10px 8px; }
+  figure { padding: 10px 8px; overflow-x: auto; }
+  figure table { font-size: 0.8rem; }
+  figure th, figure td { padding: 3px; }
   .beside { grid-template-columns: minmax(0, 1fr); }
   table.cards, .cards tbody, .cards tr, .cards td { display: block; }
   .cards thead { display: none; }
