@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
 
+#include "output_file.h"
+#include "report/command_line.h"
+#include "report/comparison.h"
 #include "words.h"
 
 #include <fca/compare/compare.h>
 #include <fca/formats/stated_as.h>
 
 #include <algorithm>
+#include <span>
 
 #include <CLI/CLI.hpp>
 
@@ -18,6 +22,8 @@ std::optional<std::string> problem_with(const CompareArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (arguments.reading.join) return "compare lays each FILE beside REF by itself: --join has no use here";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
+  if (!arguments.page.empty() && arguments.files.size() > 1) return "--report is about one FILE beside REF";
+  if (arguments.force && arguments.page.empty()) return "--force is for --report: it overwrites an existing page";
   const std::ptrdiff_t from_stdin = std::ranges::count(arguments.files, "-") + (arguments.reference == "-" ? 1 : 0);
   if (from_stdin > 1) return "standard input can be read only once";
   return std::nullopt;
@@ -138,7 +144,21 @@ ComparedFile compared_file(const std::string& file, const ReferenceFile& referen
   return compared;
 }
 
-ExitCode run_compare(const CompareArguments& arguments, Console& console) {
+/// --report. Nothing is written of files that could not be compared.
+ExitCode write_page(const CompareArguments& arguments, const CLI::App& command, const ReferenceFile& reference,
+                    const ComparedFile& compared, const Console& console) {
+  if (arguments.page.empty() || !compared.comparison || compared.comparison->cameras.empty()) return ExitCode::kGood;
+  const std::string line = command_line(command, "compare", [](const std::string&) { return true; });
+  const OutputFile file{arguments.page, comparison_page(reference, compared, max_angle_rad(arguments.reading), line)};
+  if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false)) {
+    console.error(*failure);
+    return ExitCode::kIo;
+  }
+  arguments.json ? console.say_aside("wrote " + file.path + "\n") : console.say("wrote " + file.path + "\n");
+  return ExitCode::kGood;
+}
+
+ExitCode run_compare(const CompareArguments& arguments, const CLI::App& command, Console& console) {
   if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
   ReferenceFile reference{arguments.reference, {}, {}};
   reference.calibration = read_input(arguments.reference, arguments.reading, console, reference.diagnostics);
@@ -154,11 +174,15 @@ ExitCode run_compare(const CompareArguments& arguments, Console& console) {
     files.push_back(compared_file(file, reference, arguments, console));
     const ComparedFile& compared = files.back();
     code = worse(code, compared.code);
-    if (arguments.json) continue;
+    if (arguments.json) {
+      code = worse(code, write_page(arguments, command, reference, compared, console));
+      continue;
+    }
     const bool some = compared.comparison && (compared.code <= ExitCode::kJudgedBad || !compared.comparison->cameras.empty());
     if (some) console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared));
     console.show(compared.diagnostics);
     if (!some) console.say_aside("verdict: " + file + ": " + compared.verdict + "\n");
+    code = worse(code, write_page(arguments, command, reference, compared, console));
   }
   if (arguments.json) console.out(compare_json(reference, files, console));
   return code;
@@ -190,6 +214,11 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
                    "than 1 ms, other numbers more than 5 %, or if FILE does not say what REF says; --max-error is then 0.25 "
                    "where it is not given");
   command.add_flag("--every-pixel", arguments.every_pixel, "Score every pixel of the image instead of a lattice");
+  command
+      .add_option("--report", arguments.page,
+                  "Also write a page to look at (one HTML file): differences over the image and the angle, both rigs drawn")
+      ->type_name("PATH");
+  command.add_flag("--force", arguments.force, "With --report: overwrite an existing page");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
   command.footer(
       "Errors are measured as convert measures them: a pixel of REF's image, its ray by REF, the pixel of that ray by FILE. "
@@ -199,9 +228,11 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
       "Exit codes: 0 compared, whatever the differences; 1 --max-error or --strict not met; 2 bad input; 3 usage; 4 "
       "input/output.\n\n"
       "Example:\n"
-      "  fca-io compare camchain.yaml --with imu.yaml settings.yaml\n"
+      "  fca-io compare camchain.yaml --with imu.yaml settings.yaml --report page.html\n"
       "  fca-io compare camchain-before.yaml camchain-after.yaml --max-angle 97.5 --max-error 0.5\n");
-  command.callback([&] { run = [&arguments](Console& console) { return run_compare(arguments, console); }; });
+  command.callback([&arguments, &command, &run] {
+    run = [&arguments, &command](Console& console) { return run_compare(arguments, command, console); };
+  });
 }
 
 }  // namespace fca::cli

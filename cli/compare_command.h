@@ -25,6 +25,8 @@ struct CompareArguments {
   std::optional<double> max_error_px;
   bool strict = false;  ///< Judge poses and numbers, too.
   bool every_pixel = false;
+  std::string page;  ///< --report
+  bool force = false;
   bool json = false;
 };
 
@@ -66,6 +68,11 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
 /// "0.31 deg: its rays lie 0.3 to the right and 0.08 up": how the rays of a camera lie that is turned by that vector
 /// (BestRotation).
 [[nodiscard]] std::string rotation_in_words(const BestRotation& rotation);
+
+/// "the same camera up to 83.2 deg from the axis (within 0.25 px)"
+[[nodiscard]] std::string same_in_words(const CameraDifference& difference);
+/// Does the best rotation bring the two nearer to each other?
+[[nodiscard]] bool turning_helps(const CameraComparison& camera);
 
 [[nodiscard]] std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared);
 [[nodiscard]] std::string compare_json(const ReferenceFile& reference, const std::vector<ComparedFile>& files,

@@ -10,22 +10,7 @@
 
 namespace fca::cli {
 
-namespace {
-
-std::string heading(const CameraComparison& camera) {
-  std::string text = "\n" + camera.reference;
-  if (camera.other != camera.reference) text += " and " + camera.other;
-  text += ": " + camera.reference_model;
-  if (camera.other_model != camera.reference_model) text += " and " + camera.other_model;
-  text += ", " + size_in_words(camera.size) + " px";
-  if (camera.other_size) text += " (scaled from " + size_in_words(*camera.other_size) + ")";
-  if (camera.size_assumed)
-    text += " assumed: no file states a size (--size does); the principal point lies in the middle of it";
-  return text + "\n";
-}
-
-/// "the same camera up to 83.2 deg from the axis (within 0.25 px)"
-std::string same_text(const CameraDifference& difference) {
+std::string same_in_words(const CameraDifference& difference) {
   const std::string limit = "within " + text::format_short(kSamePx) + " px";
   if (difference.same_to_deg >= difference.judgement.coverage.max_angle_deg)
     return "the same camera everywhere (" + limit + ")";
@@ -40,6 +25,20 @@ bool turning_helps(const CameraComparison& camera) {
   return camera.rotated && camera.rotated->difference.judgement.error.rms < kHelps * camera.difference.judgement.error.rms;
 }
 
+namespace {
+
+std::string heading(const CameraComparison& camera) {
+  std::string text = "\n" + camera.reference;
+  if (camera.other != camera.reference) text += " and " + camera.other;
+  text += ": " + camera.reference_model;
+  if (camera.other_model != camera.reference_model) text += " and " + camera.other_model;
+  text += ", " + size_in_words(camera.size) + " px";
+  if (camera.other_size) text += " (scaled from " + size_in_words(*camera.other_size) + ")";
+  if (camera.size_assumed)
+    text += " assumed: no file states a size (--size does); the principal point lies in the middle of it";
+  return text + "\n";
+}
+
 std::string turned_text(const CameraComparison& camera) {
   if (!camera.rotated) return "";
   const bool same = camera.difference.same_to_deg >= camera.difference.judgement.coverage.max_angle_deg;
@@ -47,7 +46,7 @@ std::string turned_text(const CameraComparison& camera) {
   const CameraDifference& turned = camera.rotated->difference;
   return "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +
          pixels(turned.judgement.error.rms) + " px (the smallest), max " + pixels(turned.judgement.error.max) + " px; " +
-         same_text(turned) + "\n";
+         same_in_words(turned) + "\n";
 }
 
 std::vector<BandColumn> further_columns(const CameraComparison& camera) {
@@ -92,7 +91,7 @@ std::string camera_text(const CameraComparison& camera) {
   if (!(judgement.coverage.scored > 0.0)) return text;
   text += "  error:  " + error_text(judgement.error) + "\n";
   text += "          rms " + pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
-  text += "          " + same_text(difference) + "\n";
+  text += "          " + same_in_words(difference) + "\n";
   text += turned_text(camera);
   return text + band_table(judgement.bands, further_columns(camera)) + corners_text(judgement);
 }

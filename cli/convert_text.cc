@@ -116,6 +116,8 @@ std::vector<std::string> rightly_read(const ProofResult& proof) {
   return names;
 }
 
+}  // namespace
+
 std::string proofs_text(const ConvertOutcome& outcome) {
   const std::string& remedy = outcome.written.misread_remedy;
   std::string text;
@@ -144,8 +146,6 @@ std::string proofs_text(const ConvertOutcome& outcome) {
   }
   return text;
 }
-
-}  // namespace
 
 std::string convert_text(const ConvertOutcome& outcome, bool written) {
   std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.written.headline + "\n";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "list_commands.h"
 
-#include "choose_model.h"
 #include "json.h"
 #include "ledger.h"
+#include "model_candidates.h"
 #include "show_command.h"
 #include "words.h"
 
@@ -139,42 +139,6 @@ ExitCode list_models(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-/// One model as a camera's target. No conversion: it cannot describe the camera, `diagnostics` say why.
-struct Candidate {
-  const ModelInfo* model = nullptr;
-  std::optional<Conversion> conversion;
-  std::vector<std::string> stored_by;
-  Diagnostics diagnostics;
-};
-
-/// Who stores these very numbers, and who demands others.
-std::vector<std::string> stored_by(const CameraModel& model) {
-  std::vector<std::string> names;
-  for (const Format& format : all_formats()) {
-    const StoredModel* row = find_stored_model(format, model_info(model).id, false);
-    if (row == nullptr) continue;
-    const std::string anew = within(model, row->ranges) ? "" : " (fitted anew: " + std::string(row->why) + ")";
-    const std::string name = name_in(format, *row) + anew;
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  }
-  return names;
-}
-
-std::vector<Candidate> candidates(const Camera& camera, const ReadingOptions& reading) {
-  std::vector<Candidate> result;
-  for (const ModelInfo& model : all_models()) {
-    Candidate candidate;
-    candidate.model = &model;
-    ConvertOptions options;
-    options.model = model.id;
-    options.max_angle_rad = max_angle_rad(reading);
-    candidate.conversion = convert(camera, options, candidate.diagnostics);
-    if (candidate.conversion) candidate.stored_by = stored_by(candidate.conversion->camera.model);
-    result.push_back(std::move(candidate));
-  }
-  return result;
-}
-
 std::string candidates_json(const std::string& file, const std::vector<Camera>& cameras, const ReadingOptions& reading) {
   Json json;
   const auto put_candidate = [&json](const Candidate& candidate) {
@@ -198,7 +162,7 @@ std::string candidates_json(const std::string& file, const std::vector<Camera>& 
       json.object([&] {
         json.put("name", camera.name);
         json.put("model", model_info(camera.model).id);
-        json.array("targets", candidates(camera, reading),
+        json.array("targets", candidates(camera, max_angle_rad(reading)),
                    [&](const Candidate& candidate) { json.object([&] { put_candidate(candidate); }); });
       });
     });
@@ -244,7 +208,8 @@ ExitCode compare_models(const ListArguments& arguments, Console& console) {
     console.out(candidates_json(arguments.file, cameras, arguments.reading));
     return ExitCode::kGood;
   }
-  for (const Camera& camera : cameras) console.say(candidates_text(camera, candidates(camera, arguments.reading)));
+  for (const Camera& camera : cameras)
+    console.say(candidates_text(camera, candidates(camera, max_angle_rad(arguments.reading))));
   return ExitCode::kGood;
 }
 

@@ -17,12 +17,15 @@ namespace {
 
 constexpr double kSameCoverage = 1e-3;  // of the image
 
-/// Coverage first, then the error.
+}  // namespace
+
 bool is_better(const ConversionReport& a, const ConversionReport& b) {
   const double more = b.judgement.coverage.unrepresentable - a.judgement.coverage.unrepresentable;
   if (std::abs(more) > kSameCoverage) return more > 0.0;
   return a.judgement.error.rms < b.judgement.error.rms;
 }
+
+namespace {
 
 bool is_much_better(const ConversionReport& a, const ConversionReport& b) {
   constexpr double kMuchMore = 0.02;  // of the image

@@ -8,6 +8,9 @@
 
 namespace fca::cli {
 
+/// Coverage first, then the error.
+[[nodiscard]] bool is_better(const ConversionReport& a, const ConversionReport& b);
+
 /// "OpenCV reads kb4 (exact) and rational (up to 88 deg, rms 0.218 px)": the best three of the models that the format's program
 /// reads and that cover more of the image than `report` says, or as much with less error; and what other programs read, where
 /// that is much better. All of them are fitted for this.

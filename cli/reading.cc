@@ -161,6 +161,13 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   rig.cameras = std::move(cameras);
 }
 
+/// Standard input can be read once; who asks for it again (a report shows, checks and converts) gets what was read.
+std::optional<text::Source> read_once(const std::string& path, const Console& console, Diagnostics& diagnostics) {
+  const auto& read = console.sources();
+  const auto found = path == "-" ? std::ranges::find(read, text::kStandardInput, &text::Source::name) : read.end();
+  return found != read.end() ? std::optional(*found) : text::read_source(path, diagnostics);
+}
+
 std::vector<std::string> format_ids() {
   std::vector<std::string> names;
   for (const Format& format : all_formats()) names.emplace_back(format.id);
@@ -249,7 +256,7 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
   paths.insert(paths.end(), options.with.begin(), options.with.end());
   std::vector<text::Document> documents;
   for (const std::string& each : paths) {
-    std::optional<text::Source> source = text::read_source(each, diagnostics);
+    std::optional<text::Source> source = read_once(each, console, diagnostics);
     if (!source) return std::nullopt;
     console.remember(*source);
     std::optional<text::Document> document = text::parse_document(*std::move(source), diagnostics);

@@ -10,9 +10,7 @@
 
 namespace fca::cli {
 
-namespace {
-
-ShownFile read_files(const std::vector<std::string>& files, const ShowArguments& arguments, Console& console) {
+ShownFile read_shown(const std::vector<std::string>& files, const ShowArguments& arguments, Console& console) {
   ShownFile shown;
   shown.file = enumerated(files, "and");
   shown.limit_deg = arguments.reading.max_angle_deg.value_or(shown.limit_deg);
@@ -33,6 +31,8 @@ ShownFile read_files(const std::vector<std::string>& files, const ShowArguments&
   return shown;
 }
 
+namespace {
+
 std::optional<std::string> problem_with(const ShowArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (arguments.program.empty()) return std::nullopt;
@@ -47,7 +47,7 @@ ExitCode run_show(const ShowArguments& arguments, Console& console) {
   ExitCode code = ExitCode::kGood;
   std::vector<ShownFile> files;
   for (const std::vector<std::string>& group : grouped(arguments.files, arguments.reading)) {
-    files.push_back(read_files(group, arguments, console));
+    files.push_back(read_shown(group, arguments, console));
     code = worse(code, code_of(files.back().diagnostics));
     if (!arguments.json) {
       if (files.back().calibration) console.say((files.size() > 1 ? "\n" : "") + show_text(files.back()));

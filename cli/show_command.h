@@ -37,6 +37,9 @@ struct ShownFile {
 
 void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<ExitCode(Console&)>& run);
 
+/// One input, or several that are one rig (--join).
+[[nodiscard]] ShownFile read_shown(const std::vector<std::string>& files, const ShowArguments& arguments, Console& console);
+
 /// "Kalibr pinhole-equidistant"
 [[nodiscard]] std::string name_in(const Format& format, const StoredModel& row);
 /// What all formats call a model, from the registry.

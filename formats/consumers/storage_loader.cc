@@ -1,39 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The programs that read with cv::FileStorage, asked in a module that is loaded with the first question: half of the command's
 // start was OpenCV's, and most commands ask none of them.
-#include <dlfcn.h>
-
-#include <filesystem>
-#include <string>
-#include <system_error>
-
-#include "fca/formats/consumers/missing_module.h"
+#include "fca/formats/consumers/load_module.h"
 #include "storage_programs.h"
 
 namespace fca::consumers {
 namespace {
 
-/// Never unloaded: what it returned holds functions of it.
-const StoragePrograms& load_module() {
-  // From where the command lies, and from nowhere else: a run path is not asked under AddressSanitizer, and a dataset's folder
-  // must not bring a module.
-  std::error_code ignored;
-  const std::filesystem::path command = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const std::filesystem::path path = command.parent_path() / FCA_STORAGE_MODULE;
-  // Lazily: OpenCV's libraries have ten thousands of symbols.
-  void* module = path.is_absolute() ? dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL) : nullptr;
-  void* function = module != nullptr ? dlsym(module, kStorageProgramsFunction) : nullptr;
-  if (function == nullptr) {
-    const char* why = dlerror();
-    throw MissingModule("a part of the installation cannot be loaded, which asks the programs that use OpenCV's reader: " +
-                        (why != nullptr ? std::string(why) : path.string()));
-  }
-  return *reinterpret_cast<const StoragePrograms* (*)()>(function)();
-}
-
 const StoragePrograms& programs() {
-  static const StoragePrograms& loaded = load_module();
-  return loaded;
+  // What it returned holds functions of the module.
+  static const auto* kLoaded = static_cast<const StoragePrograms*>(
+      load_module(FCA_STORAGE_MODULE, kStorageProgramsFunction, "which asks the programs that use OpenCV's reader"));
+  return *kLoaded;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // The module's one door.
 #include "storage_programs.h"
 
-extern "C" __attribute__((visibility("default"))) const fca::consumers::StoragePrograms* fca_storage_programs() {
+extern "C" __attribute__((visibility("default"))) const void* fca_storage_programs() {
   namespace consumers = fca::consumers;
   static constexpr consumers::StoragePrograms kPrograms = {.openvins = &consumers::load_openvins,
                                                            .openvins_imu = &consumers::load_openvins_imu,

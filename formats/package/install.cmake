@@ -19,5 +19,5 @@ install(FILES ${PROJECT_BINARY_DIR}/fca-io-config.cmake ${PROJECT_BINARY_DIR}/fc
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET fca-io)
   install(TARGETS fca-io)
-  install(TARGETS fca-storage-module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/fca-io)
+  install(TARGETS fca-storage-module fca-pictures-module LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/fca-io)
 endif()

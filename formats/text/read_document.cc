@@ -67,7 +67,7 @@ std::optional<Source> read_source(const std::string& path, Diagnostics& diagnost
     diagnostics.error("cannot-read", "cannot read the file: " + why, {path, 0, 0});
     return std::nullopt;
   };
-  if (path == "-") return Source{"<stdin>", read_limited(std::cin)};
+  if (path == "-") return Source{kStandardInput, read_limited(std::cin)};
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) return cannot_read("it does not exist");

@@ -27,6 +27,7 @@ const std::vector<std::vector<std::string>> kCommands = {{"show"},
                                                          {"convert", "--to", "tumvi"},
                                                          {"convert", "--to", "orbslam3", "--model", "eucm", "--json"},
                                                          {"compare", testdata("formats/kalibr/good/tumvi.yaml")},
+                                                         {"report", "--model", "eucm"},
                                                          {"project", "--camera", "0"},
                                                          {"unproject", "--camera", "0"}};
 
@@ -221,7 +222,7 @@ TEST(Robustness, ManyKeysAreReadInTime) {
 
 TEST(Robustness, OptionsAloneDoNotCrash) {
   for (const char* subcommand :
-       {"convert", "show", "project", "unproject", "formats", "models", "programs", "--json", "-", "--", "", "."}) {
+       {"convert", "show", "report", "project", "unproject", "formats", "models", "programs", "--json", "-", "--", "", "."}) {
     const RunResult run = run_program({subcommand}, {.limit_seconds = kLimitSeconds});
     EXPECT_EQ(run.signal, 0) << subcommand;
     EXPECT_TRUE(run.code >= 0 && run.code <= 4) << subcommand << " " << run.code << run.err;

@@ -22,6 +22,9 @@ namespace fca::text {
 /// Reads and parses a file; "-" is standard input. A missing, unreadable or non-regular file is an error "cannot-read".
 [[nodiscard]] std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics);
 
+/// What a Source of standard input is called.
+inline constexpr const char* kStandardInput = "<stdin>";
+
 /// The bytes of a file; "-" is standard input.
 [[nodiscard]] std::optional<Source> read_source(const std::string& path, Diagnostics& diagnostics);
 

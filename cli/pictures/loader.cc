@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "module.h"
+
+#include <fca/formats/consumers/load_module.h>
+
+namespace fca::cli {
+
+namespace {
+
+const PictureFunctions& functions() {
+  static const auto* kLoaded = static_cast<const PictureFunctions*>(
+      consumers::load_module(FCA_PICTURES_MODULE, kPictureFunctions, "which makes pictures"));
+  return *kLoaded;
+}
+
+}  // namespace
+
+std::string png(const Picture& picture) { return functions().png(picture); }
+
+}  // namespace fca::cli

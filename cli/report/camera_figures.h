@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn of one camera, and of another beside it: a map over the image, bands, and curves over the angle.
+#pragma once
+
+#include "html.h"
+
+#include <fca/convert/report.h>
+#include <fca/rig/rig.h>
+
+#include <optional>
+#include <string>
+
+namespace fca::cli {
+
+struct DrawnCamera {
+  const Camera& source;
+  std::string source_label;  ///< For legends: "kb4", "reference (kb4)".
+
+  /// The one beside it, in the same pixels; null: none, or the same.
+  const CameraModel* target = nullptr;
+  std::string target_label = {};
+  const Judgement* judgement = nullptr;  ///< Of the two; null where there is none.
+  double scored_to_deg = 0.0;            ///< Nothing further from the axis was scored.
+  std::string distance = "Error";        ///< What the judgement is about: "Error", "Difference".
+
+  /// The rotation that brings the two nearest to each other (takes the source's rays to the target's); null: none is drawn.
+  const Transform* rotation = nullptr;
+  const Judgement* rotated = nullptr;  ///< With it undone.
+
+  std::optional<double> limit_rad = {};  ///< What counts as lens, as it was given (--max-angle).
+
+  /// Is there anything to see of the error?
+  [[nodiscard]] bool errs() const;
+};
+
+void put_figures(Html& html, const DrawnCamera& camera);
+
+}  // namespace fca::cli

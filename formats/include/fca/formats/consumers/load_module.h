@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of the command that most of its runs do not need, and whose libraries take long to load.
+#pragma once
+
+#include <string>
+
+namespace fca::consumers {
+
+/// Loads a module, never to be unloaded, and calls its function of that name, which has no arguments and returns a pointer to
+/// what the module offers. `path`: from the folder of the command. Throws MissingModule, which says `what` the module does
+/// ("which makes pictures"). In the command alone; the library is whole.
+[[nodiscard]] const void* load_module(const std::string& path, const char* function, const std::string& what);
+
+}  // namespace fca::consumers
