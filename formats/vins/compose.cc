@@ -8,7 +8,6 @@
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
-
 namespace fca::vins {
 
 using fields::Field;
