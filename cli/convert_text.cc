@@ -86,7 +86,7 @@ std::string losses_text(const std::vector<Loss>& losses) {
   if (losses.empty()) return "lost: nothing\n";
   std::string text = "lost:\n";
   for (const Loss& loss : losses) {
-    text += "  " + loss.what + ": " + loss.why + "\n";
+    text += "  " + text::printable(loss.what) + ": " + loss.why + "\n";  // a key of the file may hold line breaks
     if (!loss.remedy.empty()) text += "    do: " + loss.remedy + "\n";
   }
   return text;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_name.h"
 
+#include <fca/formats/file_name.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -22,14 +24,6 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : "-") + name;
   return text;
-}
-
-/// A camera's name comes from a file: it must not lead elsewhere.
-std::string as_file_name(std::string name) {
-  for (char& c : name) {
-    if (c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' ') c = '_';
-  }
-  return name.empty() || name.starts_with('.') ? "_" + name : name;
 }
 
 /// What people expect behind a name.

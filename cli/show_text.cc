@@ -104,7 +104,7 @@ std::string others_text(const Rig& rig) {
   std::vector<std::string> keys;
   for (const AsRead& extra : rig.as_read) {
     if (std::ranges::none_of(rig.cameras, [&extra](const Camera& camera) { return is_of(extra, camera); }))
-      keys.push_back(extra.key);
+      keys.push_back(text::printable(extra.key));
   }
   return keys.empty() ? "" : "\nalso in the file\n" + wrapped(keys, "  ");
 }

@@ -9,6 +9,7 @@
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <cmath>
@@ -233,6 +234,13 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     const std::span<const text::Document> parts = with_parts(*detected.format, std::span(documents).subspan(i));
     std::optional<Rig> rig = detected.format->read(parts, options, diagnostics);
     if (!rig) return std::nullopt;
+    if (const std::size_t count = result.rig.cameras.size() + rig->cameras.size(); count > kMostCameras) {
+      diagnostics.error(
+          "too-many-cameras",
+          std::to_string(count) + " cameras; fca-io reads at most " + std::to_string(kMostCameras) + " of one rig",
+          {document.source().name, 0, 0}, "split the file");
+      return std::nullopt;
+    }
     if (main_file) {
       result.format = detected.format;
       result.why = detected.why;

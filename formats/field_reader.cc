@@ -2,12 +2,14 @@
 #include "fields.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
 #include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 namespace fca::fields {
 
@@ -75,6 +77,28 @@ void Reader::warn_of_duplicates(const Node& mapping) {
   if (shadowed.size() > kMostNamed) {
     warning(shadowed[kMostNamed]->key, "duplicate-key",
             std::to_string(shadowed.size() - kMostNamed) + " more keys stand twice and are not read");
+  }
+}
+
+const Node* Reader::find(const Node& mapping, std::string_view key) const {
+  const Node* node = text::find(mapping, key, dialect_);
+  if (mapping.is_mapping()) asked_.push_back({&mapping, std::string(key), node != nullptr});
+  return node;
+}
+
+void Reader::warn_of_misspelt() const {
+  std::set<const Node*> told;
+  for (const Asked& missing : asked_) {
+    if (missing.found) continue;
+    for (const text::Entry& entry : missing.mapping->entries) {
+      const std::string& key = entry.key.value;
+      if (!text::is_misspelling(key, missing.key)) continue;
+      const bool read = std::ranges::any_of(
+          asked_, [&](const Asked& each) { return each.mapping == missing.mapping && each.found && each.key == key; });
+      if (read || !told.insert(&entry.key).second) continue;
+      diagnostics_.warning("key-misspelt", "'" + key + "' is not read, and there is no " + missing.key,
+                           document_.range(entry.key), "did you mean " + missing.key + "?");
+    }
   }
 }
 
@@ -163,6 +187,22 @@ std::optional<std::string> Reader::string(const Node& node, std::string_view wha
   return node.value;
 }
 
+std::string Reader::name(const Node& node, std::string_view what) {
+  if (!node.is_scalar()) {
+    if (node.kind != text::NodeKind::kNull)
+      warning(node, "not-a-string", std::string(what) + " is " + kind_in_words(node) + "; a name is wanted, and none is read");
+    return "";
+  }
+  std::string name = text::printable(node.value);
+  if (name != node.value) {
+    warning(
+        node, "name-unprintable",
+        std::string(what) + " holds line breaks, control characters or bytes that are not UTF-8; it is read as '" + name + "'",
+        "give it a name of printable characters");
+  }
+  return name;
+}
+
 std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t count, std::string_view what) {
   // XML says a list of one number as it says a number.
   const bool list_of_one = node.is_scalar() && document_.syntax() == text::Syntax::kXml;
@@ -205,9 +245,9 @@ std::optional<ImageSize> Reader::image_size(const Node& width, const Node& heigh
   const std::optional<int> w = integer(width, std::string(owner) + "width");
   const std::optional<int> h = integer(height, std::string(owner) + "height");
   if (!w || !h) return std::nullopt;
-  if (*w < 1 || *h < 1) {
-    error(*w < 1 ? width : height, "image-size-invalid",
-          "an image of " + std::to_string(*w) + " x " + std::to_string(*h) + " pixels cannot be");
+  if (const std::optional<std::string> problem = problem_with_image_size({*w, *h})) {
+    const bool wide = *w < 1 || *w > kLargestImageSide;
+    error(wide ? width : height, "image-size-invalid", *problem);
     return std::nullopt;
   }
   return ImageSize{*w, *h};

@@ -22,9 +22,7 @@ class Reader {
       : document_(document), dialect_(dialect), diagnostics_(diagnostics) {}
 
   /// The value that counts under a key; null (no error) if there is none.
-  [[nodiscard]] const text::Node* find(const text::Node& mapping, std::string_view key) const {
-    return text::find(mapping, key, dialect_);
-  }
+  [[nodiscard]] const text::Node* find(const text::Node& mapping, std::string_view key) const;
   /// The same; an error "missing-key" if there is none. `owner`: what lacks the key, for the message ("cam0").
   [[nodiscard]] const text::Node* require(const text::Node& mapping, std::string_view key, std::string_view owner);
 
@@ -38,6 +36,9 @@ class Reader {
   /// Seconds.
   [[nodiscard]] std::optional<double> time_offset(const text::Node& node, std::string_view what);
   [[nodiscard]] std::optional<int> integer(const text::Node& node, std::string_view what);
+  /// What cameras and topics are called, on one line and without control characters: people, terminals and other files are told
+  /// it. A warning where the file has others. Empty where no scalar stands there.
+  [[nodiscard]] std::string name(const text::Node& node, std::string_view what);
   [[nodiscard]] std::optional<std::string> string(const text::Node& node, std::string_view what);
   /// A sequence of finite numbers; any length if `count` is 0.
   [[nodiscard]] std::optional<std::vector<double>> reals(const text::Node& node, std::size_t count, std::string_view what);
@@ -71,6 +72,9 @@ class Reader {
 
   /// A warning at every entry of a mapping that does not count; after a few only their number.
   void warn_of_duplicates(const text::Node& mapping);
+  /// A warning at every key that nobody has asked for and that is probably one which was asked for and is not there: what it
+  /// states would be lost without a word. To be called when all is read.
+  void warn_of_misspelt() const;
   void error(const text::Node& node, std::string code, std::string message, std::string fix = {});
   void warning(const text::Node& node, std::string code, std::string message, std::string fix = {});
 
@@ -82,6 +86,12 @@ class Reader {
   const text::Document& document_;
   text::Dialect dialect_;
   Diagnostics& diagnostics_;
+  struct Asked {
+    const text::Node* mapping;
+    std::string key;
+    bool found;
+  };
+  mutable std::vector<Asked> asked_;  ///< A note for warn_of_misspelt(): what find() answers does not depend on it.
 };
 
 /// How a field's value is laid out.

@@ -4,6 +4,7 @@
 #include "losses.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <iterator>
@@ -26,6 +27,18 @@ bool writable_alone(const Format& format, const Rig& rig, std::string_view size_
     good = good && problems.empty() && camera.image_size;
   }
   return good;
+}
+
+std::optional<text::Document> fresh_file(const Format& format, const Camera& camera, text::Source source,
+                                         Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<text::Document> document = text::parse_document(std::move(source), found);
+  if (document && format.read(std::span(&*document, 1), {}, found)) return document;
+  for (const Diagnostic& entry : found.entries()) {
+    if (entry.severity == Severity::kError)
+      diagnostics.error(entry.code, camera.name + " cannot be written: " + entry.message, {}, entry.fix);
+  }
+  return std::nullopt;
 }
 
 bool is_camera_of(const std::optional<Rig>& there, const Rig& rig, const Camera& camera) {

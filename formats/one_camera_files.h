@@ -14,6 +14,10 @@ namespace fca {
 /// parameters that the format does not hold; and one if there is no camera at all.
 [[nodiscard]] bool writable_alone(const Format& format, const Rig& rig, std::string_view size_use, Diagnostics& diagnostics);
 
+/// A fresh file, parsed. Nothing where the format itself would not read it, with its errors: what nobody reads is not written.
+[[nodiscard]] std::optional<text::Document> fresh_file(const Format& format, const Camera& camera, text::Source source,
+                                                       Diagnostics& diagnostics);
+
 /// Is it the camera of `there`, the file to be edited? A rig of one camera goes there whatever its name.
 [[nodiscard]] bool is_camera_of(const std::optional<Rig>& there, const Rig& rig, const Camera& camera);
 

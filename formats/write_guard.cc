@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace fca {
 
@@ -24,6 +25,20 @@ void collect_not_finite(const Node& node, const std::string& name, std::multiset
   for (const text::Entry& entry : node.entries) collect_not_finite(entry.value, entry.key.value, names);
 }
 
+/// Every name that a file may state, and what it is of. Readers make them printable; rigs built in code may hold others.
+std::vector<std::pair<std::string_view, std::string_view>> names_of(const Rig& rig) {
+  std::vector<std::pair<std::string_view, std::string_view>> names;
+  for (const Camera& camera : rig.cameras) {
+    names.emplace_back("the camera", camera.name);
+    names.emplace_back("the topic", camera.topic);
+  }
+  for (const Imu& imu : rig.imus) {
+    names.emplace_back("the IMU", imu.name);
+    names.emplace_back("the topic", imu.topic);
+  }
+  return names;
+}
+
 std::multiset<std::string> not_finite(const text::Document& document) {
   std::multiset<std::string> names;
   if (const std::optional<text::Document> after = text::as_edited(document)) collect_not_finite(after->root(), "", names);
@@ -35,7 +50,16 @@ std::multiset<std::string> not_finite(const text::Document& document) {
 bool may_be_written(const Rig& rig, Diagnostics& diagnostics) {
   const std::vector<std::string> problems = validate(rig);
   for (const std::string& problem : problems) diagnostics.error("out-of-range", problem);
-  return problems.empty();
+  bool printable = true;
+  for (const auto& [what, name] : names_of(rig)) {
+    const std::string shown = text::printable(name);
+    if (shown == name) continue;
+    printable = false;
+    diagnostics.error("name-unprintable",
+                      std::string(what) + " '" + shown + "' holds line breaks, control characters or bytes that are not UTF-8",
+                      {}, "give it a name of printable characters");
+  }
+  return printable && problems.empty();
 }
 
 bool has_no_mirror(const Rig& rig, Diagnostics& diagnostics) {

@@ -37,6 +37,7 @@ class CalibrationReader {
     const bool good = read_cameras(*value, rig);
     if (!read_imu(*value, rig) || !read_time_offset(*value, rig) || !good) return std::nullopt;
     keep_unread(*value, rig);
+    reader_.warn_of_misspelt();
     return rig;
   }
 

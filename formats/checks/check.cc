@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace fca {
 
@@ -246,7 +247,7 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
 
 std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options) {
   text::Source result = source;
-  bool any = false;
+  std::set<std::string> before = {source.bytes};
   constexpr int kMostRounds = 20;  // behind a header that is mended a program sees the rest for the first time
   for (int round = 0; round < kMostRounds; ++round) {
     const CheckReport report = check_file(result, options);
@@ -259,9 +260,10 @@ std::optional<text::Source> mended(const text::Source& source, const CheckOption
     }
     if (!document.edited()) break;
     result.bytes = document.bytes();
-    any = true;
+    // Two programs that want it each in their own way: neither mend is certain.
+    if (!before.insert(result.bytes).second) return std::nullopt;
   }
-  return any ? std::optional(result) : std::nullopt;
+  return result.bytes != source.bytes ? std::optional(result) : std::nullopt;
 }
 
 }  // namespace fca

@@ -175,6 +175,12 @@ leaves the second out unless find_and_export_data was run. fca-io convert FILE -
               "write numbers as numbers and names in double quotes, without a comma behind the last one"},
     CheckCode{"key-assumed", "a key is missing that the program has a value for", "The program goes on with its own value.",
               "The message says which. Whether that is what was meant nothing in the file tells.", "state it"},
+    CheckCode{
+        "key-misspelt", "a key that nobody reads, beside one that is missing",
+        "What it states is not known to the program, which stops or takes a default.",
+        R"(A key differs from one that the format has, and that is not there, by a letter: lost, too many, wrong, in the other
+case, or exchanged with its neighbour. Digits are no letters. Or a block holds a camera and is not called cam0, cam1, ...)",
+        "spell it as the format does, or delete it"},
     CheckCode{"left-handed", "a pose that mirrors", kWrongPose,
               "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
     CheckCode{"matlab-origin", "MATLAB counts pixels from 1", "The principal point is one pixel off.",
@@ -215,6 +221,10 @@ names the first key that is missing or mistyped for the richest mode that its ke
         R"(--opencv-model says one lens and the file's own metadata (fisheye_model, distortion_type, xi) the other. One of the two is
 not meant.)",
         "leave --opencv-model out, or correct the file's own words"},
+    CheckCode{"name-unprintable", "a name that cannot be printed",
+              "Terminals obey control characters; logs and file names break at line breaks.",
+              "The name of a camera or topic holds line breaks, control characters or bytes that are not UTF-8.",
+              "give it a name of printable characters"},
     CheckCode{"no-calibration", "neither a camera nor an IMU's noise", "There is nothing in it to use.",
               "The syntax is right and some keys are known; but no camera stands there, and no IMU with noise densities.",
               "give the file that the calibration wrote"},
@@ -383,6 +393,10 @@ another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
         "translation-in-mm", "a translation that is not in metres", kWrongPose,
         R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
 read as metres are 110 m. OpenCV's stereo calibration has the unit of the board.)"},
+    CheckCode{"too-long", "a list longer than any calibration's", "fca-io does not read the file; programs may, in seconds.",
+              "The limit is 100,000 values in one list, keys in one block, or lines.", "take out what is no calibration"},
+    CheckCode{"too-many-cameras", "more cameras than any rig has", "fca-io does not read the file.",
+              "The limit is 100 cameras: their poses are compared each with each.", "split the file"},
     CheckCode{"undistortion-inexact", "cv::undistortPoints does not arrive at the ray",
               "Undistorted points near the corners are wrong: in OpenCV, and in ORB-SLAM, VINS and OpenVINS, which call it.",
               R"(cv::undistortPoints inverts the lens by

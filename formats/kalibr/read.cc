@@ -41,14 +41,24 @@ class ChainReader {
       } else if (index_in(entry.key.value, "imu") && entry.value.is_mapping()) {
         read_imu(entry.value, entry.key.value, rig);
       } else if (!read_named_pose(entry, rig) && !bare_imu) {
+        warn_of_misnamed_camera(entry);
         rig.as_read.push_back({entry.key.value, fields::value_text(entry.value)});
       }
     }
+    reader_.warn_of_misspelt();
     // Kalibr counts cam0, cam1, ... wherever they stand.
     std::ranges::stable_sort(rig.cameras, {}, [](const Camera& camera) { return *index_in(camera.name, "cam"); });
   }
 
  private:
+  /// What it holds would be lost without a word.
+  void warn_of_misnamed_camera(const text::Entry& entry) {
+    if (!entry.value.is_mapping() || text::find(entry.value, "camera_model", reader_.dialect()) == nullptr) return;
+    reader_.warning(entry.key, "key-misspelt",
+                    "'" + entry.key.value + "' holds a camera and is not read: cameras are cam0, cam1, ...",
+                    "rename it to the next free of them");
+  }
+
   void read_camera(const Node& node, const Node& key, Rig& rig) {
     const std::string& name = key.value;
     if (!node.is_mapping()) {
@@ -60,7 +70,8 @@ class ChainReader {
     camera.name = name;
     if (!read_model(node, key, camera)) return;
     read_size(node, name, camera);
-    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr && topic->is_scalar()) camera.topic = topic->value;
+    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr)
+      camera.topic = reader_.name(*topic, name + " rostopic");
     if (const Node* shift = reader_.find(node, "timeshift_cam_imu")) {
       camera.time_offset_s = reader_.time_offset(*shift, name + " timeshift_cam_imu");
     }
@@ -189,7 +200,8 @@ class ChainReader {
     read_number("gyroscope_noise_density", imu.gyroscope_noise_density);
     read_number("gyroscope_random_walk", imu.gyroscope_random_walk);
     read_number("update_rate", imu.rate_hz);
-    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr && topic->is_scalar()) imu.topic = topic->value;
+    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr)
+      imu.topic = reader_.name(*topic, name + " rostopic");
     keep_unread(node, name, kImuKeys, rig);
     rig.imus.push_back(std::move(imu));
   }

@@ -7,6 +7,7 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
@@ -187,8 +188,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       document = edited(*base, old->cameras.front(), camera, written, diagnostics);
     } else {
       const InversePolynomial inverse = fit_inverse(camera);
-      const std::string name = rig.cameras.size() == 1 ? "calib_results.txt" : camera.name + ".txt";
-      document = text::parse_document({name, compose(camera, inverse)}, diagnostics);
+      const std::string name = rig.cameras.size() == 1 ? "calib_results.txt" : as_file_name(camera.name) + ".txt";
+      document = fresh_file(kFormat, camera, {name, compose(camera, inverse)}, diagnostics);
       tell_inverse(camera, inverse, written, diagnostics);
     }
     if (!document) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include "blocks.h"
 
+#include <fca/formats/file_name.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -145,7 +146,8 @@ bool compose(const Rig& rig, const std::string& layout, Syntax syntax, std::stri
   for (const Camera& camera : rig.cameras) {
     Rig one;
     one.cameras = {camera};
-    std::optional<Written::File> file = compose_file(one, "calibration", syntax, camera.name + extension, diagnostics);
+    std::optional<Written::File> file =
+        compose_file(one, "calibration", syntax, as_file_name(camera.name) + extension, diagnostics);
     if (!file) return false;
     written.files.push_back(*std::move(file));
   }

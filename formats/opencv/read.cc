@@ -33,6 +33,7 @@ class CalibrationReader {
     read_count();
     read_stereo_pose(rig);
     keep_unread(rig);
+    reader_.warn_of_misspelt();
   }
 
  private:
@@ -151,8 +152,9 @@ class CalibrationReader {
     if (!reader_.checked(T, node, what)) return;
     warn_of_units(T, node, what);
     const Node* group = keys.group.empty() ? nullptr : reader_.find(map, keys.group);
-    const bool first_group = group == nullptr || group->value == "0";
-    rig.poses.push_back({first_group ? "reference" : "reference" + group->value, name, T});
+    const std::optional<int> number = group == nullptr ? 0 : reader_.integer(*group, label(keys, keys.group));
+    if (!number) return;
+    rig.poses.push_back({*number == 0 ? "reference" : "reference" + std::to_string(*number), name, T});
   }
 
   void warn_of_units(const Transform& T, const Node& node, const std::string& what) {

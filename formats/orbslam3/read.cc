@@ -39,12 +39,13 @@ class SettingsReader {
     read_baseline(rig);
     read_imu(rig);
     keep_unread(rig);
+    reader_.warn_of_misspelt();
   }
 
  private:
   const Node* find(std::string_view key) {
     read_.emplace(key);
-    return find_key(document_, key);
+    return reader_.find(document_.root(), key);
   }
   static std::string joined(std::string_view prefix, std::string_view key) { return std::string(prefix) + std::string(key); }
 
@@ -328,6 +329,8 @@ class SettingsReader {
     read_number("IMU.AccWalk", imu.accelerometer_random_walk);
     read_number("IMU.Frequency", imu.rate_hz);
     const std::string key(imu_pose_key(document_));
+    // Where it has none it is asked for all the same, for warn_of_misspelt().
+    if (key.empty()) static_cast<void>(find(pose_keys(style_ == Style::kOrbSlam2 ? Style::kSlamNoOpt : style_).T_imu_c1));
     if (const Node* pose = find(key)) {
       if (const std::optional<Transform> T = read_affine(*pose, key)) rig.poses.push_back({"imu0", "cam0", *T});
     }

@@ -35,7 +35,7 @@ class YamlFinder {
     info.width = reader_.find(root_, "image_width");
     info.height = reader_.find(root_, "image_height");
     const Node* name = reader_.find(root_, "camera_name");
-    if (name != nullptr && name->is_scalar()) info.name = name->value;
+    if (name != nullptr) info.name = reader_.name(*name, "camera_name");
     info.model = reader_.find(root_, kModel);
     bool good = read_matrix(kMatrix, 3, 3, info.K);
     good = read_coefficients(info.D) && good;
@@ -46,6 +46,7 @@ class YamlFinder {
     good = read_binning("binning_y", info.reduction.binning_y) && good;
     good = read_roi(info) && good;
     keep_unread(info);
+    reader_.warn_of_misspelt();
     return good ? std::optional(info) : std::nullopt;
   }
 

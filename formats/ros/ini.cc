@@ -108,7 +108,7 @@ class IniFinder {
 
   bool read_camera(const Section& section, CameraInfo& info) {
     const std::string& header = section.header.text;
-    info.name = header.substr(1, header.size() - 2);
+    info.name = text::printable(std::string_view(header).substr(1, header.size() - 2));
     info.counted = true;
     info.D.emplace();
     return read_matrix(section, "camera matrix", 3, 3, info.K) && read_coefficients(section, *info.D) &&
@@ -182,10 +182,16 @@ bool looks_like_ini(const text::Document& document) {
 
 bool ini_holds(std::string_view model) { return model == "radtan" || model == "rational" || model == "pinhole"; }
 
+std::string section_of(std::string name) {
+  std::ranges::replace(name, '[', '(');
+  std::ranges::replace(name, ']', ')');
+  return name == "image" || name == "externals" ? name + "_camera" : name;
+}
+
 std::string compose_ini(const Camera& camera, const Rectified& rectified) {
   const std::vector<double> D = coefficients_of(camera.model);
   return "# Camera intrinsics\n\n[image]\n\nwidth\n" + std::to_string(camera.image_size->width) + "\n\nheight\n" +
-         std::to_string(camera.image_size->height) + "\n\n[" + camera.name + "]\n" +
+         std::to_string(camera.image_size->height) + "\n\n[" + section_of(camera.name) + "]\n" +
          block("camera matrix", camera_matrix_of(camera.model), 3) + block("distortion", D, D.size()) +
          block("rectification", rectified.R, 3) + block("projection", rectified.P, 4);
 }

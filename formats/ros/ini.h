@@ -28,6 +28,9 @@ namespace fca::ros {
 /// Can its lines say that model?
 [[nodiscard]] bool ini_holds(std::string_view model);
 
+/// What a camera of that name is called in an .ini: sections are known by their brackets, and two are no camera's.
+[[nodiscard]] std::string section_of(std::string name);
+
 [[nodiscard]] std::string compose_ini(const Camera& camera, const Rectified& rectified);
 
 }  // namespace fca::ros

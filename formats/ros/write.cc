@@ -7,6 +7,7 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
@@ -22,14 +23,9 @@ namespace {
 /// A word that YAML takes for text; else in quotes.
 std::string spelled_name(const std::string& name) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/-";
-  const bool plain = name.find_first_not_of(kPlain) == std::string::npos && !text::parse_real(name) && name.front() != '-';
+  const bool plain =
+      name.find_first_not_of(kPlain) == std::string::npos && !text::parse_real(name) && !name.empty() && name.front() != '-';
   return plain ? name : fields::quote(name);
-}
-
-/// For a file, whatever the camera is called: "narrow_stereo/left".
-std::string file_name(std::string name, std::string_view extension) {
-  std::ranges::replace(name, '/', '_');
-  return name + std::string(extension);
 }
 
 std::vector<Field> matrix_fields(std::span<const double> values, int rows) {
@@ -278,9 +274,14 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     const Rectified& rectified = rectification.cameras[i];
     if (base_file && base_file->edit(rig, camera, rectified)) continue;
     const std::string text = ini ? compose_ini(camera, rectified) : compose(camera, rectified);
-    std::optional<text::Document> document =
-        text::parse_document({file_name(camera.name, ini ? kIniExtension : kFormat.extension), text}, diagnostics);
+    std::optional<text::Document> document = text::parse_document(
+        {as_file_name(camera.name) + std::string(ini ? kIniExtension : kFormat.extension), text}, diagnostics);
     if (!document) return std::nullopt;
+    if (ini && section_of(camera.name) != camera.name) {
+      written.losses.push_back({"camera-renamed", "camera_name " + camera.name,
+                                "an .ini would take it for something else: the section is [" + section_of(camera.name) + "]",
+                                "name the file .yaml, which holds every name"});
+    }
     if (rectified.stated) {
       const auto extra = std::ranges::find(rig.as_read, camera.name + " " + std::string(kProjection), &AsRead::key);
       if (extra != rig.as_read.end()) said.push_back(*extra);

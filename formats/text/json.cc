@@ -5,6 +5,8 @@
 
 #include "refusal.h"
 
+#include <fca/formats/text/limits.h>
+
 #include <algorithm>
 #include <cctype>
 #include <vector>
@@ -136,7 +138,9 @@ class TreeBuilder {
   bool add(Node node) {
     if (stack_.empty()) {
       root_ = std::move(node);
-    } else if (Open& parent = stack_.back(); parent.node.is_mapping()) {
+    } else if (Open& parent = stack_.back(); std::max(parent.node.entries.size(), parent.node.items.size()) == kLongestList) {
+      return refuse(too_long(node.span.offset));
+    } else if (parent.node.is_mapping()) {
       parent.node.entries.push_back({std::move(parent.key), std::move(node)});
     } else {
       parent.node.items.push_back(std::move(node));

@@ -59,6 +59,25 @@ std::vector<std::string> nearest(std::string_view typed, std::span<const std::st
   return result;
 }
 
+bool is_misspelling(std::string_view typed, std::string_view meant) {
+  constexpr std::size_t kShortest = 4;
+  if (typed == meant || meant.size() < kShortest || typed.size() + 1 < meant.size() || typed.size() > meant.size() + 1)
+    return false;
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  if (std::ranges::equal(typed, meant, {}, lower, lower)) return true;
+  const std::size_t shorter = std::min(typed.size(), meant.size());
+  std::size_t front = 0;
+  while (front < shorter && typed[front] == meant[front]) ++front;
+  std::size_t back = 0;
+  while (back < shorter - front && typed[typed.size() - 1 - back] == meant[meant.size() - 1 - back]) ++back;
+  const std::string_view wrong = typed.substr(front, typed.size() - front - back);
+  const std::string_view right = meant.substr(front, meant.size() - front - back);
+  const auto has_digit = [](std::string_view word) { return word.find_first_of("0123456789") != std::string_view::npos; };
+  if (has_digit(wrong) || has_digit(right)) return false;
+  if (wrong.size() <= 1 && right.size() <= 1) return true;
+  return wrong.size() == 2 && right.size() == 2 && wrong[0] == right[1] && wrong[1] == right[0];
+}
+
 std::string shell_word(std::string_view word) {
   constexpr std::string_view kSafe = "_-./=,:+@%{}";
   const bool plain = !word.empty() && std::ranges::all_of(word, [kSafe](char c) {

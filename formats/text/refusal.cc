@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "refusal.h"
 
+#include <fca/formats/text/limits.h>
+
 namespace fca::text {
+
+Refusal too_long(std::size_t offset) {
+  return {"too-long", "more than " + std::to_string(kLongestList) + " values in one list; no calibration has so many", "",
+          offset};
+}
 
 std::optional<Refusal> find_conflict_marker(const Source& source) {
   for (const std::string_view marker : {"<<<<<<< ", ">>>>>>> "}) {

@@ -21,6 +21,9 @@ inline void report(const Refusal& refusal, const Source& source, Diagnostics& di
   diagnostics.error(refusal.code, refusal.message, source.range({refusal.offset, 1}), refusal.fix);
 }
 
+/// What a list is refused with that has kLongestList values (limits.h) and goes on at `offset`.
+[[nodiscard]] Refusal too_long(std::size_t offset);
+
 /// What git left in a file, in better words than a parser's.
 [[nodiscard]] std::optional<Refusal> find_conflict_marker(const Source& source);
 

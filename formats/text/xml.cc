@@ -5,6 +5,8 @@
 
 #include "markup.h"
 
+#include <fca/formats/text/limits.h>
+
 #include <algorithm>
 #include <charconv>
 #include <functional>
@@ -149,6 +151,7 @@ class TreeBuilder {
         node.value = resolved({at, end - at});
       }
       node.span = {at, end - at};
+      if (items.size() == kLongestList) throw too_long(at);
       items.push_back(std::move(node));
       at = bytes.find_first_not_of(kBlanks, end);
     }
@@ -170,6 +173,7 @@ class TreeBuilder {
         last = node.items.back().span.end();
       } else if (const tinyxml2::XMLElement* inner = child->ToElement()) {
         const Span inner_name = name_span(*inner);
+        if (std::max(node.items.size(), node.entries.size()) == kLongestList) throw too_long(inner_name.offset);
         Node value = value_of(*inner, inner_name);
         const Span span = element_span(bytes_, inner_name);
         first = std::min(first, span.offset);

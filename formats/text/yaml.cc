@@ -6,6 +6,8 @@
 #include "opencv_prepass.h"
 #include "refusal.h"
 
+#include <fca/formats/text/limits.h>
+
 #include <algorithm>
 #include <regex>
 #include <sstream>
@@ -170,6 +172,7 @@ class TreeBuilder : public YAML::EventHandler {
       return;
     }
     Open& parent = stack_.back();
+    if (std::max(parent.node.entries.size(), parent.node.items.size()) == kLongestList) throw too_long(node.span.offset);
     if (parent.node.is_sequence()) {
       parent.node.items.push_back(std::move(node));
     } else if (!parent.has_key) {

@@ -8,6 +8,7 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
@@ -105,7 +106,7 @@ std::vector<Written::File> fresh_files(const Rig& rig, std::string& why, Diagnos
     alone.cameras = {camera};
     why = problem_with_camera_txt(alone);
     if (!why.empty()) return {};
-    const std::string name = rig.cameras.size() == 1 ? "camera.txt" : camera.name + ".txt";
+    const std::string name = rig.cameras.size() == 1 ? "camera.txt" : as_file_name(camera.name) + ".txt";
     std::optional<text::Document> document = text::parse_document({name, fresh_camera_txt(camera)}, diagnostics);
     if (document) files.push_back({*std::move(document), {camera.name}, {"dso"}});
   }

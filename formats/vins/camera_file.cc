@@ -56,11 +56,13 @@ class CameraReader {
     Camera camera;
     camera.name = "cam" + std::to_string(rig.cameras.size());
     const Node* name = reader_.find(document_.root(), "camera_name");
-    if (name != nullptr && name->is_scalar() && !name->value.empty() && name->value != kNameless) camera.name = name->value;
+    std::string own = name != nullptr ? reader_.name(*name, "camera_name") : "";
+    if (!own.empty() && own != kNameless) camera.name = std::move(own);
     camera.model = *make_model(layout->model);
     const bool sized = read_size(camera);
     const bool good = layout->type == kScaramuzza ? read_scaramuzza(camera, rig) : read_slots(*layout, camera);
     keep_unread(*layout, rig);
+    reader_.warn_of_misspelt();
     if (sized && good) rig.cameras.push_back(std::move(camera));
   }
 

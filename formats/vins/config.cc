@@ -48,7 +48,7 @@ class ConfigReader {
  private:
   const Node* take(const std::string& key) {
     read_.insert(key);
-    return find(config_, key);
+    return reader_.find(config_.root(), key);
   }
 
   std::optional<std::size_t> read_count() {
@@ -117,7 +117,7 @@ class ConfigReader {
       camera.name = numbered("cam", i);
       camera.time_offset_s = offset;
       const Node* topic = take(numbered("image", i, "_topic"));
-      if (topic != nullptr && topic->is_scalar()) camera.topic = topic->value;
+      if (topic != nullptr) camera.topic = reader_.name(*topic, camera.name + " topic");
       warn_of_size(camera, size, files[i]);
       if (size) camera.image_size = size;
       rig.cameras.push_back(std::move(camera));

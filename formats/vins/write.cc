@@ -9,6 +9,8 @@
 #include "../ocamcalib/ocamcalib.h"
 #include "../one_camera_files.h"
 
+#include <fca/formats/file_name.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -136,7 +138,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (is_camera_of(old, rig, camera)) {
       document = Editor(*base, old->cameras.front(), camera).run(written, diagnostics);
     } else {
-      document = fresh_camera_file(camera, camera.name, camera.name + ".yaml", written, diagnostics);
+      document = fresh_camera_file(camera, camera.name, as_file_name(camera.name) + ".yaml", written, diagnostics);
     }
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {camera.name}, {"vins"}});

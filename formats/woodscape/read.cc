@@ -34,8 +34,9 @@ class CameraReader {
     if (intrinsic == nullptr) return std::nullopt;
     Camera camera;
     camera.name = "cam0";
-    if (const Node* name = reader_.find(root, "name"); name != nullptr && name->is_scalar() && !name->value.empty())
-      camera.name = name->value;
+    if (const Node* name = reader_.find(root, "name"); name != nullptr) {
+      if (std::string own = reader_.name(*name, "name"); !own.empty()) camera.name = std::move(own);
+    }
     camera.model = *make_model("woodscape");
     if (!read_intrinsic(*intrinsic, camera)) return std::nullopt;
     Rig rig;
@@ -44,6 +45,7 @@ class CameraReader {
     keep_unread(*intrinsic, "intrinsic.", kIntrinsicKeys, rig);
     if (const Node* extrinsic = reader_.find(root, "extrinsic"))
       keep_unread(*extrinsic, "extrinsic.", rig.poses.empty() ? std::span<const std::string_view>() : kExtrinsicKeys, rig);
+    reader_.warn_of_misspelt();
     rig.cameras.push_back(std::move(camera));
     return rig;
   }

@@ -6,6 +6,7 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/rotation.h>
@@ -165,7 +166,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       if (document->edited() && !pose) programs.clear();
       if (pose && document->edited()) list_stale_translation(*base, *old, camera.name, *pose, written.losses);
     } else {
-      document = text::parse_document({camera.name + ".json", compose(camera, pose.value_or(Transform{}))}, diagnostics);
+      document = fresh_file(kFormat, camera, {as_file_name(camera.name) + ".json", compose(camera, pose.value_or(Transform{}))},
+                            diagnostics);
       if (frame != kVehicle || !pose) {
         const std::string value = pose && frame != camera.name ? "the pose in " + frame : "identity";
         written.defaults.push_back({camera.name + " extrinsic",

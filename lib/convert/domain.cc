@@ -3,6 +3,8 @@
 
 #include "batch.h"
 
+#include <fca/rig/limits.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,9 +13,6 @@
 namespace fca {
 
 namespace {
-
-// Larger than any sensor; keeps w * h and the lattices far from overflow.
-constexpr int kLargestImageSide = 100'000;
 
 /// The rays of a coarse lattice of the image, its border included: the border alone would miss a lens that ends inside the
 /// image.
@@ -114,9 +113,8 @@ std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limi
 
 std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::optional<double> limit_rad,
                                 const std::string& name, Diagnostics& diagnostics) {
-  if (size.width < 1 || size.height < 1 || size.width > kLargestImageSide || size.height > kLargestImageSide) {
-    diagnostics.error("image-size-invalid", name + ": an image of " + std::to_string(size.width) + " x " +
-                                                std::to_string(size.height) + " pixels cannot be");
+  if (const std::optional<std::string> problem = problem_with_image_size(size)) {
+    diagnostics.error("image-size-invalid", name + ": " + *problem);
     return std::nullopt;
   }
   if (limit_rad && !(*limit_rad > 0.0 && *limit_rad <= std::numbers::pi)) {

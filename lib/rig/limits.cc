@@ -39,6 +39,7 @@ void check(const Camera& camera, Findings& findings) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     findings.add_unless_finite(camera.name + ": " + std::string(parameters[i].name), parameter_values(camera.model)[i]);
   }
+  if (camera.image_size) findings.add(camera.name, problem_with_image_size(*camera.image_size));
   if (camera.time_offset_s) findings.add(camera.name, problem_with_time_offset(*camera.time_offset_s));
   findings.add_unless_finite(camera.name + ": the frame rate", camera.frame_rate_hz);
 }
@@ -58,6 +59,15 @@ void check(const PoseEdge& edge, Findings& findings) {
 }
 
 }  // namespace
+
+std::optional<std::string> problem_with_image_size(const ImageSize& size) {
+  const std::string what =
+      "an image of " + std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels cannot be";
+  if (size.width < 1 || size.height < 1) return what;
+  if (size.width <= kLargestImageSide && size.height <= kLargestImageSide) return std::nullopt;
+  const std::string side = std::to_string(kLargestImageSide);
+  return what + ": no image is larger than " + side + " x " + side;
+}
 
 std::optional<std::string> problem_with_translation(double metres) {
   if (std::abs(metres) <= kLongestDistance) return std::nullopt;

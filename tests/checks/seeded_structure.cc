@@ -170,6 +170,15 @@ const std::string& large() {
   return kText;
 }
 
+const std::string& long_list() {
+  static const std::string kText = [] {
+    std::string text = "corners: [0";
+    for (int i = 0; i < 100'000; ++i) text += ",1";
+    return text + "]\n";
+  }();
+  return kText;
+}
+
 constexpr const char* kSettings =
     "Camera.type: \"PinHole\"\nCamera.fx: 458.654\nCamera.fy: 457.296\nCamera.cx: 367.215\nCamera.cy: 248.375\n"
     "Camera.k1: -0.28\nCamera.k2: 0.07\nCamera.p1: 0.0002\nCamera.p2: 1.8e-05\nCamera.width: 752\nCamera.height: "
@@ -187,6 +196,7 @@ std::vector<TextDefect> syntax_defects() {
        false},
       {"three megabytes more", {}, {"too-large"}, appended(large()), 20, false},
       {"eighty lists in each other", {"kalibr", "orbslam3"}, {"too-deep"}, appended(deep())},
+      {"a list without end", {"kalibr"}, {"too-long"}, appended(long_list()), 20, false},
       {"an anchor", {"kalibr"}, {"yaml-anchor"}, replaced("intrinsics: \\[", "intrinsics: &numbers [")},
       {"no blank behind a colon",
        {"kalibr"},
@@ -236,6 +246,11 @@ std::vector<TextDefect> syntax_defects() {
 std::vector<TextDefect> key_defects() {
   return {
       {"no topic", {"kalibr"}, {"program-misreads"}, of_cameras(without_line("rostopic:")), 20, false},
+      {"a topic's key misspelt", {"kalibr"}, {"key-misspelt"}, replaced("rostopic:", "rostopik:")},
+      {"a name with an escape sequence",
+       {"kalibr"},
+       {"name-unprintable"},
+       replaced("rostopic: *\\S+", R"(rostopic: "/cam\e[31m")")},
       {"no intrinsics", {"kalibr"}, {"missing-key"}, without_line("intrinsics: ["), 20, false},
       {"an intrinsic lost", {"kalibr"}, {"wrong-length"}, replaced("intrinsics: \\[[^,\\]]*, *", "intrinsics: [")},
       {"a number for a list", {"woodscape"}, {"not-a-list"}, replaced("(\"quaternion\": *)\\[[^\\]]*\\]", "$1 0.5"), 5},

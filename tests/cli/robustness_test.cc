@@ -3,6 +3,7 @@
 // in time.
 #include "cli/run_program.h"
 #include "formats/corpus_folders.h"
+#include "ruins.h"
 
 #include <fca/formats/format.h>
 
@@ -108,66 +109,6 @@ std::vector<const Format*> formats() {
 INSTANTIATE_TEST_SUITE_P(Formats, CorpusRobustness, testing::ValuesIn(formats()),
                          [](const testing::TestParamInfo<const Format*>& format) { return std::string(format.param->id); });
 
-/// A cut, a flipped byte, a doubled or lost piece, a number turned into an odd one.
-std::string ruined(std::string bytes, std::mt19937& random) {
-  const auto place = [&random](const std::string& text) { return text.empty() ? std::size_t{0} : random() % text.size(); };
-  static const std::vector<std::string> kOdd = {"1.0e+308",
-                                                "-1.0e+308",
-                                                ".nan",
-                                                "-.inf",
-                                                "0",
-                                                "0.0",
-                                                "-0.0",
-                                                "1e-320",
-                                                "99999999999999999999",
-                                                "[",
-                                                "]",
-                                                "{",
-                                                "}",
-                                                "\"",
-                                                "'",
-                                                "&a ",
-                                                "*a",
-                                                "!!x ",
-                                                "|",
-                                                ">",
-                                                "\t",
-                                                "\r",
-                                                std::string(1, '\0'),
-                                                "\xFF",
-                                                "\xEF\xBB\xBF",
-                                                "---\n",
-                                                "%YAML:1.0\n",
-                                                "- ",
-                                                ": ",
-                                                "#",
-                                                "? ",
-                                                ",",
-                                                "0x10",
-                                                "1_0",
-                                                "~"};
-  switch (random() % 6) {
-    case 0:
-      return bytes.substr(0, place(bytes));
-    case 1:
-      if (!bytes.empty()) bytes[place(bytes)] = static_cast<char>(random() % 256);
-      return bytes;
-    case 2:
-      return bytes.erase(place(bytes), 1 + random() % 40);
-    case 3:
-      return bytes.insert(place(bytes), bytes.substr(place(bytes), 1 + random() % 200));
-    case 4:
-      return bytes.insert(place(bytes), kOdd[random() % kOdd.size()]);
-    default: {
-      // A number, where the damage passes the syntax and reaches the models.
-      std::size_t at = bytes.find_first_of("0123456789", place(bytes));
-      if (at == std::string::npos) return bytes;
-      const std::size_t end = std::min(bytes.find_first_not_of("0123456789.eE+-", at), bytes.size());
-      return bytes.replace(at, end - at, kOdd[random() % 9]);
-    }
-  }
-}
-
 TEST(Robustness, SeededRuins) {
   std::vector<fs::path> sources;
   for (const Format& format : all_formats()) {
@@ -190,22 +131,15 @@ TEST(Robustness, SeededRuins) {
   EXPECT_EQ(watch.runs(), kRuins);
 }
 
-// Ruins that once crashed or hung, at their smallest.
-TEST(Robustness, KnownRuins) {
-  const std::pair<const char*, const char*> kRuins[] = {
-      {"content behind a closed flow root", "{a: 1}\n, b\n"},
-      {"a missing key among settings", "%YAML:1.0\nCamera.fx: 400.0\n: 1\n"},
-      {"a list as key among settings", "%YAML:1.0\nCamera.fx: 400.0\n? [1, 2]\n: 1\n"},
-      {"a missing key among cameras", "cam0: {camera_model: pinhole, : 1}\n: 2\n"},
-      {"a list as key among cameras", "? [1]\n: 2\ncam0: {camera_model: pinhole, ? [1] : 1}\n"},
-  };
-  const TemporaryFolder folder;
+// What once crashed or hung, at its smallest; tests/fuzz replays the same files in memory.
+TEST(Robustness, KnownCrashes) {
+  const std::vector<fs::path> files = files_in(fs::path(FCA_TESTDATA_DIR) / "crashes");
+  ASSERT_GE(files.size(), 5U);
   Watch watch;
-  for (const auto& [what, bytes] : kRuins) {
-    const std::string path = folder.write("ruin.yaml", bytes);
-    for (const std::vector<std::string>& command : kCommands) watch.run(command, path, what);
+  for (const fs::path& path : files) {
+    for (const std::vector<std::string>& command : kCommands) watch.run(command, path.string(), path.filename().string());
   }
-  EXPECT_EQ(watch.runs(), static_cast<int>(std::size(kRuins) * kCommands.size()));
+  EXPECT_EQ(static_cast<std::size_t>(watch.runs()), files.size() * kCommands.size());
 }
 
 // Just under the limit of size, with as many keys as fit: no step may be quadratic.

@@ -6,6 +6,7 @@
 
 #include <fca/rig/rig.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@ namespace fca {
 
 inline constexpr double kLongestDistance = 1e6;    ///< m: no two parts of a rig are farther apart.
 inline constexpr double kLongestTimeOffset = 1e6;  ///< s: eleven days.
+/// px: larger than any sensor and than JPEG can hold; keeps what is computed from it far from overflow.
+inline constexpr int kLargestImageSide = 100'000;
+/// Of one rig. The largest light stages have some hundred; poses are compared each with each.
+inline constexpr std::size_t kMostCameras = 100;
 
 /// What rotation_defect() may be. A rotation printed with a single digit is off by 0.05 in an element, thus by up to
 /// 2 sqrt(3) 0.05 = 0.17 in R^T R.
@@ -21,6 +26,8 @@ inline constexpr double kCoarsestRotation = 0.2;
 /// What an element of such a rotation may be at most: sqrt(1 + 0.2), rounded up.
 inline constexpr double kLargestRotationElement = 1.1;
 
+/// What is wrong with an image's size; nothing if it may be.
+[[nodiscard]] std::optional<std::string> problem_with_image_size(const ImageSize& size);
 /// What is wrong with an element of a translation [m]; nothing if it may be.
 [[nodiscard]] std::optional<std::string> problem_with_translation(double metres);
 /// The same of a baseline, which is positive besides.

@@ -17,6 +17,10 @@ namespace fca::text {
 /// Those of `names` that `typed` probably meant, by edit distance; at most three.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
 
+/// Is `typed` the word `meant` but for a slip of the hand: a letter lost, too many, wrong, or exchanged with its neighbour, or
+/// the case of letters? Digits are no letters (Camera1 is not Camera2), and short words (k1) have too many neighbours.
+[[nodiscard]] bool is_misspelling(std::string_view typed, std::string_view meant);
+
 /// A word of a command as a shell takes it, in quotes where it needs them: 'my files/camchain.yaml'.
 [[nodiscard]] std::string shell_word(std::string_view word);
 
