@@ -103,10 +103,8 @@ void put_candidates(Html& html, const ReportContents& contents) {
     html.element("section", {{"class", "candidates"}}, [&] {
       html.element("h3", {}, cameras[i].name + " (" + std::string(model_info(cameras[i].model).id) + ")");
       html.element("p", {{"class", "strong recommendation"}}, recommendation(all, contents.to));
-      html.element("div", {{"class", "beside"}}, [&] {
-        put_candidate_table(html, all, recommended(all, contents.to));
-        put_errors(html, cameras[i], all);
-      });
+      put_candidate_table(html, all, recommended(all, contents.to));
+      put_errors(html, cameras[i], all);
     });
   }
 }
