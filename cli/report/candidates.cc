@@ -4,6 +4,7 @@
 #include "../words.h"
 #include "chart.h"
 #include "image_field.h"
+#include "map_figure.h"
 #include "table.h"
 
 #include <fca/formats/text/numbers.h>
@@ -86,7 +87,7 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
   }
   if (!(largest > 0.0)) return;
   constexpr double kDecades = 1e6;
-  const double to = std::pow(10.0, std::ceil(std::log10(largest)));
+  const double to = std::pow(10.0, std::ceil(std::log10(std::min(largest, kLargestError))));
   chart.x = {"deg from the axis", 0.0, domain};
   chart.y = {"error, px", to / kDecades, to, true};
   put_chart(html, chart);
