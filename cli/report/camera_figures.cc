@@ -121,7 +121,7 @@ Chart error_chart(const DrawnCamera& camera) {
     smallest = std::min(smallest, rotated.smallest);
   }
   constexpr double kMostDecades = 1e5;
-  const double largest = std::max({profile.largest, judgement.error.max, kSeenError});
+  const double largest = std::clamp(std::max(profile.largest, judgement.error.max), kSeenError, kLargestError);
   const double to = std::pow(10.0, std::ceil(std::log10(largest)));
   const double from = std::pow(10.0, std::floor(std::log10(std::clamp(smallest, to / kMostDecades, 0.1 * to))));
   chart.x = {"deg from the axis", 0.0, judgement.coverage.max_angle_deg};

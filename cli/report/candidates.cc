@@ -4,6 +4,7 @@
 #include "../words.h"
 #include "chart.h"
 #include "image_field.h"
+#include "map_figure.h"
 #include "table.h"
 
 #include <fca/formats/text/numbers.h>
@@ -86,7 +87,7 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
   }
   if (!(largest > 0.0)) return;
   constexpr double kDecades = 1e6;
-  const double to = std::pow(10.0, std::ceil(std::log10(largest)));
+  const double to = std::pow(10.0, std::ceil(std::log10(std::min(largest, kLargestError))));
   chart.x = {"deg from the axis", 0.0, domain};
   chart.y = {"error, px", to / kDecades, to, true};
   put_chart(html, chart);
@@ -103,10 +104,8 @@ void put_candidates(Html& html, const ReportContents& contents) {
     html.element("section", {{"class", "candidates"}}, [&] {
       html.element("h3", {}, cameras[i].name + " (" + std::string(model_info(cameras[i].model).id) + ")");
       html.element("p", {{"class", "strong recommendation"}}, recommendation(all, contents.to));
-      html.element("div", {{"class", "beside"}}, [&] {
-        put_candidate_table(html, all, recommended(all, contents.to));
-        put_errors(html, cameras[i], all);
-      });
+      put_candidate_table(html, all, recommended(all, contents.to));
+      put_errors(html, cameras[i], all);
     });
   }
 }

@@ -72,7 +72,8 @@ void Html::open(std::string_view tag, Attributes attributes) {
 void Html::close(std::string_view tag) {
   page_ += "</";
   page_ += tag;
-  page_ += ">\n";
+  // A line break beside words within a line would be a blank.
+  page_ += tag == "span" || tag == "code" ? ">" : ">\n";
 }
 
 std::string coordinate(double value) {

@@ -127,7 +127,7 @@ std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad) {
       ++count;
     }
     // Where only some directions still have a pixel, a mean would jump.
-    if (count < kAround) break;
+    if (count < kAround || !std::isfinite(sum)) break;
     curve.push_back({angle * kDegreesPerRadian, sum / count});
   }
   return curve;

@@ -257,7 +257,7 @@ void put_colour_scale(Html& html) {
 
 ColourScale error_scale(double largest) {
   constexpr double kRange = 1e3;
-  const double to = nice_above(std::max(largest, kSeenError));
+  const double to = nice_above(std::clamp(largest, kSeenError, kLargestError));
   return {to / kRange, to, true, "px"};
 }
 

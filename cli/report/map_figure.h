@@ -20,6 +20,8 @@ struct ColourScale {
 
 /// An error [px] below which there is rounding, and nothing to be seen.
 inline constexpr double kSeenError = 1e-6;
+/// And one that no scale need go beyond.
+inline constexpr double kLargestError = 1e9;
 
 /// A scale of errors up to `largest` [px], which need not be a round number: three decades.
 [[nodiscard]] ColourScale error_scale(double largest);

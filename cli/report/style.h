@@ -93,24 +93,22 @@ th, td { padding: 5px 10px; text-align: left; border-bottom: 1px solid var(--gri
 th { color: var(--soft); font-weight: 600; border-bottom: 1px solid var(--line); }
 table.numbers th:not(:first-child), table.numbers td:not(:first-child) { text-align: right; }
 td:first-child { font-weight: 600; }
-.short { white-space: nowrap; }
+td.short { white-space: nowrap; }
+th { overflow-wrap: normal; vertical-align: bottom; }
 figure table { border: none; margin: 0; }
 figure th, figure td { padding: 3px 6px; }
-figure th.short { white-space: normal; vertical-align: bottom; overflow-wrap: normal; }
 .stack { display: grid; grid-template-columns: minmax(0, 1fr); gap: 14px; }
-.beside { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 2fr); gap: 14px; align-items: start; }
-.beside table { margin: 0; }
+.candidates figure { max-width: 640px; }
 details { margin: 10px 0; }
 summary { cursor: pointer; color: var(--link); }
 .finding { border-left: 4px solid var(--line); padding: 2px 0 2px 12px; margin: 12px 0; }
 .finding.error { border-color: var(--error); color: inherit; }
 .finding.warning { border-color: var(--warning); color: inherit; }
-@media (max-width: 640px) {
+@media screen and (max-width: 860px) {
   main { padding: 12px 12px 40px; }
   figure { padding: 10px 8px; overflow-x: auto; }
-  figure table { font-size: 0.8rem; }
-  figure th, figure td { padding: 3px; }
-  .beside { grid-template-columns: minmax(0, 1fr); }
+  .numbers { font-size: 0.8rem; }
+  .numbers th, .numbers td { padding: 3px; }
   table.cards, .cards tbody, .cards tr, .cards td { display: block; }
   .cards thead { display: none; }
   .cards tr { padding: 8px 0; border-bottom: 1px solid var(--line); }
@@ -121,6 +119,8 @@ summary { cursor: pointer; color: var(--link); }
 @media print {
   body { background: #ffffff; font-size: 10pt; }
   main { max-width: none; padding: 0; }
+  table { font-size: 8pt; }
+  th, td { padding: 2px 5px; }
   figure, tr, .tile, .finding { break-inside: avoid; }
   h2, h3 { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; }

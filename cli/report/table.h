@@ -20,7 +20,7 @@ inline void put_table(Html& html, const Table& table) {
   html.element("table", {{"class", table.style}}, [&] {
     html.element("thead", {}, [&] {
       html.element("tr", {}, [&] {
-        for (const std::string& title : table.titles) html.element("th", {{"scope", "col"}, {"class", "short"}}, title);
+        for (const std::string& title : table.titles) html.element("th", {{"scope", "col"}}, title);
       });
     });
     html.element("tbody", {}, [&] {
@@ -28,7 +28,7 @@ inline void put_table(Html& html, const Table& table) {
         html.element("tr", {}, [&] {
           for (std::size_t i = 0; i < row.size(); ++i) {
             // Numbers and names stay in one line; what is longer, a file may have brought in.
-            constexpr std::size_t kShort = 24;
+            constexpr std::size_t kShort = 20;
             html.element("td",
                          {{"class", row[i].size() <= kShort ? "short" : "long"},
                           {"data-title", i < table.titles.size() ? table.titles[i] : ""}},

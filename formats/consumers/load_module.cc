@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "fca/formats/consumers/missing_module.h"
-
 namespace fca::consumers {
 
 const void* load_module(const std::string& path, const char* function, const std::string& what) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pages in a real browser, Debian's Chromium, as wide as a telephone's screen and as a desk's.
+// Pages in a real browser, Debian's Chromium, as wide as a telephone's screen, as paper, and as a desk's screen.
 #include "pages.h"
 
 #include <array>
@@ -45,10 +45,13 @@ LaidOut laid_out(const std::string& html, int width) {
       const words = [...page.querySelectorAll('svg.chart text')].map(text => text.getBoundingClientRect().height);
       const requests = frame.contentWindow.performance.getEntriesByType('resource').filter(
         entry => !entry.name.startsWith('data:'));
+      const spills = [...page.querySelectorAll('table, figure, pre, svg.chart')].filter(
+        element => element.getBoundingClientRect().right > element.parentElement.getBoundingClientRect().right + 1);
       document.getElementById('said').textContent = `width=${page.documentElement.scrollWidth} ` +
         `pictures=${pictures.filter(wide).length}/${pictures.length} ` +
         `charts=${charts.filter(chart => wide(chart) && chart.querySelector('path, image')).length}/${charts.length} ` +
-        `least_word=${Math.floor(Math.min(...words))} requests=${requests.length}.`;
+        `least_word=${Math.floor(Math.min(...words))} requests=${requests.length} ` +
+        `spills=${spills.length}.`;
     });</script></body>)");
   const std::string dom = folder / "dom";
   const std::string log = folder / "log";
@@ -88,6 +91,7 @@ class ReportInABrowser : public testing::TestWithParam<int> {
     EXPECT_TRUE(contains(page.said, " charts=" + std::to_string(charts) + "/" + std::to_string(charts) + " ")) << page.said;
     EXPECT_GE(number_behind(page.said, "least_word"), 9) << "px: words in pictures can be read";
     EXPECT_EQ(number_behind(page.said, "requests"), 0);
+    EXPECT_EQ(number_behind(page.said, "spills"), 0) << "something is wider than the room it has";
     EXPECT_EQ(page.console, "");
   }
 };
@@ -113,7 +117,7 @@ TEST_P(ReportInABrowser, AComparisonFits) {
   expect_good(read_file(path), 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, ReportInABrowser, testing::Values(400, 1400));
+INSTANTIATE_TEST_SUITE_P(Widths, ReportInABrowser, testing::Values(400, 740, 1400));
 
 // Were the test's questions no questions, it would find every page good.
 TEST(ReportInABrowserItself, ATestSeesWhatIsWrong) {

@@ -83,7 +83,7 @@ TEST(Report, EveryModelStandsBesideTheOthers) {
   for (const ModelInfo& model : all_models()) EXPECT_TRUE(contains(html, ">" + std::string(model.id))) << model.id;
   EXPECT_EQ(count_of(html, "recommended<"), 1U);
   EXPECT_TRUE(contains(html, ">Keep kb4: it is exact."));
-  // OpenVINS reads radtan and kb4, Kalibr's own models more; of a wide lens stock OpenVINS keeps kb4, too.
+  // OCamCalib's program reads one model, whatever is best.
   EXPECT_TRUE(contains(page({kTumvi, "--model", "all", "--to", "ocamcalib", "--camera", "0"}), ">For OCamCalib"));
 }
 

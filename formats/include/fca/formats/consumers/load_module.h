@@ -2,6 +2,8 @@
 // Parts of the command that most of its runs do not need, and whose libraries take long to load.
 #pragma once
 
+#include <fca/formats/consumers/missing_module.h>
+
 #include <string>
 
 namespace fca::consumers {
