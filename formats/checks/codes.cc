@@ -389,14 +389,14 @@ another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
     CheckCode{"too-large", "larger than any calibration", "fca-io does not read the file; programs may, in seconds.",
               "More than 2 MiB. The largest calibration seen has 193 kB; images and point lists make the rest.",
               "take images and point lists out of the file"},
-    CheckCode{
-        "translation-in-mm", "a translation that is not in metres", kWrongPose,
-        R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
-read as metres are 110 m. OpenCV's stereo calibration has the unit of the board.)"},
     CheckCode{"too-long", "a list longer than any calibration's", "fca-io does not read the file; programs may, in seconds.",
               "The limit is 100,000 values in one list, keys in one block, or lines.", "take out what is no calibration"},
     CheckCode{"too-many-cameras", "more cameras than any rig has", "fca-io does not read the file.",
               "The limit is 100 cameras: their poses are compared each with each.", "split the file"},
+    CheckCode{
+        "translation-in-mm", "a translation that is not in metres", kWrongPose,
+        R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
+read as metres are 110 m. OpenCV's stereo calibration has the unit of the board.)"},
     CheckCode{"undistortion-inexact", "cv::undistortPoints does not arrive at the ray",
               "Undistorted points near the corners are wrong: in OpenCV, and in ORB-SLAM, VINS and OpenVINS, which call it.",
               R"(cv::undistortPoints inverts the lens by

@@ -3,6 +3,7 @@
 
 #include <fca/formats/text/source.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,8 +18,11 @@ struct Refusal {
   std::size_t offset = 0;
 };
 
+/// At the end of the file, where what is missing would stand, the range is empty.
 inline void report(const Refusal& refusal, const Source& source, Diagnostics& diagnostics) {
-  diagnostics.error(refusal.code, refusal.message, source.range({refusal.offset, 1}), refusal.fix);
+  const std::size_t length = refusal.offset < source.bytes.size() ? 1 : 0;
+  diagnostics.error(refusal.code, refusal.message, source.range({std::min(refusal.offset, source.bytes.size()), length}),
+                    refusal.fix);
 }
 
 /// What a list is refused with that has kLongestList values (limits.h) and goes on at `offset`.

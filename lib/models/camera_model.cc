@@ -148,6 +148,9 @@ std::optional<std::string> problem_with(const Parameter& parameter, double value
   if (std::abs(value) > kLargestParameter) return what + ", too large to compute with";
   if (parameter.group == ParameterGroup::kFocalLength && parameter.lower == 0.0 && !(value > 0.0))
     return what + "; a focal length is positive";
+  constexpr double kSmallestFocalLength = 1e-6;  // px: less comes out as 0 where it is multiplied
+  if (parameter.group == ParameterGroup::kFocalLength && parameter.lower == 0.0 && value < kSmallestFocalLength)
+    return what + ", too small to compute with";
   const bool at_open_end = parameter.open && (value == parameter.lower || value == parameter.upper);
   if (value < parameter.lower || value > parameter.upper || at_open_end) return what + "; it must " + range_of(parameter);
   return std::nullopt;

@@ -179,6 +179,19 @@ const std::string& long_list() {
   return kText;
 }
 
+const std::string& hundred_cameras() {
+  static const std::string kText = [] {
+    std::string text;
+    for (int i = 20; i < 120; ++i) {
+      text += "cam" + std::to_string(i) +
+              ": {camera_model: pinhole, intrinsics: [458.5, 457.5, 367.0, 248.5], distortion_model: radtan, "
+              "distortion_coeffs: [-0.28, 0.07, 0.0, 0.0], resolution: [752, 480], rostopic: /c}\n";
+    }
+    return text;
+  }();
+  return kText;
+}
+
 constexpr const char* kSettings =
     "Camera.type: \"PinHole\"\nCamera.fx: 458.654\nCamera.fy: 457.296\nCamera.cx: 367.215\nCamera.cy: 248.375\n"
     "Camera.k1: -0.28\nCamera.k2: 0.07\nCamera.p1: 0.0002\nCamera.p2: 1.8e-05\nCamera.width: 752\nCamera.height: "
@@ -197,6 +210,7 @@ std::vector<TextDefect> syntax_defects() {
       {"three megabytes more", {}, {"too-large"}, appended(large()), 20, false},
       {"eighty lists in each other", {"kalibr", "orbslam3"}, {"too-deep"}, appended(deep())},
       {"a list without end", {"kalibr"}, {"too-long"}, appended(long_list()), 20, false},
+      {"a hundred cameras more", {"kalibr"}, {"too-many-cameras"}, of_cameras(appended(hundred_cameras())), 20, false},
       {"an anchor", {"kalibr"}, {"yaml-anchor"}, replaced("intrinsics: \\[", "intrinsics: &numbers [")},
       {"no blank behind a colon",
        {"kalibr"},

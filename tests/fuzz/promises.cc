@@ -126,7 +126,7 @@ void expect_written(const Format& format, const Rig& rig, const std::string& ste
     ReadOptions options;
     options.opencv_model = written->opencv_model;
     const std::optional<Rig> back = read_back(format, file, options);
-    judge.expect(back.has_value(), step + ": what is written is not read");
+    judge.expect(back.has_value(), step + ": what is written is not read:\n" + file.document.bytes());
     if (back) expect_cameras(rig, file.cameras, *back, step, judge);
   }
 }
