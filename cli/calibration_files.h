@@ -12,8 +12,8 @@ struct FoundFile {
   bool named = true;  ///< By the user; false: met in a folder.
 };
 
-/// The paths with patterns (* ? [...], where no shell has expanded them) resolved and folders walked: files in them by name that
-/// end as calibrations do (.yaml .yml .xml .json .txt .ini), without hidden ones.
+/// The paths with patterns (* ? [...], where no shell has expanded them) resolved and folders walked: files in them by name
+/// that end as calibrations do (.yaml .yml .xml .json .txt .ini), without hidden ones.
 [[nodiscard]] std::vector<FoundFile> walk(const std::vector<std::string>& paths);
 
 }  // namespace fca::cli

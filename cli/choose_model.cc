@@ -49,7 +49,8 @@ std::optional<std::vector<CameraOutcome>> convert_all(const std::vector<Camera>&
                                                       const ModelChoice& choice, Diagnostics& diagnostics) {
   std::vector<Diagnostics> found(cameras.size());
   std::vector<std::optional<CameraOutcome>> converted(cameras.size());
-  at_once(cameras.size(), choice.jobs, [&](std::size_t i) { converted[i] = convert_one(cameras[i], stored, choice, found[i]); });
+  at_once(cameras.size(), choice.jobs,
+          [&](std::size_t i) { converted[i] = convert_one(cameras[i], stored, choice, found[i]); });
   std::vector<CameraOutcome> outcomes;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     if (!converted[i]) {
