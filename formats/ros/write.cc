@@ -7,11 +7,13 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/folded_name.h>
 #include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <array>
 
 namespace fca::ros {
 
@@ -23,8 +25,11 @@ namespace {
 /// A word that YAML takes for text; else in quotes.
 std::string spelled_name(const std::string& name) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/-";
-  const bool plain =
-      name.find_first_not_of(kPlain) == std::string::npos && !text::parse_real(name) && !name.empty() && name.front() != '-';
+  // What YAML takes for something else than text.
+  constexpr std::array<std::string_view, 7> kWords = {"null", "true", "false", "yes", "no", "on", "off"};
+  const bool word = std::ranges::find(kWords, folded(name)) != kWords.end();
+  const bool plain = name.find_first_not_of(kPlain) == std::string::npos && !text::parse_real(name) && !name.empty() &&
+                     name.front() != '-' && !word;
   return plain ? name : fields::quote(name);
 }
 
