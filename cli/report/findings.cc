@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sections.h"
 
+#include "../diagnostics_json.h"
 #include "../words.h"
 #include "said.h"
 
@@ -11,18 +12,6 @@
 namespace fca::cli {
 
 namespace {
-
-const char* name_of(Severity severity) {
-  switch (severity) {
-    case Severity::kError:
-      return "error";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kNote:
-      return "note";
-  }
-  return "";
-}
 
 /// "camchain.yaml, line 7"; nothing where it is about no place.
 std::string place_of(const SourceRange& where, const text::Source& source) {
@@ -52,7 +41,7 @@ void put_checked(Html& html, const CheckedFile& file) {
 }  // namespace
 
 void put_said(Html& html, const Said& said) {
-  const std::string severity = name_of(said.severity);
+  const std::string severity(severity_name(said.severity));
   html.element("div", {{"class", "finding " + severity}}, [&] {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "strong " + severity}}, severity + ": ");
