@@ -145,22 +145,26 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
   return batch;
 }
 
-std::string batch_text(const Batch& batch) {
+std::string batch_text(const Batch& batch, bool written) {
   std::vector<Line> lines = {{"input", "model", "rms px", "max px", "result"}};
   std::size_t good = 0;
   std::size_t files = 0;
-  for (const ConvertOutcome& outcome : batch.outcomes) {
-    const bool converted = outcome.code == ExitCode::kGood;
-    good += converted ? 1 : 0;
-    files += converted ? outcome.outputs.size() : 0;
+  const std::size_t reached = batch.outcomes.size() - batch.unwritten;
+  for (std::size_t i = 0; i < batch.outcomes.size(); ++i) {
+    const ConvertOutcome& outcome = batch.outcomes[i];
     lines.push_back({outcome.input, models(outcome), outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::rms),
-                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::max), result(outcome)});
+                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::max),
+                     i < reached ? result(outcome) : "not written"});
+    if (outcome.code != ExitCode::kGood) continue;
+    ++good;
+    const auto is_file = [](const ConvertOutcome::Output& output) { return !output.path.empty(); };
+    if (i < reached) files += static_cast<std::size_t>(std::ranges::count_if(outcome.outputs, is_file));
   }
-  std::string text = "\n" + table(lines) + "\n" + std::to_string(good) + " of " + std::to_string(batch.outcomes.size()) +
-                     " inputs converted: " + std::to_string(files) + " files";
+  const std::size_t all = batch.outcomes.size() + batch.left;
+  std::string text = "\n" + table(lines) + "\n" + (reached < all ? "interrupted: " : "") + std::to_string(good) + " of " +
+                     std::to_string(all) + " inputs converted";
+  text += written ? ", " + std::to_string(files) + " files written" : ", nothing written (--dry-run)";
   if (batch.skipped > 0) text += "; " + std::to_string(batch.skipped) + " files in folders hold no camera";
-  if (batch.left > 0) text += "; interrupted, " + std::to_string(batch.left) + " not tried";
-  if (batch.unwritten > 0) text += "; interrupted, " + std::to_string(batch.unwritten) + " not written";
   return text + "\n";
 }
 

@@ -26,7 +26,7 @@ struct Batch {
 [[nodiscard]] Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
                                   const HeldInterrupt& interrupt, Console& console);
 
-/// One line for each of several inputs, and one for all.
-[[nodiscard]] std::string batch_text(const Batch& batch);
+/// One line for each of several inputs, and one for all. `written`: what was converted was to be written (no --dry-run).
+[[nodiscard]] std::string batch_text(const Batch& batch, bool written);
 
 }  // namespace fca::cli

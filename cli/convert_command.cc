@@ -193,7 +193,9 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   }
   if (arguments.json) console.out(convert_json(outcomes, console));
   const bool several = outcomes.size() > 1 || batch.skipped > 0 || batch.left > 0;
-  if (several) arguments.json ? console.say_aside(batch_text(batch)) : console.say(batch_text(batch));
+  if (several)
+    arguments.json ? console.say_aside(batch_text(batch, !arguments.dry_run))
+                   : console.say(batch_text(batch, !arguments.dry_run));
   return code;
 }
 

@@ -79,6 +79,7 @@ std::vector<CheckedFile> checked(const ReportArguments& arguments, const Calibra
     options.reading = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
     options.from = i < calibration.formats.size() ? calibration.formats[i] : nullptr;
     options.max_angle_rad = max_angle_rad(arguments.reading);
+    options.parts = true;
     const text::Source& source = calibration.documents[i].source();
     files.push_back({source, check_file(source, options), {}});
   }

@@ -29,7 +29,7 @@ TEST(Batch, AFolderIsConvertedAndWhatHoldsNoCameraCounted) {
   const RunResult run =
       run_program({"convert", folder / "rigs", "--to", "orbslam3", "--max-angle", "97.5", "-o", (folder / "out") + "/"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "3 of 3 inputs converted: 3 files; 2 files in folders hold no camera\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "3 of 3 inputs converted, 3 files written; 2 files in folders hold no camera\n")) << run.out;
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "out"), fs::directory_iterator{}), 3);
   EXPECT_EQ(run.err.find("imu.yaml"), std::string::npos) << "what was only met in a folder is no error: " << run.err;
 }
@@ -48,7 +48,7 @@ TEST(Batch, APatternGivesTheBytesOfOneByOne) {
     const std::string out = folder / (std::string("out") + jobs);
     const RunResult run = run_program(with({"convert", folder / "rigs/[ab].yaml", "--jobs", jobs, "-o", out + "/{stem}.yaml"}));
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_TRUE(contains(run.out, "2 of 2 inputs converted: 2 files\n")) << run.out;
+    EXPECT_TRUE(contains(run.out, "2 of 2 inputs converted, 2 files written\n")) << run.out;
     for (const char* name : {"a", "b"}) {
       const std::string alone = folder / "alone.yaml";
       EXPECT_EQ(run_program(with({"convert", folder / ("rigs/" + std::string(name) + ".yaml"), "-o", alone, "--force"})).code,
@@ -68,7 +68,7 @@ TEST(Batch, TheWorstExitCodeIsReturnedAndTheOthersAreWritten) {
   const RunResult run = run_program(
       {"convert", folder / "rigs/a.yaml", broken, folder / "rigs/b.yaml", "--to", "basalt", "-o", (folder / "out") + "/"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.out, "2 of 3 inputs converted: 2 files\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "2 of 3 inputs converted, 2 files written\n")) << run.out;
   EXPECT_TRUE(contains(run.out, "error: not-a-number\n")) << run.out;
   EXPECT_TRUE(contains(run.err, broken + ":")) << run.err;
 }
