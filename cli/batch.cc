@@ -93,10 +93,11 @@ std::string table(const std::vector<Line>& lines) {
   const std::size_t model = width(&Line::models);
   const std::size_t rms = width(&Line::rms);
   const std::size_t max = width(&Line::max);
+  // A longer text than its column is wide has its gap, too.
+  const auto cell = [](const std::string& said, std::size_t wide) { return padded(said + std::string(kGap, ' '), wide); };
   std::string text;
   for (const Line& line : lines) {
-    text += padded(line.input, input) + padded(line.models, model) + padded(line.rms, rms) + padded(line.max, max) +
-            line.result + "\n";
+    text += cell(line.input, input) + cell(line.models, model) + cell(line.rms, rms) + cell(line.max, max) + line.result + "\n";
   }
   return text;
 }
