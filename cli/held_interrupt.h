@@ -5,8 +5,8 @@
 
 namespace fca::cli {
 
-/// While it lives and `hold` was asked for, Ctrl-C (SIGINT) waits, also in threads begun meanwhile; when it ends, what waited ends the command as usual.
-/// Where the command was started with SIGINT ignored, it stays so.
+/// While it lives and `hold` was asked for, Ctrl-C (SIGINT) waits, also in threads begun meanwhile; when it ends, what waited
+/// ends the command as usual. Where the command was started with SIGINT ignored, it stays so.
 class HeldInterrupt {
  public:
   explicit HeldInterrupt(bool hold);
