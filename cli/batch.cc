@@ -16,7 +16,7 @@ namespace {
 /// Inputs that are converted together.
 struct Group {
   std::vector<std::string> files;
-  bool named = true;  ///< By the user; false: met in a folder.
+  bool named = true;  ///< By the user; false: met in a folder or by a pattern.
 };
 
 std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments) {
@@ -69,7 +69,7 @@ std::string result(const ConvertOutcome& outcome) {
     if (entry.severity == Severity::kError) return "error: " + entry.code;
   }
   const auto warnings = std::ranges::count(outcome.diagnostics.entries(), Severity::kWarning, &Diagnostic::severity);
-  return warnings == 0 ? "good" : std::to_string(warnings) + (warnings == 1 ? " warning" : " warnings");
+  return warnings == 0 ? "good" : counted(static_cast<std::size_t>(warnings), "warning");
 }
 
 constexpr std::size_t kGap = 2;
@@ -163,9 +163,10 @@ std::string batch_text(const Batch& batch, bool written) {
   }
   const std::size_t all = batch.outcomes.size() + batch.left;
   std::string text = "\n" + table(lines) + "\n" + (reached < all ? "interrupted: " : "") + std::to_string(good) + " of " +
-                     std::to_string(all) + " inputs converted";
-  text += written ? ", " + std::to_string(files) + " files written" : ", nothing written (--dry-run)";
-  if (batch.skipped > 0) text += "; " + std::to_string(batch.skipped) + " files in folders hold no camera";
+                     counted(all, "input") + " converted";
+  text += written ? ", " + counted(files, "file") + " written" : ", nothing written (--dry-run)";
+  if (batch.skipped > 0)
+    text += "; " + counted(batch.skipped, "other file") + (batch.skipped == 1 ? " holds" : " hold") + " no camera";
   return text + "\n";
 }
 

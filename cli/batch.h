@@ -14,7 +14,7 @@ namespace fca::cli {
 
 struct Batch {
   std::vector<ConvertOutcome> outcomes;  ///< In the order of the inputs.
-  std::size_t skipped = 0;               ///< Files met in folders that hold no camera.
+  std::size_t skipped = 0;               ///< Files met in folders, or by patterns, that hold no camera.
   std::size_t left = 0;                  ///< Not tried: Ctrl-C.
   std::size_t unwritten = 0;             ///< Converted and not written: Ctrl-C.
 };

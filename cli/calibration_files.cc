@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include <glob.h>
 
@@ -16,15 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of a pattern by name; the path itself where it is none, or fits nothing: reading it will tell.
-std::vector<std::string> matches(const std::string& path) {
+/// What stands there under that very name is no pattern.
+bool is_pattern(const std::string& path) {
   std::error_code error;
-  if (path.find_first_of("*?[") == std::string::npos || fs::exists(path, error)) return {path};
+  return path.find_first_of("*?[") != std::string::npos && !fs::exists(path, error);
+}
+
+/// By name; empty if nothing fits.
+std::vector<std::string> matches(const std::string& pattern) {
   glob_t found{};
   std::vector<std::string> files;
-  if (glob(path.c_str(), 0, nullptr, &found) == 0) files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) files.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
   globfree(&found);
-  return files.empty() ? std::vector<std::string>{path} : files;
+  return files;
 }
 
 /// Errors of single entries (no permission, gone meanwhile) leave those out.
@@ -44,20 +49,38 @@ void walk_folder(const fs::path& folder, std::vector<std::string>& files) {
 
 }  // namespace
 
+std::optional<std::string> pattern_without_file(const std::vector<std::string>& paths) {
+  const auto found =
+      std::ranges::find_if(paths, [](const std::string& path) { return is_pattern(path) && matches(path).empty(); });
+  return found == paths.end() ? std::nullopt : std::optional(*found);
+}
+
 std::vector<FoundFile> walk(const std::vector<std::string>& paths) {
+  std::vector<FoundFile> resolved;
+  for (const std::string& path : paths) {
+    if (!is_pattern(path)) {
+      resolved.push_back({path, true});
+      continue;
+    }
+    for (std::string& file : matches(path)) resolved.push_back({std::move(file), false});
+  }
   std::vector<FoundFile> found;
-  std::vector<std::string> resolved;
-  for (const std::string& path : paths) std::ranges::move(matches(path), std::back_inserter(resolved));
-  for (const std::string& path : resolved) {
+  std::set<fs::path> met;
+  const auto add = [&found, &met](FoundFile file) {
+    std::error_code error;  // what has no such path is told by its name
+    const fs::path where = file.path == "-" ? fs::path("-") : fs::weakly_canonical(file.path, error);
+    if (met.insert(error ? fs::path(file.path) : where).second) found.push_back(std::move(file));
+  };
+  for (const FoundFile& each : resolved) {
     std::error_code error;
-    if (path == "-" || !fs::is_directory(path, error)) {
-      found.push_back({path, true});
+    if (each.path == "-" || !fs::is_directory(each.path, error)) {
+      add(each);
       continue;
     }
     std::vector<std::string> files;
-    walk_folder(path, files);
+    walk_folder(each.path, files);
     std::ranges::sort(files);
-    for (std::string& file : files) found.push_back({std::move(file), false});
+    for (std::string& file : files) add({std::move(file), false});
   }
   return found;
 }

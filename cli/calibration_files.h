@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,14 @@ namespace fca::cli {
 /// A file to look at.
 struct FoundFile {
   std::string path;
-  bool named = true;  ///< By the user; false: met in a folder.
+  bool named = true;  ///< By the user; false: met in a folder or by a pattern.
 };
 
-/// The paths with patterns (* ? [...], where no shell has expanded them) resolved and folders walked: files in them by name
-/// that end as calibrations do (.yaml .yml .xml .json .txt .ini), without hidden ones.
+/// The first path that is a pattern (* ? [...]) and fits no file.
+[[nodiscard]] std::optional<std::string> pattern_without_file(const std::vector<std::string>& paths);
+
+/// The paths with patterns (where no shell has expanded them) resolved and folders walked: files in them by name that end as
+/// calibrations do (.yaml .yml .xml .json .txt .ini), without hidden ones. Each file once, however often it is met.
 [[nodiscard]] std::vector<FoundFile> walk(const std::vector<std::string>& paths);
 
 }  // namespace fca::cli

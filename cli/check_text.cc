@@ -12,10 +12,6 @@ namespace fca::cli {
 
 namespace {
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::size_t count_of(const CheckReport& report, Severity severity) {
   return static_cast<std::size_t>(std::ranges::count(report.findings, severity, &Finding::severity));
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -86,33 +87,37 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments, const 
   if (many && arguments.output.empty() && !arguments.json)
     return "several inputs need -o FOLDER/ (or --json)" + std::string(kOneRig);
   if (const std::optional<std::string> unknown = unknown_placeholder(arguments.output))
-    return "-o: there is no placeholder " + *unknown + "; there are {stem}, {folder}, {camera} and {format}";
+    return "-o: there is no placeholder " + *unknown + "; there are {stem}, {extension}, {folder}, {camera} and {format}";
   return std::nullopt;
 }
 
-/// How outputs that have one path are told apart: by the folders of their inputs, where these have names of their own.
-std::string apart(const ConvertArguments& arguments, const std::vector<ConvertOutcome>& outcomes) {
-  std::set<std::pair<std::string, std::string>> inputs;
-  for (const ConvertOutcome& outcome : outcomes)
-    inputs.insert({folder_of(outcome.input), fs::path(outcome.input).stem().string()});
-  const std::string one_by_one = "convert them one by one, each with an -o of its own";
-  if (inputs.size() < outcomes.size() || arguments.output.find("{folder}") != std::string::npos) return one_by_one;
+/// How outputs that have one path are told apart: by what their inputs' names have of their own.
+std::string apart(const std::vector<ConvertOutcome>& outcomes) {
   const bool several =
       std::ranges::any_of(outcomes, [](const ConvertOutcome& outcome) { return camera_files(outcome.written) > 1; });
   const ConvertOutcome& first = outcomes.front();
   const std::string extension =
       first.written.files.empty() ? std::string(first.to->extension) : extension_of(first.written.files.front(), *first.to);
-  return "use a pattern such as -o 'out/{folder}.{stem}" + std::string(several ? ".{camera}" : "") + extension + "'";
+  for (const std::string_view names : {"{stem}", "{stem}.{extension}", "{folder}.{stem}", "{folder}.{stem}.{extension}"}) {
+    std::set<std::string> paths;
+    for (const ConvertOutcome& outcome : outcomes) paths.insert(with_names_of(outcome.input, std::string(names)));
+    if (paths.size() == outcomes.size())
+      return "use a pattern such as -o 'out/" + std::string(names) + (several ? ".{camera}" : "") + extension + "'";
+  }
+  return "convert them one by one, each with an -o of its own";
 }
 
 /// Refuses before anything is written that two outputs have one path.
-bool collide(const ConvertArguments& arguments, const std::vector<ConvertOutcome>& outcomes, const Console& console) {
-  std::set<std::string> seen;
+bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
+  std::map<std::string, std::string> inputs;  // by the path of their output
   for (const ConvertOutcome& outcome : outcomes) {
     for (const ConvertOutcome::Output& output : outcome.outputs) {
-      if (output.path.empty() || seen.insert(output.path).second) continue;
-      static_cast<void>(
-          console.refuse(ExitCode::kUsage, "two outputs would be written to " + output.path, apart(arguments, outcomes)));
+      if (output.path.empty()) continue;
+      const auto [first, is_new] = inputs.insert({output.path, outcome.input});
+      if (is_new) continue;
+      const std::string of = first->second == outcome.input ? "two outputs of " + outcome.input
+                                                            : "the outputs of " + first->second + " and " + outcome.input;
+      static_cast<void>(console.refuse(ExitCode::kUsage, of + " would be written to " + output.path, apart(outcomes)));
       return true;
     }
   }
@@ -159,6 +164,8 @@ bool is_regular(const FoundFile& file) {
 }
 
 ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
+  if (const std::optional<std::string> pattern = pattern_without_file(arguments.inputs))
+    return console.refuse(ExitCode::kIo, "no file fits the pattern '" + *pattern + "'");
   const std::vector<FoundFile> files = walk(arguments.inputs);
   if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular));
@@ -166,11 +173,11 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   std::vector<ConvertOutcome>& outcomes = batch.outcomes;
   if (outcomes.empty() && batch.left == 0) {
     return console.refuse(ExitCode::kBadInput, "no calibration with a camera in " + enumerated(arguments.inputs) + " (" +
-                                                   std::to_string(batch.skipped) + " files looked at)");
+                                                   counted(batch.skipped, "file") + " looked at)");
   }
   if (const std::optional<std::string> error = opencv_model_without_use(arguments, outcomes))
     return console.refuse(ExitCode::kUsage, *error);
-  if (collide(arguments, outcomes, console)) return ExitCode::kUsage;
+  if (collide(outcomes, console)) return ExitCode::kUsage;
 
   ExitCode code = ExitCode::kGood;
   const bool in_full = is_told_in_full(outcomes.size() + batch.skipped + batch.left);
@@ -213,8 +220,9 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
                   "The camera model to write (default: kept, else the best that the stock program reads)")
       ->type_name("MODEL");
   command
-      .add_option("-o,--output", arguments.output,
-                  "A path, a folder, or a pattern with {stem}, {folder}, {camera}, {format} (default: standard output)")
+      .add_option(
+          "-o,--output", arguments.output,
+          "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (default: standard output)")
       ->type_name("PATH");
   add_reading_options(command, arguments.reading);
   add_join_option(command, arguments.reading);

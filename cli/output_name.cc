@@ -50,15 +50,23 @@ std::string_view name_of(text::Syntax syntax) {
   return "YAML";
 }
 
-}  // namespace
-
+/// The name of the folder that an input lies in.
 std::string folder_of(const std::string& input) {
   std::error_code error;  // a folder that is gone has no name
   return input == "-" ? "stdin" : fs::absolute(input, error).lexically_normal().parent_path().filename().string();
 }
 
+}  // namespace
+
+std::string with_names_of(const std::string& input, const std::string& pattern) {
+  const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
+  const std::string extension = fs::path(input).extension().string();
+  const std::string path = replaced(replaced(pattern, "{stem}", stem), "{folder}", folder_of(input));
+  return replaced(path, "{extension}", extension.empty() ? extension : extension.substr(1));
+}
+
 std::optional<std::string> unknown_placeholder(std::string_view pattern) {
-  constexpr std::array<std::string_view, 4> kKnown = {"{stem}", "{folder}", "{camera}", "{format}"};
+  constexpr std::array<std::string_view, 5> kKnown = {"{stem}", "{extension}", "{folder}", "{camera}", "{format}"};
   for (std::size_t at = pattern.find('{'); at != std::string_view::npos; at = pattern.find('{', at + 1)) {
     const std::size_t end = pattern.find('}', at);
     if (end == std::string_view::npos) return std::nullopt;
@@ -84,8 +92,7 @@ std::string output_path(const std::string& output, const std::string& input, con
   }
   if (output.find('{') != std::string::npos) {
     const std::string cameras = as_file_name(joined(file.cameras));
-    const std::string path = replaced(replaced(replaced(output, "{stem}", stem), "{format}", format.id), "{camera}", cameras);
-    return replaced(path, "{folder}", folder_of(input));
+    return replaced(replaced(with_names_of(input, output), "{format}", format.id), "{camera}", cameras);
   }
   const fs::path proposal = file.document.source().name;
   if (!names_folder(output)) return output;

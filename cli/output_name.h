@@ -13,8 +13,8 @@ namespace fca::cli {
 /// The first "{...}" of a pattern that output_path() does not fill in.
 [[nodiscard]] std::optional<std::string> unknown_placeholder(std::string_view pattern);
 
-/// The name of the folder that an input lies in: the {folder} of a pattern.
-[[nodiscard]] std::string folder_of(const std::string& input);
+/// The pattern with {stem}, {extension} (without its point) and {folder} (the name of the one it lies in) of an input.
+[[nodiscard]] std::string with_names_of(const std::string& input, const std::string& pattern);
 
 /// Is `output` (-o) a folder, which has room for several files?
 [[nodiscard]] bool names_folder(const std::string& output);

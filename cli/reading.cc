@@ -183,19 +183,21 @@ bool add_parts(const ReadingOptions& options, Console& console, std::vector<text
       options.from.empty() ? detect_format(documents.back(), told_later) : DetectedFormat{find_format(options.from), ""};
   if (!detected) return true;
   std::vector<text::Document> parts;
+  bool all_there = true;
   for (const NamedFile& named : named_parts(*detected->format, documents.back())) {
     std::optional<text::Source> source = read_part(named);
     if (!source) {
       diagnostics.warning("part-missing", "it names " + named.path + ", which cannot be read: its cameras are not known",
                           named.where, "put that file there; --into needs it only for cameras that stay");
-      return true;
+      all_there = false;
+      continue;
     }
     console.remember(*source);
     std::optional<text::Document> part = text::parse_document(*std::move(source), diagnostics);
     if (!part) return false;
     parts.push_back(*std::move(part));
   }
-  std::ranges::move(parts, std::back_inserter(documents));
+  if (all_there) std::ranges::move(parts, std::back_inserter(documents));
   return true;
 }
 

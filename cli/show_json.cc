@@ -7,6 +7,8 @@
 #include "show_command.h"
 #include "words.h"
 
+#include <fca/rig/fields_of_view.h>
+
 namespace fca::cli {
 
 namespace {
@@ -23,11 +25,11 @@ void put_camera(Json& json, const Camera& camera, double limit_deg) {
     json.null("width_px");
     json.null("height_px");
   }
-  const FieldsOfView view = fields_of_view(camera, limit_deg);
-  json.put("horizontal_fov_deg", view.horizontal);
-  json.put("vertical_fov_deg", view.vertical);
-  json.put("diagonal_fov_deg", view.diagonal);
-  json.put("max_angle_deg", view.largest_from_axis);
+  const FieldsOfView view = fields_of_view(camera, limit_deg / kDegreesPerRadian);
+  json.put("horizontal_fov_deg", in_degrees(view.horizontal));
+  json.put("vertical_fov_deg", in_degrees(view.vertical));
+  json.put("diagonal_fov_deg", in_degrees(view.diagonal));
+  json.put("max_angle_deg", in_degrees(view.largest_from_axis));
   json.put("model_max_angle_deg", max_angle(camera.model) * kDegreesPerRadian);
   json.put("time_offset_s", camera.time_offset_s);
   json.put("frame_rate_hz", camera.frame_rate_hz);

@@ -6,6 +6,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +34,11 @@ std::string camera_text(const Camera& camera, std::span<const AsRead> extras, do
   if (camera.image_size) {
     text +=
         "  image    " + std::to_string(camera.image_size->width) + " x " + std::to_string(camera.image_size->height) + " px\n";
-    const FieldsOfView view = fields_of_view(camera, limit_deg);
-    text += "  view     horizontal " + degrees_or(view.horizontal) + ", vertical " + degrees_or(view.vertical) + ", diagonal " +
-            degrees_or(view.diagonal) + "\n";
-    if (view.largest_from_axis) text += "           up to " + angle_in_words(*view.largest_from_axis) + "\n";
+    const FieldsOfView view = fields_of_view(camera, limit_deg / kDegreesPerRadian);
+    text += "  view     horizontal " + degrees_or(in_degrees(view.horizontal)) + ", vertical " +
+            degrees_or(in_degrees(view.vertical)) + ", diagonal " + degrees_or(in_degrees(view.diagonal)) + "\n";
+    if (view.largest_from_axis)
+      text += "           up to " + angle_in_words(*view.largest_from_axis * kDegreesPerRadian) + "\n";
   } else {
     text += "  image    size not stated (--size WxH)\n";
   }

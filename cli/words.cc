@@ -95,37 +95,12 @@ std::optional<ImageSize> parse_size(std::string_view text) {
   return ImageSize{*width, *height};
 }
 
-FieldsOfView fields_of_view(const Camera& camera, double limit_deg) {
-  FieldsOfView result;
-  if (!camera.image_size) return result;
-  const std::optional<Pixel> centre = project(camera.model, {0.0, 0.0, 1.0});
-  if (!centre) return result;
-  const Pixel last = {camera.image_size->width - 1.0, camera.image_size->height - 1.0};
-  const auto angle = [&camera, limit_deg](const Pixel& pixel) -> std::optional<double> {
-    const std::optional<Ray> ray = unproject(camera.model, pixel);
-    if (!ray) return std::nullopt;
-    const double degrees = angle_from_axis(*ray) * kDegreesPerRadian;
-    return degrees <= limit_deg ? std::optional(degrees) : std::nullopt;
-  };
-  const auto across = [&angle, &centre](const Pixel& a, const Pixel& b) -> std::optional<double> {
-    const std::optional<double> first = angle(a);
-    const std::optional<double> second = angle(b);
-    if (!first || !second) return std::nullopt;
-    // The axis may lie beside the image, as in a crop.
-    const double between = (a[0] - (*centre)[0]) * (b[0] - (*centre)[0]) + (a[1] - (*centre)[1]) * (b[1] - (*centre)[1]);
-    return between > 0.0 ? std::abs(*first - *second) : *first + *second;
-  };
-  result.horizontal = across({0.0, (*centre)[1]}, {last[0], (*centre)[1]});
-  result.vertical = across({(*centre)[0], 0.0}, {(*centre)[0], last[1]});
-  result.diagonal = across({0.0, 0.0}, last);
-  constexpr int kSteps = 64;
-  for (int i = 0; i <= kSteps; ++i) {
-    for (int j = 0; j <= kSteps; ++j) {
-      const std::optional<double> here = angle({last[0] * i / kSteps, last[1] * j / kSteps});
-      if (here && (!result.largest_from_axis || *here > *result.largest_from_axis)) result.largest_from_axis = here;
-    }
-  }
-  return result;
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::optional<double> in_degrees(const std::optional<double>& radians) {
+  return radians ? std::optional(*radians * kDegreesPerRadian) : std::nullopt;
 }
 
 std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,

@@ -39,19 +39,13 @@ using text::shell_word;
 /// the list, where that is long.
 [[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
                                        std::string_view otherwise = {});
+/// "1 file", "2 files"
+[[nodiscard]] std::string counted(std::size_t count, const std::string& what);
 /// "640 x 480"
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
 /// "640x480"
 [[nodiscard]] std::optional<ImageSize> parse_size(std::string_view text);
 
-/// Fields of view of a camera, in degrees, across the image through the principal point; nothing where a border has no ray.
-struct FieldsOfView {
-  std::optional<double> horizontal;
-  std::optional<double> vertical;
-  std::optional<double> diagonal;
-  std::optional<double> largest_from_axis;  ///< Among the pixels that have a ray.
-};
-/// `limit_deg`: what counts as lens, from the axis.
-[[nodiscard]] FieldsOfView fields_of_view(const Camera& camera, double limit_deg = 180.0);
+[[nodiscard]] std::optional<double> in_degrees(const std::optional<double>& radians);
 
 }  // namespace fca::cli

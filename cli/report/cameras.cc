@@ -8,6 +8,7 @@
 #include "table.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
 
@@ -15,7 +16,9 @@ namespace fca::cli {
 
 namespace {
 
-std::string degrees_or_dash(const std::optional<double>& value) { return value ? fixed(*value, 1) + " deg" : "-"; }
+std::string degrees_or_dash(const std::optional<double>& radians) {
+  return radians ? fixed(*radians * kDegreesPerRadian, 1) + " deg" : "-";
+}
 
 /// A camera, and what became of it.
 struct ConvertedCamera {
@@ -122,7 +125,7 @@ void put_camera_table(Html& html, const ReportContents& contents) {
               {},
               "cards"};
   for (const Camera& camera : rig.cameras) {
-    const FieldsOfView view = fields_of_view(camera, contents.shown.limit_deg);
+    const FieldsOfView view = fields_of_view(camera, contents.shown.limit_deg / kDegreesPerRadian);
     table.rows.push_back({camera.name, std::string(model_info(camera.model).title),
                           camera.image_size ? size_in_words(*camera.image_size) : "not stated",
                           degrees_or_dash(view.horizontal), degrees_or_dash(view.vertical), degrees_or_dash(view.diagonal),

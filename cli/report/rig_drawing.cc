@@ -70,6 +70,8 @@ Box extent(const PlacedRig& placed, const View& view, double axis_m) {
   for (const PlacedRig::Frame& frame : placed.frames) {
     box.add(view.seen(moved(frame.T_first_frame, {0, 0, 0})));
     for (const Point3& axis : kAxes) box.add(view.seen(moved(frame.T_first_frame, scaled(axis, axis_m))));
+    if (frame.kind != Kind::kCamera) continue;
+    for (const Point3& corner : kCorners) box.add(view.seen(moved(frame.T_first_frame, scaled(corner, axis_m))));
   }
   return box;
 }

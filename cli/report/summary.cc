@@ -15,10 +15,6 @@ namespace fca::cli {
 
 namespace {
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 void put_tile(Html& html, const std::string& title, const std::string& big, const std::vector<std::string>& small) {
   html.element("div", {{"class", "tile"}}, [&] {
     html.element("div", {{"class", "soft"}}, title);

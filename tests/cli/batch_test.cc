@@ -29,7 +29,7 @@ TEST(Batch, AFolderIsConvertedAndWhatHoldsNoCameraCounted) {
   const RunResult run =
       run_program({"convert", folder / "rigs", "--to", "orbslam3", "--max-angle", "97.5", "-o", (folder / "out") + "/"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "3 of 3 inputs converted, 3 files written; 2 files in folders hold no camera\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "3 of 3 inputs converted, 3 files written; 2 other files hold no camera\n")) << run.out;
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "out"), fs::directory_iterator{}), 3);
   EXPECT_EQ(run.err.find("imu.yaml"), std::string::npos) << "what was only met in a folder is no error: " << run.err;
 }
@@ -58,7 +58,18 @@ TEST(Batch, APatternGivesTheBytesOfOneByOne) {
   }
   const RunResult none = run_program(with({"convert", folder / "rigs/z*.yaml", "-o", (folder / "out") + "/"}));
   EXPECT_EQ(none.code, 4);
+  EXPECT_TRUE(contains(none.err, "no file fits the pattern")) << none.err;
   EXPECT_TRUE(contains(none.err, "z*.yaml")) << none.err;
+}
+
+// What a pattern fits beside the cameras is no error, as in a folder; a file that is met twice is converted once.
+TEST(Batch, WhatAPatternFitsBesideTheCamerasIsCounted) {
+  const TemporaryFolder folder;
+  fill(folder);
+  const RunResult run = run_program({"convert", folder / "rigs/*", folder / "rigs/a.yaml", folder / "rigs/../rigs", "--to",
+                                     "basalt", "-o", (folder / "out") + "/"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "3 of 3 inputs converted, 3 files written; 2 other files hold no camera\n")) << run.out;
 }
 
 TEST(Batch, TheWorstExitCodeIsReturnedAndTheOthersAreWritten) {
@@ -73,16 +84,24 @@ TEST(Batch, TheWorstExitCodeIsReturnedAndTheOthersAreWritten) {
   EXPECT_TRUE(contains(run.err, broken + ":")) << run.err;
 }
 
-// Two inputs of one name: refused before a single file is written.
+// Two inputs of one name: refused before a single file is written, both are named, and the pattern that is advised parts them.
 TEST(Batch, CollisionsAreRefusedBeforeAnythingIsWritten) {
-  const TemporaryFolder folder;
-  fill(folder);
-  folder.write("rigs/inner/a.yaml", kChain);
-  const RunResult run = run_program({"convert", folder / "rigs", "--to", "basalt", "-o", (folder / "out") + "/"});
-  EXPECT_EQ(run.code, 3);
-  EXPECT_TRUE(contains(run.err, "two outputs would be written to ")) << run.err;
-  EXPECT_TRUE(contains(run.err, "{folder}")) << run.err;
-  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+  for (const std::string twin : {"rigs/inner/a.yaml", "rigs/a.yml"}) {
+    const TemporaryFolder folder;
+    fill(folder);
+    folder.write(twin, kChain);
+    const RunResult run = run_program({"convert", folder / "rigs", "--to", "basalt", "-o", (folder / "out") + "/"});
+    EXPECT_EQ(run.code, 3);
+    for (const std::string& named : {folder / "rigs/a.yaml", folder / twin, (folder / "out") + "/a.basalt.json"})
+      EXPECT_TRUE(contains(run.err, named)) << run.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+    const std::size_t from = run.err.find("'out/") + std::string_view("'out/").size();
+    ASSERT_LT(from, run.err.size()) << run.err;
+    const std::string pattern = run.err.substr(from, run.err.find('\'', from) - from);
+    const RunResult again = run_program({"convert", folder / "rigs", "--to", "basalt", "-o", folder / ("out/" + pattern)});
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_TRUE(contains(again.out, "4 of 4 inputs converted, 4 files written")) << again.out;
+  }
 }
 
 TEST(Batch, ManyInputsAreATableAndOneDocument) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "conversion.h"
+
+namespace fca::cli {
+
+/// Does -o have room for all files? False with an error, as a wrong use of the command.
+[[nodiscard]] bool have_place(const ConvertArguments& arguments, const Written& written, ConvertOutcome& outcome);
+
+/// The outputs: path and bytes of each file of outcome.written. Those with cameras all have a place (have_place() was asked);
+/// another one beside them only in a folder: elsewhere it is a loss, and said.
+void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome);
+
+}  // namespace fca::cli
