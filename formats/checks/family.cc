@@ -4,6 +4,7 @@
 
 #include <fca/convert/domain.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +17,6 @@ namespace {
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 double value(const Camera& camera, std::string_view name) { return parameter(camera.model, name).value_or(0.0); }
-
-/// Angle across the image along its row through the principal point; nothing where a border has no ray.
-std::optional<double> horizontal_view(const Camera& camera) {
-  if (!camera.image_size) return std::nullopt;
-  const double row = principal_point(camera.model)[1];
-  const std::optional<Ray> left = unproject(camera.model, {0.0, row});
-  const std::optional<Ray> right = unproject(camera.model, {camera.image_size->width - 1.0, row});
-  if (!left || !right) return std::nullopt;
-  return angle_from_axis(*left) + angle_from_axis(*right);
-}
 
 /// Lenses are centred to a small fraction of a degree: tangential terms above this are another model's third and fourth number.
 void check_tangential(const Subject& subject, const Camera& camera, Findings& findings) {
@@ -45,7 +36,7 @@ void check_tangential(const Subject& subject, const Camera& camera, Findings& fi
 /// A distortion-free lens that sees more than 100 deg does not exist outside of simulators; a fisheye's small k1 under radtan
 /// claims one.
 void check_rectilinear(const Subject& subject, const Camera& camera, Findings& findings) {
-  const std::optional<double> view = horizontal_view(camera);
+  const std::optional<double> view = horizontal_field_of_view(camera);
   constexpr double kWidest = 100.0 / kDegreesPerRadian;
   constexpr double kStraight = 0.03;
   const double k1 = value(camera, "k1");

@@ -133,7 +133,10 @@ bool check_image(const Subject& subject, Findings& findings) {
            "--size is for files that state no size",
            subject.places.image_width(camera)});
     }
-    ImageCheck(subject, camera, findings).run();
+    // Of a part of an image, or a binned one, nothing can be expected that does not hold of the whole.
+    const auto as_stated = subject.calibration.format->as_stated;
+    const std::optional<Camera> whole = as_stated != nullptr ? as_stated(subject.document, camera) : std::nullopt;
+    ImageCheck(subject, whole ? *whole : camera, findings).run();
     any = true;
   }
   return any;

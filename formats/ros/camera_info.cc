@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 8> kKeys = {"image_width", "image_height"
 /// The camera is that of the images that ROS publishes: whoever reads that binning is lost is not to apply it again.
 std::string applied(std::string_view key) {
   const bool reduces = std::ranges::find(kReductionKeys, key) != kReductionKeys.end();
-  return reduces ? " (applied: the camera is that of the published images)" : "";
+  return reduces ? " (applied)" : "";
 }
 
 class YamlFinder {

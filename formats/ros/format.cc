@@ -65,6 +65,7 @@ const Format kFormat = {
     .models = kModels,
     .probe = probe,
     .layout_holds = layout_holds,
+    .as_stated = as_stated,
     .read = read,
     .write = write,
 };

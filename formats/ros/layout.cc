@@ -57,6 +57,12 @@ PixelMap Reduction::map() const {
   return {{1.0 / binning_x, 1.0 / binning_y}, {-static_cast<double>(x) / binning_x, -static_cast<double>(y) / binning_y}};
 }
 
+CameraModel unreduced(const CameraModel& model, const Reduction& reduction) {
+  if (!reduction.changes_pixels()) return model;
+  return with_pixels(model, {{static_cast<double>(reduction.binning_x), static_cast<double>(reduction.binning_y)},
+                             {static_cast<double>(reduction.x), static_cast<double>(reduction.y)}});
+}
+
 std::string frame_of(const Projection& P) {
   return std::string(kFrame) + "(" + text::format_short(P[0]) + " " + text::format_short(P[6]) + ")";
 }

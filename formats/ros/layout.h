@@ -49,6 +49,9 @@ struct Reduction {
   [[nodiscard]] PixelMap map() const;
 };
 
+/// The camera of the whole sensor's image, of one whose pixels are the published ones.
+[[nodiscard]] CameraModel unreduced(const CameraModel& model, const Reduction& reduction);
+
 /// The frame in which P states a camera's place. A pair has one: StereoCameraModel asserts that fx', fy' and cy' of both are
 /// equal.
 [[nodiscard]] std::string frame_of(const Projection& P);

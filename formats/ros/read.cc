@@ -321,4 +321,18 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   return rig;
 }
 
+std::optional<Camera> as_stated(const text::Document& document, const Camera& camera) {
+  Diagnostics said_already;
+  fields::Reader reader(document, kDialect, said_already);
+  const std::optional<std::vector<CameraInfo>> infos = find_camera_infos(reader);
+  if (!infos || infos->size() != 1) return std::nullopt;
+  const CameraInfo& info = infos->front();
+  const bool other_images = info.reduction.changes_pixels() || info.part;
+  if (!other_images || info.width == nullptr || info.height == nullptr) return std::nullopt;
+  Camera whole = camera;
+  whole.model = unreduced(camera.model, info.reduction);
+  whole.image_size = reader.image_size(*info.width, *info.height, "image_");
+  return whole;
+}
+
 }  // namespace fca::ros

@@ -23,6 +23,9 @@ namespace fca::ros {
 
 extern const Format kFormat;
 
+/// The camera of the whole sensor, of one of its binned images or a part of them.
+[[nodiscard]] std::optional<Camera> as_stated(const text::Document& document, const Camera& camera);
+
 [[nodiscard]] std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options,
                                       Diagnostics& diagnostics);
 [[nodiscard]] std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,

@@ -53,13 +53,6 @@ std::string compose(const Camera& camera, const Rectified& rectified) {
          matrix_text(kRectification, rectified.R, 3) + "\n" + matrix_text(kProjection, rectified.P, 3) + "\n";
 }
 
-/// The camera of the whole sensor's image: what the file's own numbers are of.
-CameraModel unreduced(const CameraModel& model, const Reduction& reduction) {
-  if (!reduction.changes_pixels()) return model;
-  return with_pixels(model, {{static_cast<double>(reduction.binning_x), static_cast<double>(reduction.binning_y)},
-                             {static_cast<double>(reduction.x), static_cast<double>(reduction.y)}});
-}
-
 /// A base that is to say another camera. `old` and `now` are of the images that are published.
 class Editor {
  public:

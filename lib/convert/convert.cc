@@ -38,7 +38,8 @@ void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& d
   constexpr double kCorners = 1e-3;
   if (!sees_ahead_only(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
   const auto degrees = std::to_string(std::lround(max_angle(camera.model) / kRadiansPerDegree));
-  const auto percent = std::to_string(std::lround(100.0 * coverage.outside_lens));
+  const auto tenths = std::lround(1000.0 * coverage.outside_lens);
+  const std::string percent = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
   diagnostics.warning("folds-inside-image",
                       camera.name + ": its distortion folds at " + degrees +
                           " deg from the axis, inside the image: " + percent + " % of the image has no ray",

@@ -179,6 +179,10 @@ struct Format {
   /// Where the document names files that are parts of its calibration, as paths relative to its folder. Null: it names none.
   std::vector<const text::Node*> (*parts)(const text::Document& document) = nullptr;
 
+  /// Where a document's numbers are of other images than those that its camera is of (ROS's binning and roi): the camera as the
+  /// numbers say it. Nothing of any other document. Null: the numbers are the camera's.
+  std::optional<Camera> (*as_stated)(const text::Document& document, const Camera& camera) = nullptr;
+
   /// Documents that together are one calibration, or nothing with errors. Those of parts() follow the one that names them.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);
 
