@@ -149,11 +149,17 @@ class TreeBuilder : public YAML::EventHandler {
     stack_.push_back(std::move(opened));
   }
 
+  /// A single key and value in a list, [a: 1], are a mapping without brackets.
+  [[nodiscard]] bool is_bracketed(const Node& node) const {
+    return node.span.offset < source_.bytes.size() &&
+           std::string_view("[{!").find(source_.bytes[node.span.offset]) != std::string_view::npos;
+  }
+
   void close() {
     Node node = std::move(stack_.back().node);
     stack_.pop_back();
     std::size_t end = node.span.offset;
-    if (node.flow) {
+    if (node.flow && is_bracketed(node)) {
       const std::size_t bracket = source_.bytes.find_first_of("[{", node.span.offset);  // behind a tag
       if (bracket != std::string::npos) end = end_of_flow(source_.bytes, bracket);
     } else {
