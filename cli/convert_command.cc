@@ -4,9 +4,9 @@
 #include "batch.h"
 #include "calibration_files.h"
 #include "option_use.h"
-#include "output_file.h"
 #include "output_name.h"
 #include "words.h"
+#include "written_outputs.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/limits.h>
@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
-#include <set>
 
 #include <CLI/CLI.hpp>
 
@@ -91,72 +89,6 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments, const 
   return std::nullopt;
 }
 
-/// How outputs that have one path are told apart: by what their inputs' names have of their own.
-std::string apart(const std::vector<ConvertOutcome>& outcomes) {
-  const bool several =
-      std::ranges::any_of(outcomes, [](const ConvertOutcome& outcome) { return camera_files(outcome.written) > 1; });
-  const ConvertOutcome& first = outcomes.front();
-  const std::string extension =
-      first.written.files.empty() ? std::string(first.to->extension) : extension_of(first.written.files.front(), *first.to);
-  for (const std::string_view names : {"{stem}", "{stem}.{extension}", "{folder}.{stem}", "{folder}.{stem}.{extension}"}) {
-    std::set<std::string> paths;
-    for (const ConvertOutcome& outcome : outcomes) paths.insert(with_names_of(outcome.input, std::string(names)));
-    if (paths.size() == outcomes.size())
-      return "use a pattern such as -o 'out/" + std::string(names) + (several ? ".{camera}" : "") + extension + "'";
-  }
-  return "convert them one by one, each with an -o of its own";
-}
-
-/// Refuses before anything is written that two outputs have one path.
-bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
-  std::map<std::string, std::string> inputs;  // by the path of their output
-  for (const ConvertOutcome& outcome : outcomes) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) {
-      if (output.path.empty()) continue;
-      const auto [first, is_new] = inputs.insert({output.path, outcome.input});
-      if (is_new) continue;
-      const std::string of = first->second == outcome.input ? "two outputs of " + outcome.input
-                                                            : "the outputs of " + first->second + " and " + outcome.input;
-      static_cast<void>(console.refuse(ExitCode::kUsage, of + " would be written to " + output.path, apart(outcomes)));
-      return true;
-    }
-  }
-  return false;
-}
-
-void write_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome, const Console& console) {
-  if (outcome.code != ExitCode::kGood || arguments.dry_run) return;
-  std::vector<OutputFile> files;
-  for (const ConvertOutcome::Output& output : outcome.outputs) {
-    if (!output.path.empty()) {
-      files.push_back({output.path, output.bytes});
-    } else if (!arguments.json) {
-      console.out(output.bytes);
-    }
-  }
-  // A folder or a pattern names places that need not be there yet.
-  if (arguments.output.ends_with('/') || arguments.output.find('{') != std::string::npos) {
-    for (const OutputFile& file : files) {
-      std::error_code error;  // what is wrong with the folder, writing into it will tell
-      fs::create_directories(fs::path(file.path).parent_path(), error);
-    }
-  }
-  if (const std::optional<std::string> failure = write_files(files, arguments.force || arguments.in_place, arguments.fsync)) {
-    outcome.diagnostics.error("cannot-write", *failure);
-    outcome.code = ExitCode::kIo;
-  }
-}
-
-void remove_leftovers_beside(const std::vector<ConvertOutcome>& outcomes) {
-  std::set<std::string> folders;
-  for (const ConvertOutcome& outcome : outcomes) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) {
-      if (!output.path.empty()) folders.insert(fs::path(output.path).parent_path().string());
-    }
-  }
-  for (const std::string& folder : folders) remove_leftovers(folder);
-}
-
 /// Reading anything else may wait for ever.
 bool is_regular(const FoundFile& file) {
   std::error_code ignored;
@@ -183,12 +115,16 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   const bool in_full = is_told_in_full(outcomes.size() + batch.skipped + batch.left);
   const bool file_on_stdout = (arguments.output.empty() && !arguments.in_place) || arguments.output == "-";
   if (!arguments.dry_run) remove_leftovers_beside(outcomes);
-  for (ConvertOutcome& outcome : outcomes) {
-    if (outcomes.size() > 1 && interrupt.asked()) {
-      ++batch.unwritten;
-      continue;
+  std::size_t tried = 0;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    ConvertOutcome& outcome = outcomes[i];
+    if (i == tried) {
+      if (outcomes.size() > 1 && interrupt.asked()) {
+        batch.unwritten = outcomes.size() - tried;
+        break;
+      }
+      tried += arguments.dry_run ? 1 : write_outputs(arguments, std::span(outcomes).subspan(i), console);
     }
-    write_outputs(arguments, outcome, console);
     if (!arguments.json) {
       if (!outcome.outputs.empty() && in_full) {
         const std::string report = convert_text(outcome, !arguments.dry_run);
@@ -276,7 +212,7 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       ->check(CLI::Range(1, 1024));
   command.add_flag("--dry-run", arguments.dry_run, "Report, write nothing");
   command.add_flag("--force", arguments.force, "Overwrite existing files");
-  command.add_flag("--fsync", arguments.fsync, "Force the file to disk before it replaces an old one");
+  command.add_flag("--fsync", arguments.fsync, "Force the files to disk before they replace old ones (all of a batch at once)");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
   command.footer(
       "Example:\n"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -94,7 +96,7 @@ class StagedFile {
   StagedFile& operator=(const StagedFile&) = delete;
   StagedFile& operator=(StagedFile&&) = delete;
 
-  [[nodiscard]] std::optional<std::string> write(const std::string& target, std::string_view bytes, mode_t mode, bool sync) {
+  [[nodiscard]] std::optional<std::string> write(const std::string& target, std::string_view bytes, mode_t mode) {
     target_ = target;
     const fs::path folder = folder_of_target();
     constexpr mode_t kMine = 0600;
@@ -106,10 +108,11 @@ class StagedFile {
       temporary_ = name;
     }
     ::flock(file_.get(), LOCK_EX | LOCK_NB);
-    if (write_all(file_.get(), bytes) && ::fchmod(file_.get(), mode) == 0 && (!sync || ::fsync(file_.get()) == 0))
-      return std::nullopt;
+    if (write_all(file_.get(), bytes) && ::fchmod(file_.get(), mode) == 0) return std::nullopt;
     return failure("cannot write", target);
   }
+
+  [[nodiscard]] bool force_to_disk() const { return ::fsync(file_.get()) == 0; }
 
   /// Puts the file into its place; without `overwrite` not over one that appeared meanwhile.
   [[nodiscard]] std::optional<std::string> put(bool overwrite) {
@@ -128,12 +131,12 @@ class StagedFile {
     return file_.close() ? std::nullopt : std::optional(failure("cannot write", target_));
   }
 
- private:
   [[nodiscard]] fs::path folder_of_target() const {
     const fs::path folder = fs::path(target_).parent_path();
     return folder.empty() ? fs::path(".") : folder;
   }
 
+ private:
   [[nodiscard]] bool link(const std::string& name) const {
     const std::string unnamed = kOwnFiles + std::string("/") + std::to_string(file_.get());
     return ::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
@@ -179,6 +182,71 @@ std::optional<std::string> find_place(const std::string& path, bool overwrite, P
   return std::nullopt;
 }
 
+/// Files that are written together or not at all.
+struct StagedSet {
+  std::vector<Place> places;
+  std::vector<StagedFile> files;
+  std::optional<std::string> problem;
+};
+
+StagedSet stage(std::span<const OutputFile> files, bool overwrite) {
+  StagedSet set;
+  for (const OutputFile& file : files) {
+    set.problem = find_place(file.path, overwrite, set.places.emplace_back());
+    if (set.problem) return set;
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Place& place = set.places[i];
+    if (place.device) continue;
+    set.problem = set.files.emplace_back().write(place.target, files[i].bytes, place.mode);
+    if (set.problem) break;
+  }
+  if (set.problem) set.files.clear();
+  return set;
+}
+
+std::set<fs::path> folders_of(std::span<const StagedSet> sets) {
+  std::set<fs::path> folders;
+  for (const StagedSet& set : sets) {
+    for (const StagedFile& file : set.files) folders.insert(file.folder_of_target());
+  }
+  return folders;
+}
+
+/// False where it failed.
+bool in_each_folder(const std::set<fs::path>& folders, int (*action)(int)) {
+  return std::ranges::all_of(folders, [action](const fs::path& folder) {
+    const Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    return opened.get() >= 0 && action(opened.get()) == 0;
+  });
+}
+
+/// The bytes of the files reach the disk before their names do. One is asked for itself; of several, their file system once.
+void force_to_disk(std::vector<StagedSet>& sets) {
+  std::size_t files = 0;
+  const StagedFile* last = nullptr;
+  for (const StagedSet& set : sets) {
+    files += set.files.size();
+    if (!set.files.empty()) last = &set.files.back();
+  }
+  if (files == 0 || (files == 1 ? last->force_to_disk() : in_each_folder(folders_of(sets), ::syncfs))) return;
+  const std::string problem = std::string("cannot force the files to disk: ") + std::strerror(errno);
+  for (StagedSet& set : sets) {
+    if (!set.problem && !set.files.empty()) set.problem = problem;
+  }
+}
+
+std::optional<std::string> put_into_place(StagedSet& set, std::span<const OutputFile> files, bool overwrite) {
+  for (StagedFile& file : set.files) {
+    if (std::optional<std::string> problem = file.put(overwrite)) return problem;
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!set.places[i].device) continue;
+    if (std::optional<std::string> problem = write_directly(files[i].path, files[i].bytes)) return problem;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void remove_leftovers(const std::string& folder) {
@@ -194,26 +262,26 @@ void remove_leftovers(const std::string& folder) {
   }
 }
 
+std::vector<std::optional<std::string>> write_sets(std::span<const std::vector<OutputFile>> sets, bool overwrite, bool sync) {
+  std::vector<StagedSet> staged;
+  staged.reserve(sets.size());
+  for (const std::vector<OutputFile>& files : sets) staged.push_back(stage(files, overwrite));
+  const std::set<fs::path> folders = folders_of(staged);
+  if (sync) force_to_disk(staged);
+  std::vector<std::optional<std::string>> problems;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    StagedSet& set = staged[i];
+    problems.push_back(set.problem ? set.problem : put_into_place(set, sets[i], overwrite));
+    set.files.clear();
+  }
+  // The new names, too. A file system that cannot sync a folder has no other way to ask for it.
+  if (sync) static_cast<void>(in_each_folder(folders, ::fsync));
+  return problems;
+}
+
 std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync) {
-  std::vector<Place> places(files.size());
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (std::optional<std::string> problem = find_place(files[i].path, overwrite, places[i])) return problem;
-  }
-  std::vector<StagedFile> staged;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (places[i].device) continue;
-    if (std::optional<std::string> problem =
-            staged.emplace_back().write(places[i].target, files[i].bytes, places[i].mode, sync))
-      return problem;
-  }
-  for (StagedFile& file : staged) {
-    if (std::optional<std::string> problem = file.put(overwrite)) return problem;
-  }
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (!places[i].device) continue;
-    if (std::optional<std::string> problem = write_directly(files[i].path, files[i].bytes)) return problem;
-  }
-  return std::nullopt;
+  const std::vector<OutputFile> set(files.begin(), files.end());
+  return write_sets(std::span(&set, 1), overwrite, sync).front();
 }
 
 }  // namespace fca::cli

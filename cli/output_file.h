@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace fca::cli {
 
@@ -18,7 +19,12 @@ void remove_leftovers(const std::string& folder);
 
 /// Writes files so that all their paths hold the old content or the new, never half: temporary files beside them first, then,
 /// when all of them are complete, renames. Symbolic links are followed, permissions of existing files kept. Devices and pipes
-/// are written directly, last. Returns what went wrong; then no temporary file stays.
+/// are written directly, last. Returns what went wrong; then no temporary file stays. `sync`: also if the power fails.
 [[nodiscard]] std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync);
+
+/// The same of several sets, each of which is written or not for itself: what went wrong with each. All of them are forced to
+/// disk at once, which takes as long as one alone; until then each file is open.
+[[nodiscard]] std::vector<std::optional<std::string>> write_sets(std::span<const std::vector<OutputFile>> sets, bool overwrite,
+                                                                 bool sync);
 
 }  // namespace fca::cli

@@ -104,6 +104,26 @@ TEST(Batch, CollisionsAreRefusedBeforeAnythingIsWritten) {
   }
 }
 
+// Forced to disk all at once, and still each for itself: one that cannot be written takes no other along.
+TEST(Batch, WithFsyncTheOthersAreWritten) {
+  const TemporaryFolder folder;
+  fill(folder);
+  const std::string out = folder / "out";
+  const std::vector<std::string> command = {"convert", folder / "rigs", "--to", "basalt", "-o", out + "/", "--no-provenance"};
+  EXPECT_EQ(run_program(command).code, 0);
+  const std::string plain = read_file(out + "/b.basalt.json");
+  fs::remove(out + "/b.basalt.json");
+  fs::remove(out + "/c.basalt.json");
+  std::vector<std::string> forced = command;
+  forced.emplace_back("--fsync");
+  const RunResult run = run_program(forced);
+  EXPECT_EQ(run.code, 4);
+  EXPECT_TRUE(contains(run.err, out + "/a.basalt.json exists")) << run.err;
+  EXPECT_TRUE(contains(run.out, "2 of 3 inputs converted, 2 files written")) << run.out;
+  EXPECT_EQ(read_file(out + "/b.basalt.json"), plain);
+  EXPECT_TRUE(fs::exists(out + "/c.basalt.json"));
+}
+
 TEST(Batch, ManyInputsAreATableAndOneDocument) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "rigs");

@@ -2,7 +2,9 @@
 // A command that is killed at any moment, and several that write the same file: the old bytes or the new, never half of them.
 #include "cli/run_program.h"
 
+#include <atomic>
 #include <random>
+#include <thread>
 
 #include <sys/file.h>
 
@@ -56,6 +58,41 @@ TEST(Killed, WhatIsLeftOfAnotherIsRemovedAndWhatIsInUseStays) {
   EXPECT_EQ(run_program(conversion_to(folder / "settings.yaml")).code, 0);
   ::close(file);
   EXPECT_EQ(folder.names(), (std::set<std::string>{".fca-io-fedcba9876543210", "settings.yaml"}));
+}
+
+// Each file is one command's, whole: whoever reads meanwhile never sees another.
+TEST(ConcurrentWriters, LeaveOneOfTheirFilesWhole) {
+  const TemporaryFolder folder;
+  const std::string output = folder.write("settings.yaml", "");
+  std::set<std::string> possible;
+  std::vector<std::vector<std::string>> commands;
+  for (const char* features : {"900", "1500"}) {
+    std::vector<std::string> command = conversion_to(output);
+    command.insert(command.end(), {"--set", std::string("ORBextractor.nFeatures=") + features, "--no-provenance"});
+    ASSERT_EQ(run_program(command).code, 0);
+    possible.insert(read_file(output));
+    commands.push_back(command);
+  }
+  ASSERT_EQ(possible.size(), commands.size());
+  constexpr int kWriters = 4;
+  constexpr int kTimes = 12;
+  std::atomic<int> failed = 0;
+  std::atomic<int> at_work = kWriters;
+  std::vector<std::thread> writers;
+  for (int i = 0; i < kWriters; ++i) {
+    writers.emplace_back([&, i] {
+      for (int time = 0; time < kTimes; ++time)
+        failed += run_program(commands[static_cast<std::size_t>((i + time) % 2)]).code == 0 ? 0 : 1;
+      --at_work;
+    });
+  }
+  int looks = 0;
+  int torn = 0;
+  for (; at_work > 0; ++looks) torn += possible.contains(read_file(output)) ? 0 : 1;
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(torn, 0) << "of " << looks << " looks";
+  EXPECT_EQ(failed, 0);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"settings.yaml"});
 }
 
 }  // namespace
