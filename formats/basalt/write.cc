@@ -79,8 +79,7 @@ std::vector<Field> imu_fields(const Imu& imu) {
 /// The poses T_imu_cam of a rig: relative to its IMU, else to its first camera.
 class ImuPoses {
  public:
-  explicit ImuPoses(const Rig& rig) : rig_(rig) {
-    frame_ = rig.imus.empty() ? std::string(kImu) : rig.imus.front().name;
+  explicit ImuPoses(const Rig& rig) : rig_(rig), frame_(rig.imus.empty() ? std::string(kImu) : rig.imus.front().name) {
     known_ = std::ranges::any_of(rig.cameras, [this](const Camera& camera) { return pose(camera).has_value(); });
     if (!known_) frame_ = rig.cameras.front().name;
   }

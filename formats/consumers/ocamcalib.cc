@@ -176,8 +176,8 @@ class ModelReader {
   bool lose_way(const std::string& what) {
     const long at = std::ftell(file_);
     const std::size_t place = at < 0 ? bytes_.size() : std::min(static_cast<std::size_t>(at), bytes_.size());
-    std::string found(bytes_.substr(place, 24));
-    found = found.substr(0, found.find_first_of("\r\n"));
+    const std::string_view rest = bytes_.substr(place, 24);
+    const std::string found(rest.substr(0, rest.find_first_of("\r\n")));
     view_.refusals.push_back("the reader takes " + (found.empty() ? "the end of the file" : "\"" + found + "\"") + " for the " +
                              what + " and goes on with garbage: it skips exactly one line before each block, and wants " +
                              "whole numbers for counts and sizes");
