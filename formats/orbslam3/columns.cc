@@ -12,13 +12,16 @@ namespace fca::orbslam3 {
 
 namespace {
 
+/// What counts as lens, in radians from the axis.
+double largest_angle(const Target& target) { return target.max_angle_rad.value_or(std::numbers::pi); }
+
 /// The columns of one camera that another sees, too.
 std::optional<ColumnRange> columns_of(const Rig& rig, const Target& target, std::size_t from, std::size_t to) {
   const Camera& camera = rig.cameras[from];
   const Camera& other = rig.cameras[to];
   const std::optional<Transform> T_other_camera = rig.resolve(other.name, camera.name);
   if (!T_other_camera) return std::nullopt;
-  return columns_shared(camera, other, *T_other_camera, target.max_angle_rad.value_or(std::numbers::pi));
+  return columns_shared(camera, other, *T_other_camera, largest_angle(target));
 }
 
 /// The base's columns, as far as somebody set them by hand.
@@ -52,7 +55,9 @@ bool shares_no_columns(const Rig& rig, const Target& target) {
   if (!target.sensor.two_cameras || rig.cameras.size() < 2 || !rig.cameras[0].image_size || !rig.cameras[1].image_size)
     return false;
   const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
-  return layout != nullptr && is_fisheye(*layout) && !columns_of(rig, target, 0, 1);
+  if (layout == nullptr || !is_fisheye(*layout)) return false;
+  const std::optional<Transform> T_1_0 = rig.resolve(rig.cameras[1].name, rig.cameras[0].name);
+  return !T_1_0 || !share_columns(rig.cameras[0], rig.cameras[1], *T_1_0, largest_angle(target));
 }
 
 std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig& rig, std::span<const std::string> replaced) {

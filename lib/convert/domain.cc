@@ -6,6 +6,7 @@
 #include <fca/rig/limits.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,13 +15,33 @@ namespace fca {
 
 namespace {
 
-/// The rays of a coarse lattice of the image, its border included: the border alone would miss a lens that ends inside the
-/// image.
+/// A part of the image, both corners included.
+struct Window {
+  Pixel first = {};
+  Pixel last = {};
+};
+
+/// What of the image lies about as far from the axis.
+Window around_axis(const Lens& lens, const ImageSize& size, double angle_rad) {
+  const LensCentre centre = lens.centre();
+  const std::array<double, 2> end = {size.width - 1.0, size.height - 1.0};
+  Window window;
+  for (const std::size_t i : {0U, 1U}) {
+    const double radius = centre.focal.at(i) * angle_rad;
+    window.first.at(i) = std::clamp(centre.point.at(i) - radius, 0.0, end.at(i));
+    window.last.at(i) = std::clamp(centre.point.at(i) + radius, 0.0, end.at(i));
+  }
+  return window;
+}
+
+/// The rays of a coarse lattice of a window of the image, its border included: the border alone would miss a lens that ends
+/// inside the image.
 class RayLattice {
  public:
-  RayLattice(const Lens& lens, const ImageSize& size) : lens_(lens) {
+  RayLattice(const Lens& lens, const Window& window) : lens_(lens) {
     std::optional<internal::BatchRays> rays;
     if (lens.model() != nullptr && validate(*lens.model()).empty()) rays.emplace(*lens.model(), std::numbers::pi);
+    seen_.reserve(static_cast<std::size_t>((kSteps + 1) * (kSteps + 1)));
     internal::Batch batch;
     std::size_t count = 0;
     const auto look = [&] {
@@ -31,8 +52,8 @@ class RayLattice {
     };
     for (int i = 0; i <= kSteps; ++i) {
       for (int j = 0; j <= kSteps; ++j) {
-        batch.u[count] = (size.width - 1.0) * i / kSteps;
-        batch.v[count] = (size.height - 1.0) * j / kSteps;
+        batch.u[count] = window.first[0] + (window.last[0] - window.first[0]) * i / kSteps;
+        batch.v[count] = window.first[1] + (window.last[1] - window.first[1]) * j / kSteps;
         if (++count == internal::Batch::kSize) look();
       }
     }
@@ -123,8 +144,10 @@ std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::op
   }
 
   const double limit = limit_rad.value_or(std::numbers::pi);
-  const RayLattice rays(lens, size);
-  const double largest = rays.largest_angle(limit);
+  const RayLattice rays(lens, {{0.0, 0.0}, {size.width - 1.0, size.height - 1.0}});
+  double largest = rays.largest_angle(limit);
+  // A few degrees may lie between the lattice's points.
+  if (largest < 0.0 && limit_rad) largest = RayLattice(lens, around_axis(lens, size, limit)).largest_angle(limit);
   if (largest < 0.0 && limit_rad && rays.largest_angle(std::numbers::pi) >= 0.0) {
     diagnostics.error("no-pixel-in-the-lens", name + ": no pixel of the image lies within that angle of the axis", {},
                       "a larger --max-angle");

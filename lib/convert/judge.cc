@@ -6,6 +6,9 @@
 #include "judge_stages.h"
 #include "judge_summary.h"
 
+#include <algorithm>
+#include <functional>
+
 namespace fca {
 
 namespace internal {
@@ -40,6 +43,10 @@ Score score_every_pixel(const Scorer& scorer) {
   coverage.scored_pixels = summary.count(Verdict::kScored);
   coverage.outside_lens_pixels = summary.count(Verdict::kOutsideLens);
   coverage.unrepresentable_pixels = summary.count(Verdict::kUnrepresentable);
+  // The worst place may lie between pixels, on the edge of a round domain, where the lattice has points.
+  const std::vector<Point> beside = score_on_lattice(scorer).worst;
+  score.worst.insert(score.worst.end(), beside.begin(), beside.end());
+  std::ranges::sort(score.worst, std::ranges::greater{}, &Point::error);
   return score;
 }
 

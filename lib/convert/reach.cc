@@ -86,6 +86,8 @@ std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& op
 
 std::vector<ReachRow> reach_table(const Camera& camera, const ConvertOptions& options, const ConversionReport& report,
                                   Diagnostics& diagnostics) {
+  // All of the domain was scored: it ends there.
+  if (report.judgement.coverage.unrepresentable == 0.0 && report.scored_to_deg <= kFirstDeg) return {};
   const std::optional<Domain> domain = wide_domain(camera, options, diagnostics);
   return domain ? rows(camera, options, *domain, &report) : std::vector<ReachRow>();
 }

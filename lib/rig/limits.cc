@@ -93,7 +93,9 @@ std::optional<std::string> problem_with_rotation(const Transform& T_a_b) {
       if (!(std::abs(element) <= kLargestRotationElement)) return what + "an element is " + spelled(element);
     }
   }
-  const double defect = rotation_defect(T_a_b);
+  // Whoever writes it may write its inverse, which is to be read again.
+  const std::optional<Transform> back = inverse(T_a_b);
+  const double defect = std::max(rotation_defect(T_a_b), back ? rotation_defect(*back) : 1.0);
   if (defect <= kCoarsestRotation) return std::nullopt;
   return what + "R^T R differs from the identity by " + spelled(defect);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace fca {
 
@@ -16,47 +17,76 @@ bool inside(const ImageSize& size, const Pixel& pixel) {
   return pixel[0] >= -0.5 && pixel[1] >= -0.5 && pixel[0] <= size.width - 0.5 && pixel[1] <= size.height - 0.5;
 }
 
-}  // namespace
+class SharedColumns {
+ public:
+  SharedColumns(const Camera& camera, const Camera& other, const Transform& T_other_camera, double max_angle_rad)
+      : camera_(camera), other_(other), T_other_camera_(T_other_camera), max_angle_rad_(max_angle_rad) {}
 
-std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& other, const Transform& T_other_camera,
-                                          double max_angle_rad) {
-  if (!camera.image_size || !other.image_size) return std::nullopt;
-  constexpr int kSteps = 32;
-  const auto at_step = [](int size, int step) { return static_cast<int>(static_cast<long long>(size - 1) * step / kSteps); };
-  const auto shares_pixel = [&](int column, int row) {
-    const std::optional<Ray> ray = unproject(camera.model, {static_cast<double>(column), static_cast<double>(row)});
-    if (!ray || angle_from_axis(*ray) > max_angle_rad) return false;
-    const Ray there = rotated(T_other_camera, *ray);
-    if (angle_from_axis(there) > max_angle_rad) return false;
-    const std::optional<Pixel> pixel = project(other.model, there);
-    return pixel && inside(*other.image_size, *pixel);
-  };
-  const int height = camera.image_size->height;
-  const auto shares = [&](int column) {
+  [[nodiscard]] bool any() const { return first_step().has_value(); }
+
+  [[nodiscard]] std::optional<ColumnRange> range() const {
+    const std::optional<int> found = first_step();
+    if (!found) return std::nullopt;
+    const int first = *found;
+    int last = kSteps;
+    while (!shares(column_at(last))) --last;
+    return ColumnRange{first == 0 ? 0 : bulge(border(column_at(first), column_at(first - 1)), -1),
+                       last == kSteps ? column_at(kSteps) : bulge(border(column_at(last), column_at(last + 1)), 1)};
+  }
+
+ private:
+  static constexpr int kSteps = 32;
+
+  static int at_step(int size, int step) { return static_cast<int>(static_cast<long long>(size - 1) * step / kSteps); }
+  [[nodiscard]] int height() const { return camera_.image_size->height; }
+  [[nodiscard]] int column_at(int step) const { return at_step(camera_.image_size->width, step); }
+
+  [[nodiscard]] std::optional<int> first_step() const {
     for (int step = 0; step <= kSteps; ++step) {
-      if (shares_pixel(column, at_step(height, step))) return true;
+      if (shares(column_at(step))) return step;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] bool is_lens(const Ray& ray) const {
+    return max_angle_rad_ >= std::numbers::pi || angle_from_axis(ray) <= max_angle_rad_;
+  }
+
+  [[nodiscard]] bool shares_pixel(int column, int row) const {
+    const std::optional<Ray> ray = unproject(camera_.model, {static_cast<double>(column), static_cast<double>(row)});
+    if (!ray || !is_lens(*ray)) return false;
+    const Ray there = rotated(T_other_camera_, *ray);
+    if (!is_lens(there)) return false;
+    const std::optional<Pixel> pixel = project(other_.model, there);
+    return pixel && inside(*other_.image_size, *pixel);
+  }
+
+  [[nodiscard]] bool shares(int column) const {
+    for (int step = 0; step <= kSteps; ++step) {
+      if (shares_pixel(column, at_step(height(), step))) return true;
     }
     return false;
-  };
-  const auto column_at = [&](int step) { return at_step(camera.image_size->width, step); };
-  // The border between a column that shares something and one that does not.
-  const auto border = [&](int shared, int not_shared) {
+  }
+
+  /// The border between a column that shares something and one that does not.
+  [[nodiscard]] int border(int shared, int not_shared) const {
     while (std::abs(shared - not_shared) > 1) {
       const int middle = (shared + not_shared) / 2;
       (shares(middle) ? shared : not_shared) = middle;
     }
     return shared;
-  };
-  // What is shared bulges between the lattice's rows: on from a border, looking at every row near those that share.
-  const auto bulge = [&](int column, int outwards) {
-    const int near = height / kSteps + 1;
-    int top = height;
+  }
+
+  /// What is shared bulges between the lattice's rows: on from a border, looking at every row near those that share.
+  [[nodiscard]] int bulge(int column, int outwards) const {
+    const int near = height() / kSteps + 1;
+    int top = height();
     int bottom = -1;
     for (int step = 0; step <= kSteps; ++step) {
-      const int row = at_step(height, step);
+      const int row = at_step(height(), step);
       if (!shares_pixel(column, row)) continue;
       top = std::min(top, std::max(0, row - near));
-      bottom = std::min(height - 1, row + near);
+      bottom = std::min(height() - 1, row + near);
     }
     const auto shares_near = [&](int next) {
       for (int row = top; row <= bottom; ++row) {
@@ -64,17 +94,27 @@ std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& ot
       }
       return false;
     };
-    for (int next = column + outwards; next >= 0 && next < camera.image_size->width && shares_near(next); next += outwards)
+    for (int next = column + outwards; next >= 0 && next < camera_.image_size->width && shares_near(next); next += outwards)
       column = next;
     return column;
-  };
-  int first = 0;
-  while (first <= kSteps && !shares(column_at(first))) ++first;
-  if (first > kSteps) return std::nullopt;
-  int last = kSteps;
-  while (!shares(column_at(last))) --last;
-  return ColumnRange{first == 0 ? 0 : bulge(border(column_at(first), column_at(first - 1)), -1),
-                     last == kSteps ? column_at(kSteps) : bulge(border(column_at(last), column_at(last + 1)), 1)};
+  }
+
+  const Camera& camera_;
+  const Camera& other_;
+  const Transform& T_other_camera_;
+  double max_angle_rad_;
+};
+
+}  // namespace
+
+std::optional<ColumnRange> columns_shared(const Camera& camera, const Camera& other, const Transform& T_other_camera,
+                                          double max_angle_rad) {
+  if (!camera.image_size || !other.image_size) return std::nullopt;
+  return SharedColumns(camera, other, T_other_camera, max_angle_rad).range();
+}
+
+bool share_columns(const Camera& camera, const Camera& other, const Transform& T_other_camera, double max_angle_rad) {
+  return camera.image_size && other.image_size && SharedColumns(camera, other, T_other_camera, max_angle_rad).any();
 }
 
 }  // namespace fca

@@ -20,11 +20,11 @@ inline constexpr int kLargestImageSide = 100'000;
 /// Of one rig. The largest light stages have some hundred; poses are compared each with each.
 inline constexpr std::size_t kMostCameras = 100;
 
-/// What rotation_defect() may be. A rotation printed with a single digit is off by 0.05 in an element, thus by up to
-/// 2 sqrt(3) 0.05 = 0.17 in R^T R.
-inline constexpr double kCoarsestRotation = 0.2;
-/// What an element of such a rotation may be at most: sqrt(1 + 0.2), rounded up.
-inline constexpr double kLargestRotationElement = 1.1;
+/// What rotation_defect() may be of a rotation and of its inverse. A rotation printed with a single digit is off by 0.05 in an
+/// element, thus by up to 2 sqrt(3) 0.05 = 0.17 in R^T R, and its inverse by 0.21.
+inline constexpr double kCoarsestRotation = 0.25;
+/// What an element of such a rotation may be at most: sqrt(1 + 0.25), rounded up.
+inline constexpr double kLargestRotationElement = 1.12;
 
 /// What is wrong with an image's size; nothing if it may be.
 [[nodiscard]] std::optional<std::string> problem_with_image_size(const ImageSize& size);

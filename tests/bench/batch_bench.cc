@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Many files at once: bench-batch [FILES] makes that many (10,000) different chains of two Double Sphere cameras and converts
+// them to ORB-SLAM3's kb4 and eucm with all processors, with the proof and without. Time, processor time and the largest memory
+// of each; beside them an empty C++ program, which compares machines.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Run {
+  int code = -1;
+  double seconds = 0.0;
+  double processor_seconds = 0.0;
+  double megabytes = 0.0;  ///< The most that was resident.
+};
+
+Run run(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (const int channel : {STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&actions, channel, "/dev/null", O_WRONLY, 0);
+  const auto start = std::chrono::steady_clock::now();
+  pid_t child = 0;
+  const int failure = posix_spawn(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  rusage used{};
+  if (failure != 0 || wait4(child, &status, 0, &used) != child) return {};
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+          seconds(used.ru_utime) + seconds(used.ru_stime), static_cast<double>(used.ru_maxrss) / 1024.0};
+}
+
+/// A camera as Kalibr writes it, a little different each time.
+std::string camera(int index, std::mt19937& random) {
+  const auto about = [&random](double value) {
+    return std::to_string(value * std::uniform_real_distribution<double>(0.98, 1.02)(random));
+  };
+  const std::string pose = "  - [1.0, 0.0, 0.0, " + about(-0.11) +
+                           "]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+  return "cam" + std::to_string(index) + ":\n" + (index > 0 ? "  T_cn_cnm1:\n" + pose : "") + "  cam_overlaps: [" +
+         std::to_string(1 - index) +
+         "]\n  camera_model: ds\n  distortion_coeffs: []\n  distortion_model: none\n  intrinsics: [" + about(-0.2443) + ", " +
+         about(0.5657) + ", " + about(348.1) + ", " + about(347.1) + ", " + about(365.8) + ", " + about(249.4) +
+         "]\n  resolution: [752, 480]\n  rostopic: /cam" + std::to_string(index) + "/image_raw\n";
+}
+
+void make_chains(const fs::path& folder, int count) {
+  fs::create_directories(folder);
+  std::mt19937 random(1);
+  for (int i = 0; i < count; ++i)
+    std::ofstream(folder / (std::to_string(i) + ".yaml")) << camera(0, random) << camera(1, random);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  const int files = count > 1 ? std::atoi(arguments[1]) : 10000;
+  std::string pattern = (fs::temp_directory_path() / "fca-io-batch-XXXXXX").string();
+  const fs::path folder = ::mkdtemp(pattern.data());
+  make_chains(folder / "in", files);
+  double empty = 1e9;
+  for (int i = 0; i < 20; ++i) empty = std::min(empty, run({FCA_EMPTY_PROGRAM}).seconds);
+  std::printf("%d chains of two cameras; an empty program takes %.2f ms\n", files, 1e3 * empty);
+  int worst = 0;
+  for (const std::string model : {"kb4", "eucm"}) {
+    for (const bool proof : {true, false}) {
+      std::vector<std::string> words = {FCA_IO, "convert", (folder / "in").string(),        "--to",   "orbslam3", "--model",
+                                        model,  "-o",      (folder / "out").string() + "/", "--force"};
+      if (!proof) words.emplace_back("--no-verify");
+      const Run all = run(words);
+      std::printf("%-5s %-14s %6.2f s  processors %6.2f s  %4.0f MB\n", model.c_str(), proof ? "with the proof" : "without",
+                  all.seconds, all.processor_seconds, all.megabytes);
+      worst = std::max(worst, all.code);
+    }
+  }
+  Run one;
+  one.seconds = 1e9;
+  for (int i = 0; i < 20; ++i) {
+    const Run again = run({FCA_IO, "convert", (folder / "in/0.yaml").string(), "--to", "orbslam3", "--model", "kb4", "-o",
+                           (folder / "one.yaml").string(), "--force"});
+    if (again.seconds < one.seconds) one = again;
+  }
+  std::printf("one file: %.1f empty programs\n", one.seconds / empty);
+  fs::remove_all(folder);
+  return worst;
+}
