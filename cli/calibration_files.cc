@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "calibration_files.h"
 
-#include "output_name.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -33,7 +31,7 @@ std::vector<std::string> matches(const std::string& pattern) {
 }
 
 /// Errors of single entries (no permission, gone meanwhile) leave those out.
-void walk_folder(const fs::path& folder, std::vector<std::string>& files) {
+void walk_folder(const fs::path& folder, WantedExtension wanted, std::vector<std::string>& files) {
   std::error_code error;
   fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
   for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
@@ -42,8 +40,7 @@ void walk_folder(const fs::path& folder, std::vector<std::string>& files) {
       continue;
     }
     std::error_code ignored;
-    if (at->is_regular_file(ignored) && is_calibration_extension(at->path().extension().string()))
-      files.push_back(at->path().string());
+    if (at->is_regular_file(ignored) && wanted(at->path().extension().string())) files.push_back(at->path().string());
   }
 }
 
@@ -55,7 +52,7 @@ std::optional<std::string> pattern_without_file(const std::vector<std::string>& 
   return found == paths.end() ? std::nullopt : std::optional(*found);
 }
 
-std::vector<FoundFile> walk(const std::vector<std::string>& paths) {
+std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtension wanted) {
   std::vector<FoundFile> resolved;
   for (const std::string& path : paths) {
     if (!is_pattern(path)) {
@@ -78,7 +75,7 @@ std::vector<FoundFile> walk(const std::vector<std::string>& paths) {
       continue;
     }
     std::vector<std::string> files;
-    walk_folder(each.path, files);
+    walk_folder(each.path, wanted, files);
     std::ranges::sort(files);
     for (std::string& file : files) add({std::move(file), false});
   }

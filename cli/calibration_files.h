@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "output_name.h"
+
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fca::cli {
@@ -16,8 +19,13 @@ struct FoundFile {
 /// The first path that is a pattern (* ? [...]) and fits no file.
 [[nodiscard]] std::optional<std::string> pattern_without_file(const std::vector<std::string>& paths);
 
-/// The paths with patterns (where no shell has expanded them) resolved and folders walked: files in them by name that end as
-/// calibrations do (.yaml .yml .xml .json .txt .ini), without hidden ones. Each file once, however often it is met.
-[[nodiscard]] std::vector<FoundFile> walk(const std::vector<std::string>& paths);
+/// Which files of a folder are wanted, by their extension with its point.
+using WantedExtension = bool (*)(std::string_view extension);
+
+/// The paths with patterns (where no shell has expanded them) resolved and folders walked: files in them by name that are
+/// wanted, without hidden ones. Each file once, however often it is met. Default: those that end as calibrations do (.yaml .yml
+/// .xml .json .txt .ini).
+[[nodiscard]] std::vector<FoundFile> walk(const std::vector<std::string>& paths,
+                                          WantedExtension wanted = &is_calibration_extension);
 
 }  // namespace fca::cli

@@ -5,6 +5,7 @@
 #include "evaluate_command.h"
 #include "list_commands.h"
 #include "project_command.h"
+#include "remap_command.h"
 #include "report_command.h"
 #include "show_command.h"
 #include "words.h"
@@ -78,6 +79,7 @@ int run(int argc, char** argv) {
   CompareArguments compare_arguments;
   ProjectArguments project_arguments;
   ReportArguments report_arguments;
+  RemapArguments remap_arguments;
   ListArguments list_arguments;
   EvaluateArguments evaluate_arguments;
   add_convert_command(app, convert_arguments, chosen);
@@ -85,6 +87,7 @@ int run(int argc, char** argv) {
   add_check_command(app, check_arguments, chosen);
   add_compare_command(app, compare_arguments, chosen);
   add_report_command(app, report_arguments, chosen);
+  add_remap_command(app, remap_arguments, chosen);
   add_project_commands(app, project_arguments, chosen);
   add_list_commands(app, list_arguments, chosen);
   add_evaluate_command(app, evaluate_arguments, chosen);

@@ -65,13 +65,12 @@ std::string with_names_of(const std::string& input, const std::string& pattern) 
   return replaced(path, "{extension}", extension.empty() ? extension : extension.substr(1));
 }
 
-std::optional<std::string> unknown_placeholder(std::string_view pattern) {
-  constexpr std::array<std::string_view, 5> kKnown = {"{stem}", "{extension}", "{folder}", "{camera}", "{format}"};
+std::optional<std::string> unknown_placeholder(std::string_view pattern, std::span<const std::string_view> known) {
   for (std::size_t at = pattern.find('{'); at != std::string_view::npos; at = pattern.find('{', at + 1)) {
     const std::size_t end = pattern.find('}', at);
     if (end == std::string_view::npos) return std::nullopt;
     const std::string_view placeholder = pattern.substr(at, end - at + 1);
-    if (std::ranges::find(kKnown, placeholder) == kKnown.end()) return std::string(placeholder);
+    if (std::ranges::find(known, placeholder) == known.end()) return std::string(placeholder);
   }
   return std::nullopt;
 }

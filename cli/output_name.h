@@ -4,14 +4,20 @@
 
 #include <fca/formats/format.h>
 
+#include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace fca::cli {
 
-/// The first "{...}" of a pattern that output_path() does not fill in.
-[[nodiscard]] std::optional<std::string> unknown_placeholder(std::string_view pattern);
+/// What output_path() fills in.
+inline constexpr std::array<std::string_view, 5> kPlaceholders = {"{stem}", "{extension}", "{folder}", "{camera}", "{format}"};
+
+/// The first "{...}" of a pattern that is none of the known ones.
+[[nodiscard]] std::optional<std::string> unknown_placeholder(std::string_view pattern,
+                                                             std::span<const std::string_view> known = kPlaceholders);
 
 /// The pattern with {stem}, {extension} (without its point) and {folder} (the name of the one it lies in) of an input.
 [[nodiscard]] std::string with_names_of(const std::string& input, const std::string& pattern);

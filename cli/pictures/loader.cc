@@ -17,4 +17,14 @@ const PictureFunctions& functions() {
 
 std::string png(const Picture& picture) { return functions().png(picture); }
 
+std::optional<Image> decoded(const std::string& bytes) { return functions().decoded(bytes); }
+
+std::optional<std::string> encoded(const Image& image, const std::string& extension) {
+  return functions().encoded(image, extension);
+}
+
+std::optional<Image> remapped(const Image& image, const ImageMap& map, Interpolation interpolation) {
+  return functions().remapped(image, map, interpolation);
+}
+
 }  // namespace fca::cli

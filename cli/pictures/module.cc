@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "module.h"
+#include "images.h"
 
 #include <opencv2/imgcodecs.hpp>
 
 namespace {
 
-std::string encoded(const fca::cli::Picture& picture) {
+std::string png_bytes(const fca::cli::Picture& picture) {
   // OpenCV's order is blue, green, red.
   cv::Mat4b rows(picture.height, picture.width);
   auto from = picture.rgba.begin();
@@ -22,6 +23,8 @@ std::string encoded(const fca::cli::Picture& picture) {
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const void* fca_picture_functions() {
-  static constexpr fca::cli::PictureFunctions kFunctions = {.png = &encoded};
+  using namespace fca::cli::module;
+  static constexpr fca::cli::PictureFunctions kFunctions = {
+      .png = &png_bytes, .decoded = &decoded_image, .encoded = &encoded_image, .remapped = &remapped_image};
   return &kFunctions;
 }

@@ -8,6 +8,9 @@ namespace fca::cli {
 
 struct PictureFunctions {
   std::string (*png)(const Picture& picture);
+  std::optional<Image> (*decoded)(const std::string& bytes);
+  std::optional<std::string> (*encoded)(const Image& image, const std::string& extension);
+  std::optional<Image> (*remapped)(const Image& image, const ImageMap& map, Interpolation interpolation);
 };
 
 /// What the module exports: a function without arguments that returns a pointer to its PictureFunctions.

@@ -3,8 +3,13 @@
 // which is loaded when a picture is asked for; these functions are its door.
 #pragma once
 
+#include "image.h"
+
+#include <fca/remap/image_map.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,5 +24,15 @@ struct Picture {
 
 /// The bytes of a PNG file. Throws consumers::MissingModule where the installation lacks the module.
 [[nodiscard]] std::string png(const Picture& picture);
+
+// The following throw MissingModule, too.
+
+/// The image in a file's bytes; nothing where that is none, not a whole one, or one of a kind that Image does not hold. As it
+/// is stored: an orientation that a camera has noted beside it turns nothing.
+[[nodiscard]] std::optional<Image> decoded(const std::string& bytes);
+/// The bytes of a file; `extension` with its point. Nothing where that cannot be made.
+[[nodiscard]] std::optional<std::string> encoded(const Image& image, const std::string& extension);
+/// cv::remap: the image through a map, 0 where the map lies outside of it. Sides are to be shorter than 32,767.
+[[nodiscard]] std::optional<Image> remapped(const Image& image, const ImageMap& map, Interpolation interpolation);
 
 }  // namespace fca::cli

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "batch.h"
 
-// Compiled twice, and the version chosen when the program starts: four numbers at a time with fused multiplications where the
-// processor has AVX2, two elsewhere. (Sanitizers are not ready when that choice is made.)
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define FCA_MULTIVERSIONED [[gnu::target_clones("default", "arch=x86-64-v3"), gnu::flatten]]
-#else
-#define FCA_MULTIVERSIONED
-#endif
+#include "multiversioned.h"
+#include "with_kernel.h"
 
 namespace fca::internal {
 
@@ -34,13 +29,13 @@ void errors_of(const Kernel kernel, Batch& batch, std::size_t count) {
   }
 }
 
-/// Calls f with the kernel that a variant holds. Not std::visit: its table of functions cannot be inlined.
-template <class... Kernels, class F>
-void with_kernel(const std::variant<Kernels...>& variant, const F& f) {
-  const auto try_one = [&](const auto* kernel) {
-    if (kernel != nullptr) f(*kernel);
-  };
-  (try_one(std::get_if<Kernels>(&variant)), ...);
+template <class Kernel>
+void pixels_of(const Kernel kernel, Batch& batch, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const PixelOfRay pixel = kernel({batch.x[i], batch.y[i], batch.z[i]});
+    batch.u[i] = pixel.u;
+    batch.v[i] = pixel.v;
+  }
 }
 
 FCA_MULTIVERSIONED void all_rays(const KernelsOf<ModelList>::Rays& kernel, Batch& batch, std::size_t count) {
@@ -49,6 +44,10 @@ FCA_MULTIVERSIONED void all_rays(const KernelsOf<ModelList>::Rays& kernel, Batch
 
 FCA_MULTIVERSIONED void all_errors(const KernelsOf<ModelList>::Pixels& kernel, Batch& batch, std::size_t count) {
   with_kernel(kernel, [&](const auto& k) { errors_of(k, batch, count); });
+}
+
+FCA_MULTIVERSIONED void all_pixels(const KernelsOf<ModelList>::Pixels& kernel, Batch& batch, std::size_t count) {
+  with_kernel(kernel, [&](const auto& k) { pixels_of(k, batch, count); });
 }
 
 /// How often one of the three conditions fails.
@@ -64,6 +63,12 @@ FCA_MULTIVERSIONED long long count_doubts(const Batch& batch, std::size_t count,
   return doubts;
 }
 
+KernelsOf<ModelList>::Pixels pixel_kernel(const CameraModel& model, double reach) {
+  return std::visit(
+      [&]<class M>(const Intrinsics<M>& m) -> KernelsOf<ModelList>::Pixels { return PixelKernel<M>(m.values.data(), reach); },
+      model);
+}
+
 }  // namespace
 
 bool all_within(const Batch& batch, std::size_t count, double cosine) { return count_doubts(batch, count, cosine) == 0; }
@@ -75,11 +80,12 @@ BatchRays::BatchRays(const CameraModel& model, double lens)
 
 void BatchRays::operator()(Batch& batch, std::size_t count) const { all_rays(kernel_, batch, count); }
 
-BatchErrors::BatchErrors(const CameraModel& model, double reach)
-    : kernel_(std::visit([&]<class M>(const Intrinsics<M>& m)
-                             -> KernelsOf<ModelList>::Pixels { return PixelKernel<M>(m.values.data(), reach); },
-                         model)) {}
+BatchErrors::BatchErrors(const CameraModel& model, double reach) : kernel_(pixel_kernel(model, reach)) {}
 
 void BatchErrors::operator()(Batch& batch, std::size_t count) const { all_errors(kernel_, batch, count); }
+
+BatchPixels::BatchPixels(const CameraModel& model, double reach) : kernel_(pixel_kernel(model, reach)) {}
+
+void BatchPixels::operator()(Batch& batch, std::size_t count) const { all_pixels(kernel_, batch, count); }
 
 }  // namespace fca::internal

@@ -70,4 +70,14 @@ class BatchErrors {
   KernelsOf<ModelList>::Pixels kernel_;
 };
 
+/// The pixels of the first `count` rays of batches, as u and v; not finite: ask the model. Rays as for BatchErrors.
+class BatchPixels {
+ public:
+  BatchPixels(const CameraModel& model, double reach);
+  void operator()(Batch& batch, std::size_t count) const;
+
+ private:
+  KernelsOf<ModelList>::Pixels kernel_;
+};
+
 }  // namespace fca::internal

@@ -29,6 +29,7 @@ const std::vector<std::vector<std::string>> kCommands = {{"show"},
                                                          {"convert", "--to", "orbslam3", "--model", "eucm", "--json"},
                                                          {"compare", testdata("formats/kalibr/good/tumvi.yaml")},
                                                          {"report", "--model", "eucm"},
+                                                         {"remap", "--camera", "0", "--pinhole", "90", "--map", "map.npy"},
                                                          {"project", "--camera", "0"},
                                                          {"unproject", "--camera", "0"}};
 
@@ -155,8 +156,8 @@ TEST(Robustness, ManyKeysAreReadInTime) {
 }
 
 TEST(Robustness, OptionsAloneDoNotCrash) {
-  for (const char* subcommand :
-       {"convert", "show", "report", "project", "unproject", "formats", "models", "programs", "--json", "-", "--", "", "."}) {
+  for (const char* subcommand : {"convert", "show", "report", "remap", "project", "unproject", "formats", "models", "programs",
+                                 "--json", "-", "--", "", "."}) {
     const RunResult run = run_program({subcommand}, {.limit_seconds = kLimitSeconds});
     EXPECT_EQ(run.signal, 0) << subcommand;
     EXPECT_TRUE(run.code >= 0 && run.code <= 4) << subcommand << " " << run.code << run.err;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace fca::cli {
+
+/// An image with the samples that its file has: 1 (grey), 3 (blue, green, red) or 4 channels (and opacity); rows from the top,
+/// without gaps.
+struct Image {
+  enum class Sample : std::uint8_t { k8Bit, k16Bit, kFloat };
+  int width = 0;
+  int height = 0;
+  int channels = 1;
+  Sample sample = Sample::k8Bit;
+  std::vector<std::uint8_t> bytes;
+};
+
+enum class Interpolation : std::uint8_t { kBilinear, kLanczos };
+
+}  // namespace fca::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ahead.h"
+
+#include "../convert/multiversioned.h"
+#include "../convert/with_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fca::internal {
+
+namespace {
+
+struct Row {
+  Matrix3 to_source;
+  double least_square;
+  double first;
+  double v;
+};
+
+/// Kernels and rows are copied: the compiler then knows that writing the map does not change them.
+template <class Kernel>
+std::size_t write_row(const Kernel kernel, const Row row, std::size_t count, float* uv) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  const Matrix3& m = row.to_source;
+  const double x0 = m[1] * row.v + m[2];
+  const double y0 = m[4] * row.v + m[5];
+  const double z0 = m[7] * row.v + m[8];
+  long long doubts = 0;
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    const double u = row.first + i;
+    const double x = m[0] * u + x0;
+    const double y = m[3] * u + y0;
+    const double z = m[6] * u + z0;
+    const PixelOfRay pixel = kernel(x, y, z);
+    const double inside = ask_unless(z * z > row.least_square * (x * x + y * y + z * z));
+    const double to_u = pixel.u + inside;
+    const double to_v = pixel.v + inside;
+    doubts += std::abs(to_u) <= kLargest ? 0 : 1;
+    doubts += std::abs(to_v) <= kLargest ? 0 : 1;
+    uv[2 * i] = static_cast<float>(to_u);
+    uv[2 * i + 1] = static_cast<float>(to_v);
+  }
+  return static_cast<std::size_t>(doubts);
+}
+
+FCA_MULTIVERSIONED std::size_t any_row(const AnyAheadKernel& kernels, const Row& row, std::size_t count, float* uv) {
+  std::size_t doubts = 0;
+  with_kernel(kernels, [&](const auto& kernel) { doubts = write_row(kernel, row, count, uv); });
+  return doubts;
+}
+
+}  // namespace
+
+std::optional<AheadPixels> AheadPixels::of(const CameraModel& source, const Matrix3& to_source, double surely_seen) {
+  return std::visit(
+      [&]<class M>(const Intrinsics<M>& m) -> std::optional<AheadPixels> {
+        if constexpr (requires { sizeof(AheadKernel<M>); }) {
+          return AheadPixels(AheadKernel<M>(m.values.data()), to_source, surely_seen);
+        } else {
+          return std::nullopt;
+        }
+      },
+      source);
+}
+
+AheadPixels::AheadPixels(const AnyAheadKernel& kernel, const Matrix3& to_source, double surely_seen)
+    : kernel_(kernel), to_source_(to_source), least_square_(surely_seen > 0.0 ? surely_seen * surely_seen : 0.0) {}
+
+bool AheadPixels::covers(double first, double v, std::size_t count) const {
+  // Shorter rays than this are no longer right to all digits.
+  constexpr double kLeast = 1e-6;
+  const auto z = [&](double u) { return to_source_[6] * u + to_source_[7] * v + to_source_[8]; };
+  return std::min(z(first), z(first + static_cast<double>(count - 1))) > kLeast;
+}
+
+std::size_t AheadPixels::operator()(double first, double v, std::size_t count, float* uv) const {
+  return any_row(kernel_, {to_source_, least_square_, first, v}, count, uv);
+}
+
+}  // namespace fca::internal
