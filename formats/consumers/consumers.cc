@@ -3,11 +3,20 @@
 #include <algorithm>
 #include <array>
 
+#include "classic_locale.h"
 #include "fca/formats/consumers/consumer.h"
 #include "programs.h"
 
 namespace fca::consumers {
 namespace {
+
+/// Programs run in the locale that every C program begins in: what the one around fca-io has set (decimal commas) is not
+/// theirs.
+template <ConsumerView (*kLoad)(std::string_view, const LoadOptions&)>
+ConsumerView in_own_locale(std::string_view bytes, const LoadOptions& options) {
+  const ClassicLocale locale;
+  return kLoad(bytes, options);
+}
 
 constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
@@ -17,20 +26,20 @@ constexpr std::array kConsumers{
              .program = "Kalibr",
              .format = "kalibr",
              .tolerance_px = kDoublePrecisionPx,
-             .load = &load_kalibr,
+             .load = &in_own_locale<&load_kalibr>,
              .second_format = "tumvi"},
     Consumer{.id = "kalibr-imu",
              .program = "Kalibr (imu.yaml)",
              .format = "kalibr",
              .tolerance_px = kDoublePrecisionPx,
-             .load = &load_kalibr_imu,
+             .load = &in_own_locale<&load_kalibr_imu>,
              .cameras = false,
              .second_format = "tumvi"},
     Consumer{.id = "openvins",
              .program = "OpenVINS",
              .format = "openvins",
              .tolerance_px = kFloatPrecisionPx,
-             .load = &load_openvins,
+             .load = &in_own_locale<&load_openvins>,
              .second_format = "kalibr",
              .other_syntax = true,
              .prepare = &prepare_storage_programs},
@@ -38,7 +47,7 @@ constexpr std::array kConsumers{
              .program = "OpenVINS (kalibr_imu_chain.yaml)",
              .format = "openvins",
              .tolerance_px = kFloatPrecisionPx,
-             .load = &load_openvins_imu,
+             .load = &in_own_locale<&load_openvins_imu>,
              .cameras = false,
              .second_format = "kalibr",
              .other_syntax = true,
@@ -47,59 +56,61 @@ constexpr std::array kConsumers{
              .program = "ORB-SLAM3 V1.0",
              .format = "orbslam3",
              .tolerance_px = kFloatPrecisionPx,
-             .load = &load_orbslam3,
+             .load = &in_own_locale<&load_orbslam3>,
              .writing = {.layout = "v1"},
              .prepare = &prepare_storage_programs},
     Consumer{.id = "orbslam2",
              .program = "ORB-SLAM2",
              .format = "orbslam3",
              .tolerance_px = kFloatPrecisionPx,
-             .load = &load_orbslam2,
+             .load = &in_own_locale<&load_orbslam2>,
              .writing = {.layout = "orbslam2"},
              .prepare = &prepare_storage_programs},
     Consumer{.id = "slam_no_opt",
              .program = "ns15417/slam_no_opt",
              .format = "orbslam3",
              .tolerance_px = kFloatPrecisionPx,
-             .load = &load_slam_no_opt,
+             .load = &in_own_locale<&load_slam_no_opt>,
              .writing = {.model = "eucm"},
              .prepare = &prepare_storage_programs},
     Consumer{.id = "urbste",
              .program = "urbste/ORB_SLAM3 (feature/gopro_slam)",
              .format = "orbslam3",
              .tolerance_px = kFloatPrecisionPx,
-             .load = &load_urbste,
+             .load = &in_own_locale<&load_urbste>,
              .writing = {.model = "ds"},
              .prepare = &prepare_storage_programs},
     Consumer{.id = "opencv",
              .program = "OpenCV",
              .format = "opencv",
              .tolerance_px = kDoublePrecisionPx,
-             .load = &load_opencv,
+             .load = &in_own_locale<&load_opencv>,
              .prepare = &prepare_storage_programs},
-    Consumer{"ocamcalib", "OCamCalib's C functions (ocam_functions)", "ocamcalib", kDoublePrecisionPx, &load_ocamcalib},
-    Consumer{"woodscape", "WoodScape's projection.py", "woodscape", kDoublePrecisionPx, &load_woodscape},
-    Consumer{"woodscape-omnidet", "WoodScape's omnidet", "woodscape", kFloatPrecisionPx, &load_woodscape_omnidet},
-    Consumer{"basalt", "Basalt", "basalt", kDoublePrecisionPx, &load_basalt},
+    Consumer{"ocamcalib", "OCamCalib's C functions (ocam_functions)", "ocamcalib", kDoublePrecisionPx,
+             &in_own_locale<&load_ocamcalib>},
+    Consumer{"woodscape", "WoodScape's projection.py", "woodscape", kDoublePrecisionPx, &in_own_locale<&load_woodscape>},
+    Consumer{"woodscape-omnidet", "WoodScape's omnidet", "woodscape", kFloatPrecisionPx,
+             &in_own_locale<&load_woodscape_omnidet>},
+    Consumer{"basalt", "Basalt", "basalt", kDoublePrecisionPx, &in_own_locale<&load_basalt>},
     Consumer{.id = "vins",
              .program = "VINS-Fusion",
              .format = "vins",
              .tolerance_px = kDoublePrecisionPx,
-             .load = &load_vins,
+             .load = &in_own_locale<&load_vins>,
              .prepare = &prepare_storage_programs},
     Consumer{.id = "vins-config",
              .program = "VINS-Fusion (configuration)",
              .format = "vins",
              .tolerance_px = kDoublePrecisionPx,
-             .load = &load_vins,
+             .load = &in_own_locale<&load_vins>,
              .cameras = false,
              .prepare = &prepare_storage_programs},
-    Consumer{"ros", "ROS", "ros", kDoublePrecisionPx, &load_ros},
+    Consumer{"ros", "ROS", "ros", kDoublePrecisionPx, &in_own_locale<&load_ros>},
     Consumer{.id = "dso",
              .program = "DSO (camera.txt)",
              .format = "tumvi",
              .tolerance_px = kFloatPrecisionPx,
-             .load = &load_dso,
+             .load = &in_own_locale<&load_dso>,
              .writing = {.output = "camera.txt"}},
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pyyaml.h"
 
+#include "../yaml_directive.h"
 #include "pyyaml_scalars.h"
 
 #include <yaml-cpp/eventhandler.h>
@@ -396,7 +397,7 @@ Loaded safe_load(std::string_view text) {
   loaded.error = check_text(text);
   if (!loaded.error.empty()) return loaded;
   try {
-    std::istringstream stream{std::string(text)};
+    std::istringstream stream(without_version(std::string(text)));
     YAML::Parser parser(stream);
     Builder builder(text);
     while (parser.HandleNextDocument(builder)) {

@@ -52,6 +52,22 @@ struct CameraInfo {
 };
 
 /// parse_yml.cpp, with sentences in place of asserts.
+/// YAML::Node::as<double>, whose stream has the locale of the program around.
+double real(const YAML::Node& node) {
+  if (node.IsScalar()) {
+    const std::string& word = node.Scalar();
+    std::stringstream stream(word);
+    stream.imbue(std::locale::classic());
+    stream.unsetf(std::ios::dec);
+    double value = 0.0;
+    if (YAML::conversion::ConvertStreamTo(stream, value)) return value;
+    if (YAML::conversion::IsInfinity(word)) return std::numeric_limits<double>::infinity();
+    if (YAML::conversion::IsNegativeInfinity(word)) return -std::numeric_limits<double>::infinity();
+    if (YAML::conversion::IsNaN(word)) return std::numeric_limits<double>::quiet_NaN();
+  }
+  throw YAML::TypedBadConversion<double>(node.Mark());
+}
+
 class Parser {
  public:
   Parser(CameraInfo& info, ConsumerView& view) : info_(info), view_(view) {}
@@ -96,7 +112,7 @@ class Parser {
       return;
     }
     const YAML::Node data = node["data"];
-    for (std::size_t i = 0; i < N; ++i) into.at(i) = data[i].template as<double>();
+    for (std::size_t i = 0; i < N; ++i) into.at(i) = real(data[i]);
   }
 
   void coefficients(const YAML::Node& doc) {
@@ -110,7 +126,7 @@ class Parser {
       view_.refusals.emplace_back("distortion_coefficients has a size that no memory holds");
       return;
     }
-    for (int i = 0; i < rows * cols; ++i) info_.D.push_back(data[i].as<double>());
+    for (int i = 0; i < rows * cols; ++i) info_.D.push_back(real(data[i]));
   }
 
   CameraInfo& info_;

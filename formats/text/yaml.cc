@@ -3,6 +3,7 @@
 // are refused before a tree exists.
 #include "yaml.h"
 
+#include "../yaml_directive.h"
 #include "opencv_prepass.h"
 #include "refusal.h"
 
@@ -258,7 +259,7 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
   const SpacedText spaced = syntax == Syntax::kOpenCvYaml ? space_after_keys(clean) : SpacedText{clean, {}};
   try {
     if (const std::optional<Refusal> conflict = find_conflict_marker(source)) throw *conflict;
-    std::istringstream stream(spaced.text);
+    std::istringstream stream(without_version(spaced.text));
     YAML::Parser parser(stream);
     TreeBuilder builder(source, spaced, skipped);
     parser.HandleNextDocument(builder);
