@@ -51,7 +51,8 @@ void expect_as_the_models_say(const Camera& source, const Camera& target, const 
   int there = 0;
   for (std::size_t i = 0; i < map.uv.size() / 2; ++i) {
     const auto column = static_cast<double>(i % static_cast<std::size_t>(map.size.width));
-    const auto row = static_cast<double>(i / static_cast<std::size_t>(map.size.width));
+    const std::size_t whole_rows = i / static_cast<std::size_t>(map.size.width);
+    const auto row = static_cast<double>(whole_rows);
     const std::optional<Pixel> expected = looked_up(source, target, turn, limit_rad, {column, row});
     const bool found = std::isfinite(map.uv[2 * i]) && std::isfinite(map.uv[2 * i + 1]);
     differently_seen += expected.has_value() != found ? 1 : 0;
