@@ -136,9 +136,10 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   }
   if (arguments.json) console.out(convert_json(outcomes, console));
   const bool several = outcomes.size() > 1 || batch.skipped > 0 || batch.left > 0;
-  if (several)
-    arguments.json ? console.say_aside(batch_text(batch, !arguments.dry_run))
-                   : console.say(batch_text(batch, !arguments.dry_run));
+  if (several) {
+    const std::string text = batch_text(batch, !arguments.dry_run);
+    arguments.json ? console.say_aside(text) : console.say(text);
+  }
   return code;
 }
 
