@@ -23,8 +23,10 @@ std::string png_bytes(const fca::cli::Picture& picture) {
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) const void* fca_picture_functions() {
-  using namespace fca::cli::module;
-  static constexpr fca::cli::PictureFunctions kFunctions = {
-      .png = &png_bytes, .decoded = &decoded_image, .encoded = &encoded_image, .remapped = &remapped_image};
+  namespace module = fca::cli::module;
+  static constexpr fca::cli::PictureFunctions kFunctions = {.png = &png_bytes,
+                                                            .decoded = &module::decoded_image,
+                                                            .encoded = &module::encoded_image,
+                                                            .remapped = &module::remapped_image};
   return &kFunctions;
 }

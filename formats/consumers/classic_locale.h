@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <clocale>
-
-#include <locale.h>
+#include <clocale>  // and POSIX's newlocale and uselocale
 
 namespace fca::consumers {
 
