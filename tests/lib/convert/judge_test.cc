@@ -186,6 +186,38 @@ TEST(Judge, CountsEveryPixel) {
   }
 }
 
+// The worst place of a round domain lies on its edge, between pixels.
+TEST(Judge, EveryPixelFindsNoSmallerMaximumThanTheLattice) {
+  for (const Camera& camera : {test::lens_220(), test::tumvi()}) {
+    for (const char* target : {"rational", "eucm", "ds"}) {
+      const auto largest = [&](bool every_pixel) {
+        ConvertOptions options;
+        options.model = target;
+        options.max_angle_rad = 97.5 * test::kRadians;
+        options.every_pixel = every_pixel;
+        Diagnostics diagnostics;
+        const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+        EXPECT_TRUE(conversion) << target;
+        return conversion ? conversion->report.judgement.error.max : 0.0;
+      };
+      const double on_lattice = largest(false);
+      EXPECT_GE(largest(true), on_lattice * (1.0 - 1e-9)) << target;
+    }
+  }
+}
+
+// A cone between the points of the lattice in which the domain is first looked for.
+TEST(Judge, AFewDegreesAreADomain) {
+  Camera camera = test::tumvi();
+  ASSERT_TRUE(set_parameter(camera.model, "cx", 250.2));
+  ASSERT_TRUE(set_parameter(camera.model, "cy", 250.2));
+  Diagnostics diagnostics;
+  constexpr double kAngle = 1.2 * test::kRadians;
+  const std::optional<Domain> domain = domain_of(camera, kAngle, diagnostics);
+  ASSERT_TRUE(domain);
+  EXPECT_EQ(domain->max_angle_rad, kAngle);
+}
+
 TEST(Judge, SharesAddUpToOne) {
   for (const TablePair& pair : table()) {
     for (const char* target : {"pinhole", "radtan", "rational", "ucm", "kb4", "ocamcalib", "fov", "woodscape"}) {
