@@ -47,7 +47,7 @@ std::string readers_line(const Readers& readers) {
 
 std::string check_text(const CheckedFile& file) {
   const CheckReport& report = file.report;
-  std::string text = file.source.name + ": ";
+  std::string text = text::printable(file.source.name) + ": ";
   text += report.format == nullptr ? "" : std::string(report.format->title) + " (" + report.why + "); ";
   text += verdict(report) + "\n";
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);

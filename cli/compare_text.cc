@@ -138,8 +138,10 @@ std::string facts_text(const std::vector<FactComparison>& facts) {
 
 std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared) {
   const RigComparison& comparison = *compared.comparison;
-  std::string text = compared.file + " (" + std::string(compared.calibration->format->title) + ") beside " + reference.file +
-                     " (" + std::string(reference.calibration->format->title) + ")\n";
+  const std::string reference_name = text::printable(reference.file);
+  const std::string name = text::printable(compared.file);
+  std::string text = name + " (" + std::string(compared.calibration->format->title) + ") beside " + reference_name + " (" +
+                     std::string(reference.calibration->format->title) + ")\n";
   for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera);
   if (inverses_differ(compared)) {
     text += "\ninverse polynomials\n  world2cam, which goes by them, images the same rays up to " +
@@ -147,14 +149,14 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
   }
   text += poses_text(comparison.poses) + facts_text(comparison.facts) + "\n";
   if (!comparison.only_in_reference.empty())
-    text += paragraph("only in " + reference.file + ": " + enumerated(comparison.only_in_reference, "and"), "");
+    text += paragraph("only in " + reference_name + ": " + enumerated(comparison.only_in_reference, "and"), "");
   if (!comparison.only_in_other.empty())
-    text += paragraph("only in " + compared.file + ": " + enumerated(comparison.only_in_other, "and"), "");
+    text += paragraph("only in " + name + ": " + enumerated(comparison.only_in_other, "and"), "");
   constexpr std::size_t kInVerdict = 3;
   if (comparison.mistakes.size() > kInVerdict) {
     for (const Mistake& mistake : comparison.mistakes) text += paragraph("explained: " + sentence(mistake), "");
   }
-  return text + "verdict: " + compared.file + ": " + compared.verdict + "\n";
+  return text + "verdict: " + name + ": " + compared.verdict + "\n";
 }
 
 }  // namespace fca::cli

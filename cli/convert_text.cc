@@ -127,7 +127,8 @@ std::string proofs_text(const ConvertOutcome& outcome) {
     text += "proof: " + proof.program + " ";
     if (!proof.loads) {
       const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
-      text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") + enumerated(proof.refusals) + "\n";
+      text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") +
+              text::printable(enumerated(proof.refusals)) + "\n";
     } else if (proof.all_misread) {
       text += "loads it and misreads it\n";
     } else if (proof.without_cameras) {
@@ -138,7 +139,8 @@ std::string proofs_text(const ConvertOutcome& outcome) {
       text += "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
               " differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
-    for (const std::string& warning : misreadings(proof, outcome.max_angle_given)) text += "  warning: " + warning + "\n";
+    for (const std::string& warning : misreadings(proof, outcome.max_angle_given))
+      text += "  warning: " + text::printable(warning) + "\n";
     if (proof.misread_px > 0.0) {
       text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
       if (!remedy.empty()) text += "  do: " + remedy + "\n";

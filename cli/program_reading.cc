@@ -41,7 +41,7 @@ std::string camera_text(const CameraProof& camera) {
 std::string refusal_text(const std::vector<std::string>& refusals) {
   constexpr std::size_t kMostSaid = 3;
   std::string text;
-  for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) text += "    " + refusals[i] + "\n";
+  for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) text += "    " + text::printable(refusals[i]) + "\n";
   if (refusals.size() > kMostSaid)
     text += "    and " + std::to_string(refusals.size() - kMostSaid) + " more (--json lists them)\n";
   return text;
@@ -62,7 +62,8 @@ std::string view_text(const ProofResult& proof, const Rig& rig, bool within_max_
             "\n";
   }
   for (const std::string& clause : proof.other_numbers) text += "    but: " + clause + "\n";
-  for (const std::string& sentence : misreadings(proof, within_max_angle)) text += "    but: " + sentence + "\n";
+  for (const std::string& sentence : misreadings(proof, within_max_angle))
+    text += "    but: " + text::printable(sentence) + "\n";
   return text;
 }
 

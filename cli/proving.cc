@@ -13,7 +13,7 @@ namespace fca::cli {
 namespace {
 
 std::string disagreement(const ProofResult& proof) {
-  if (!proof.loads) return "it would refuse the file: " + enumerated(proof.refusals);
+  if (!proof.loads) return "it would refuse the file: " + text::printable(enumerated(proof.refusals));
   if (!proof.poses_agree) return "an element of its poses differs by " + text::format_short(proof.max_diff_pose, 3);
   if (proof.pixels_agree) return enumerated(proof.other_numbers, "and");
   if (proof.compared_share == 0.0) return "it has no pixel where we have one";
@@ -115,10 +115,10 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
           "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
           "--anew writes it as " + program + " reads it");
     } else if (refused_before) {
-      outcome.diagnostics.warning(
-          "program-refuses",
-          arguments.into + " is edited and not proven: before and after, " + program + " refuses it: " + proof.refusals.front(),
-          {}, "--anew writes it as " + program + " reads it");
+      outcome.diagnostics.warning("program-refuses",
+                                  arguments.into + " is edited and not proven: before and after, " + program +
+                                      " refuses it: " + text::printable(proof.refusals.front()),
+                                  {}, "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
       outcome.diagnostics.error("proof-failed",
                                 program + " would not understand what was to be written: " + disagreement(proof), {},

@@ -119,11 +119,11 @@ std::string readers_text(const Readers& readers) {
       text += program.sensors.empty() ? "yes\n" : "yes, as " + enumerated(program.sensors) + "\n";
       constexpr std::size_t kMostWarnings = 2;
       for (std::size_t i = 0; i < std::min(kMostWarnings, program.warnings.size()); ++i)
-        text += "    but: " + program.warnings[i] + "\n";
+        text += "    but: " + text::printable(program.warnings[i]) + "\n";
       if (program.warnings.size() > kMostWarnings)
         text += "    and " + std::to_string(program.warnings.size() - kMostWarnings) + " more (--json lists them)\n";
     } else {
-      text += "no: " + (program.refusals.empty() ? std::string("it gives no reason") : program.refusals.front());
+      text += "no: " + (program.refusals.empty() ? "it gives no reason" : text::printable(program.refusals.front()));
       if (program.refusals.size() > 1) text += " (and " + std::to_string(program.refusals.size() - 1) + " more)";
       text += "\n";
     }
@@ -141,8 +141,8 @@ std::string parts_in_words(const Rig& rig) {
 
 std::string show_text(const ShownFile& shown) {
   const Calibration& calibration = *shown.calibration;
-  std::string text = shown.file + ": " + std::string(calibration.format->title) + parts_in_words(calibration.rig) + " (" +
-                     calibration.why + ")\n";
+  std::string text = text::printable(shown.file) + ": " + std::string(calibration.format->title) +
+                     parts_in_words(calibration.rig) + " (" + calibration.why + ")\n";
   for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera, calibration.rig.as_read, shown.limit_deg);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)

@@ -57,6 +57,31 @@ TEST(HostileNames, DoNotReachTheTerminal) {
   }
 }
 
+// A program's refusal quotes the file's keys; a file may be called anything.
+TEST(HostileNames, OfKeysAndFilesMakeUpNoLine) {
+  const TemporaryFolder folder;
+  const std::string chain = read_file(testdata("formats/kalibr/good/block-style.yaml"));
+  const std::string good = folder.write("good.yaml", chain);
+  const std::string key = folder.write("key.yaml", chain + "\"x\\nerror: made up\\e[31m\": {a: 1}\n");
+  const std::string name = folder.write("x\nerror: made up.yaml", chain);
+  for (const std::string& path : {key, name}) {
+    for (const std::vector<std::string>& command : {std::vector<std::string>{"show"},
+                                                    {"show", "--for", "kalibr"},
+                                                    {"check"},
+                                                    {"compare", good},
+                                                    {"convert", "--to", "kalibr", "-o", folder / "out.yaml", "--force"},
+                                                    {"convert", "--to", "opencv", "-o", folder / "out.yml", "--force"}}) {
+      std::vector<std::string> words = command;
+      words.push_back(path);
+      const RunResult run = run_program(words);
+      EXPECT_EQ(run.signal, 0);
+      EXPECT_FALSE(has_control_characters(run.out + run.err)) << command.front() << "\n" << run.out << run.err;
+      EXPECT_FALSE(contains("\n" + run.out + "\n" + run.err, "\nerror: made up")) << command.front() << "\n"
+                                                                                  << run.out << run.err;
+    }
+  }
+}
+
 TEST(HostileNames, StayInTheirFolder) {
   for (const std::string& name : kNames) {
     const TemporaryFolder folder;
