@@ -46,10 +46,11 @@ void walk_folder(const fs::path& folder, WantedExtension wanted, std::vector<std
 
 }  // namespace
 
-std::optional<std::string> pattern_without_file(const std::vector<std::string>& paths) {
+std::optional<std::string> problem_with_patterns(const std::vector<std::string>& paths) {
   const auto found =
       std::ranges::find_if(paths, [](const std::string& path) { return is_pattern(path) && matches(path).empty(); });
-  return found == paths.end() ? std::nullopt : std::optional(*found);
+  if (found == paths.end()) return std::nullopt;
+  return "no file fits the pattern '" + *found + "'";
 }
 
 std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtension wanted) {

@@ -16,8 +16,8 @@ struct FoundFile {
   bool named = true;  ///< By the user; false: met in a folder or by a pattern.
 };
 
-/// The first path that is a pattern (* ? [...]) and fits no file.
-[[nodiscard]] std::optional<std::string> pattern_without_file(const std::vector<std::string>& paths);
+/// Why a path finds nothing: a pattern (* ? [...]) that fits no file.
+[[nodiscard]] std::optional<std::string> problem_with_patterns(const std::vector<std::string>& paths);
 
 /// Which files of a folder are wanted, by their extension with its point.
 using WantedExtension = bool (*)(std::string_view extension);

@@ -138,8 +138,8 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   const bool for_people = !arguments.json && !arguments.sarif;
   ExitCode exit_code = ExitCode::kGood;
   CheckedFiles all;
-  if (const std::optional<std::string> pattern = pattern_without_file(arguments.files))
-    return console.refuse(ExitCode::kIo, "no file fits the pattern '" + *pattern + "'");
+  if (const std::optional<std::string> problem = problem_with_patterns(arguments.files))
+    return console.refuse(ExitCode::kIo, *problem);
   std::vector<FoundFile> files = walk(arguments.files);
   for (std::size_t i = 0; i < files.size(); ++i) {  // the files that one names are checked behind it
     const FoundFile file = files[i];

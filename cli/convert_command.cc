@@ -84,9 +84,7 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments, const 
     return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'" + std::string(kOneRig);
   if (many && arguments.output.empty() && !arguments.json)
     return "several inputs need -o FOLDER/ (or --json)" + std::string(kOneRig);
-  if (const std::optional<std::string> unknown = unknown_placeholder(arguments.output))
-    return "-o: there is no placeholder " + *unknown + "; there are {stem}, {extension}, {folder}, {camera} and {format}";
-  return std::nullopt;
+  return problem_with_pattern(arguments.output);
 }
 
 /// Reading anything else may wait for ever.
@@ -96,8 +94,8 @@ bool is_regular(const FoundFile& file) {
 }
 
 ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
-  if (const std::optional<std::string> pattern = pattern_without_file(arguments.inputs))
-    return console.refuse(ExitCode::kIo, "no file fits the pattern '" + *pattern + "'");
+  if (const std::optional<std::string> problem = problem_with_patterns(arguments.inputs))
+    return console.refuse(ExitCode::kIo, *problem);
   const std::vector<FoundFile> files = walk(arguments.inputs);
   if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular));

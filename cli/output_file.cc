@@ -262,10 +262,11 @@ void remove_leftovers(const std::string& folder) {
   }
 }
 
-std::vector<std::optional<std::string>> write_sets(std::span<const std::vector<OutputFile>> sets, bool overwrite, bool sync) {
+std::vector<std::optional<std::string>> write_sets(std::span<const std::span<const OutputFile>> sets, bool overwrite,
+                                                   bool sync) {
   std::vector<StagedSet> staged;
   staged.reserve(sets.size());
-  for (const std::vector<OutputFile>& files : sets) staged.push_back(stage(files, overwrite));
+  for (const std::span<const OutputFile>& files : sets) staged.push_back(stage(files, overwrite));
   const std::set<fs::path> folders = folders_of(staged);
   if (sync) force_to_disk(staged);
   std::vector<std::optional<std::string>> problems;
@@ -280,8 +281,7 @@ std::vector<std::optional<std::string>> write_sets(std::span<const std::vector<O
 }
 
 std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync) {
-  const std::vector<OutputFile> set(files.begin(), files.end());
-  return write_sets(std::span(&set, 1), overwrite, sync).front();
+  return write_sets(std::span(&files, 1), overwrite, sync).front();
 }
 
 }  // namespace fca::cli

@@ -24,7 +24,7 @@ void remove_leftovers(const std::string& folder);
 
 /// The same of several sets, each of which is written or not for itself: what went wrong with each. All of them are forced to
 /// disk at once, which takes as long as one alone; until then each file is open.
-[[nodiscard]] std::vector<std::optional<std::string>> write_sets(std::span<const std::vector<OutputFile>> sets, bool overwrite,
-                                                                 bool sync);
+[[nodiscard]] std::vector<std::optional<std::string>> write_sets(std::span<const std::span<const OutputFile>> sets,
+                                                                 bool overwrite, bool sync);
 
 }  // namespace fca::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_name.h"
 
+#include "words.h"
+
 #include <fca/formats/file_name.h>
 
 #include <algorithm>
@@ -58,19 +60,28 @@ std::string folder_of(const std::string& input) {
 
 }  // namespace
 
-std::string with_names_of(const std::string& input, const std::string& pattern) {
+std::string with_names_of(const std::string& input, const std::string& camera, const std::string& pattern) {
   const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
   const std::string extension = fs::path(input).extension().string();
-  const std::string path = replaced(replaced(pattern, "{stem}", stem), "{folder}", folder_of(input));
-  return replaced(path, "{extension}", extension.empty() ? extension : extension.substr(1));
+  std::string path = replaced(replaced(pattern, "{stem}", stem), "{folder}", folder_of(input));
+  path = replaced(path, "{extension}", extension.empty() ? extension : extension.substr(1));
+  return replaced(path, "{camera}", as_file_name(camera));
 }
 
-std::optional<std::string> unknown_placeholder(std::string_view pattern, std::span<const std::string_view> known) {
+void make_folder_of(const std::string& path, const std::string& output) {
+  if (!output.ends_with('/') && output.find('{') == std::string::npos) return;
+  std::error_code error;  // what is wrong with the folder, writing into it will tell
+  fs::create_directories(fs::path(path).parent_path(), error);
+}
+
+std::optional<std::string> problem_with_pattern(std::string_view pattern, std::span<const std::string_view> known) {
   for (std::size_t at = pattern.find('{'); at != std::string_view::npos; at = pattern.find('{', at + 1)) {
     const std::size_t end = pattern.find('}', at);
     if (end == std::string_view::npos) return std::nullopt;
-    const std::string_view placeholder = pattern.substr(at, end - at + 1);
-    if (std::ranges::find(known, placeholder) == known.end()) return std::string(placeholder);
+    const std::string_view name = pattern.substr(at, end - at + 1);
+    if (std::ranges::find(known, name) != known.end()) continue;
+    return "-o: " + std::string(name) + " is unknown; there are " +
+           enumerated(std::vector<std::string>(known.begin(), known.end()), "and");
   }
   return std::nullopt;
 }
@@ -90,8 +101,7 @@ std::string output_path(const std::string& output, const std::string& input, con
     return (main_file.parent_path() / fs::path(file.document.source().name).filename()).string();
   }
   if (output.find('{') != std::string::npos) {
-    const std::string cameras = as_file_name(joined(file.cameras));
-    return replaced(replaced(with_names_of(input, output), "{format}", format.id), "{camera}", cameras);
+    return replaced(with_names_of(input, joined(file.cameras), output), "{format}", format.id);
   }
   const fs::path proposal = file.document.source().name;
   if (!names_folder(output)) return output;

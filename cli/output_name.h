@@ -15,12 +15,16 @@ namespace fca::cli {
 /// What output_path() fills in.
 inline constexpr std::array<std::string_view, 5> kPlaceholders = {"{stem}", "{extension}", "{folder}", "{camera}", "{format}"};
 
-/// The first "{...}" of a pattern that is none of the known ones.
-[[nodiscard]] std::optional<std::string> unknown_placeholder(std::string_view pattern,
-                                                             std::span<const std::string_view> known = kPlaceholders);
+/// Why -o is no pattern: the first "{...}" in it that is none of the known ones.
+[[nodiscard]] std::optional<std::string> problem_with_pattern(std::string_view pattern,
+                                                              std::span<const std::string_view> known = kPlaceholders);
 
-/// The pattern with {stem}, {extension} (without its point) and {folder} (the name of the one it lies in) of an input.
-[[nodiscard]] std::string with_names_of(const std::string& input, const std::string& pattern);
+/// The pattern with {stem}, {extension} (without its point) and {folder} (the name of the one it lies in) of an input, and
+/// {camera}: a name that may hold anything.
+[[nodiscard]] std::string with_names_of(const std::string& input, const std::string& camera, const std::string& pattern);
+
+/// Does -o (a folder with its slash, a pattern) name places that need not be there yet? Then makes the folder of `path`.
+void make_folder_of(const std::string& path, const std::string& output);
 
 /// Is `output` (-o) a folder, which has room for several files?
 [[nodiscard]] bool names_folder(const std::string& output);

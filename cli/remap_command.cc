@@ -162,8 +162,8 @@ std::string json_of(const RemapArguments& arguments, const Remapping& done, Exit
 
 ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
-  if (const std::optional<std::string> pattern = pattern_without_file(arguments.images))
-    return console.refuse(ExitCode::kIo, "no file fits the pattern '" + *pattern + "'");
+  if (const std::optional<std::string> problem = problem_with_patterns(arguments.images))
+    return console.refuse(ExitCode::kIo, *problem);
   const std::vector<FoundFile> images =
       arguments.images.empty() ? std::vector<FoundFile>() : walk(arguments.images, &is_image_extension);
   Remapping done;

@@ -11,8 +11,6 @@
 #include "progress.h"
 #include "words.h"
 
-#include <fca/formats/file_name.h>
-
 #include <array>
 #include <filesystem>
 #include <set>
@@ -28,14 +26,7 @@ constexpr std::array<std::string_view, 4> kOfImages = {"{stem}", "{extension}", 
 bool names_many(const std::string& output) { return output.find('{') != std::string::npos || names_folder(output); }
 
 std::string output_path(const std::string& output, const std::string& input, const std::string& camera) {
-  if (output.find('{') != std::string::npos) {
-    std::string path = with_names_of(input, output);
-    constexpr std::string_view kCamera = "{camera}";
-    const std::string name = as_file_name(camera);
-    for (std::size_t at = path.find(kCamera); at != std::string::npos; at = path.find(kCamera, at + name.size()))
-      path.replace(at, kCamera.size(), name);
-    return path;
-  }
+  if (output.find('{') != std::string::npos) return with_names_of(input, camera, output);
   return names_folder(output) ? (fs::path(output) / fs::path(input).filename()).string() : output;
 }
 
@@ -67,10 +58,7 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
     console.out(*bytes);
     return;
   }
-  if (arguments.output.ends_with('/') || arguments.output.find('{') != std::string::npos) {
-    std::error_code error;  // what is wrong with the folder, writing into it will tell
-    fs::create_directories(fs::path(result.output).parent_path(), error);
-  }
+  make_folder_of(result.output, arguments.output);
   const OutputFile file{result.output, *bytes};
   if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false))
     refuse(ExitCode::kIo, "cannot-write", *failure);
@@ -85,8 +73,7 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
   if (images.empty() && !arguments.output.empty()) return "-o is for images, and there is none";
   if (!images.empty() && arguments.output.empty())
     return "-o is missing: a file, a folder, or a pattern such as 'out/{stem}.png'";
-  if (const std::optional<std::string> unknown = unknown_placeholder(arguments.output, kOfImages))
-    return "-o: there is no placeholder " + *unknown + "; there are {stem}, {extension}, {folder} and {camera}";
+  if (std::optional<std::string> problem = problem_with_pattern(arguments.output, kOfImages)) return problem;
   const bool many = images.size() > 1 || (images.size() == 1 && !images.front().named);
   if (many && !names_many(arguments.output)) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
   if (arguments.json && arguments.output == "-") return "with --json the image needs a file: -o PATH";

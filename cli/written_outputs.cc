@@ -25,7 +25,7 @@ std::string apart(const std::vector<ConvertOutcome>& outcomes) {
       first.written.files.empty() ? std::string(first.to->extension) : extension_of(first.written.files.front(), *first.to);
   for (const std::string_view names : {"{stem}", "{stem}.{extension}", "{folder}.{stem}", "{folder}.{stem}.{extension}"}) {
     std::set<std::string> paths;
-    for (const ConvertOutcome& outcome : outcomes) paths.insert(with_names_of(outcome.input, std::string(names)));
+    for (const ConvertOutcome& outcome : outcomes) paths.insert(with_names_of(outcome.input, "", std::string(names)));
     if (paths.size() == outcomes.size())
       return "use a pattern such as -o 'out/" + std::string(names) + (several ? ".{camera}" : "") + extension + "'";
   }
@@ -43,13 +43,7 @@ std::vector<OutputFile> files_of(const ConvertArguments& arguments, const Conver
       console.out(output.bytes);
     }
   }
-  // A folder or a pattern names places that need not be there yet.
-  if (arguments.output.ends_with('/') || arguments.output.find('{') != std::string::npos) {
-    for (const OutputFile& file : files) {
-      std::error_code error;  // what is wrong with the folder, writing into it will tell
-      fs::create_directories(fs::path(file.path).parent_path(), error);
-    }
-  }
+  for (const OutputFile& file : files) make_folder_of(file.path, arguments.output);
   return files;
 }
 
@@ -91,7 +85,8 @@ std::size_t write_outputs(const ConvertArguments& arguments, std::span<ConvertOu
     files += sets.back().size();
   } while (arguments.fsync && sets.size() < outcomes.size() && files < kMostFiles);
   const std::vector<std::optional<std::string>> problems =
-      write_sets(sets, arguments.force || arguments.in_place, arguments.fsync);
+      write_sets(std::vector<std::span<const OutputFile>>(sets.begin(), sets.end()), arguments.force || arguments.in_place,
+                 arguments.fsync);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (!problems[i]) continue;
     outcomes[i].diagnostics.error("cannot-write", *problems[i]);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program's start and a whole conversion, as the shell pays for them, beside an empty C++ program: their ratio is what
 // compares between machines. Wall-clock time, as the processor time of children is not counted.
-#include <benchmark/benchmark.h>
+#include "child.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <benchmark/benchmark.h>
 
 #include <filesystem>
 #include <string>
@@ -14,26 +11,9 @@
 
 namespace {
 
-/// Runs a program with its output thrown away; its exit code, or -1.
-int run(std::vector<std::string> words) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (const int channel : {STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, channel, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  const int failure = posix_spawn(&child, arguments.front(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (failure != 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-  return WEXITSTATUS(status);
-}
-
 void process(benchmark::State& state, const std::vector<std::string>& words) {
   for (auto _ : state) {
-    if (run(words) == 0) continue;
+    if (fca::bench::run(words).code == 0) continue;
     state.SkipWithError("the program failed");
     return;
   }
