@@ -138,8 +138,9 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
     diagnostics.error("fit-failed", task.camera.name + ": no " + std::string(task.target.id) + " camera comes near this one");
     return std::nullopt;
   }
-  if (fitted.reach_rad < std::numbers::pi) warn_of_cone(task, fitted.reach_rad, diagnostics);
   Conversion conversion{task.camera, {}};
+  conversion.report.fitted_to_cone = fitted.reach_rad < std::numbers::pi;
+  if (conversion.report.fitted_to_cone) warn_of_cone(task, fitted.reach_rad, diagnostics);
   conversion.camera.model = fitted.model->model;
   const internal::Scorer scorer = scorer_of(task, fitted.model->model, fitted.reach_rad);
   conversion.report.judgement = final_judgement(task, scorer, std::move(found.score));

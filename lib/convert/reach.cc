@@ -15,6 +15,7 @@ namespace {
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kFirstDeg = 90.0;
 constexpr double kStepDeg = 5.0;
+constexpr double kHair = 1e-9;  // rad: the cone itself
 
 /// The domain in which there is a choice.
 std::optional<Domain> wide_domain(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
@@ -53,12 +54,17 @@ ReachRow row_beyond(const Camera& camera, Domain domain, double angle_rad, const
 /// `whole` is null where the whole domain led to no conversion.
 std::vector<ReachRow> rows(const Camera& camera, const ConvertOptions& options, const Domain& domain,
                            const ConversionReport* whole) {
-  // Such a target is fitted to a cone inside 90 degrees wherever the lens ends beyond.
-  const bool same_fit = whole != nullptr && !whole->exact && internal::sees_ahead_only(whole->to_model);
+  // A target that sees ahead only is fitted to a cone inside 90 degrees wherever the lens ends beyond; any other to the largest
+  // cone that it describes, whatever the lens has beyond.
+  const auto is_same_fit = [&](double angle_rad) {
+    if (whole == nullptr || whole->exact) return false;
+    if (internal::sees_ahead_only(whole->to_model)) return true;
+    return whole->fitted_to_cone && angle_rad > whole->scored_to_deg * kRadiansPerDegree + kHair;
+  };
   std::vector<ReachRow> table;
   for (int i = 0; (kFirstDeg + i * kStepDeg) * kRadiansPerDegree < domain.max_angle_rad; ++i) {
     const double angle_rad = (kFirstDeg + i * kStepDeg) * kRadiansPerDegree;
-    if (same_fit) {
+    if (is_same_fit(angle_rad)) {
       table.push_back(row_beyond(camera, domain, angle_rad, *whole));
     } else if (const std::optional<ReachRow> row = fitted_row(camera, options, angle_rad)) {
       table.push_back(*row);

@@ -93,33 +93,40 @@ TEST(ReachTable, AWiderAngleNeverScoresLessOnAPlane) {
   }
 }
 
-TEST(ReachTable, IsOneFitForATargetThatSeesOnlyWhatIsAhead) {
-  for (const char* target : {"pinhole", "radtan", "rational"}) {
-    ConvertOptions options;
-    options.model = target;
-    Diagnostics diagnostics;
-    const std::optional<Conversion> whole = convert(test::tumvi(), options, diagnostics);
-    ASSERT_TRUE(whole);
-    const std::vector<ReachRow> table = reach_table(test::tumvi(), options, whole->report, diagnostics);
-    ASSERT_GE(table.size(), 4u);
-    for (const ReachRow& row : table) {
-      SCOPED_TRACE(std::string(target) + " " + std::to_string(row.max_angle_deg));
-      // It is what a conversion inside that angle says.
-      options.max_angle_rad = row.max_angle_deg * test::kRadians;
-      const std::optional<Conversion> inside = convert(test::tumvi(), options, diagnostics);
-      ASSERT_TRUE(inside);
-      const Judgement& judgement = inside->report.judgement;
-      EXPECT_NEAR(row.rms_px, judgement.error.rms, 1e-3 * judgement.error.rms);
-      EXPECT_NEAR(row.max_px, judgement.error.max, 1e-2 * judgement.error.max);
-      EXPECT_NEAR(row.scored, judgement.coverage.scored, 1e-3);
-      EXPECT_NEAR(row.unrepresentable, judgement.coverage.unrepresentable, 1e-3);
-    }
-    options.max_angle_rad.reset();
-    // And so is what is worked out without the conversion at hand.
-    const std::vector<ReachRow> again = reach_table(test::tumvi(), options, diagnostics);
-    ASSERT_EQ(again.size(), table.size());
-    for (std::size_t i = 0; i < table.size(); ++i) EXPECT_EQ(again[i].rms_px, table[i].rms_px) << target;
+/// Each row is what a conversion inside its angle says, whether the table made that conversion or saved it.
+void expect_rows_are_conversions(const Camera& camera, std::string_view target) {
+  ConvertOptions options;
+  options.model = target;
+  Diagnostics diagnostics;
+  const std::optional<Conversion> whole = convert(camera, options, diagnostics);
+  ASSERT_TRUE(whole);
+  const std::vector<ReachRow> table = reach_table(camera, options, whole->report, diagnostics);
+  ASSERT_GE(table.size(), 4u);
+  for (const ReachRow& row : table) {
+    SCOPED_TRACE(camera.name + " " + std::string(target) + " " + std::to_string(row.max_angle_deg));
+    options.max_angle_rad = row.max_angle_deg * test::kRadians;
+    const std::optional<Conversion> inside = convert(camera, options, diagnostics);
+    ASSERT_TRUE(inside);
+    const Judgement& judgement = inside->report.judgement;
+    EXPECT_NEAR(row.rms_px, judgement.error.rms, 1e-3 * judgement.error.rms);
+    EXPECT_NEAR(row.max_px, judgement.error.max, 1e-2 * judgement.error.max);
+    EXPECT_NEAR(row.scored_to_deg, inside->report.scored_to_deg, 1e-3);
+    EXPECT_NEAR(row.scored, judgement.coverage.scored, 1e-3);
+    EXPECT_NEAR(row.unrepresentable, judgement.coverage.unrepresentable, 1e-3);
   }
+  options.max_angle_rad.reset();
+  // And so is what is worked out without the conversion at hand.
+  const std::vector<ReachRow> again = reach_table(camera, options, diagnostics);
+  ASSERT_EQ(again.size(), table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) EXPECT_EQ(again[i].rms_px, table[i].rms_px) << target;
+}
+
+TEST(ReachTable, IsOneFitForATargetThatSeesOnlyWhatIsAhead) {
+  for (const char* target : {"pinhole", "radtan", "rational"}) expect_rows_are_conversions(test::tumvi(), target);
+}
+
+TEST(ReachTable, IsOneFitBeyondTheConeThatATargetDescribes) {
+  expect_rows_are_conversions(test::t265_like(), "ucm");
 }
 
 TEST(ReachTable, IsEmptyWithoutAChoice) {

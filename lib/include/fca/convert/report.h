@@ -96,6 +96,7 @@ struct ConversionReport {
   /// Nothing further from the axis was scored: the domain's largest angle, or where the target ends, by itself or because it
   /// was fitted to a cone.
   double scored_to_deg = 0.0;
+  bool fitted_to_cone = false;  ///< The target cannot describe all of the domain and was fitted to the cone that ends there.
   FitSummary fit;
   Objective objective = Objective::kRms;
   std::optional<RmsFit> rms_fit;      ///< Of a fit for the largest error.
