@@ -125,9 +125,7 @@ TEST(ReachTable, IsOneFitForATargetThatSeesOnlyWhatIsAhead) {
   for (const char* target : {"pinhole", "radtan", "rational"}) expect_rows_are_conversions(test::tumvi(), target);
 }
 
-TEST(ReachTable, IsOneFitBeyondTheConeThatATargetDescribes) {
-  expect_rows_are_conversions(test::t265_like(), "ucm");
-}
+TEST(ReachTable, IsOneFitBeyondTheConeThatATargetDescribes) { expect_rows_are_conversions(test::t265_like(), "ucm"); }
 
 TEST(ReachTable, IsEmptyWithoutAChoice) {
   ConvertOptions options;
