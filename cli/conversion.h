@@ -5,6 +5,7 @@
 #include "choose_model.h"
 #include "console.h"
 #include "reading.h"
+#include "writing_options.h"
 
 #include <fca/formats/calibration.h>
 #include <fca/formats/proof.h>
@@ -15,27 +16,15 @@
 
 namespace fca::cli {
 
-struct ConvertArguments {
+struct ConvertArguments : WritingOptions {
   std::vector<std::string> words;  ///< The command line, without the program's name.
   std::vector<std::string> inputs;
   ReadingOptions reading;
-  std::string to;
-  std::string model;
   std::string output;
-  std::string sensor;
-  std::string orbslam3_layout;
-  std::string opencv_layout;
-  std::string into;
   bool in_place = false;
-  bool anew = false;
-  bool every_pixel = false;
-  std::string objective = "rms";
   std::size_t jobs = 0;  ///< Inputs, or cameras of one input, at the same time; 0: as many as there are processors.
-  std::optional<double> fps;
   std::optional<double> max_error_px;
-  std::optional<double> baseline_m;
-  std::vector<std::string> settings;  ///< "KEY=VALUE"
-  bool provenance = false;            ///< In edited files, too.
+  bool provenance = false;  ///< In edited files, too.
   bool no_provenance = false;
   bool strict = false;
   bool no_verify = false;

@@ -8,9 +8,6 @@
 #include "words.h"
 #include "written_outputs.h"
 
-#include <fca/formats/text/numbers.h>
-#include <fca/rig/limits.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -23,27 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An option that is one format's own, as an error if that one does not know the value.
-std::optional<std::string> not_among(const std::string& value, std::string_view kind, std::string_view owner,
-                                     std::span<const std::string_view> Format::*values) {
-  if (value.empty()) return std::nullopt;
-  const Format* format = find_format(owner);
-  const std::span<const std::string_view> known = format != nullptr ? format->*values : std::span<const std::string_view>();
-  if (std::ranges::find(known, value) != known.end()) return std::nullopt;
-  const std::vector<std::string> names(known.begin(), known.end());
-  return unknown_word(kind, value, names);
-}
-
-/// The key of two settings.
-std::optional<std::string> key_set_twice(const std::vector<std::string>& settings) {
-  std::set<std::string> keys;
-  for (const std::string& setting : settings) {
-    const std::string key = setting.substr(0, setting.find('='));
-    if (!keys.insert(key).second) return key;
-  }
-  return std::nullopt;
-}
-
 std::optional<std::string> usage_error(const ConvertArguments& arguments, const std::vector<FoundFile>& files) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (arguments.in_place && arguments.into.empty()) {
@@ -52,29 +28,10 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments, const 
            " --in-place";
   }
   if (arguments.into.empty() && arguments.to.empty()) return "--to FORMAT is missing: " + format_names();
-  if (!arguments.to.empty() && find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
+  if (const std::optional<std::string> error = problem_with(arguments)) return error;
   if (arguments.provenance && arguments.no_provenance) return "--provenance and --no-provenance contradict each other";
   if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
-  if (!arguments.model.empty() && find_model(arguments.model) == nullptr) return unknown_model(arguments.model);
-  if (arguments.objective != "rms" && arguments.objective != "max")
-    return "unknown objective '" + arguments.objective + "'; there are rms and max";
-  if (arguments.fps && !(*arguments.fps > 0.0 && *arguments.fps < 1e6))
-    return "--fps wants a rate in Hz, more than 0 and below 1e6";
-  if (arguments.baseline_m && problem_with_baseline(*arguments.baseline_m))
-    return "--baseline wants a positive number of metres";
-  for (const std::string& setting : arguments.settings) {
-    if (setting.find('=') == std::string::npos || setting.starts_with('='))
-      return "--set wants KEY=VALUE, such as Viewer.PointSize=3.0; got '" + setting + "'";
-  }
-  if (const std::optional<std::string> twice = key_set_twice(arguments.settings))
-    return "--set " + *twice + " comes twice; one value can stand there";
   if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
-  if (const Format* to = find_format(arguments.to)) {
-    if (const auto error = option_without_use(arguments, *to)) return error;
-  }
-  if (const auto error = not_among(arguments.sensor, "sensor mode", "orbslam3", &Format::modes)) return error;
-  if (const auto error = not_among(arguments.orbslam3_layout, "layout", "orbslam3", &Format::layouts)) return error;
-  if (const auto error = not_among(arguments.opencv_layout, "layout", "opencv", &Format::layouts)) return error;
   const bool many = !arguments.reading.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
   if (many && !arguments.into.empty()) return "--into wants one input, or several that are one rig (--join)";
   const bool one_path =
@@ -162,36 +119,8 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
   add_reading_options(command, arguments.reading);
   add_join_option(command, arguments.reading);
   add_imu_option(command, arguments.reading);
-  command
-      .add_option("--sensor", arguments.sensor,
-                  "orbslam3: mono, stereo, rgbd, mono-inertial or stereo-inertial (default: the richest the input serves)")
-      ->type_name("MODE");
-  command
-      .add_option("--orbslam3-layout", arguments.orbslam3_layout,
-                  "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else v1)")
-      ->type_name("LAYOUT");
-  command
-      .add_option("--opencv-layout", arguments.opencv_layout,
-                  "calibration, stereo, omnidir, cameras or left-right (default: what the cameras need)")
-      ->type_name("LAYOUT");
-  command.add_option("--into", arguments.into, "Write what the input says into this file's text; its format is --to")
-      ->type_name("BASE");
-  command
-      .add_option("--objective", arguments.objective,
-                  "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)")
-      ->type_name("rms|max");
-  command.add_flag("--every-pixel", arguments.every_pixel, "Judge by every pixel, not by a lattice of about 5,000 points");
-  command.add_flag("--anew", arguments.anew, "Write a fresh file even where the input's own text could be edited; comments go");
+  add_writing_options(command, arguments);
   command.add_flag("--in-place", arguments.in_place, "With --into: change BASE itself");
-  command.add_option("--fps", arguments.fps, "Frame rate, for formats that state it")->type_name("HZ")->check(decimal_number());
-  command.add_option("--baseline", arguments.baseline_m, "Baseline of a rectified pair or depth sensor")
-      ->type_name("METRES")
-      ->check(decimal_number());
-  take_one_each_time(
-      *command
-           .add_option("--set", arguments.settings,
-                       "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable")
-           ->type_name("KEY=VALUE"));
   command.add_flag("--provenance", arguments.provenance,
                    "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)");
   command.add_flag("--no-provenance", arguments.no_provenance, "Leave out that comment");

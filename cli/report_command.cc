@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_command.h"
 
+#include "option_use.h"
 #include "output_file.h"
 #include "report/command_line.h"
 #include "report/contents.h"
@@ -23,27 +24,29 @@ namespace {
 
 constexpr std::string_view kAllModels = "all";
 
-std::optional<std::string> problem_with(const ReportArguments& arguments) {
+/// What a conversion is asked for: "all" is no model of one.
+WritingOptions one_model(const ReportArguments& arguments) {
+  WritingOptions options = arguments;
+  if (options.model == kAllModels) options.model.clear();
+  return options;
+}
+
+std::optional<std::string> usage_error(const ReportArguments& arguments) {
   if (const std::optional<std::string> error = check(arguments.reading)) return error;
   if (arguments.inputs.size() > 1 && !arguments.reading.join)
     return "a page is about one calibration; parts of it go behind --with, cameras of one rig want --join";
-  if (!arguments.to.empty() && find_format(arguments.to) == nullptr) return unknown_format(arguments.to);
   if (!arguments.model.empty() && arguments.model != kAllModels && find_model(arguments.model) == nullptr)
     return unknown_model(arguments.model) + " --model all lays every model beside the others";
-  if (arguments.objective != "rms" && arguments.objective != "max")
-    return "unknown objective '" + arguments.objective + "'; there are rms and max";
-  return std::nullopt;
+  if (const std::optional<std::string> error = option_without_file(arguments)) return error;
+  return problem_with(one_model(arguments));
 }
 
-/// As `convert --to FORMAT` would, in memory.
+/// As `convert` would, in memory.
 ConvertOutcome converted(const ReportArguments& arguments, Console& console) {
   ConvertArguments convert;
+  static_cast<WritingOptions&>(convert) = one_model(arguments);
   convert.inputs = arguments.inputs;
   convert.reading = arguments.reading;
-  convert.to = arguments.to;
-  if (arguments.model != kAllModels) convert.model = arguments.model;
-  convert.objective = arguments.objective;
-  convert.every_pixel = arguments.every_pixel;
   convert.dry_run = true;
   convert.json = true;  // which holds files that need a folder
   return convert_inputs(convert.inputs, convert, console);
@@ -114,7 +117,7 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
 }
 
 ExitCode run_report(const ReportArguments& arguments, const CLI::App& command, Console& console) {
-  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
+  if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   ReportContents contents;
   ShowArguments show;
   show.reading = arguments.reading;
@@ -129,9 +132,9 @@ ExitCode run_report(const ReportArguments& arguments, const CLI::App& command, C
     names.push_back(input == "-" ? "standard input" : std::filesystem::path(input).filename().string());
   contents.title = enumerated(names, "and");
   contents.max_angle_rad = max_angle_rad(arguments.reading);
-  contents.to = arguments.to.empty() ? nullptr : find_format(arguments.to);
-  if (contents.to != nullptr) {
+  if (!arguments.to.empty() || !arguments.into.empty()) {
     contents.conversion = converted(arguments, console);
+    contents.to = contents.conversion->to;
   } else if (!arguments.model.empty() && arguments.model != kAllModels) {
     contents.conversion = fitted(arguments, contents.shown);
   }
@@ -170,9 +173,7 @@ void add_report_command(CLI::App& app, ReportArguments& arguments, std::function
   add_reading_options(command, arguments.reading);
   add_join_option(command, arguments.reading);
   add_imu_option(command, arguments.reading);
-  command.add_option("--objective", arguments.objective, "What a fit makes small: rms, or max, the error of the worst pixel")
-      ->type_name("rms|max");
-  command.add_flag("--every-pixel", arguments.every_pixel, "Judge by every pixel, not by a lattice of about 5,000 points");
+  add_writing_options(command, arguments);
   command.add_flag("--force", arguments.force, "Overwrite an existing page");
   command.footer(
       "The page needs nothing beside itself: no network, no scripts. It is written even where convert would refuse to write\n"

@@ -3,6 +3,7 @@
 
 #include "console.h"
 #include "reading.h"
+#include "writing_options.h"
 
 #include <functional>
 #include <string>
@@ -14,13 +15,10 @@ class App;
 
 namespace fca::cli {
 
-struct ReportArguments {
+/// The model "all": every model beside the others.
+struct ReportArguments : WritingOptions {
   std::vector<std::string> inputs;
   ReadingOptions reading;
-  std::string to;
-  std::string model;  ///< "all": every model beside each other.
-  std::string objective = "rms";
-  bool every_pixel = false;
   std::string output;
   bool force = false;
 };

@@ -78,6 +78,34 @@ TEST(Report, HasTheNumbersOfConvert) {
   for (const auto& value : json["defaults"].GetArray()) EXPECT_TRUE(contains(html, value["key"].GetString()));
 }
 
+// What decides the bytes of a file decides what its page shows: the losses and the made-up values of just that command.
+TEST(Report, TakesWhatConvertTakes) {
+  const TemporaryFolder folder;
+  const std::string base = folder / "base.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--to", "orbslam3", "-o", base}).code, 0);
+  const std::vector<std::vector<std::string>> choices = {
+      {"--to", "orbslam3", "--sensor", "mono"},
+      {"--to", "orbslam3", "--orbslam3-layout", "old", "--fps", "33"},
+      {"--to", "orbslam3", "--set", "Viewer.PointSize=3.5"},
+      {"--to", "opencv", "--opencv-layout", "cameras"},
+      {"--into", base, "--fps", "33"},
+      {"--to", "kalibr", "--anew", "--model", "ds"},
+  };
+  for (const std::vector<std::string>& choice : choices) {
+    SCOPED_TRACE(choice.back());
+    const std::vector<std::string> words = with({kTumvi}, choice);
+    const std::string html = page(words);
+    const RunResult run = run_program(with({"convert"}, with(words, {"--json"})));
+    rapidjson::Document json;
+    json.Parse(run.out.c_str());
+    ASSERT_FALSE(json.HasParseError()) << run.out << run.err;
+    for (const auto& loss : json["losses"].GetArray()) EXPECT_TRUE(contains(html, loss["what"].GetString()));
+    for (const auto& value : json["defaults"].GetArray()) EXPECT_TRUE(contains(html, value["key"].GetString()));
+    std::string typed = "fca-io convert " + words.front();
+    for (const std::string& word : choice) EXPECT_TRUE(contains(html.substr(html.rfind(typed)), word)) << word;
+  }
+}
+
 TEST(Report, EveryModelStandsBesideTheOthers) {
   const std::string html = page({kTumvi, "--model", "all", "--camera", "0"});
   for (const ModelInfo& model : all_models()) EXPECT_TRUE(contains(html, ">" + std::string(model.id))) << model.id;
@@ -154,6 +182,9 @@ TEST(Report, RefusesWhatItCannotShow) {
   EXPECT_EQ(code({kTumvi, "--model", "nothing"}), 3);
   EXPECT_EQ(code({kTumvi, kTumvi}), 3) << "two calibrations";
   EXPECT_EQ(code({kTumvi, "--objective", "nothing"}), 3);
+  EXPECT_EQ(code({kTumvi, "--to", "kalibr", "--fps", "20"}), 3) << "nothing of that in the format";
+  EXPECT_EQ(code({kTumvi, "--fps", "20"}), 3) << "of a file that is not written";
+  EXPECT_EQ(code({kTumvi, "--model", "all", "--set", "Viewer.PointSize=3"}), 3);
   EXPECT_EQ(code({kImu, "--model", "eucm"}), 2) << "no camera";
   EXPECT_EQ(code({folder.write("bad.yaml", "cam0: [")}), 2);
   EXPECT_EQ(code({folder / "missing.yaml"}), 4);
