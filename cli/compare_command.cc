@@ -36,6 +36,7 @@ ReadingOptions of_file(const CompareArguments& arguments) {
   options.crop.clear();
   options.binning = 1;
   options.resize.clear();
+  options.lens_circles.clear();
   return options;
 }
 
@@ -197,6 +198,7 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
   command.add_option("REF", arguments.reference, "The calibration that counts as right; '-' is standard input")->required();
   command.add_option("FILE", arguments.files, "Calibration file(s) to lay beside it, each by itself")->required();
   add_reading_options(command, arguments.reading);
+  add_lens_circle_option(command, arguments.reading);
   add_join_option(command, arguments.reading);
   command.get_option("--join")->group("");  // refused: not worth a line of the help
   take_one_each_time(*command

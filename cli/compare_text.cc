@@ -76,7 +76,9 @@ std::string corners_text(const Judgement& judgement) {
     if (inside > kMostOfIt * judgement.error.max) break;
     to_deg = band.to_deg;
   }
-  if (to_deg < kWide || to_deg >= judgement.coverage.max_angle_deg || judgement.error.max <= kSamePx) return "";
+  if (judgement.coverage.circle || to_deg < kWide || to_deg >= judgement.coverage.max_angle_deg ||
+      judgement.error.max <= kSamePx)
+    return "";
   const std::string limit = fixed(to_deg, 0);
   return "  if the corners are black beyond " + limit + " deg, --max-angle " + limit + " compares only the lens\n";
 }

@@ -433,7 +433,7 @@ ConvertOutcome convert_inputs(const std::vector<std::string>& inputs, const Conv
   ConvertOutcome outcome;
   outcome.input = inputs.front();
   outcome.to = find_format(arguments.to);
-  outcome.max_angle_given = max_angle_rad(arguments.reading).has_value();
+  outcome.max_angle_given = max_angle_rad(arguments.reading).has_value() || !arguments.reading.lens_circles.empty();
   if (convert_into(inputs, arguments, console, outcome)) return outcome;
   const ExitCode code = code_of(outcome.diagnostics);
   outcome.code = worse(outcome.code, code == ExitCode::kGood ? ExitCode::kBadInput : code);

@@ -117,6 +117,7 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
           "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (default: standard output)")
       ->type_name("PATH");
   add_reading_options(command, arguments.reading);
+  add_lens_circle_option(command, arguments.reading);
   add_join_option(command, arguments.reading);
   add_imu_option(command, arguments.reading);
   add_writing_options(command, arguments);

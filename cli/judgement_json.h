@@ -6,12 +6,22 @@
 
 #include <fca/convert/report.h>
 
+#include <span>
+
 namespace fca::cli {
 
 inline void put_domain(Json& json, const Coverage& coverage, double scored_to_deg) {
   json.object("domain", [&] {
     json.put("max_angle_deg", coverage.max_angle_deg);
     json.put("why", coverage.why);
+    if (coverage.circle) {
+      json.object("lens_circle", [&] {
+        json.put("centre", std::span<const double>(coverage.circle->centre));
+        json.put("radius_px", coverage.circle->radius_px);
+        json.put("rim_share", coverage.circle->rim_share);
+        json.put("rms_px", coverage.circle->rms_px);
+      });
+    }
     json.put("scored_to_deg", scored_to_deg);
     json.put("scored_share", coverage.scored);
     json.put("outside_lens_share", coverage.outside_lens);

@@ -2,7 +2,7 @@
 #include "reading.h"
 
 #include "imu_noise.h"
-
+#include "lens_circles.h"
 #include "words.h"
 
 #include <fca/formats/text/numbers.h>
@@ -41,6 +41,14 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                   "What counts as lens, in degrees from the axis (default: the whole image)")
       ->type_name("DEG")
       ->check(decimal_number());
+}
+
+void add_lens_circle_option(CLI::App& command, ReadingOptions& options) {
+  take_one_each_time(*command
+                          .add_option("--lens-circle", options.lens_circles,
+                                      "What counts as lens: the lit circle in this image, taken by the camera (of several: "
+                                      "cam0=IMAGE); may be given several times, for dark scenes")
+                          ->type_name("[CAMERA=]IMAGE"));
 }
 
 void add_join_option(CLI::App& command, ReadingOptions& options) {
@@ -229,6 +237,8 @@ std::optional<std::string> check(const ReadingOptions& options) {
   if (options.max_angle_deg && !(*options.max_angle_deg > 0.0 && *options.max_angle_deg <= 180.0)) {
     return "--max-angle wants degrees from the axis in (0, 180]";
   }
+  if (options.max_angle_deg && !options.lens_circles.empty())
+    return "--max-angle and --lens-circle both say where the lens ends; give one of them";
   return std::nullopt;
 }
 
@@ -289,6 +299,7 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
     keep_only(*indices, calibration->rig);
   }
   if (!change_images(options, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
+  if (!add_lens_circles(options.lens_circles, calibration->rig, diagnostics)) return std::nullopt;
   const NoiseKind* noise = find_noise_kind(options.imu_noise);
   if (noise != nullptr && !make_densities(*noise, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
   return calibration;

@@ -30,11 +30,15 @@ struct ReadingOptions {
   int binning = 1;
   std::string resize;  ///< "640x480"
   std::optional<double> max_angle_deg;
-  std::string imu_noise;  ///< A NoiseKind by its name; empty: densities.
+  std::vector<std::string> lens_circles;  ///< "IMAGE" or "CAMERA=IMAGE"
+  std::string imu_noise;                  ///< A NoiseKind by its name; empty: densities.
 };
 
 /// --from, --with, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle
 void add_reading_options(CLI::App& command, ReadingOptions& options);
+
+/// --lens-circle, for commands that measure over the lens.
+void add_lens_circle_option(CLI::App& command, ReadingOptions& options);
 
 /// --join, for commands that take several files.
 void add_join_option(CLI::App& command, ReadingOptions& options);

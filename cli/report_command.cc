@@ -171,6 +171,7 @@ void add_report_command(CLI::App& app, ReportArguments& arguments, std::function
       ->type_name("MODEL|all");
   command.add_option("-o,--output", arguments.output, "The page: one HTML file (default: standard output)")->type_name("PATH");
   add_reading_options(command, arguments.reading);
+  add_lens_circle_option(command, arguments.reading);
   add_join_option(command, arguments.reading);
   add_imu_option(command, arguments.reading);
   add_writing_options(command, arguments);

@@ -96,6 +96,7 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
   double worst = 0.0;
   const auto compare_at = [&](const Pixel& pixel, double area) {
     if (pixel[0] < 0.0 || pixel[1] < 0.0 || pixel[0] > last[0] || pixel[1] > last[1]) return false;
+    if (ours.lens_circle && !ours.lens_circle->contains(pixel)) return false;
     const std::optional<Ray> ray = unproject(ours.model, pixel);
     if (!ray || angle_from_axis(*ray) > max_angle_rad) return false;
     const double difference = compare_pixel(pixel, *ray, theirs, area, tolerance, result);

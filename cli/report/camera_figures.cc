@@ -145,6 +145,7 @@ std::optional<MapFigure> error_map(const DrawnCamera& camera) {
   figure.marked = error.max_at;
   figure.mark_label = "max " + pixels(error.max) + " px";
   figure.axis = principal_point(camera.source.model);
+  figure.rim = camera.source.lens_circle;
   return figure;
 }
 
@@ -159,6 +160,7 @@ std::optional<MapFigure> angle_map(const DrawnCamera& camera) {
   figure.field = *std::move(field);
   figure.coarse = *std::move(coarse);
   figure.axis = principal_point(camera.source.model);
+  figure.rim = camera.source.lens_circle;
   return figure;
 }
 

@@ -180,6 +180,26 @@ void put_axis_cross(Html& html, const Placed& placed, const Pixel& axis) {
   for (const char* style : {"ring back", "ring"}) html.element("path", {{"class", style}, {"d", path}}, "");
 }
 
+/// A picture in the picture: what of the rim lies beyond the image is cut off.
+void put_rim(Html& html, const Placed& placed, const LensCircle& rim) {
+  const double scale = placed.width / placed.image.width;
+  html.element("svg",
+               {{"x", coordinate(placed.x)},
+                {"y", coordinate(kEdge)},
+                {"width", coordinate(placed.width)},
+                {"height", coordinate(placed.height)}},
+               [&] {
+                 for (const char* style : {"rim back", "rim"}) {
+                   html.element("circle",
+                                {{"class", style},
+                                 {"cx", coordinate(placed.x_of(rim.centre[0]) - placed.x)},
+                                 {"cy", coordinate(placed.y_of(rim.centre[1]) - kEdge)},
+                                 {"r", coordinate(rim.radius_px * scale)}},
+                                "");
+                 }
+               });
+}
+
 void put_colour_bar(Html& html, const ColourScale& scale, double y) {
   constexpr double kLeft = 14.0;
   constexpr double kRight = 424.0;
@@ -237,6 +257,7 @@ void put_legend(Html& html, const MapFigure& figure) {
     if (has(Part::kUnrepresentable)) entry("unrepresentable", "beyond what the target represents");
     if (figure.marked) entry("worst", "worst pixel");
     entry("cross", "principal point");
+    if (figure.rim) entry("rim", "lit circle of the images");
   });
 }
 
@@ -294,6 +315,7 @@ void put_map(Html& html, const MapFigure& figure) {
                        labels.take({marked->words[0] + (marked->words_left ? -along : along), marked->words[1]});
                    }
                    put_contours(html, figure, placed, labels);
+                   if (figure.rim) put_rim(html, placed, *figure.rim);
                    put_axis_cross(html, placed, figure.axis);
                    if (marked) put_marked(html, *marked, figure.mark_label);
                    put_over_image(html, "rect", placed, {"class", "frame"});

@@ -5,6 +5,8 @@
 #include "html.h"
 #include "image_field.h"
 
+#include <fca/rig/lens_circle.h>
+
 #include <optional>
 #include <string>
 
@@ -34,9 +36,10 @@ struct MapFigure {
   ImageField field;   ///< What is coloured.
   ImageField coarse;  ///< The same with fewer cells, for contours.
   ColourScale scale;
-  std::optional<Pixel> marked;  ///< The worst pixel,
-  std::string mark_label;       ///< and what it is: "max 2.96 px".
-  Pixel axis{};                 ///< The principal point.
+  std::optional<Pixel> marked;         ///< The worst pixel,
+  std::string mark_label;              ///< and what it is: "max 2.96 px".
+  Pixel axis{};                        ///< The principal point.
+  std::optional<LensCircle> rim = {};  ///< Of the lens, as images show it.
 };
 
 /// The colours of all colour bars of a page: once, before the first map.

@@ -74,6 +74,8 @@ figcaption { font-weight: 600; margin-bottom: 8px; }
 .onmap { fill: #ffffff; font-weight: 600; paint-order: stroke; stroke: #000000; stroke-opacity: 0.75; stroke-width: 3px; stroke-linejoin: round; }
 .ring { fill: none; stroke: #ffffff; stroke-width: 2; }
 .ring.back { stroke: #000000; stroke-width: 4.5; }
+.rim { fill: none; stroke: #ffffff; stroke-width: 1.6; stroke-dasharray: 7 5; }
+.rim.back { stroke: #000000; stroke-width: 3; stroke-opacity: 0.6; stroke-dasharray: none; }
 .axis { fill: none; stroke-width: 2.4; stroke-linecap: round; }
 .axis.x { stroke: var(--x); } .axis.y { stroke: var(--y); } .axis.z { stroke: var(--z); }
 .body { fill: none; stroke: var(--soft); stroke-width: 1.2; stroke-linejoin: round; }
@@ -86,6 +88,7 @@ figcaption { font-weight: 600; margin-bottom: 8px; }
 .patch.outside { background: var(--nolens); }
 .patch.unrepresentable { background: repeating-linear-gradient(135deg, #d83a56 0 3px, #ffe3e6 3px 7px); }
 .patch.worst { border: 2.5px solid var(--soft); border-radius: 50%; width: 13px; height: 13px; }
+.patch.rim { border: 2px dashed var(--soft); border-radius: 50%; width: 13px; height: 13px; }
 .patch.cross { border: none; width: 12px; height: 12px; background:
   linear-gradient(var(--soft), var(--soft)) center / 12px 2px no-repeat, linear-gradient(var(--soft), var(--soft)) center / 2px 12px no-repeat; }
 table { border-collapse: collapse; width: 100%; background: var(--card); border: 1px solid var(--line); margin: 10px 0; font-size: 0.92rem; }

@@ -101,7 +101,11 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
                                      const WriteOptions& options) {
   std::vector<fields::Field> before = settings_fields(base.rig, base.target);
   take_type_as_stated(base, model_info(rig.cameras.front().model).id, before);
-  const bool same = std::ranges::equal(base.rig.cameras, rig.cameras) && base.rig.poses == rig.poses;
+  const auto same_facts = [](Camera stated, const Camera& meant) {
+    stated.lens_circle = meant.lens_circle;  // which no file states
+    return stated == meant;
+  };
+  const bool same = std::ranges::equal(base.rig.cameras, rig.cameras, same_facts) && base.rig.poses == rig.poses;
   if (options.keeps_layout && !same) demand_what_is_missing(base, before);
   // A time offset that the rig does not know is none that it contradicts.
   if (!rig.cameras.front().time_offset_s)

@@ -197,7 +197,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   std::optional<Conversion> conversion = exact_conversion(task);
   if (!conversion) conversion = fitted_conversion(task, diagnostics);
   if (!conversion) return std::nullopt;
-  if (!options.max_angle_rad) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
+  if (!options.max_angle_rad && !camera.lens_circle) warn_of_fold(camera, conversion->report.judgement.coverage, diagnostics);
   conversion->report.from_model = model_info(camera.model).id;
   conversion->report.to_model = target->id;
   if (options.reach) conversion->report.reach = reach_table(camera, options, conversion->report, diagnostics);

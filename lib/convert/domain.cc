@@ -110,6 +110,78 @@ bool border_is_covered(const Lens& lens, const ImageSize& size) {
   return true;
 }
 
+/// What counts as lens, and who says so.
+struct Limit {
+  double rad = std::numbers::pi;
+  std::string who;   ///< Where it cuts something off.
+  std::string kept;  ///< Where it does not.
+};
+
+Limit of_option(double rad) { return {rad, "given (--max-angle)", "the whole image (it ends inside --max-angle)"}; }
+
+/// The largest angle on the part of the rim that the image shows: nothing lit is left out. Nothing where none of it has a ray.
+std::optional<Limit> limit_of(const Lens& lens, const ImageSize& size, const LensCircle& circle) {
+  constexpr int kSteps = 720;
+  double largest = -1.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double along = 2.0 * std::numbers::pi * i / kSteps;
+    const Pixel pixel = {circle.centre[0] + circle.radius_px * std::cos(along),
+                         circle.centre[1] + circle.radius_px * std::sin(along)};
+    if (pixel[0] < 0.0 || pixel[1] < 0.0 || pixel[0] > size.width - 1.0 || pixel[1] > size.height - 1.0) continue;
+    if (const std::optional<Ray> ray = lens.ray(pixel)) largest = std::max(largest, angle_from_axis(*ray));
+  }
+  if (largest <= 0.0) return std::nullopt;
+  return Limit{largest, circle.why, "the whole image (it ends inside " + circle.why + ")"};
+}
+
+/// Are image and limit such that there can be a domain? False with an error.
+bool is_usable(const ImageSize& size, std::optional<double> limit_rad, const std::string& name, Diagnostics& diagnostics) {
+  if (const std::optional<std::string> problem = problem_with_image_size(size)) {
+    diagnostics.error("image-size-invalid", name + ": " + *problem);
+    return false;
+  }
+  if (limit_rad && !(*limit_rad > 0.0 && *limit_rad <= std::numbers::pi)) {
+    diagnostics.error("max-angle-invalid", "the largest angle from the axis must lie in (0, 180] degrees");
+    return false;
+  }
+  return true;
+}
+
+std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, const std::optional<Limit>& given,
+                                    const std::string& name, Diagnostics& diagnostics) {
+  const double limit = given ? given->rad : std::numbers::pi;
+  const RayLattice rays(lens, {{0.0, 0.0}, {size.width - 1.0, size.height - 1.0}});
+  double largest = rays.largest_angle(limit);
+  // A few degrees may lie between the lattice's points.
+  if (largest < 0.0 && given) largest = RayLattice(lens, around_axis(lens, size, limit)).largest_angle(limit);
+  if (largest < 0.0 && given && rays.largest_angle(std::numbers::pi) >= 0.0) {
+    diagnostics.error("no-pixel-in-the-lens", name + ": no pixel of the image lies within that angle of the axis", {},
+                      "a larger --max-angle");
+    return std::nullopt;
+  }
+  if (largest < 0.0) {
+    diagnostics.error("no-pixel-has-a-ray", name + ": the model gives no ray for any pixel of the " +
+                                                std::to_string(size.width) + " x " + std::to_string(size.height) +
+                                                " image; are focal length and principal point in pixels of this image?");
+    return std::nullopt;
+  }
+  Domain domain;
+  domain.size = size;
+  const double model_limit = lens.max_angle_rad();
+  if (given && rays.largest_angle(std::numbers::pi) > limit) {
+    domain.max_angle_rad = limit;
+    domain.why = given->who;
+  } else if (!border_is_covered(lens, size)) {
+    domain.max_angle_rad = std::min(model_limit, limit);
+    domain.why = "the source model ends there, inside the image";
+  } else {
+    // Corners are lattice points, so this is the image's own largest angle; the slack keeps rounding from dropping them.
+    domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
+    domain.why = given ? given->kept : "the whole image (nothing states the lens's angle)";
+  }
+  return domain;
+}
+
 }  // namespace
 
 std::optional<Ray> Domain::ray(const Lens& source, const Pixel& pixel) const {
@@ -129,52 +201,22 @@ std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limi
     return std::nullopt;
   }
   if (!usable) return std::nullopt;
-  return domain_of(camera.model, *camera.image_size, limit_rad, camera.name, diagnostics);
+  if (!is_usable(*camera.image_size, limit_rad, camera.name, diagnostics)) return std::nullopt;
+  std::optional<Limit> limit;
+  if (limit_rad) limit = of_option(*limit_rad);
+  std::optional<Limit> seen;
+  if (camera.lens_circle) seen = limit_of(camera.model, *camera.image_size, *camera.lens_circle);
+  const bool by_circle = seen && (!limit || seen->rad < limit->rad);
+  std::optional<Domain> domain =
+      domain_within(camera.model, *camera.image_size, by_circle ? seen : limit, camera.name, diagnostics);
+  if (domain && by_circle) domain->circle = camera.lens_circle;
+  return domain;
 }
 
 std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::optional<double> limit_rad,
                                 const std::string& name, Diagnostics& diagnostics) {
-  if (const std::optional<std::string> problem = problem_with_image_size(size)) {
-    diagnostics.error("image-size-invalid", name + ": " + *problem);
-    return std::nullopt;
-  }
-  if (limit_rad && !(*limit_rad > 0.0 && *limit_rad <= std::numbers::pi)) {
-    diagnostics.error("max-angle-invalid", "the largest angle from the axis must lie in (0, 180] degrees");
-    return std::nullopt;
-  }
-
-  const double limit = limit_rad.value_or(std::numbers::pi);
-  const RayLattice rays(lens, {{0.0, 0.0}, {size.width - 1.0, size.height - 1.0}});
-  double largest = rays.largest_angle(limit);
-  // A few degrees may lie between the lattice's points.
-  if (largest < 0.0 && limit_rad) largest = RayLattice(lens, around_axis(lens, size, limit)).largest_angle(limit);
-  if (largest < 0.0 && limit_rad && rays.largest_angle(std::numbers::pi) >= 0.0) {
-    diagnostics.error("no-pixel-in-the-lens", name + ": no pixel of the image lies within that angle of the axis", {},
-                      "a larger --max-angle");
-    return std::nullopt;
-  }
-  if (largest < 0.0) {
-    diagnostics.error("no-pixel-has-a-ray", name + ": the model gives no ray for any pixel of the " +
-                                                std::to_string(size.width) + " x " + std::to_string(size.height) +
-                                                " image; are focal length and principal point in pixels of this image?");
-    return std::nullopt;
-  }
-  Domain domain;
-  domain.size = size;
-  const double model_limit = lens.max_angle_rad();
-  if (limit_rad && rays.largest_angle(std::numbers::pi) > limit) {
-    domain.max_angle_rad = limit;
-    domain.why = "given (--max-angle)";
-  } else if (!border_is_covered(lens, size)) {
-    domain.max_angle_rad = std::min(model_limit, limit);
-    domain.why = "the source model ends there, inside the image";
-  } else {
-    // Corners are lattice points, so this is the image's own largest angle; the slack keeps rounding from dropping them.
-    domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
-    domain.why =
-        limit_rad ? "the whole image (it ends inside --max-angle)" : "the whole image (nothing states the lens's angle)";
-  }
-  return domain;
+  if (!is_usable(size, limit_rad, name, diagnostics)) return std::nullopt;
+  return domain_within(lens, size, limit_rad ? std::optional(of_option(*limit_rad)) : std::nullopt, name, diagnostics);
 }
 
 }  // namespace fca

@@ -118,6 +118,7 @@ Judgement Summary::judgement(const Domain& domain) const {
   Judgement result;
   result.coverage.max_angle_deg = domain.max_angle_rad / kRadiansPerDegree;
   result.coverage.why = domain.why;
+  result.coverage.circle = domain.circle;
   // From pixels to shares of the image, which sum to 1.
   const double scored = weight(Verdict::kScored);
   const double outside = weight(Verdict::kOutsideLens);

@@ -19,7 +19,7 @@ constexpr double kHair = 1e-9;  // rad: the cone itself
 
 /// The domain in which there is a choice.
 std::optional<Domain> wide_domain(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
-  if (options.max_angle_rad) return std::nullopt;
+  if (options.max_angle_rad || camera.lens_circle) return std::nullopt;
   std::optional<Domain> domain = domain_of(camera, std::nullopt, diagnostics);
   if (!domain || domain->max_angle_rad <= kFirstDeg * kRadiansPerDegree) return std::nullopt;
   return domain;

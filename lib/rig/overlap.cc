@@ -53,12 +53,15 @@ class SharedColumns {
   }
 
   [[nodiscard]] bool shares_pixel(int column, int row) const {
-    const std::optional<Ray> ray = unproject(camera_.model, {static_cast<double>(column), static_cast<double>(row)});
+    const Pixel here = {static_cast<double>(column), static_cast<double>(row)};
+    if (camera_.lens_circle && !camera_.lens_circle->contains(here)) return false;
+    const std::optional<Ray> ray = unproject(camera_.model, here);
     if (!ray || !is_lens(*ray)) return false;
     const Ray there = rotated(T_other_camera_, *ray);
     if (!is_lens(there)) return false;
     const std::optional<Pixel> pixel = project(other_.model, there);
-    return pixel && inside(*other_.image_size, *pixel);
+    if (!pixel || (other_.lens_circle && !other_.lens_circle->contains(*pixel))) return false;
+    return inside(*other_.image_size, *pixel);
   }
 
   [[nodiscard]] bool shares(int column) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/models/camera_model.h>
+#include <fca/rig/lens_circle.h>
 
 #include <array>
 #include <cstdint>
@@ -40,6 +41,7 @@ struct ErrorBand {
 struct Coverage {
   double max_angle_deg = 0.0;
   std::string why;
+  std::optional<LensCircle> circle;  ///< Of images, if that decided.
   double scored = 0.0;
   double outside_lens = 0.0;     ///< No ray of the source, or beyond the domain's angle.
   double unrepresentable = 0.0;  ///< The target cannot reach this ray.

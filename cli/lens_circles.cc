@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lens_circles.h"
+
+#include "image_file.h"
+#include "words.h"
+
+#include <fca/formats/text/source.h>
+#include <fca/rig/lit_circle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace fca::cli {
+
+namespace {
+
+struct SampleImages {
+  Camera* camera = nullptr;
+  std::vector<std::string> paths;
+};
+
+float largest_of(const Image& image, std::span<const float> samples) {
+  switch (image.sample) {
+    case Image::Sample::k8Bit:
+      return 255.0F;
+    case Image::Sample::k16Bit:
+      return 65535.0F;
+    case Image::Sample::kFloat:
+      break;
+  }
+  return std::max(*std::ranges::max_element(samples), 1e-30F);
+}
+
+float sample_at(const Image& image, std::size_t index) {
+  const auto as = [&]<class T>(T value) {
+    std::memcpy(&value, &image.bytes[index * sizeof(T)], sizeof(T));
+    return static_cast<float>(value);
+  };
+  switch (image.sample) {
+    case Image::Sample::k8Bit:
+      return as(std::uint8_t{});
+    case Image::Sample::k16Bit:
+      return as(std::uint16_t{});
+    case Image::Sample::kFloat:
+      break;
+  }
+  const float value = as(float{});
+  return std::isfinite(value) ? value : 0.0F;
+}
+
+/// The brightest of each pixel's colours: a blue light is light, too.
+GreyImage grey(const Image& image) {
+  constexpr int kOpacity = 4;
+  const int colours = image.channels == kOpacity ? kOpacity - 1 : image.channels;
+  GreyImage result{image.width, image.height, 0.0F, {}};
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  result.samples.reserve(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    float brightest = 0.0F;
+    for (int c = 0; c < colours; ++c)
+      brightest =
+          std::max(brightest, sample_at(image, i * static_cast<std::size_t>(image.channels) + static_cast<std::size_t>(c)));
+    result.samples.push_back(brightest);
+  }
+  result.full_scale = largest_of(image, result.samples);
+  return result;
+}
+
+/// Whose images they are; nothing with an error.
+std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics) {
+  std::vector<SampleImages> result;
+  std::vector<std::string> names;
+  for (const Camera& camera : rig.cameras) names.push_back(camera.name);
+  for (const std::string& each : asked) {
+    const std::size_t equals = each.find('=');
+    const std::string name = equals == std::string::npos ? "" : each.substr(0, equals);
+    auto camera = std::ranges::find(rig.cameras, name, &Camera::name);
+    const bool named = equals != std::string::npos && camera != rig.cameras.end();
+    if (!named && rig.cameras.size() == 1) camera = rig.cameras.begin();
+    if (camera == rig.cameras.end()) {
+      diagnostics.error(
+          "lens-circle-of-none", "--lens-circle " + each + " does not say of which camera the image is", {},
+          "there are " + enumerated(names, "and") + ": --lens-circle " + (names.empty() ? "CAMERA" : names.front()) + "=IMAGE");
+      return std::nullopt;
+    }
+    auto found = std::ranges::find(result, &*camera, &SampleImages::camera);
+    if (found == result.end()) found = result.insert(result.end(), {&*camera, {}});
+    found->paths.push_back(named ? each.substr(equals + 1) : each);
+  }
+  return result;
+}
+
+std::string in_words(const LensCircle& circle, const std::vector<std::string>& paths) {
+  std::vector<std::string> names;
+  for (const std::string& path : paths) names.push_back(std::filesystem::path(path).filename().string());
+  constexpr std::size_t kFew = 3;
+  const std::string images = names.size() <= kFew ? enumerated(names, "and") : counted(names.size(), "image");
+  return "the lit circle of " + text::printable(images) + ": centre (" + fixed(circle.centre[0], 1) + ", " +
+         fixed(circle.centre[1], 1) + "), radius " + fixed(circle.radius_px, 1) + " px, " + percent(circle.rim_share) +
+         " of its rim seen, rms " + pixels(circle.rms_px) + " px";
+}
+
+bool add_circle(const SampleImages& sample, Diagnostics& diagnostics) {
+  Camera& camera = *sample.camera;
+  if (!camera.image_size) {
+    diagnostics.error("image-size-missing", camera.name + ": the image size is not known", {}, "give it: --size WIDTHxHEIGHT");
+    return false;
+  }
+  std::vector<GreyImage> images;
+  for (const std::string& path : sample.paths) {
+    const std::optional<Image> image = read_image(path, diagnostics);
+    if (!image || !has_size_of(camera, *image, path, diagnostics)) return false;
+    images.push_back(grey(*image));
+    if (images.size() > 1) images = {brightest(images)};  // many large ones need not be held at once
+  }
+  camera.lens_circle = find_lit_circle(images.front());
+  if (camera.lens_circle) {
+    camera.lens_circle->why = in_words(*camera.lens_circle, sample.paths);
+  } else {
+    diagnostics.warning("no-lens-circle",
+                        camera.name + ": " + (sample.paths.size() == 1 ? "the image shows" : "the images show") +
+                            " no dark border around a lit circle; the whole image counts as lens",
+                        {sample.paths.front(), 0, 0},
+                        "images of a bright scene show it best, several together if need be; --max-angle DEG says it by hand");
+  }
+  return true;
+}
+
+}  // namespace
+
+bool add_lens_circles(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics) {
+  const std::optional<std::vector<SampleImages>> samples = by_camera(asked, rig, diagnostics);
+  return samples && std::ranges::all_of(*samples, [&](const SampleImages& each) { return add_circle(each, diagnostics); });
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// --lens-circle: what of a camera's image is lens, as its own images show it.
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/rig/rig.h>
+
+#include <string>
+#include <vector>
+
+namespace fca::cli {
+
+/// Gives the rig's cameras the circles that these images show. "IMAGE" is of the only camera, "CAMERA=IMAGE" of one of several;
+/// several images of one camera are looked at together. False with an error where an image cannot be read, is not of its
+/// camera's size, or it is not said whose it is. A warning where images show no dark border: all of them is lens.
+[[nodiscard]] bool add_lens_circles(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics);
+
+}  // namespace fca::cli

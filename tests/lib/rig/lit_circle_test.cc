@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/rig/lit_circle.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace fca {
+namespace {
+
+/// A camera's image of some scene through a lens whose light falls into a circle.
+struct Scene {
+  int width = 640;
+  int height = 480;
+  LensCircle circle = {{310.3, 247.8}, 220.4, 0.0, 0.0, ""};
+  double brightness = 140.0;
+  double noise = 2.0;
+  double vignette_px = 2.0;  ///< The rim's softness.
+  /// Of the scene's directions, which are lit at all: from, to [rad].
+  double lit_from = -4.0;
+  double lit_to = 4.0;
+  bool flare = false;
+  unsigned seed = 1;
+};
+
+GreyImage rendered(const Scene& scene) {
+  std::mt19937 random(scene.seed);
+  std::normal_distribution<double> noise(0.0, scene.noise);
+  GreyImage image{scene.width, scene.height, 255.0F, {}};
+  for (int v = 0; v < scene.height; ++v) {
+    for (int u = 0; u < scene.width; ++u) {
+      const double du = u - scene.circle.centre[0];
+      const double dv = v - scene.circle.centre[1];
+      const double light = std::clamp((scene.circle.radius_px - std::hypot(du, dv)) / scene.vignette_px + 0.5, 0.0, 1.0);
+      const double angle = std::atan2(dv, du);
+      const bool lit = angle >= scene.lit_from && angle <= scene.lit_to;
+      const double texture = 1.0 + 0.4 * std::sin(u / 7.0) * std::cos(v / 11.0);
+      double value = 9.0 + (lit ? scene.brightness : 2.0) * texture * light;
+      // The sun beside the lens: a spot and its ghost, both outside of the circle.
+      if (scene.flare && (std::hypot(u - 15.0, v - 20.0) < 45.0 || std::hypot(u - 610.0, v - 455.0) < 12.0)) value += 200.0;
+      image.samples.push_back(static_cast<float>(std::clamp(std::round(value + noise(random)), 0.0, 255.0)));
+    }
+  }
+  return image;
+}
+
+void expect_found(const GreyImage& image, const LensCircle& truth) {
+  const std::optional<LensCircle> found = find_lit_circle(image);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->centre[0], truth.centre[0], 1.0);
+  EXPECT_NEAR(found->centre[1], truth.centre[1], 1.0);
+  EXPECT_NEAR(found->radius_px, truth.radius_px, 1.5);
+  EXPECT_LT(found->rms_px, 1.5);
+  EXPECT_GT(found->rim_share, 0.0);
+  EXPECT_LE(found->rim_share, 1.0);
+}
+
+TEST(LitCircle, IsFoundWhole) {
+  const Scene scene;
+  expect_found(rendered(scene), scene.circle);
+  EXPECT_GT(find_lit_circle(rendered(scene))->rim_share, 0.95);
+}
+
+TEST(LitCircle, IsFoundWhereTheImageCutsIt) {
+  for (const LensCircle& circle :
+       {LensCircle{{320.0, 240.0}, 300.0, 0.0, 0.0, ""}, LensCircle{{300.0, 250.0}, 330.0, 0.0, 0.0, ""},
+        LensCircle{{330.0, 235.0}, 370.0, 0.0, 0.0, ""}}) {
+    SCOPED_TRACE(circle.radius_px);
+    Scene scene;
+    scene.circle = circle;
+    expect_found(rendered(scene), circle);
+  }
+}
+
+TEST(LitCircle, IsFoundFarFromTheMiddleAndSmall) {
+  Scene scene;
+  scene.circle = {{180.0, 300.0}, 95.0, 0.0, 0.0, ""};
+  expect_found(rendered(scene), scene.circle);
+}
+
+TEST(LitCircle, IsFoundInNoiseAndInTheDark) {
+  Scene scene;
+  scene.noise = 8.0;
+  expect_found(rendered(scene), scene.circle);
+  scene.noise = 1.0;
+  scene.brightness = 18.0;
+  expect_found(rendered(scene), scene.circle);
+}
+
+TEST(LitCircle, IsFoundByAPartOfItsRim) {
+  Scene scene;
+  scene.lit_from = -1.0;
+  scene.lit_to = 1.2;
+  expect_found(rendered(scene), scene.circle);
+  EXPECT_LT(find_lit_circle(rendered(scene))->rim_share, 0.5);
+}
+
+TEST(LitCircle, IsNotDrawnToFlareBesideIt) {
+  Scene scene;
+  scene.flare = true;
+  expect_found(rendered(scene), scene.circle);
+}
+
+TEST(LitCircle, IsFoundInImagesTogetherWhereNoneShowsIt) {
+  std::vector<GreyImage> images;
+  for (int i = 0; i < 12; ++i) {
+    Scene scene;
+    scene.seed = static_cast<unsigned>(i);
+    scene.lit_from = -3.2 + 0.55 * i;
+    scene.lit_to = scene.lit_from + 0.3;
+    images.push_back(rendered(scene));
+    EXPECT_FALSE(find_lit_circle(images.back())) << i;
+  }
+  expect_found(brightest(images), Scene().circle);
+}
+
+TEST(LitCircle, IsTheSameInAnotherUnit) {
+  GreyImage image = rendered({});
+  const std::optional<LensCircle> found = find_lit_circle(image);
+  ASSERT_TRUE(found);
+  for (float& sample : image.samples) sample *= 257.0F;
+  image.full_scale = 65535.0F;
+  const std::optional<LensCircle> of_16_bits = find_lit_circle(image);
+  ASSERT_TRUE(of_16_bits);
+  EXPECT_NEAR(of_16_bits->radius_px, found->radius_px, 1e-3);
+}
+
+TEST(LitCircle, IsNoneWhereNoBorderIsDark) {
+  Scene everywhere;
+  everywhere.circle.radius_px = 1000.0;
+  EXPECT_FALSE(find_lit_circle(rendered(everywhere)));
+  Scene nowhere;
+  nowhere.brightness = 0.0;
+  nowhere.lit_from = 4.0;
+  EXPECT_FALSE(find_lit_circle(rendered(nowhere)));
+  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 0.0F)}));
+  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 255.0F)}));
+  EXPECT_FALSE(find_lit_circle({2, 2, 255.0F, std::vector<float>(4, 9.0F)}));
+  EXPECT_FALSE(find_lit_circle({0, 0, 255.0F, {}}));
+}
+
+// A dark wood in two corners, a bright window: no circle parts them.
+TEST(LitCircle, IsNoneInAScene) {
+  GreyImage image{640, 480, 255.0F, {}};
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 2.0);
+  for (int v = 0; v < image.height; ++v) {
+    for (int u = 0; u < image.width; ++u) {
+      double value = 90.0 + 50.0 * std::sin(u / 31.0) * std::sin(v / 17.0 + u / 90.0);
+      if (u + v < 330 + 40.0 * std::sin(v / 9.0)) value = 8.0;
+      if (u > 480 && v > 300) value = 10.0;
+      if (u > 200 && u < 300 && v > 80 && v < 200) value = 250.0;
+      image.samples.push_back(static_cast<float>(std::clamp(value + noise(random), 0.0, 255.0)));
+    }
+  }
+  EXPECT_FALSE(find_lit_circle(image));
+}
+
+}  // namespace
+}  // namespace fca
