@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate_command.h"
 
+#include "recovered_images.h"
+
 #include <CLI/CLI.hpp>
 
 namespace fca::cli {
@@ -9,9 +11,11 @@ namespace {
 
 ExitCode run_evaluation(const EvaluateArguments& arguments, Console& console) {
   Diagnostics diagnostics;
-  const std::optional<Evaluation> evaluation = evaluate(diagnostics);
+  std::optional<Evaluation> evaluation = evaluate(diagnostics);
   // The cameras are ours, not the user's.
   if (!evaluation) return console.refuse(ExitCode::kBug, diagnostics);
+  if (!arguments.image.empty() && !add_recovered_images(arguments.image, *evaluation, diagnostics))
+    return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), diagnostics);
   console.show(diagnostics);
   if (arguments.json) {
     console.out(evaluate_json(*evaluation));
@@ -26,13 +30,18 @@ ExitCode run_evaluation(const EvaluateArguments& arguments, Console& console) {
 void add_evaluate_command(CLI::App& app, EvaluateArguments& arguments, std::function<ExitCode(Console&)>& run) {
   CLI::App& command = *app.add_subcommand(
       "evaluate", "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and judged on every pixel");
+  command
+      .add_option("--image", arguments.image,
+                  "An image of 752 x 480 px: recovered by every row's conversion and compared with itself, PSNR and SSIM")
+      ->type_name("IMAGE");
   command.add_flag("--json", arguments.json, "One JSON document on standard output");
   command.footer(
-      "Reads no file: the cameras are the paper's. Its figures stand beside ours, and why they differ. PSNR and SSIM are left\n"
-      "out, as they need the paper's images.\n\n"
+      "The cameras are the paper's. Its figures stand beside ours, and why they differ. The paper's images are not ours:\n"
+      "--image takes any; examples/cpp/render_image.cc makes one.\n\n"
       "Example:\n"
       "  fca-io evaluate\n"
-      "  fca-io evaluate --json > tables.json\n");
+      "  fca-io evaluate --json > tables.json\n"
+      "  fca-io evaluate --image seen.pgm\n");
   command.callback([&] { run = [&arguments](Console& console) { return run_evaluation(arguments, console); }; });
 }
 

@@ -14,6 +14,7 @@ class App;
 namespace fca::cli {
 
 struct EvaluateArguments {
+  std::string image;  ///< A path; empty: tables without images.
   bool json = false;
 };
 

@@ -3,6 +3,8 @@
 #include "json.h"
 #include "parameters_json.h"
 
+#include <cmath>
+
 namespace fca::cli {
 
 namespace {
@@ -53,6 +55,8 @@ void put_row(Json& json, const EvaluatedRow& row) {
     json.put("time_ms", row.published.time_ms);
     json.put("reprojection_error_px", row.published.reprojection_error_px);
     json.put("parameter_error", row.published.parameter_error);
+    json.put("psnr_db", row.published.psnr_db);
+    json.put("ssim", row.published.ssim);
   });
   if (row.published.authors_over_image) {
     json.object("authors_program_over_image_px", [&] {
@@ -72,6 +76,14 @@ void put_row(Json& json, const EvaluatedRow& row) {
   });
   json.put("parameter_error", row.parameter_error);
   put_fit(json, row.conversion.report.fit, row.time_us);
+  if (row.recovered) {
+    json.object("recovered_image", [&] {
+      json.put("identical", std::isinf(row.recovered->psnr_db));
+      json.put("psnr_db", row.recovered->psnr_db);  // null where it is infinite
+      json.put("ssim", row.recovered->ssim);
+      json.put("compared_share", row.recovered->compared);
+    });
+  }
   json.put("why", row.published.why);
 }
 

@@ -95,7 +95,7 @@ std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, co
   const CameraModel* truth = calibration_in(table, row.to);
   if (!timed || !domain || truth == nullptr) return std::nullopt;
 
-  EvaluatedRow result{row, source.model, std::move(timed->conversion), timed->time_us, {}, 0.0};
+  EvaluatedRow result{row, source.model, std::move(timed->conversion), timed->time_us, {}, 0.0, {}};
   const CameraModel& target = result.conversion.camera.model;
   result.on_samples = error_on_samples(source.model, target, *domain);
   result.parameter_error = distance(paper::parameters_as_published(target), paper::parameters_as_published(*truth));

@@ -19,6 +19,13 @@ struct SampleError {
   double mean_px = 0.0;
 };
 
+/// An image shown as the converted camera would have taken it, beside the image itself.
+struct RecoveredImage {
+  double psnr_db = 0.0;  ///< Infinite: the same.
+  double ssim = 0.0;
+  double compared = 0.0;  ///< Share of the pixels that both cameras see.
+};
+
 struct EvaluatedRow {
   paper::Row published;
   CameraModel source;
@@ -26,6 +33,7 @@ struct EvaluatedRow {
   double time_us = 0.0;  ///< Sampling and fit, the median of some runs.
   SampleError on_samples;
   double parameter_error = 0.0;
+  std::optional<RecoveredImage> recovered = {};  ///< With --image.
 };
 
 struct EvaluatedTable {

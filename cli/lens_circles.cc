@@ -2,14 +2,13 @@
 #include "lens_circles.h"
 
 #include "image_file.h"
+#include "image_planes.h"
 #include "words.h"
 
 #include <fca/formats/text/source.h>
 #include <fca/rig/lit_circle.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <filesystem>
 
 namespace fca::cli {
@@ -20,53 +19,6 @@ struct SampleImages {
   Camera* camera = nullptr;
   std::vector<std::string> paths;
 };
-
-float largest_of(const Image& image, std::span<const float> samples) {
-  switch (image.sample) {
-    case Image::Sample::k8Bit:
-      return 255.0F;
-    case Image::Sample::k16Bit:
-      return 65535.0F;
-    case Image::Sample::kFloat:
-      break;
-  }
-  return std::max(*std::ranges::max_element(samples), 1e-30F);
-}
-
-float sample_at(const Image& image, std::size_t index) {
-  const auto as = [&]<class T>(T value) {
-    std::memcpy(&value, &image.bytes[index * sizeof(T)], sizeof(T));
-    return static_cast<float>(value);
-  };
-  switch (image.sample) {
-    case Image::Sample::k8Bit:
-      return as(std::uint8_t{});
-    case Image::Sample::k16Bit:
-      return as(std::uint16_t{});
-    case Image::Sample::kFloat:
-      break;
-  }
-  const float value = as(float{});
-  return std::isfinite(value) ? value : 0.0F;
-}
-
-/// The brightest of each pixel's colours: a blue light is light, too.
-GreyImage grey(const Image& image) {
-  constexpr int kOpacity = 4;
-  const int colours = image.channels == kOpacity ? kOpacity - 1 : image.channels;
-  GreyImage result{image.width, image.height, 0.0F, {}};
-  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  result.samples.reserve(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) {
-    float brightest = 0.0F;
-    for (int c = 0; c < colours; ++c)
-      brightest =
-          std::max(brightest, sample_at(image, i * static_cast<std::size_t>(image.channels) + static_cast<std::size_t>(c)));
-    result.samples.push_back(brightest);
-  }
-  result.full_scale = largest_of(image, result.samples);
-  return result;
-}
 
 /// Whose images they are; nothing with an error.
 std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics) {
@@ -112,7 +64,7 @@ bool add_circle(const SampleImages& sample, Diagnostics& diagnostics) {
   for (const std::string& path : sample.paths) {
     const std::optional<Image> image = read_image(path, diagnostics);
     if (!image || !has_size_of(camera, *image, path, diagnostics)) return false;
-    images.push_back(grey(*image));
+    images.push_back(brightest(planes(*image)));          // a blue light is light, too
     if (images.size() > 1) images = {brightest(images)};  // many large ones need not be held at once
   }
   camera.lens_circle = find_lit_circle(images.front());

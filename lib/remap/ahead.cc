@@ -5,6 +5,7 @@
 #include "../convert/with_kernel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,12 +23,14 @@ struct Row {
 /// Kernels and rows are copied: the compiler then knows that writing the map does not change them.
 template <class Kernel>
 std::size_t write_row(const Kernel kernel, const Row row, std::size_t count, float* uv) {
-  constexpr double kLargest = std::numeric_limits<float>::max();
+  constexpr float kLargest = std::numeric_limits<float>::max();
   const Matrix3& m = row.to_source;
   const double x0 = m[1] * row.v + m[2];
   const double y0 = m[4] * row.v + m[5];
   const double z0 = m[7] * row.v + m[8];
-  long long doubts = 0;
+  // Two loops: in one the compiler takes as many pixels at a time as there are floats in a register, and spills the doubles.
+  std::array<double, Batch::kSize> us;
+  std::array<double, Batch::kSize> vs;
   for (int i = 0; i < static_cast<int>(count); ++i) {
     const double u = row.first + i;
     const double x = m[0] * u + x0;
@@ -35,12 +38,17 @@ std::size_t write_row(const Kernel kernel, const Row row, std::size_t count, flo
     const double z = m[6] * u + z0;
     const PixelOfRay pixel = kernel(x, y, z);
     const double inside = ask_unless(z * z > row.least_square * (x * x + y * y + z * z));
-    const double to_u = pixel.u + inside;
-    const double to_v = pixel.v + inside;
+    us[static_cast<std::size_t>(i)] = pixel.u + inside;
+    vs[static_cast<std::size_t>(i)] = pixel.v + inside;
+  }
+  int doubts = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto to_u = static_cast<float>(us[i]);
+    const auto to_v = static_cast<float>(vs[i]);
     doubts += std::abs(to_u) <= kLargest ? 0 : 1;
     doubts += std::abs(to_v) <= kLargest ? 0 : 1;
-    uv[2 * i] = static_cast<float>(to_u);
-    uv[2 * i + 1] = static_cast<float>(to_v);
+    uv[2 * i] = to_u;
+    uv[2 * i + 1] = to_v;
   }
   return static_cast<std::size_t>(doubts);
 }

@@ -680,6 +680,60 @@ TEST(EvaluateText, HasEveryRowWithThePapersFiguresAndOneReasonEach) {
   EXPECT_TRUE(contains(run.out, "The sign of the paper's a2 is wrong.")) << run.out;
 }
 
+/// A grey image (PGM) with edges in all directions.
+std::string rings_and_stripes(int width, int height) {
+  std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      const double ring = std::sin(std::hypot(u - 300.0, v - 200.0) / 4.0);
+      bytes += static_cast<char>(std::lround(120.0 + 60.0 * ring + 50.0 * std::sin(u / 9.0 + v / 5.0)));
+    }
+  }
+  return bytes;
+}
+
+// What is lost of an image is what two models differ by.
+TEST(EvaluateImage, LosesMoreWhereModelsDifferMore) {
+  const TemporaryFolder folder;
+  const std::string image = folder.write("seen.pgm", rings_and_stripes(752, 480));
+  const RunResult run = run_program({"evaluate", "--image", image, "--json"}, {.limit_seconds = 300.0});
+  ASSERT_EQ(run.code, 0) << run.err;
+  rapidjson::Document json;
+  json.Parse(run.out.c_str());
+  ASSERT_FALSE(json.HasParseError());
+  for (const Json& table : json["conversions"].GetArray()) {
+    std::vector<std::array<double, 2>> rows;  // mean error, PSNR
+    for (const Json& row : table["rows"].GetArray()) {
+      const Json& recovered = row["recovered_image"];
+      const bool identical = recovered["identical"].GetBool();
+      EXPECT_EQ(identical, recovered["psnr_db"].IsNull());
+      const double psnr = identical ? 1e9 : recovered["psnr_db"].GetDouble();
+      EXPECT_GT(psnr, 10.0);
+      EXPECT_GT(recovered["ssim"].GetDouble(), 0.3);
+      EXPECT_LE(recovered["ssim"].GetDouble(), 1.0 + 1e-12);
+      EXPECT_GT(recovered["compared_share"].GetDouble(), 0.5);
+      EXPECT_GT(row["paper"]["psnr_db"].GetDouble(), 20.0);
+      rows.push_back({row["error_px"]["mean"].GetDouble(), psnr});
+    }
+    for (const auto& [error, psnr] : rows) {
+      for (const auto& [larger_error, lower_psnr] : rows) {
+        if (larger_error <= 5.0 * error) continue;
+        EXPECT_LE(lower_psnr, psnr) << larger_error << " " << error;
+      }
+    }
+  }
+  EXPECT_TRUE(contains(run_program({"evaluate", "--image", image}, {.limit_seconds = 300.0}).out, "PSNR dB"));
+}
+
+TEST(EvaluateImage, RefusesWhatIsNoImageOfThePapersCameras) {
+  const TemporaryFolder folder;
+  const RunResult other = run_program({"evaluate", "--image", folder.write("small.pgm", rings_and_stripes(640, 480))});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_TRUE(contains(other.err, "752 x 480")) << other.err;
+  EXPECT_EQ(run_program({"evaluate", "--image", folder.write("text.pgm", "no image")}).code, 2);
+  EXPECT_EQ(run_program({"evaluate", "--image", folder / "missing.png"}).code, 4);
+}
+
 TEST(EvaluateText, ReadsNoFile) { EXPECT_EQ(run_program({"evaluate", "camchain.yaml"}).code, 3); }
 
 }  // namespace

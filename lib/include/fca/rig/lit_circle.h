@@ -2,22 +2,13 @@
 // Where light falls on a sensor: the circle that a fisheye lens illuminates, found in images of any scene.
 #pragma once
 
+#include <fca/rig/grey_image.h>
 #include <fca/rig/lens_circle.h>
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace fca {
-
-/// Rows from the top, one sample per pixel, linear or not; black is low. Any unit: `full_scale` is what the sensor's largest
-/// is.
-struct GreyImage {
-  int width = 0;
-  int height = 0;
-  float full_scale = 255.0F;
-  std::vector<float> samples;
-};
 
 /// Each pixel's brightest: what is dark in one scene another one lights. All of one size, at least one.
 [[nodiscard]] GreyImage brightest(std::span<const GreyImage> images);

@@ -26,8 +26,8 @@ struct Camera {
   CameraModel model;
   std::optional<double> time_offset_s;  ///< t_imu = t_cam + time_offset_s
   std::optional<double> frame_rate_hz;
-  std::string topic;                      ///< ROS topic; empty if none.
-  std::optional<LensCircle> lens_circle;  ///< Where images show it; no file says it.
+  std::string topic;                           ///< ROS topic; empty if none.
+  std::optional<LensCircle> lens_circle = {};  ///< Where images show it; no file says it.
   bool operator==(const Camera&) const = default;
 };
 

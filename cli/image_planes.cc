@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "image_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+namespace fca::cli {
+
+namespace {
+
+float sample_at(const Image& image, std::size_t index) {
+  const auto as = [&]<class T>(T value) {
+    std::memcpy(&value, &image.bytes[index * sizeof(T)], sizeof(T));
+    return static_cast<float>(value);
+  };
+  switch (image.sample) {
+    case Image::Sample::k8Bit:
+      return as(std::uint8_t{});
+    case Image::Sample::k16Bit:
+      return as(std::uint16_t{});
+    case Image::Sample::kFloat:
+      break;
+  }
+  const float value = as(float{});
+  return std::isfinite(value) ? value : 0.0F;
+}
+
+/// Numbers have no largest: the image's own, at least 1.
+float full_scale_of(const Image& image, const std::vector<GreyImage>& planes) {
+  if (image.sample == Image::Sample::k8Bit) return 255.0F;
+  if (image.sample == Image::Sample::k16Bit) return 65535.0F;
+  float largest = 1.0F;
+  for (const GreyImage& plane : planes) {
+    for (const float sample : plane.samples) largest = std::max(largest, sample);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<GreyImage> planes(const Image& image) {
+  constexpr int kWithOpacity = 4;
+  const int colours = image.channels == kWithOpacity ? kWithOpacity - 1 : image.channels;
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  std::vector<GreyImage> result;
+  for (int colour = 0; colour < colours; ++colour) {
+    GreyImage& plane = result.emplace_back(GreyImage{image.width, image.height, 0.0F, {}});
+    plane.samples.reserve(pixels);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      plane.samples.push_back(
+          sample_at(image, i * static_cast<std::size_t>(image.channels) + static_cast<std::size_t>(colour)));
+    }
+  }
+  const float full_scale = full_scale_of(image, result);
+  for (GreyImage& plane : result) plane.full_scale = full_scale;
+  return result;
+}
+
+}  // namespace fca::cli
