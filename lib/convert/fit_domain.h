@@ -42,7 +42,7 @@ struct DomainFit {
 /// Are there too few samples to fit that model?
 [[nodiscard]] bool too_few(std::size_t samples, const ModelInfo& target);
 
-/// Fits on options.samples samples, and on twice as many while the model is worse between them and that helps.
+/// Fits on options.samples samples, and on twice as many while the model is worse or better between them and that helps.
 ///
 /// The whole domain or a cone: the largest that the target describes, and "describes" means the same for both.
 /// - What sees ahead only (pinhole, radtan, rational) must have a pixel for every ray and stay under 1 px rms: its error grows
