@@ -29,9 +29,9 @@ SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = null
   return result;
 }
 
-/// How many times worse, or better, the model is over the image than on the samples of its fit; 1 if nobody sees the difference.
-/// One that bends faster than they lie (rational beyond 70 degrees) can be twice as bad, and one that is better was fitted to
-/// the few of them that are the worst.
+/// How many times worse, or better, the model is over the image than on the samples of its fit; 1 if nobody sees the
+/// difference. One that bends faster than they lie (rational beyond 70 degrees) can be twice as bad, and one that is better was
+/// fitted to the few of them that are the worst.
 double other_than_on_samples(const Judgement& judgement, const FittedModel& fitted) {
   constexpr double kNobodySees = 1e-6;  // px
   const auto [less, more] = std::minmax(judgement.error.rms, fitted.rms_px);
