@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fit_domain.h"
 
+#include "polisher.h"
+
 #include <fca/convert/sample.h>
 
 #include <algorithm>
@@ -38,13 +40,10 @@ double other_than_on_samples(const Judgement& judgement, const FittedModel& fitt
   return !fitted.reaches_all || more <= less + kNobodySees ? 1.0 : more / less;
 }
 
-/// So close to 90 degrees what sees ahead only bends so fast that samples and image may agree by chance.
-bool bends_fast(const FitTask& task) {
-  constexpr double kFrom = 70.0 * kRadiansPerDegree;
-  return sees_ahead_only(task.target.id) && task.domain.max_angle_rad > kFrom;
+/// rational: its poles lie where they fit the samples, and samples and image may agree by chance.
+bool has_poles(const FitTask& task) {
+  return sees_ahead_only(task.target.id) && task.target.parameters.size() >= kManyParameters;
 }
-
-constexpr double kEdge = 1e-3;  // of the image: what a fit's samples may miss where the domain ends
 
 /// The fit to the domain, its error being that of the image: on more samples, while that helps. Not scored where it does not
 /// reach every sample.
@@ -69,12 +68,12 @@ DomainFit fit_and_score(const FitTask& task) {
     const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 ||
                        judgement.error.rms < kHelps * before.error.rms;
     const double unlike = other_than_on_samples(judgement, *finer.model);
-    const bool misses_edge = judgement.coverage.unrepresentable > kEdge;
+    const bool misses_edge = judgement.coverage.unrepresentable > kVeryEdge;
     if (helps) {
       result.fitted = std::move(finer);
       result.score = std::move(score);
     }
-    if (is_first && bends_fast(task)) continue;
+    if (is_first && has_poles(task)) continue;
     if (unlike <= (helps ? kAlike : kVeryUnlike) && !(helps && misses_edge)) break;
   }
   return result;
@@ -83,7 +82,7 @@ DomainFit fit_and_score(const FitTask& task) {
 /// Does the model have a pixel for every ray of the domain, but for its very edge? The radius then grows with the angle as far:
 /// a model ends where it does not.
 bool reaches(const DomainFit& fit) {
-  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kEdge;
+  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kVeryEdge;
 }
 
 /// The rule of fit_domain.h, which decides over the whole domain and over each cone.
