@@ -52,6 +52,7 @@ DomainFit fit_and_score(const FitTask& task) {
   constexpr double kAlike = 1.01;  // the lattice itself tells no more
   constexpr double kVeryUnlike = 1.2;
   constexpr double kHelps = 0.999;
+  constexpr double kNobodySees = 1e-4;  // px
   DomainFit result;
   for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
     const bool is_first = doubling == 0;
@@ -73,7 +74,7 @@ DomainFit fit_and_score(const FitTask& task) {
       result.fitted = std::move(finer);
       result.score = std::move(score);
     }
-    if (is_first && has_poles(task)) continue;
+    if (is_first && has_poles(task) && judgement.error.rms > kNobodySees) continue;
     if (unlike <= (helps ? kAlike : kVeryUnlike) && !(helps && misses_edge)) break;
   }
   return result;
