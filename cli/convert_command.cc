@@ -127,8 +127,9 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
   command.add_flag("--no-provenance", arguments.no_provenance, "Leave out that comment");
   command
       .add_option("--max-error", arguments.max_error_px,
-                  "Fail (exit 1, nothing written) if the worst pixel of what was scored is off by more, or if a part of the "
-                  "image (within --max-angle, if given) has no pixel in the new model")
+                  "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
+                  "polished to where it really is, between the pixels, too), or if a part of the image (within --max-angle, "
+                  "if given) has no pixel in the new model")
       ->type_name("PX")
       ->check(decimal_number());
   command.add_flag("--strict", arguments.strict, "Fail if anything of the input cannot be carried");

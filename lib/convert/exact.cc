@@ -129,6 +129,14 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
   return of_cubic(source, target_id);
 }
 
+std::optional<CameraModel> convert_nearly(const CameraModel& inner, std::string_view outer_id) {
+  const std::optional<Intrinsics<Ucm>> ucm = outer_id == Mei::kId ? as_ucm(inner) : std::nullopt;
+  if (!ucm) return convert_exactly(inner, outer_id);
+  const auto& [fx, fy, cx, cy, alpha] = ucm->values;
+  const double xi = alpha < 1.0 ? std::min(alpha / (1.0 - alpha), Mei::kFurthestXi) : Mei::kFurthestXi;
+  return Intrinsics<Mei>{{fx * (1.0 + xi), fy * (1.0 + xi), cx, cy, xi, 0.0, 0.0, 0.0, 0.0}};
+}
+
 std::string_view contained_model(std::string_view id) {
   struct Containment {
     std::string_view outer;

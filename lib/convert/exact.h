@@ -19,8 +19,12 @@ namespace fca::internal {
 ///   kb4 with k2 = k3 = k4 = 0     <-> woodscape with k2 = k4 = 0
 [[nodiscard]] std::optional<CameraModel> convert_exactly(const CameraModel& source, std::string_view target_id);
 
-/// The id of the largest model that the model of that id contains for all of its parameters (but alpha = 1 in mei); empty if
-/// there is none.
+/// A camera of the outer model (which contains the inner one's) that is that camera: convert_exactly or, where only a limit of
+/// the outer model is (mei of ucm with alpha = 1), the furthest that a fit may go towards it.
+[[nodiscard]] std::optional<CameraModel> convert_nearly(const CameraModel& inner, std::string_view outer_id);
+
+/// The id of the largest model that the model of that id contains for all of its parameters (but alpha = 1 in mei:
+/// convert_nearly); empty if there is none.
 [[nodiscard]] std::string_view contained_model(std::string_view id);
 
 }  // namespace fca::internal

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fit_domain.h"
 
+#include "polisher.h"
+
 #include <fca/convert/sample.h>
 
 #include <algorithm>
@@ -29,24 +31,28 @@ SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = null
   return result;
 }
 
-/// How many times worse the model is over the image than on the samples of its fit; 1 if nobody sees the difference. One that
-/// bends faster than they lie (rational beyond 70 degrees) can be twice as bad; a few percent are the image's border, where the
-/// judge counts whole pixels.
-double worse_between_samples(const Judgement& judgement, const FittedModel& fitted) {
+/// How many times worse, or better, the model is over the image than on the samples of its fit; 1 if nobody sees the
+/// difference. One that bends faster than they lie (rational beyond 70 degrees) can be twice as bad, and one that is better was
+/// fitted to the few of them that are the worst.
+double other_than_on_samples(const Judgement& judgement, const FittedModel& fitted) {
   constexpr double kNobodySees = 1e-6;  // px
-  if (!fitted.reaches_all || judgement.error.rms <= fitted.rms_px + kNobodySees) return 1.0;
-  return judgement.error.rms / fitted.rms_px;
+  const auto [less, more] = std::minmax(judgement.error.rms, fitted.rms_px);
+  return !fitted.reaches_all || more <= less + kNobodySees ? 1.0 : more / less;
 }
 
-constexpr double kEdge = 1e-3;  // of the image: what a fit's samples may miss where the domain ends
+/// rational: its poles lie where they fit the samples, and samples and image may agree by chance.
+bool has_poles(const FitTask& task) {
+  return sees_ahead_only(task.target.id) && task.target.parameters.size() >= kManyParameters;
+}
 
 /// The fit to the domain, its error being that of the image: on more samples, while that helps. Not scored where it does not
 /// reach every sample.
 DomainFit fit_and_score(const FitTask& task) {
   constexpr int kMostDoublings = 3;
-  constexpr double kBorder = 1.03;
-  constexpr double kMuchWorse = 1.2;
-  constexpr double kHelps = 0.99;
+  constexpr double kAlike = 1.01;  // the lattice itself tells no more
+  constexpr double kVeryUnlike = 1.2;
+  constexpr double kHelps = 0.999;
+  constexpr double kNobodySees = 1e-4;  // px
   DomainFit result;
   for (int doubling = 0; doubling <= kMostDoublings; ++doubling) {
     const bool is_first = doubling == 0;
@@ -62,13 +68,14 @@ DomainFit fit_and_score(const FitTask& task) {
     const Judgement& before = result.score.judgement;
     const bool helps = is_first || judgement.coverage.scored > before.coverage.scored + 1e-3 ||
                        judgement.error.rms < kHelps * before.error.rms;
-    const double worse = worse_between_samples(judgement, *finer.model);
-    const bool misses_edge = judgement.coverage.unrepresentable > kEdge;
+    const double unlike = other_than_on_samples(judgement, *finer.model);
+    const bool misses_edge = judgement.coverage.unrepresentable > kVeryEdge;
     if (helps) {
       result.fitted = std::move(finer);
       result.score = std::move(score);
     }
-    if (worse <= (helps ? kBorder : kMuchWorse) && !(helps && misses_edge)) break;
+    if (is_first && has_poles(task) && judgement.error.rms > kNobodySees) continue;
+    if (unlike <= (helps ? kAlike : kVeryUnlike) && !(helps && misses_edge)) break;
   }
   return result;
 }
@@ -76,7 +83,7 @@ DomainFit fit_and_score(const FitTask& task) {
 /// Does the model have a pixel for every ray of the domain, but for its very edge? The radius then grows with the angle as far:
 /// a model ends where it does not.
 bool reaches(const DomainFit& fit) {
-  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kEdge;
+  return fit.fitted.model && fit.fitted.model->reaches_all && fit.score.judgement.coverage.unrepresentable <= kVeryEdge;
 }
 
 /// The rule of fit_domain.h, which decides over the whole domain and over each cone.

@@ -11,8 +11,9 @@ FitLimits::FitLimits(const FitTarget& target, std::span<const ParameterRange> ra
     // An open end of a model's range is not a camera, but what lies next to it may be the best one: eucm with beta -> 0 is
     // how a pinhole looks where alpha must be above 0.5.
     constexpr double kHair = 1e-6;
-    lower[i] = std::max(p.lower + (p.open ? kHair : 0.0), -kLargestParameter);
-    upper[i] = std::min(p.upper - (p.open ? kHair : 0.0), kLargestParameter);
+    const double furthest = std::min(p.furthest, kLargestParameter);
+    lower[i] = std::max(p.lower + (p.open ? kHair : 0.0), -furthest);
+    upper[i] = std::min(p.upper - (p.open ? kHair : 0.0), furthest);
     held[i] = target.held(i);
     for (const ParameterRange& range : ranges) {
       if (range.parameter != p.name) continue;

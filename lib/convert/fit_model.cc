@@ -64,33 +64,48 @@ double rms_over(std::span<const Correspondence> samples, const CameraModel& mode
   return weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
 }
 
-/// May the contained model have a better fit? Not if it stays behind on a few of the samples although fitted to those alone.
+/// May the contained model have a better fit, or a plainer one where a parameter ran to its bound? Not if it stays behind on a
+/// few of the samples although fitted to those alone.
 bool may_be_beaten(const FittedModel& best, std::string_view inner, std::span<const Correspondence> samples,
                    const LensCentre& centre, std::span<const ParameterRange> ranges) {
   constexpr double kNobodySees = 1e-3;  // px
   constexpr std::size_t kFew = 48;
   if (!best.reaches_all) return true;
-  if (best.rms_px <= kNobodySees) return false;
+  if (best.rms_px <= kNobodySees) return !best.at_bound.empty();
   const std::vector<Correspondence> few = spread(samples, kFew);
   const std::optional<FittedModel> rival = fit_from_own_starts(inner, few, centre, ranges);
   return !rival || rival->rms_px < rms_over(few, best.model);
 }
 
+ParameterValues values_of(const CameraModel& model) {
+  ParameterValues values{};
+  std::ranges::copy(parameter_values(model), values.begin());
+  return values;
+}
+
+/// That camera, scored; nothing if it lies outside the ranges.
+std::optional<FittedModel> as_it_is(const CameraModel& model, std::span<const Correspondence> samples,
+                                    std::span<const ParameterRange> ranges) {
+  return std::visit(
+      [&]<class M>(const Intrinsics<M>& /*model*/) {
+        const JetTarget<M> target;
+        return listed<M>(Fitter(target, samples, ranges).as_it_is(values_of(model)));
+      },
+      model);
+}
+
 /// Keeps in `best` the best of itself, a fit from `start`, and `start` as it is.
 void improve_from(const CameraModel& start, std::span<const Correspondence> samples, std::span<const ParameterRange> ranges,
                   std::optional<FittedModel>& best) {
-  std::visit(
-      [&]<class M>(const Intrinsics<M>& m) {
+  std::optional<FittedModel> fitted = std::visit(
+      [&]<class M>(const Intrinsics<M>& /*model*/) {
         const JetTarget<M> target;
-        Fitter fitter(target, samples, ranges);
-        ParameterValues values{};
-        std::ranges::copy(m.values, values.begin());
-        for (std::optional<FoundFit> fit : {fitter.fit_from(values), fitter.as_it_is(values)}) {
-          std::optional<FittedModel> candidate = listed<M>(std::move(fit));
-          if (candidate && better(*candidate, best)) best = std::move(candidate);
-        }
+        return listed<M>(Fitter(target, samples, ranges).fit_from(values_of(start)));
       },
       start);
+  if (fitted && better(*fitted, best)) best = std::move(fitted);
+  std::optional<FittedModel> unchanged = as_it_is(start, samples, ranges);
+  if (unchanged && better(*unchanged, best)) best = std::move(unchanged);
 }
 
 }  // namespace
@@ -119,7 +134,11 @@ std::optional<FittedModel> fit_model(std::string_view id, std::span<const Corres
   const std::string_view inner = contained_model(id);
   if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
   if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges)) {
-    if (const std::optional<CameraModel> start = convert_exactly(contained->model, id)) {
+    if (const std::optional<CameraModel> start = convert_nearly(contained->model, id)) {
+      // Next to the limit of a model its other parameters could grow beyond all measure, for a gain that nobody sees.
+      constexpr double kNobodySees = 1e-5;  // px
+      std::optional<FittedModel> near = as_it_is(*start, samples, ranges);
+      if (near && near->reaches_all && near->rms_px <= kNobodySees) return near;
       improve_from(*start, samples, ranges, best);
     }
   }

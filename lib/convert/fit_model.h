@@ -18,7 +18,7 @@ struct FittedModel {
   CameraModel model;
   double rms_px = 0.0;
   int iterations = 0;
-  bool reaches_all = true;  ///< Every sample projects.
+  bool reaches_all = true;  ///< Every sample projects, but for the very edge.
   std::vector<std::string> at_bound;
 };
 

@@ -83,6 +83,9 @@ std::optional<FoundFit> Fitter::as_it_is(const ParameterValues& values) const {
   candidate.on_all = false;  // there is no cost yet
   polisher_.hold_fixed(candidate);
   if (candidate.values != values) return std::nullopt;
+  const FitLimits& limits = polisher_.limits();
+  for (std::size_t i = 0; i < count_; ++i)
+    candidate.fixed[i] = candidate.fixed[i] || values[i] == limits.lower[i] || values[i] == limits.upper[i];
   return polisher_.finish(candidate, samples_);
 }
 

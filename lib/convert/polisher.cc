@@ -142,7 +142,7 @@ void Polisher::respect_bounds(Candidate& candidate, std::span<const Corresponden
   }
 }
 
-/// How far from the samples, and whether all of them are in the model's domain.
+/// How far from the samples, and whether all of them but for the very edge are in the model's domain.
 void Polisher::score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const {
   double weight = 0.0;
   double lowest = 1.0;
@@ -160,6 +160,7 @@ void Polisher::score(const Candidate& candidate, std::span<const Correspondence>
   }
   std::vector<std::array<double, 2>> pixels(samples.size());
   target_.pixels(candidate.values.data(), samples, pixels.data());
+  const double whole = weight;
   weight = 0.0;
   double sum = 0.0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -168,13 +169,11 @@ void Polisher::score(const Candidate& candidate, std::span<const Correspondence>
     const bool close = std::abs(s.ray[2] - limit) <= kHair;
     const bool inside = close ? target_.project(candidate.values.data(), s.ray.data(), pixel.data())
                               : s.ray[2] > limit && !std::isnan(pixel[0]);
-    if (!inside) {
-      result.reaches_all = false;
-      continue;
-    }
+    if (!inside) continue;
     weight += s.weight;
     sum += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
   }
+  result.reaches_all = whole - weight <= kVeryEdge * whole;
   result.rms_px = weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
 }
 

@@ -3,6 +3,7 @@
 
 #include "batch.h"
 #include "gauss_legendre.h"
+#include "gauss_pixels.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@ namespace fca {
 namespace {
 
 using internal::gauss_legendre;
+using internal::gauss_pixels;
 using internal::Node;
 
 template <class... Ms>
@@ -93,20 +95,17 @@ std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidat
   return samples;
 }
 
-/// Tensor of Gauss-Legendre nodes over the whole image; points outside the lens fall away.
+/// Tensor of Gauss nodes over the pixels of the whole image; points outside the lens fall away.
 std::vector<Correspondence> sample_rectangle(const Rays& rays, int count) {
-  const double width = rays.size().width - 1.0;
-  const double height = rays.size().height - 1.0;
-  const double aspect = std::clamp((width + 1.0) / (height + 1.0), 0.1, 10.0);
+  const ImageSize& size = rays.size();
+  const double aspect = std::clamp(static_cast<double>(size.width) / size.height, 0.1, 10.0);
   const int columns = std::max(2, static_cast<int>(std::lround(std::sqrt(count * aspect))));
   const int rows = std::max(2, static_cast<int>(std::lround(static_cast<double>(count) / columns)));
   std::vector<Candidate> candidates;
   candidates.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  const std::vector<Node>& vertical = gauss_legendre(rows);
-  for (const Node& u : gauss_legendre(columns)) {
-    for (const Node& v : vertical) {
-      candidates.push_back({{u.position * width, v.position * height}, u.weight * v.weight});
-    }
+  const std::vector<Node>& vertical = gauss_pixels(rows, size.height);
+  for (const Node& u : gauss_pixels(columns, size.width)) {
+    for (const Node& v : vertical) candidates.push_back({{u.position, v.position}, u.weight * v.weight});
   }
   return seen_of(rays, candidates);
 }
@@ -241,14 +240,20 @@ class PolarSampler {
 
   static Pixel direction(double azimuth) { return {std::cos(azimuth), std::sin(azimuth)}; }
 
-  /// Up to the lens's edge: there errors change slowly with the azimuth.
+  /// Up to the lens's edge: there errors change slowly with the azimuth. Along the radius they may change without limit: where
+  /// the source itself ends, its radius stops growing with the angle, and r = edge sin(pi t / 2) does the same.
   void add_sector(double begin, double end) {
     const double span = end - begin;
     const int azimuths = std::max(kFewestAzimuths, static_cast<int>(std::lround(azimuths_per_radian_ * span)));
     for (const Node& azimuth : gauss_legendre(azimuths)) {
       const double phi = begin + azimuth.position * span;
       const double edge = reach(rays_, centre_, phi);
-      add_ray_of_samples(direction(phi), edge, azimuth.weight * span * edge * edge);
+      for (const Node& node : gauss_legendre(radial_)) {
+        const double turn = 0.5 * std::numbers::pi * node.position;
+        const double slope = 0.5 * std::numbers::pi * std::cos(turn);
+        const double weight = azimuth.weight * span * edge * edge * node.weight * slope * std::sin(turn);
+        candidates_.push_back({along(centre_, direction(phi), edge * std::sin(turn)), weight});
+      }
     }
   }
 
@@ -266,15 +271,15 @@ class PolarSampler {
         std::abs((first[0] - centre_[0]) * (last[1] - centre_[1]) - (first[1] - centre_[1]) * (last[0] - centre_[0]));
     const int along_side = std::max(kFewestAzimuths, static_cast<int>(std::lround(radial_ * length / whole)));
     for (const Node& node : gauss_legendre(along_side)) {
-      const Pixel to_border = {first[0] + node.position * (last[0] - first[0]) - centre_[0],
-                               first[1] + node.position * (last[1] - first[1]) - centre_[1]};
-      add_ray_of_samples(to_border, 1.0, node.weight * twice_area);
-    }
-  }
-
-  void add_ray_of_samples(const Pixel& direction, double edge, double weight) {
-    for (const Node& radius : gauss_legendre(radial_)) {
-      candidates_.push_back({along(centre_, direction, radius.position * edge), weight * radius.weight * radius.position});
+      const Pixel border_point = {first[0] + node.position * (last[0] - first[0]),
+                                  first[1] + node.position * (last[1] - first[1])};
+      const Pixel to_border = {border_point[0] - centre_[0], border_point[1] - centre_[1]};
+      for (const Node& radius : gauss_legendre(radial_ - 1)) {
+        const double weight = node.weight * twice_area * radius.weight * radius.position;
+        candidates_.push_back({along(centre_, to_border, radius.position), weight});
+      }
+      // Pixels on the border reach half a pixel beyond it.
+      candidates_.push_back({border_point, 0.5 * node.weight * length});
     }
   }
 

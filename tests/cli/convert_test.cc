@@ -439,7 +439,8 @@ TEST(Convert, JsonOfFailuresSaysSo) {
   EXPECT_EQ(json_of(two)["conversions"].Size(), 2U);
 }
 
-TEST(Convert, MaxErrorJudgesTheWorstPixel) {
+TEST(Convert, MaxErrorJudgesTheLargestErrorOfTheReport) {
+  EXPECT_TRUE(contains(run_program({"convert", "--help"}).out, "polished"));
   const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--json"}));
   double worst = 0.0;
   for (const Value& camera : json["cameras"].GetArray()) worst = std::max(worst, camera["error_px"]["max"].GetDouble());

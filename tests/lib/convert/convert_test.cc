@@ -84,6 +84,33 @@ TEST(Convert, ContainedModelsAreExact) {
   }
 }
 
+// A parabola mirror is the limit xi -> infinity of mei. A bounded xi is as good as a program can compute with.
+TEST(Convert, MeiComesAsCloseToAParabolaMirrorAsProgramsCan) {
+  for (const CameraModel& source : std::vector<CameraModel>{Intrinsics<Ucm>{{460.9, 459.6, 365.8, 248.9, 1.0}},
+                                                            Intrinsics<Eucm>{{230.9, 229.6, 365.8, 248.9, 1.0, 1.0}},
+                                                            Intrinsics<Ds>{{460.9, 459.6, 365.8, 248.9, 1.0, 0.0}},
+                                                            Intrinsics<Ucm>{{460.9, 459.6, 365.8, 248.9, 1.0 - 1e-12}}}) {
+    Diagnostics diagnostics;
+    const std::optional<Conversion> conversion = to(test::make_camera(source, {752, 480}), "mei", diagnostics);
+    ASSERT_TRUE(conversion);
+    EXPECT_TRUE(diagnostics.entries().empty());
+    EXPECT_LE(conversion->report.judgement.error.max, 5e-6);
+    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0);
+    const CameraModel& model = conversion->camera.model;
+    EXPECT_LE(std::get<Intrinsics<Mei>>(model).values[4], 1e8);
+    EXPECT_EQ(conversion->report.at_bound, std::vector<std::string>{"xi"});
+    // Its own way back from the pixel, as programs go it.
+    for (const Pixel& pixel : {Pixel{200.0, 150.0}, Pixel{365.8, 248.9}, Pixel{500.0, 300.0}}) {
+      const std::optional<Ray> ray = unproject(model, pixel);
+      ASSERT_TRUE(ray);
+      const std::optional<Pixel> back = project(source, *ray);
+      ASSERT_TRUE(back);
+      EXPECT_NEAR((*back)[0], pixel[0], 1e-4);
+      EXPECT_NEAR((*back)[1], pixel[1], 1e-4);
+    }
+  }
+}
+
 TEST(Convert, RaysBehindTheCameraAreFittedAndScored) {
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = to(test::lens_220(), "ds", diagnostics, 110.0);

@@ -6,16 +6,19 @@
 #include <convert/fit_model.h>
 #include <convert/fitter.h>
 #include <convert/jet_target.h>
+#include <convert/judge_stages.h>
 #include <fca/convert/convert.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <tuple>
 
@@ -145,11 +148,17 @@ internal::ParameterValues random_start(const Sampled& sampled, Random& random) {
   return p;
 }
 
-/// The best that 20 starts lead to, if it projects all samples; infinite if none does.
 template <CameraModelType M>
-double reference_rms(const Sampled& sampled, Random& random) {
+struct Reference {
+  Intrinsics<M> model{};
+  double rms_px = std::numeric_limits<double>::infinity();
+};
+
+/// The best that 20 starts lead to, if it projects all samples; infinitely bad if none does.
+template <CameraModelType M>
+Reference<M> reference_fit(const Sampled& sampled, Random& random) {
   constexpr int kStarts = 20;
-  double best = std::numeric_limits<double>::infinity();
+  Reference<M> best;
   const internal::JetTarget<M> target;
   internal::Fitter fitter(target, sampled.samples, {});
   for (int i = 0; i < kStarts; ++i) {
@@ -157,7 +166,7 @@ double reference_rms(const Sampled& sampled, Random& random) {
     if (!fit || !fit->reaches_all) continue;
     Intrinsics<M> model;
     std::copy_n(fit->parameters.begin(), model.values.size(), model.values.begin());
-    if (validate(model).empty()) best = std::min(best, fit->rms_px);
+    if (fit->rms_px < best.rms_px && validate(model).empty()) best = {model, fit->rms_px};
   }
   return best;
 }
@@ -170,7 +179,7 @@ bool expect_no_worse_than_reference(const Camera& camera, const Sampled& sampled
     EXPECT_TRUE(std::isfinite(fitted->rms_px));
     EXPECT_TRUE(validate(fitted->model).empty());
   }
-  const double reference = reference_rms<M>(sampled, random);
+  const double reference = reference_fit<M>(sampled, random).rms_px;
   if (!std::isfinite(reference)) return false;
   constexpr double kNobodySees = 1e-4;  // px
   // A fit prefers to leave out a few rays to a camera that is useless for all of them.
@@ -198,6 +207,144 @@ TEST(RandomCameras, NoFitIsWorseThanTwentyStarts) {
         [&]<CameraModelType M>() { compared += expect_no_worse_than_reference<M>(camera, sampled, random) ? 1 : 0; });
   }
   std::printf("  %d cameras, %d fits compared\n", count, compared);
+}
+
+/// Over every pixel of the domain; infinite where one is out of the model's reach.
+double rms_over_pixels(const Camera& camera, const CameraModel& model, const Domain& domain) {
+  const internal::Scorer scorer(camera.model, &model, nullptr, domain, std::numbers::pi);
+  const Judgement judgement = internal::score_every_pixel(scorer).judgement;
+  return judgement.coverage.unrepresentable > 0.0 ? std::numeric_limits<double>::infinity() : judgement.error.rms;
+}
+
+/// The domain's pixels: in blocks of 4 x 4 one place for all, next to the image's border and the lens's edge each of them.
+std::vector<Correspondence> dense_lattice(const CameraModel& source, const Domain& domain) {
+  constexpr int kBlock = 4;
+  const Lens lens(source);
+  std::vector<Correspondence> lattice;
+  const auto add = [&](double u, double v, double weight) {
+    if (const std::optional<Ray> ray = domain.ray(lens, {u, v})) lattice.push_back({*ray, {u, v}, weight});
+  };
+  const auto smooth = [&](int u, int v) {
+    for (const int y : {v - kBlock, v + 2 * kBlock}) {
+      for (const int x : {u - kBlock, u + 2 * kBlock}) {
+        const bool in_image = x >= 0 && y >= 0 && x < domain.size.width && y < domain.size.height;
+        if (!in_image || !domain.ray(lens, {1.0 * x, 1.0 * y})) return false;
+      }
+    }
+    return true;
+  };
+  for (int v = 0; v < domain.size.height; v += kBlock) {
+    for (int u = 0; u < domain.size.width; u += kBlock) {
+      if (smooth(u, v)) {
+        add(u + 0.5 * (kBlock - 1), v + 0.5 * (kBlock - 1), kBlock * kBlock);
+        continue;
+      }
+      for (int y = v; y < std::min(v + kBlock, domain.size.height); ++y) {
+        for (int x = u; x < std::min(u + kBlock, domain.size.width); ++x) add(x, y, 1.0);
+      }
+    }
+  }
+  double total = 0.0;
+  for (const Correspondence& s : lattice) total += s.weight;
+  for (Correspondence& s : lattice) s.weight /= total;
+  return lattice;
+}
+
+/// The best of 20 starts, fitted once more to the dense lattice.
+template <CameraModelType M>
+double reference_over_pixels(const Camera& camera, const Domain& domain, Random& random) {
+  const Sampled sampled = samples_of(camera);
+  const Reference<M> reference = reference_fit<M>(sampled, random);
+  double best = rms_over_pixels(camera, reference.model, domain);
+  const auto finer = internal::fit_from(reference.model, dense_lattice(camera.model, domain), {});
+  if (finer) best = std::min(best, rms_over_pixels(camera, finer->model, domain));
+  return std::isfinite(reference.rms_px) ? best : reference.rms_px;
+}
+
+/// One conversion, judged by every pixel, beside its reference.
+template <CameraModelType M>
+bool expect_no_worse_over_pixels(const Camera& camera, Random& random) {
+  ConvertOptions options;
+  options.model = M::kId;
+  options.bound = false;
+  options.every_pixel = true;
+  Diagnostics diagnostics;
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+  if (!domain || !conversion) return false;
+  const double reference = reference_over_pixels<M>(camera, *domain, random);
+  // Nobody sees it. What was fitted to a cone leaves out the worst pixels.
+  constexpr double kNobodySees = 1e-4;
+  const double rms = conversion->report.judgement.error.rms;
+  EXPECT_LE(rms, 1.02 * reference + kNobodySees)
+      << model_info(camera.model).id << " "
+      << ::testing::PrintToString(
+             std::vector<double>(parameter_values(camera.model).begin(), parameter_values(camera.model).end()))
+      << " -> " << M::kId << ", scored to " << conversion->report.scored_to_deg << " of "
+      << domain->max_angle_rad / test::kRadians << " deg";
+  return std::isfinite(reference);
+}
+
+/// A lens whose image ends between 69 and 89.5 degrees: what sees ahead only bends there as fast as it can.
+Camera wide_camera(Random& random) {
+  for (;;) {
+    const double fx = random.between(150.0, 700.0);
+    const double fy = fx * random.between(0.97, 1.03);
+    const double cx = random.between(290.0, 350.0);
+    const double cy = random.between(210.0, 270.0);
+    const auto model = [&]() -> CameraModel {
+      switch (random.below(4)) {
+        case 0:
+          return Intrinsics<Kb4>{{fx, fy, cx, cy, random.between(-0.1, 0.1), random.between(-0.03, 0.03),
+                                  random.between(-0.01, 0.01), random.between(-0.002, 0.002)}};
+        case 1: {
+          const double xi = random.between(-0.6, 0.3);
+          return Intrinsics<Ds>{{fx * (1.0 + xi), fy * (1.0 + xi), cx, cy, random.between(0.5, 0.8), xi}};
+        }
+        case 2:
+          return Intrinsics<Eucm>{{fx, fy, cx, cy, random.between(0.05, 0.8), random.between(0.5, 2.0)}};
+        default:
+          return Intrinsics<Ucm>{{fx, fy, cx, cy, random.between(0.1, 0.9)}};
+      }
+    };
+    const Camera camera = test::make_camera(model(), {640, 480});
+    Diagnostics diagnostics;
+    const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+    if (!domain) continue;
+    const double angle_deg = domain->max_angle_rad / test::kRadians;
+    if (angle_deg > 69.0 && angle_deg < 89.5) return camera;
+  }
+}
+
+// The samples of a fit may hide what the image shows: here every pixel judges, and the reference is the best over the image.
+TEST(RandomCameras, NoConversionIsWorseOverTheImage) {
+  Random random(24);
+  const int count = how_many(10);
+  int compared = 0;
+  for (int i = 0; i < count; ++i) {
+    SCOPED_TRACE(i);
+    const Camera plausible = plausible_camera(random);
+    ModelList::for_each([&]<CameraModelType M>() { compared += expect_no_worse_over_pixels<M>(plausible, random) ? 1 : 0; });
+    compared += expect_no_worse_over_pixels<Rational>(wide_camera(random), random) ? 1 : 0;
+  }
+  std::printf("  %d cameras, %d conversions compared\n", 2 * count, compared);
+}
+
+// Lenses of 71 to 88 degrees: those of ds end inside the image, the second in its corners. The others' first samples agree with
+// the image by chance.
+TEST(RandomCameras, RationalOfHardLensesOverTheImage) {
+  Random random(25);
+  for (const CameraModel& model :
+       std::vector<CameraModel>{Intrinsics<Ds>{{133.5677629389186, 135.23867440987095, 342.1421671569585, 264.34053674938787,
+                                                0.7025675221450794, -0.5568606152385887}},
+                                Intrinsics<Ds>{{266.02288823311704, 273.03060888097923, 326.72983457755475, 230.4811594450797,
+                                                0.7584994149379001, -0.3727726401776721}},
+                                Intrinsics<Ds>{{207.68323992859888, 213.3849741826465, 298.65300483251326, 264.32952212044296,
+                                                0.7978449645653399, -0.4398794999643145}},
+                                Intrinsics<Ds>{{210.04773885555102, 211.11391090851015, 292.40714506141524, 261.06849565560304,
+                                                0.780260987949946, -0.5916783850886771}}}) {
+    expect_no_worse_over_pixels<Rational>(test::make_camera(model, {640, 480}), random);
+  }
 }
 
 // Of the 1,000 those that taught the fit something: two bottoms between two of mei's shapes, one at the largest xi that can be;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace fca {
@@ -70,6 +71,31 @@ std::vector<double> steps(double from, double to, double step) {
   std::vector<double> result;
   for (double deg = from; deg <= to; deg += step) result.push_back(deg);
   return result;
+}
+
+// What does not only see ahead reaches as far as it can, whatever the error; radtan stays under 1 px. (Equidistant, all
+// around.)
+TEST(ReachTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
+  const Camera camera = test::make_camera(Intrinsics<Kb4>{{100, 100, 319.5, 319.5, 0, 0, 0, 0}}, {640, 640});
+  for (const auto& [target, sees_ahead_only] : {std::pair("ucm", false), std::pair("radtan", true)}) {
+    ConvertOptions options;
+    options.model = target;
+    options.bound = false;
+    Diagnostics diagnostics;
+    const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+    ASSERT_TRUE(conversion) << target;
+    EXPECT_TRUE(std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) {
+      return entry.code == "target-cannot-reach";
+    })) << target;
+    const ConversionReport& report = conversion->report;
+    if (sees_ahead_only) {
+      EXPECT_LE(report.judgement.error.rms, 1.0);
+    } else {
+      EXPECT_GT(report.judgement.error.rms, 1.0) << target;
+      EXPECT_GT(report.scored_to_deg, 120.0) << target;
+    }
+    expect_no_loss(camera, target, steps(60.0, 180.0, 15.0));
+  }
 }
 
 TEST(ReachTable, AWiderAngleNeverScoresLess) {

@@ -10,21 +10,18 @@
 namespace fca {
 namespace {
 
-/// Mean of f over the domain's area, by every half pixel; points on the image's border stand for half a cell.
+/// Mean of f over the domain's pixels.
 template <class F>
-double mean_over_area(const CameraModel& source, const Domain& domain, F&& f) {
+double mean_over_pixels(const CameraModel& source, const Domain& domain, F&& f) {
   double sum = 0.0;
   double count = 0.0;
-  const int last_row = 2 * (domain.size.height - 1);
-  const int last_column = 2 * (domain.size.width - 1);
-  for (int j = 0; j <= last_row; ++j) {
-    for (int i = 0; i <= last_column; ++i) {
-      const double weight = (j == 0 || j == last_row ? 0.5 : 1.0) * (i == 0 || i == last_column ? 0.5 : 1.0);
-      const Pixel pixel = {0.5 * i, 0.5 * j};
+  for (int y = 0; y < domain.size.height; ++y) {
+    for (int x = 0; x < domain.size.width; ++x) {
+      const Pixel pixel = {static_cast<double>(x), static_cast<double>(y)};
       const std::optional<Ray> ray = domain.ray(source, pixel);
       if (!ray) continue;
-      sum += weight * f(pixel, *ray);
-      count += weight;
+      sum += f(pixel, *ray);
+      count += 1.0;
     }
   }
   return sum / count;
@@ -54,8 +51,59 @@ TEST(Sample, WeightedSumsAreMeansOverTheDomain) {
     };
     double by_samples = 0.0;
     for (const Correspondence& s : samples) by_samples += s.weight * rim_heavy(s.pixel, s.ray);
-    const double by_area = mean_over_area(c.camera.model, *domain, rim_heavy);
-    EXPECT_NEAR(by_samples, by_area, 0.01 * by_area);
+    const double by_pixels = mean_over_pixels(c.camera.model, *domain, rim_heavy);
+    EXPECT_NEAR(by_samples, by_pixels, 0.01 * by_pixels);
+  }
+}
+
+// The error of a model that bends fast is largest in the last pixels of the image's corners, which a mean over the area between
+// the pixels would count by a quarter.
+TEST(Sample, CornerPixelsCountAsWholePixels) {
+  Diagnostics diagnostics;
+  const Camera camera = test::kalibr_ds();
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  ASSERT_TRUE(domain);
+  const auto corner_heavy = [&](const Pixel& pixel, const Ray& /*ray*/) {
+    const double u = 2.0 * pixel[0] / (domain->size.width - 1.0) - 1.0;
+    const double v = 2.0 * pixel[1] / (domain->size.height - 1.0) - 1.0;
+    return std::pow(u * v, 24);
+  };
+  double by_samples = 0.0;
+  for (const Correspondence& s : sample(camera.model, *domain, 400)) by_samples += s.weight * corner_heavy(s.pixel, s.ray);
+  const double by_pixels = mean_over_pixels(camera.model, *domain, corner_heavy);
+  EXPECT_NEAR(by_samples, by_pixels, 1e-9 * by_pixels);
+}
+
+// Where the source's radius stops growing with the angle, degrees lie in the last tenth of a pixel.
+TEST(Sample, TheEdgeOfALensThatEndsIsSeen) {
+  Diagnostics diagnostics;
+  const Camera camera = test::make_camera(
+      Intrinsics<Ds>{{133.5677629, 135.2386744, 342.1421672, 264.3405367, 0.7025675221, -0.5568606152}}, {640, 480});
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  ASSERT_TRUE(domain);
+  // The squared residual of a model that fails in the last two degrees.
+  const auto edge_heavy = [&](const Pixel& /*pixel*/, const Ray& ray) {
+    return std::exp(angle_from_axis(ray) / test::kRadians - 84.0);
+  };
+  double by_samples = 0.0;
+  for (const Correspondence& s : sample(camera.model, *domain)) by_samples += s.weight * edge_heavy(s.pixel, s.ray);
+  const double by_pixels = mean_over_pixels(camera.model, *domain, edge_heavy);
+  // Which pixels' centres lie in that tenth is chance.
+  EXPECT_NEAR(by_samples, by_pixels, 0.05 * by_pixels);
+}
+
+TEST(Sample, NoMorePlacesThanPixels) {
+  for (const ImageSize size : {ImageSize{1, 1}, ImageSize{2, 1}, ImageSize{3, 2}}) {
+    Diagnostics diagnostics;
+    const Camera camera = test::make_camera(Intrinsics<Pinhole>{{100.0, 100.0, 0.0, 0.0}}, size);
+    const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+    ASSERT_TRUE(domain);
+    const std::vector<Correspondence> samples = sample(camera.model, *domain);
+    ASSERT_EQ(samples.size(), static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    for (const Correspondence& s : samples) {
+      for (const double coordinate : s.pixel) EXPECT_NEAR(coordinate, std::round(coordinate), 1e-12);
+      EXPECT_NEAR(s.weight, 1.0 / static_cast<double>(samples.size()), 1e-12);
+    }
   }
 }
 

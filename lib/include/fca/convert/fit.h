@@ -18,7 +18,7 @@ struct Fitted {
   Intrinsics<M> model;
   double rms_px = 0.0;  ///< Over the samples, by their weights.
   int iterations = 0;
-  bool reaches_all = true;            ///< Every sample's ray lies in the model's domain.
+  bool reaches_all = true;            ///< Every sample's ray lies in the model's domain, but for a thousandth of the weights.
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.
 };
 

@@ -202,12 +202,16 @@ class FitTargetOf : public FitTarget {
   }
 };
 
+/// What of a domain may be out of a model's reach that is said to reach all of it: a model's radius may turn back within a hair
+/// of the edge, where samples of no weight lie. A share of the area.
+inline constexpr double kVeryEdge = 1e-3;
+
 /// What a fit found.
 struct FoundFit {
   ParameterValues parameters{};
   double rms_px = 0.0;
   int iterations = 0;
-  bool reaches_all = true;  ///< Every sample projects.
+  bool reaches_all = true;  ///< Every sample projects, but for the very edge.
   std::vector<std::string> at_bound;
 };
 

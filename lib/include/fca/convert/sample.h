@@ -9,14 +9,13 @@
 
 namespace fca {
 
-/// About `count` pixels of the domain with their rays (up to three times as many where the lens's edge crosses the
-/// image's border);
-/// the weights are shares of the domain's area and sum to 1.
+/// About `count` places of the domain with their rays (up to three times as many where the lens's edge crosses the image's
+/// border); the weights are shares of the domain's pixels and sum to 1.
 ///
-/// Where the whole image is the domain: a tensor of Gauss-Legendre nodes. Where the lens ends inside the image: polar around
-/// the principal point, Gauss-Legendre along the radius up to the domain's edge, and around it along the image's sides or the
-/// lens's edge. A weighted sum over the points
-/// is then the integral over the area to far below what a fit can notice (LIMITS.md: within 1.004 of the optimum over all
+/// Where the whole image is the domain: a tensor of Gauss nodes of its rows' and columns' pixels. Where the lens ends inside
+/// the image: polar around the principal point, Gauss-Legendre along the radius and around it along the image's sides or the
+/// lens's edge, closer to each other towards that edge, where the angle may change without limit. A weighted sum over the
+/// places is then the mean over all pixels to far below what a fit can notice (LIMITS.md: within 1.004 of the optimum over all
 /// pixels at 200).
 [[nodiscard]] std::vector<Correspondence> sample(const Lens& source, const Domain& domain, int count = 200);
 

@@ -22,15 +22,20 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
   static constexpr std::string_view kId = "mei";
   static constexpr std::string_view kTitle = "Mei (unified model with radial-tangential distortion)";
   static constexpr std::array<std::string_view, 4> kAliases = {"omni", "omni-radtan", "omni-none", "omnidir"};
-  static constexpr std::array kParameters = {common_parameter::kFx,
-                                             common_parameter::kFy,
-                                             common_parameter::kCx,
-                                             common_parameter::kCy,
-                                             Parameter{"xi", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens},
-                                             common_parameter::coefficient("k1"),
-                                             common_parameter::coefficient("k2"),
-                                             common_parameter::coefficient("p1"),
-                                             common_parameter::coefficient("p2")};
+  /// A parabola mirror (ucm with alpha = 1) is the limit xi -> infinity: with focal lengths f at the centre, a camera with
+  /// this xi is less than f / xi away from it. Programs find the height of a pixel's ray as a difference of two numbers as
+  /// large as xi, which rounding leaves at 1e-16 xi: at 1e8 both are about 1e-8 radians, some 1e-6 px.
+  static constexpr double kFurthestXi = 1e8;
+  static constexpr std::array kParameters = {
+      common_parameter::kFx,
+      common_parameter::kFy,
+      common_parameter::kCx,
+      common_parameter::kCy,
+      Parameter{"xi", "", 0.0, common_parameter::kInfinity, ParameterGroup::kLens, false, kFurthestXi},
+      common_parameter::coefficient("k1"),
+      common_parameter::coefficient("k2"),
+      common_parameter::coefficient("p1"),
+      common_parameter::coefficient("p2")};
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];

@@ -28,6 +28,8 @@ struct Parameter {
   double upper;
   ParameterGroup group;
   bool open = false;  ///< Are the bounds themselves excluded?
+  /// A fit takes it no further, although what lies beyond is a camera.
+  double furthest = std::numeric_limits<double>::infinity();
 };
 
 /// No lens has larger numbers than this, and their powers would overflow a projection.
