@@ -126,10 +126,11 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
                    "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)");
   command.add_flag("--no-provenance", arguments.no_provenance, "Leave out that comment");
   command
-      .add_option("--max-error", arguments.max_error_px,
-                  "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
-                  "polished to where it really is, between the pixels, too), or if a part of the image (within --max-angle, "
-                  "if given) has no pixel in the new model")
+      .add_option(
+          "--max-error", arguments.max_error_px,
+          "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
+          "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if --max-angle or "
+          "--lens-circle says where it ends) has no pixel in the new model")
       ->type_name("PX")
       ->check(decimal_number());
   command.add_flag("--strict", arguments.strict, "Fail if anything of the input cannot be carried");
