@@ -313,9 +313,10 @@ struct RayKernel<Mei> {
   UnitRay operator()(double u, double v) const {
     const auto point = inverse(plane.x(u), plane.y(v));
     const double radicand = 1.0 + (1.0 - xi * xi) * point.r2;
-    const double factor = (xi + std::sqrt(std::abs(radicand))) / (1.0 + point.r2);
+    const double root = std::sqrt(std::abs(radicand));
+    const double factor = (xi + root) / (1.0 + point.r2);
     const double doubt = point.doubt + ask_unless(radicand > 0.0);
-    const UnitRay ray = normalised(factor * point.x, factor * point.y, factor - xi, doubt);
+    const UnitRay ray = normalised(factor * point.x, factor * point.y, (root - xi * point.r2) / (1.0 + point.r2), doubt);
     return {ray.x, ray.y, point.beyond > 0.0 ? kNoRay : ray.z};
   }
 

@@ -439,6 +439,18 @@ TEST(Convert, JsonOfFailuresSaysSo) {
   EXPECT_EQ(json_of(two)["conversions"].Size(), 2U);
 }
 
+// The limit of mei is a file that the programs understand.
+TEST(Convert, MeiOfAParabolaMirrorIsProven) {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("mirror.yaml",
+                                         "cam0:\n  camera_model: eucm\n  intrinsics: [1.0, 1.0, 460.9, 459.6, 365.8, 248.9]\n"
+                                         "  distortion_model: none\n  distortion_coeffs: []\n  resolution: [752, 480]\n");
+  for (const char* format : {"kalibr", "opencv"}) {
+    const RunResult run = run_program({"convert", input, "--to", format, "--model", "mei", "--max-error", "1e-5"});
+    EXPECT_EQ(run.code, 0) << run.err;
+  }
+}
+
 TEST(Convert, MaxErrorJudgesTheLargestErrorOfTheReport) {
   EXPECT_TRUE(contains(run_program({"convert", "--help"}).out, "polished"));
   const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--json"}));

@@ -87,10 +87,11 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double radicand = 1.0 + (1.0 - xi * xi) * r2;
     if (!(radicand >= 0.0)) return false;
-    const double factor = (xi + std::sqrt(radicand)) / (1.0 + r2);
+    const double root = std::sqrt(radicand);
+    const double factor = (xi + root) / (1.0 + r2);
     ray[0] *= factor;
     ray[1] *= factor;
-    ray[2] = factor - xi;
+    ray[2] = (root - xi * r2) / (1.0 + r2);  // factor - xi, which are nearly the same where xi is large
     return internal::normalise(ray);
   }
 
