@@ -46,6 +46,7 @@ std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string
 
 std::string in_words(const LensCircle& circle, const std::vector<std::string>& paths) {
   std::vector<std::string> names;
+  names.reserve(paths.size());
   for (const std::string& path : paths) names.push_back(std::filesystem::path(path).filename().string());
   constexpr std::size_t kFew = 3;
   const std::string images = names.size() <= kFew ? enumerated(names, "and") : counted(names.size(), "image");

@@ -12,25 +12,20 @@ namespace fca::test {
 namespace {
 
 /// A wide lens whose axis hits the middle of its image, and a second camera beside it.
-const std::string kChain = R"(cam0:
-  camera_model: pinhole
+const std::string kLens = R"(  camera_model: pinhole
   intrinsics: [190.0, 190.0, 255.5, 255.5]
   distortion_model: equidistant
   distortion_coeffs: [0.003, 0.001, -0.002, 0.0002]
   resolution: [512, 512]
 )";
+const std::string kChain = "cam0:\n" + kLens;
 const std::string kPair = kChain + R"(cam1:
   T_cn_cnm1:
   - [1.0, 0.0, 0.0, -0.1]
   - [0.0, 1.0, 0.0, 0.0]
   - [0.0, 0.0, 1.0, 0.0]
   - [0.0, 0.0, 0.0, 1.0]
-  camera_model: pinhole
-  intrinsics: [190.0, 190.0, 255.5, 255.5]
-  distortion_model: equidistant
-  distortion_coeffs: [0.003, 0.001, -0.002, 0.0002]
-  resolution: [512, 512]
-)";
+)" + kLens;
 
 /// A grey image (PGM) whose light lies in a circle about the middle; of it only the sector up to `lit` [rad] is bright.
 std::string image(int side, double radius, double lit = 7.0) {
