@@ -208,15 +208,15 @@ std::optional<Circle> vote(const std::vector<Steps>& all, const View& view) {
 Circle refined(Circle circle, const std::vector<Steps>& all) {
   constexpr int kRounds = 20;
   for (int round = 0; round < kRounds; ++round) {
-    Eigen::Matrix3d JtJ = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d Jtr = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     for (const Pixel& step : steps_on(circle, all)) {
       const double away = std::hypot(step[0] - circle.centre[0], step[1] - circle.centre[1]);
       const Eigen::Vector3d J(-(step[0] - circle.centre[0]) / away, -(step[1] - circle.centre[1]) / away, -1.0);
-      JtJ += J * J.transpose();
-      Jtr += J * (away - circle.radius);
+      normal_matrix += J * J.transpose();
+      gradient += J * (away - circle.radius);
     }
-    const Eigen::Vector3d change = JtJ.ldlt().solve(-Jtr);
+    const Eigen::Vector3d change = normal_matrix.ldlt().solve(-gradient);
     if (!change.allFinite()) break;
     circle.centre[0] += change[0];
     circle.centre[1] += change[1];
