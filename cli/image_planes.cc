@@ -10,20 +10,23 @@ namespace fca::cli {
 
 namespace {
 
+template <class T>
+float sample_as(const Image& image, std::size_t index) {
+  T value{};
+  std::memcpy(&value, &image.bytes[index * sizeof(T)], sizeof(T));
+  return static_cast<float>(value);
+}
+
 float sample_at(const Image& image, std::size_t index) {
-  const auto as = [&]<class T>(T value) {
-    std::memcpy(&value, &image.bytes[index * sizeof(T)], sizeof(T));
-    return static_cast<float>(value);
-  };
   switch (image.sample) {
     case Image::Sample::k8Bit:
-      return as(std::uint8_t{});
+      return sample_as<std::uint8_t>(image, index);
     case Image::Sample::k16Bit:
-      return as(std::uint16_t{});
+      return sample_as<std::uint16_t>(image, index);
     case Image::Sample::kFloat:
       break;
   }
-  const float value = as(float{});
+  const auto value = sample_as<float>(image, index);
   return std::isfinite(value) ? value : 0.0F;
 }
 
