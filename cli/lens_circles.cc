@@ -9,6 +9,7 @@
 #include <fca/rig/lit_circle.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace fca::cli {
@@ -55,6 +56,27 @@ std::string in_words(const LensCircle& circle, const std::vector<std::string>& p
          " of its rim seen, rms " + pixels(circle.rms_px) + " px";
 }
 
+/// A lamp in a dark room is a lit circle, too, and so is the glow around a lens: what speaks against the one that was found.
+void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& diagnostics) {
+  constexpr double kOffCentre = 0.1;  // of the radius
+  constexpr double kHalf = 0.5;
+  const LensCircle& circle = *camera.lens_circle;
+  const Pixel axis = principal_point(camera.model);
+  const double off = std::hypot(circle.centre[0] - axis[0], circle.centre[1] - axis[1]);
+  if (off > kOffCentre * circle.radius_px) {
+    diagnostics.warning(
+        "lens-circle-off-centre",
+        camera.name + ": the lit circle's centre is " + fixed(off, 1) +
+            " px from the principal point; what lies dark within the largest angle on its rim counts as lens, too",
+        {path, 0, 0}, "is it the lens, and not a lamp? fca-io report draws it; --max-angle DEG says it by hand");
+  }
+  if (circle.rim_share < kHalf) {
+    diagnostics.warning("lens-circle-uncertain",
+                        camera.name + ": only " + percent(circle.rim_share) + " of the lit circle's rim is seen", {path, 0, 0},
+                        "further images of brighter scenes, each as --lens-circle; fca-io report draws it");
+  }
+}
+
 bool add_circle(const SampleImages& sample, Diagnostics& diagnostics) {
   Camera& camera = *sample.camera;
   if (!camera.image_size) {
@@ -71,6 +93,7 @@ bool add_circle(const SampleImages& sample, Diagnostics& diagnostics) {
   camera.lens_circle = find_lit_circle(images.front());
   if (camera.lens_circle) {
     camera.lens_circle->why = in_words(*camera.lens_circle, sample.paths);
+    warn_of_doubts(camera, sample.paths.front(), diagnostics);
   } else {
     diagnostics.warning("no-lens-circle",
                         camera.name + ": " + (sample.paths.size() == 1 ? "the image shows" : "the images show") +

@@ -132,6 +132,22 @@ TEST(LensCircleOption, IsSaidByCompareAndDrawnByReport) {
   }
 }
 
+// A lamp in a dark room, the images of another camera.
+TEST(LensCircleOption, SaysWhatSpeaksAgainstACircle) {
+  const TemporaryFolder folder;
+  const std::string seen = folder.write("seen.pgm", image(512, 200.0));
+  const auto said = [&](const std::string& chain, const std::string& path) {
+    return run_program({"convert", folder.write("chain.yaml", chain), "--to", "kalibr", "--model", "eucm", "--lens-circle",
+                        path, "--dry-run"})
+        .err;
+  };
+  EXPECT_FALSE(contains(said(kChain, seen), "lens-circle"));
+  const std::string moved = with_replaced(kChain, "255.5, 255.5", "285.5, 255.5");
+  EXPECT_TRUE(contains(said(moved, seen), "30.0 px from the principal point")) << said(moved, seen);
+  const std::string quarter = folder.write("quarter.pgm", image(512, 240.0, 1.6));
+  EXPECT_TRUE(contains(said(kChain, quarter), "lens-circle-uncertain")) << said(kChain, quarter);
+}
+
 TEST(LensCircleOption, WithoutADarkBorderTheWholeImageIsLens) {
   const TemporaryFolder folder;
   const std::string chain = folder.write("chain.yaml", kChain);
