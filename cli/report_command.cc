@@ -36,7 +36,7 @@ std::optional<std::string> usage_error(const ReportArguments& arguments) {
   if (arguments.inputs.size() > 1 && !arguments.reading.join)
     return "a page is about one calibration; parts of it go behind --with, cameras of one rig want --join";
   if (!arguments.model.empty() && arguments.model != kAllModels && find_model(arguments.model) == nullptr)
-    return unknown_model(arguments.model) + " --model all lays every model beside the others";
+    return unknown_model(arguments.model) + "; --model all lays every model beside the others";
   if (const std::optional<std::string> error = option_without_file(arguments)) return error;
   return problem_with(one_model(arguments));
 }
