@@ -126,10 +126,10 @@ std::string images_text(const EvaluatedTable& table) {
 std::string why_images_differ() {
   return paragraph(
       "A recovered image shows each ray's light where the converted model has its pixel. PSNR and SSIM depend on the image, "
-      "and the "
-      "paper's are others; besides, its program moves pixels forward as discs, which blurs where a model is exact and hides "
-      "where it is not, and takes identical images for 0 dB. Ours looks every pixel up in the image (Lanczos), over the pixels "
-      "that both cameras see: equal models give the image itself, and what is lost otherwise is what the models differ by.",
+      "and the paper's are others; besides, its program moves pixels forward as discs, which blurs where a model is exact and "
+      "hides where it is not, and takes identical images for 0 dB. Ours looks every pixel up in the image (Lanczos), over the "
+      "pixels that both cameras see: equal models give the image itself, and what is lost otherwise is what the models differ "
+      "by.",
       "");
 }
 

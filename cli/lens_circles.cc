@@ -83,14 +83,15 @@ bool add_circle(const SampleImages& sample, Diagnostics& diagnostics) {
     diagnostics.error("image-size-missing", camera.name + ": the image size is not known", {}, "give it: --size WIDTHxHEIGHT");
     return false;
   }
-  std::vector<GreyImage> images;
+  std::optional<GreyImage> seen;  // the brightest so far: many large images need not be held at once
   for (const std::string& path : sample.paths) {
     const std::optional<Image> image = read_image(path, diagnostics);
     if (!image || !has_size_of(camera, *image, path, diagnostics)) return false;
-    images.push_back(brightest(planes(*image)));          // a blue light is light, too
-    if (images.size() > 1) images = {brightest(images)};  // many large ones need not be held at once
+    std::vector<GreyImage> lights = planes(*image);  // a blue light is light, too
+    if (seen) lights.push_back(*std::move(seen));
+    seen = brightest(lights);
   }
-  camera.lens_circle = find_lit_circle(images.front());
+  camera.lens_circle = find_lit_circle(*seen);
   if (camera.lens_circle) {
     camera.lens_circle->why = in_words(*camera.lens_circle, sample.paths);
     warn_of_doubts(camera, sample.paths.front(), diagnostics);

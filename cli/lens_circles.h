@@ -12,7 +12,8 @@ namespace fca::cli {
 
 /// Gives the rig's cameras the circles that these images show. "IMAGE" is of the only camera, "CAMERA=IMAGE" of one of several;
 /// several images of one camera are looked at together. False with an error where an image cannot be read, is not of its
-/// camera's size, or it is not said whose it is. A warning where images show no dark border: all of them is lens.
+/// camera's size, or it is not said whose it is. A warning where images show no dark border (all of
+/// them is lens then), where the circle's centre is far from the principal point, and where little of its rim is seen.
 [[nodiscard]] bool add_lens_circles(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics);
 
 }  // namespace fca::cli

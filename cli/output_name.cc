@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string replaced(std::string text, std::string_view placeholder, std::string_view value) {
-  for (std::size_t at = text.find(placeholder); at != std::string::npos; at = text.find(placeholder, at + value.size())) {
-    text.replace(at, placeholder.size(), value);
+std::string replaced(std::string text, std::string_view pattern_word, std::string_view value) {
+  for (std::size_t at = text.find(pattern_word); at != std::string::npos; at = text.find(pattern_word, at + value.size())) {
+    text.replace(at, pattern_word.size(), value);
   }
   return text;
 }
