@@ -105,20 +105,22 @@ std::string table_text(const EvaluatedTable& table) {
 
 /// What an image loses: the paper's figures are of another one.
 std::string images_text(const EvaluatedTable& table) {
-  constexpr std::array<Column, 6> kColumns = {{{12, "", "in-out"},
+  constexpr std::array<Column, 7> kColumns = {{{12, "", "in-out"},
                                                {10, "paper", "PSNR dB"},
                                                {10, "", "SSIM"},
                                                {10, "ours", "PSNR dB"},
                                                {10, "", "SSIM"},
-                                               {10, "", "compared"}}};
+                                               {11, "", "compared"},
+                                               {10, "models differ", "rms px"}}};
   if (table.rows.empty() || !table.rows.front().recovered) return "";
   std::string text = "  the image, recovered:\n" + heading(kColumns);
   for (const EvaluatedRow& row : table.rows) {
     const RecoveredImage& recovered = *row.recovered;
-    text += line(kColumns, std::array<std::string, kColumns.size()>{
-                               name_of(row), as_published(row.published.psnr_db), as_published(row.published.ssim),
-                               std::isinf(recovered.psnr_db) ? "the same" : fixed(recovered.psnr_db, 2),
-                               fixed(recovered.ssim, 4), percent(recovered.compared)});
+    text +=
+        line(kColumns, std::array<std::string, kColumns.size()>{
+                           name_of(row), as_published(row.published.psnr_db), as_published(row.published.ssim),
+                           std::isinf(recovered.psnr_db) ? "the same" : fixed(recovered.psnr_db, 2), fixed(recovered.ssim, 4),
+                           percent(recovered.compared), pixels(row.conversion.report.judgement.error.rms)});
   }
   return text;
 }

@@ -56,7 +56,7 @@ std::string in_words(const LensCircle& circle, const std::vector<std::string>& p
          " of its rim seen, rms " + pixels(circle.rms_px) + " px";
 }
 
-/// A lamp in a dark room is a lit circle, too, and so is the glow around a lens: what speaks against the one that was found.
+/// What speaks against the circle that was found: a lamp in a dark room is lit, too, and so is the glow around a lens.
 void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& diagnostics) {
   constexpr double kOffCentre = 0.1;  // of the radius
   constexpr double kHalf = 0.5;
@@ -64,11 +64,9 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
   const Pixel axis = principal_point(camera.model);
   const double off = std::hypot(circle.centre[0] - axis[0], circle.centre[1] - axis[1]);
   if (off > kOffCentre * circle.radius_px) {
-    diagnostics.warning(
-        "lens-circle-off-centre",
-        camera.name + ": the lit circle's centre is " + fixed(off, 1) +
-            " px from the principal point; what lies dark within the largest angle on its rim counts as lens, too",
-        {path, 0, 0}, "is it the lens, and not a lamp? fca-io report draws it; --max-angle DEG says it by hand");
+    diagnostics.warning("lens-circle-off-centre",
+                        camera.name + ": the lit circle's centre is " + fixed(off, 1) + " px from the principal point",
+                        {path, 0, 0}, "is it this camera's lens, and not a lamp? fca-io report draws it");
   }
   if (circle.rim_share < kHalf) {
     diagnostics.warning("lens-circle-uncertain",
@@ -77,28 +75,70 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
   }
 }
 
-bool add_circle(const SampleImages& sample, Diagnostics& diagnostics) {
+/// Images whose own circle is another one: of another camera, or of something else than the lens.
+void warn_of_others(const LitCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
+                    Diagnostics& diagnostics) {
+  for (const std::size_t image : search.contradicting(*camera.lens_circle)) {
+    diagnostics.warning("lens-circles-differ",
+                        camera.name + ": this image alone shows another lit circle than the images together",
+                        {paths.at(image), 0, 0}, "is it of this camera?");
+  }
+}
+
+/// The change of the camera's images; nothing where it cannot be, which is said elsewhere.
+std::optional<ChangedImage> changed_image_of(const Camera& camera, const ImageChange& change) {
+  Diagnostics said_later;
+  return changed_image(*camera.image_size, change, said_later);
+}
+
+/// The camera before or after the change, as the size of its image tells.
+Camera as_taken(const Camera& camera, const ImageChange& change, const Image& image) {
+  const std::optional<ChangedImage> changed = changed_image_of(camera, change);
+  const ImageSize size = {image.width, image.height};
+  Camera result = camera;
+  if (!changed || size == *camera.image_size || size != changed->size) return result;
+  result.model = with_pixels(camera.model, changed->map);
+  result.image_size = size;
+  return result;
+}
+
+/// The circle that was seen, in the camera's image before the change; nothing where it is none there.
+std::optional<LensCircle> in_image_of(const Camera& camera, const ImageChange& change, const Camera& seen) {
+  if (seen.image_size == camera.image_size) return seen.lens_circle;
+  return with_pixels(*seen.lens_circle, changed_image_of(camera, change)->map.inverse());
+}
+
+bool add_circle(const SampleImages& sample, const ImageChange& change, Diagnostics& diagnostics) {
   Camera& camera = *sample.camera;
   if (!camera.image_size) {
     diagnostics.error("image-size-missing", camera.name + ": the image size is not known", {}, "give it: --size WIDTHxHEIGHT");
     return false;
   }
-  std::optional<GreyImage> seen;  // the brightest so far: many large images need not be held at once
+  std::optional<Camera> seen;  // the camera as the images have it
+  std::optional<LitCircleSearch> search;
   for (const std::string& path : sample.paths) {
     const std::optional<Image> image = read_image(path, diagnostics);
-    if (!image || !has_size_of(camera, *image, path, diagnostics)) return false;
-    std::vector<GreyImage> lights = planes(*image);  // a blue light is light, too
-    if (seen) lights.push_back(*std::move(seen));
-    seen = brightest(lights);
+    if (!image) return false;
+    if (!seen) seen = as_taken(camera, change, *image);
+    if (!has_size_of(*seen, *image, path, diagnostics)) return false;
+    if (!search) search.emplace(principal_point(seen->model));
+    search->add(brightest(planes(*image)));  // a blue light is light, too
   }
-  camera.lens_circle = find_lit_circle(*seen);
-  if (camera.lens_circle) {
-    camera.lens_circle->why = in_words(*camera.lens_circle, sample.paths);
-    warn_of_doubts(camera, sample.paths.front(), diagnostics);
+  seen->lens_circle = search->best();
+  if (seen->lens_circle) {
+    seen->lens_circle->why = in_words(*seen->lens_circle, sample.paths);
+    warn_of_doubts(*seen, sample.paths.front(), diagnostics);
+    warn_of_others(*search, *seen, sample.paths, diagnostics);
+    camera.lens_circle = in_image_of(camera, change, *seen);
+    if (!camera.lens_circle) {
+      diagnostics.warning("lens-circle-stretched",
+                          camera.name + ": images stretched along one side say nothing of a circle; the whole image counts",
+                          {sample.paths.front(), 0, 0}, "give images of the calibrated size");
+    }
   } else {
     diagnostics.warning("no-lens-circle",
                         camera.name + ": " + (sample.paths.size() == 1 ? "the image shows" : "the images show") +
-                            " no dark border around a lit circle; the whole image counts as lens",
+                            " no dark border around a lit circle about the principal point; the whole image counts as lens",
                         {sample.paths.front(), 0, 0},
                         "images of a bright scene show it best, several together if need be; --max-angle DEG says it by hand");
   }
@@ -107,9 +147,10 @@ bool add_circle(const SampleImages& sample, Diagnostics& diagnostics) {
 
 }  // namespace
 
-bool add_lens_circles(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics) {
+bool add_lens_circles(const std::vector<std::string>& asked, const ImageChange& change, Rig& rig, Diagnostics& diagnostics) {
   const std::optional<std::vector<SampleImages>> samples = by_camera(asked, rig, diagnostics);
-  return samples && std::ranges::all_of(*samples, [&](const SampleImages& each) { return add_circle(each, diagnostics); });
+  return samples &&
+         std::ranges::all_of(*samples, [&](const SampleImages& each) { return add_circle(each, change, diagnostics); });
 }
 
 }  // namespace fca::cli

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/diagnostics.h>
+#include <fca/rig/image_change.h>
 #include <fca/rig/rig.h>
 
 #include <string>
@@ -11,9 +12,11 @@
 namespace fca::cli {
 
 /// Gives the rig's cameras the circles that these images show. "IMAGE" is of the only camera, "CAMERA=IMAGE" of one of several;
-/// several images of one camera are looked at together. False with an error where an image cannot be read, is not of its
-/// camera's size, or it is not said whose it is. A warning where images show no dark border (all of
-/// them is lens then), where the circle's centre is far from the principal point, and where little of its rim is seen.
-[[nodiscard]] bool add_lens_circles(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics);
+/// several images of one camera are looked at together. `change` is what is going to be done to the rig's images: the images
+/// given show it, or not yet. False with an error where an image cannot be read, is not of its camera's size, or it is not said
+/// whose it is. A warning where images show no dark border (all of them is lens then), where the circle's centre is far from
+/// the principal point, where little of its rim is seen, and where one image shows another circle than the others.
+[[nodiscard]] bool add_lens_circles(const std::vector<std::string>& asked, const ImageChange& change, Rig& rig,
+                                    Diagnostics& diagnostics);
 
 }  // namespace fca::cli

@@ -298,8 +298,8 @@ std::optional<Calibration> read_input(std::span<const std::string> inputs, const
     if (!indices) return std::nullopt;
     keep_only(*indices, calibration->rig);
   }
+  if (!add_lens_circles(options.lens_circles, image_change(options), calibration->rig, diagnostics)) return std::nullopt;
   if (!change_images(options, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
-  if (!add_lens_circles(options.lens_circles, calibration->rig, diagnostics)) return std::nullopt;
   const NoiseKind* noise = find_noise_kind(options.imu_noise);
   if (noise != nullptr && !make_densities(*noise, inputs.front(), calibration->rig, diagnostics)) return std::nullopt;
   return calibration;

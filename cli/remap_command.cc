@@ -112,6 +112,8 @@ std::string view_text(const RemapArguments& arguments, const Remapping& done) {
   return text + "\n" + parameters_in_words(view.model, "  ") + "  the source sees " + percent(done.seen_share) + " of it\n";
 }
 
+bool is_written(const RemappedImage& image) { return !image.left && image.code == ExitCode::kGood; }
+
 std::string images_text(const RemapArguments& arguments, const Remapping& done) {
   std::string text;
   for (const std::string& path : {arguments.map, arguments.mask}) {
@@ -119,7 +121,7 @@ std::string images_text(const RemapArguments& arguments, const Remapping& done) 
   }
   std::ptrdiff_t written = 0;
   for (const RemappedImage& image : done.images) {
-    if (image.left || image.code != ExitCode::kGood) continue;
+    if (!is_written(image)) continue;
     ++written;
     if (image.output != "-" && is_told_in_full(done.images.size())) text += "wrote " + image.output + "\n";
   }
@@ -151,7 +153,7 @@ std::string json_of(const RemapArguments& arguments, const Remapping& done, Exit
     json.array("images", done.images, [&](const RemappedImage& image) {
       json.object([&] {
         json.put("input", image.input);
-        !image.left&& image.code == ExitCode::kGood ? json.put("output", image.output) : json.null("output");
+        is_written(image) ? json.put("output", image.output) : json.null("output");
         put_diagnostics(json, image.diagnostics, console);
       });
     });
@@ -199,7 +201,9 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   if (arguments.json) {
     console.out(json_of(arguments, done, code, console));
   } else {
-    const std::string text = view_text(arguments, done) + images_text(arguments, done);
+    const bool wrote_parts = !arguments.map.empty() || !arguments.mask.empty();
+    const bool made = wrote_parts || done.images.empty() || std::ranges::any_of(done.images, &is_written);
+    const std::string text = (made ? view_text(arguments, done) : "") + images_text(arguments, done);
     arguments.output == "-" ? console.say_aside(text) : console.say(text);
   }
   return code;

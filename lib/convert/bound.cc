@@ -205,6 +205,7 @@ class Bounder {
         last_{domain.size.width - 1.0, domain.size.height - 1.0},
         max_angle_(std::min(std::numbers::pi,
                             std::min({domain.max_angle_rad, reach, max_angle(source), max_angle(target)}) + kAngleSlack)),
+        circle_(domain.circle),
         budget_(budget) {
     result_.seen = seen;
     for (int i = 0; i < kAzimuths; ++i) {
@@ -328,17 +329,24 @@ class Bounder {
     }
   }
 
-  /// Bounds a cell and keeps it, unless it lies outside the image or is good enough already.
+  /// Bounds a cell and keeps it, unless it lies outside the image, or its circle, or is good enough already.
   void add(Cell cell, const RadialPair& radial, const Harmonics& harmonics) {
     ++result_.evaluations;
     const Strip& strip = strips_[cell.strip];
     const Plane source = plane_of(strip.source, radial.source, cell, harmonics);
     bool centre_inside = true;
+    Vector spreads{};
     for (std::size_t i = 0; i < 2; ++i) {
       const double spread =
           std::abs(source.by_angle[i]) * cell.dt + std::abs(source.by_azimuth[i]) * cell.dphi + source.rest[i];
       if (source.value[i] + spread < -kBorderSlack || source.value[i] - spread > last_[i] + kBorderSlack) return;
       centre_inside = centre_inside && source.value[i] >= 0.0 && source.value[i] <= last_[i];
+      spreads[i] = spread;
+    }
+    if (circle_) {
+      const double beyond = circle_->beyond(source.value);
+      if (beyond > length(spreads[0], spreads[1]) + kBorderSlack) return;
+      centre_inside = centre_inside && beyond <= 0.0;
     }
     const Plane error = plane_of(strip.error, radial.error, cell, harmonics);
     double corner = 0.0;
@@ -385,6 +393,7 @@ class Bounder {
   const CameraModel& target_;
   Vector last_;
   double max_angle_;
+  std::optional<LensCircle> circle_;
   int budget_;
   /// The azimuths into which every strip is cut at first.
   struct FirstCell {

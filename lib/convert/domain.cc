@@ -119,19 +119,46 @@ struct Limit {
 
 Limit of_option(double rad) { return {rad, "given (--max-angle)", "the whole image (it ends inside --max-angle)"}; }
 
-/// The largest angle on the part of the rim that the image shows: nothing lit is left out. Nothing where none of it has a ray.
-std::optional<Limit> limit_of(const Lens& lens, const ImageSize& size, const LensCircle& circle) {
-  constexpr int kSteps = 720;
-  double largest = -1.0;
-  for (int i = 0; i < kSteps; ++i) {
-    const double along = 2.0 * std::numbers::pi * i / kSteps;
-    const Pixel pixel = {circle.centre[0] + circle.radius_px * std::cos(along),
-                         circle.centre[1] + circle.radius_px * std::sin(along)};
-    if (pixel[0] < 0.0 || pixel[1] < 0.0 || pixel[0] > size.width - 1.0 || pixel[1] > size.height - 1.0) continue;
-    if (const std::optional<Ray> ray = lens.ray(pixel)) largest = std::max(largest, angle_from_axis(*ray));
+std::array<Pixel, 4> corners_of(const ImageSize& size) {
+  const double right = size.width - 1.0;
+  const double bottom = size.height - 1.0;
+  return {{{0.0, 0.0}, {right, 0.0}, {0.0, bottom}, {right, bottom}}};
+}
+
+/// The largest angle in what the circle holds of the image. Angles grow outwards: it is one of the rim, or of a corner. Nothing
+/// where the rim has no ray.
+std::optional<double> largest_angle_in(const LensCircle& circle, const Lens& lens, const ImageSize& size) {
+  double largest = 0.0;
+  bool model_ends = false;
+  const auto look = [&](const Pixel& pixel) {
+    const std::optional<Ray> ray = lens.ray(pixel);
+    model_ends = model_ends || !ray;
+    const double angle = ray ? angle_from_axis(*ray) : 0.0;
+    const bool larger = angle > largest;
+    largest = std::max(largest, angle);
+    return larger;
+  };
+  const auto look_at_rim = [&](double azimuth) {
+    const Pixel pixel = circle.rim(azimuth);
+    return size.holds(pixel) && look(pixel);
+  };
+  constexpr int kAzimuths = 720;
+  constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
+  constexpr double kFinest = 1e-7;
+  double furthest = 0.0;
+  for (int i = 0; i < kAzimuths; ++i) {
+    if (look_at_rim(kSpacing * i)) furthest = kSpacing * i;
   }
-  if (largest <= 0.0) return std::nullopt;
-  return Limit{largest, circle.why, "the whole image (it ends inside " + circle.why + ")"};
+  for (double step = 0.5 * kSpacing; step > kFinest; step *= 0.5) {
+    for (const double azimuth : {furthest - step, furthest + step}) {
+      if (look_at_rim(azimuth)) furthest = azimuth;
+    }
+  }
+  if (!(largest > 0.0)) return std::nullopt;
+  for (const Pixel& corner : corners_of(size)) {
+    if (circle.contains(corner)) look(corner);
+  }
+  return model_ends ? lens.max_angle_rad() : largest;
 }
 
 /// Are image and limit such that there can be a domain? False with an error.
@@ -182,9 +209,26 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
   return domain;
 }
 
+/// `limit`: what the domain was cut by so far, or null.
+void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* limit, Domain& domain) {
+  const auto is_lit = [&circle](const Pixel& pixel) { return circle.contains(pixel); };
+  if (std::ranges::all_of(corners_of(domain.size), is_lit)) {
+    domain.why = "the whole image (it ends inside " + circle.why + ")";
+    return;
+  }
+  const std::optional<double> largest = largest_angle_in(circle, camera.model, domain.size);
+  if (!largest) return;                  // the model ends before the circle does
+  constexpr double kSlack = 1.0 + 1e-9;  // rounding must not cut the rim
+  const bool limited = limit != nullptr && domain.max_angle_rad == limit->rad;
+  domain.max_angle_rad = std::min(domain.max_angle_rad, *largest * kSlack);
+  domain.circle = circle;
+  domain.why = limited ? limit->who + ", and " + circle.why : circle.why;
+}
+
 }  // namespace
 
 std::optional<Ray> Domain::ray(const Lens& source, const Pixel& pixel) const {
+  if (circle && !circle->contains(pixel)) return std::nullopt;
   const std::optional<Ray> ray = source.ray(pixel);
   if (!ray || angle_from_axis(*ray) > max_angle_rad) return std::nullopt;
   return ray;
@@ -204,12 +248,8 @@ std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limi
   if (!is_usable(*camera.image_size, limit_rad, camera.name, diagnostics)) return std::nullopt;
   std::optional<Limit> limit;
   if (limit_rad) limit = of_option(*limit_rad);
-  std::optional<Limit> seen;
-  if (camera.lens_circle) seen = limit_of(camera.model, *camera.image_size, *camera.lens_circle);
-  const bool by_circle = seen && (!limit || seen->rad < limit->rad);
-  std::optional<Domain> domain =
-      domain_within(camera.model, *camera.image_size, by_circle ? seen : limit, camera.name, diagnostics);
-  if (domain && by_circle) domain->circle = camera.lens_circle;
+  std::optional<Domain> domain = domain_within(camera.model, *camera.image_size, limit, camera.name, diagnostics);
+  if (domain && camera.lens_circle) cut_by_circle(*camera.lens_circle, camera, limit ? &*limit : nullptr, *domain);
   return domain;
 }
 

@@ -69,6 +69,23 @@ class Points {
   std::size_t count_ = 0;
 };
 
+/// The part of a line inside a circle; empty (end < begin) where there is none.
+struct Span {
+  double begin;
+  double end;
+
+  static Span of(const Line& line, const LensCircle& circle) {
+    const std::array<double, 2> way = {line.to[0] - line.from[0], line.to[1] - line.from[1]};
+    const std::array<double, 2> start = {line.from[0] - circle.centre[0], line.from[1] - circle.centre[1]};
+    const double square = way[0] * way[0] + way[1] * way[1];
+    const double nearest = -(way[0] * start[0] + way[1] * start[1]) / square;
+    const double across = (way[0] * start[1] - way[1] * start[0]) / square;
+    const double half = circle.radius_px * circle.radius_px / square - across * across;
+    if (!(half > 0.0)) return {1.0, 0.0};
+    return {nearest - std::sqrt(half), nearest + std::sqrt(half)};
+  }
+};
+
 /// Cuts lines where they cross the borders of the angle bands and the edges of the domain and of the target's reach: between
 /// them nothing of a judgement jumps.
 class Cutter {
@@ -124,6 +141,7 @@ class Cutter {
   [[nodiscard]] std::span<const Piece> pieces(std::size_t i, const Line& line) {
     pieces_.clear();
     begin_ = 0.0;
+    lit_ = scorer_.domain().circle ? Span::of(line, *scorer_.domain().circle) : Span{0.0, 1.0};
     const std::span<double> seen = std::span(seen_).subspan(i * (kSteps + 1), kSteps + 1);
     for (std::size_t step = 0; step < kSteps; ++step) cut_step(line, seen, step);
     end_piece(1.0, seen[kSteps] <= scored_);
@@ -142,7 +160,16 @@ class Cutter {
   }
 
   void end_piece(double at, bool scored) {
+    for (const double edge : {lit_.begin, lit_.end}) {
+      if (edge > begin_ && edge < at) add_piece(edge, scored);
+    }
+    add_piece(at, scored);
+  }
+
+  void add_piece(double at, bool in_cone) {
     constexpr double kSliver = 1e-4;
+    const double middle = 0.5 * (begin_ + at);
+    const bool scored = in_cone && middle >= lit_.begin && middle <= lit_.end;
     if (at - begin_ > kSliver || pieces_.empty()) {
       pieces_.push_back({begin_, at, scored});
     } else {
@@ -265,6 +292,7 @@ class Cutter {
   std::vector<double> seen_;
   std::vector<Piece> pieces_;
   double begin_ = 0.0;
+  Span lit_{0.0, 1.0};  ///< Of the line in hand: what the domain's circle holds.
 };
 
 /// Small images: every pixel.

@@ -2,6 +2,7 @@
 #include "judge_maximum.h"
 
 #include "bound.h"
+#include "lens_edges.h"
 
 #include <algorithm>
 #include <array>
@@ -56,27 +57,14 @@ void keep_if_worse(const Point& point, Judgement& result) {
   if (band < result.bands.size()) result.bands[band].max_px = std::max(result.bands[band].max_px, point.error);
 }
 
-/// The point of the edge of the lens at an azimuth; not scored if that is outside the image.
-Point edge_point(const Scorer& scorer, double azimuth) {
-  const Domain& domain = scorer.domain();
-  const double angle = domain.max_angle_rad * (1.0 - 1e-9);  // a hair inside, so that rounding keeps it in the domain
-  const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
-  const std::optional<Pixel> pixel = project(*scorer.source().model(), ray);
-  if (!pixel || (*pixel)[0] < 0.0 || (*pixel)[1] < 0.0 || (*pixel)[0] > domain.size.width - 1.0 ||
-      (*pixel)[1] > domain.size.height - 1.0) {
-    return {};
-  }
-  return scorer.at(*pixel);
-}
-
-/// The worst point of the edge of the lens, where errors are often largest: none of the area, but a candidate for the maximum.
-Point worst_edge_point(const Scorer& scorer) {
+/// The worst point of an edge: a candidate for the maximum.
+Point worst_point(const LensEdge& edge) {
   constexpr int kAzimuths = 120;
   constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
   Point worst;
   double azimuth = 0.0;
   const auto keep_if_worse_at = [&](double candidate) {
-    const Point point = edge_point(scorer, candidate);
+    const Point point = edge(candidate);
     if (point.verdict != Verdict::kScored || (worst.verdict == Verdict::kScored && point.error <= worst.error)) return false;
     worst = point;
     azimuth = candidate;
@@ -110,7 +98,8 @@ void climb_from(const Scorer& scorer, std::span<const Point> points, std::size_t
 }  // namespace
 
 /// Without a bound, climbing from the worst points and along the edge of the lens is all there is. With one, the search for it
-/// looks everywhere: it starts from the worst hill and ends at most 1 % below the maximum, and one more climb leads up there.
+/// looks everywhere: it starts from the worst hill and ends at most 1 % below the maximum, and one more climb leads up there. A
+/// climb does not follow the rim of a circle: that is looked along, too.
 void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, Judgement& result) {
   if (worst.empty()) return;
   constexpr std::size_t kAll = 12;
@@ -118,12 +107,14 @@ void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove
   const CameraModel* source = scorer.source().model();
   const bool provable = prove && source != nullptr && scorer.target() != nullptr;
   climb_from(scorer, worst, provable ? kFew : kAll, result);
-  if (!provable) {
-    if (source == nullptr) return;  // its edge is where climbing ends, too
-    if (const Point edge = worst_edge_point(scorer); edge.verdict == Verdict::kScored)
-      keep_if_worse(climb(scorer, edge.pixel), result);
-    return;
+  // Where the source is no model, its edge is where climbing ends, too.
+  if (source != nullptr && (!provable || scorer.domain().circle)) {
+    for (const LensEdge& edge : lens_edges(scorer)) {
+      if (const Point point = worst_point(edge); point.verdict == Verdict::kScored)
+        keep_if_worse(climb(scorer, point.pixel), result);
+    }
   }
+  if (!provable) return;
   const double climbed = result.error.max;
   const ErrorBound proof = bound_error(*source, *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);
   if (proof.seen > climbed) {

@@ -62,7 +62,7 @@ void Scorer::score(Batch& batch, std::size_t count) const {
   } else {
     std::fill_n(batch.error.begin(), count, kAskModel);
   }
-  if (all_within(batch, count, surely_scored_)) {
+  if (!domain_.circle && all_within(batch, count, surely_scored_)) {
     std::fill_n(batch.verdict.begin(), count, Verdict::kScored);
   } else {
     for (std::size_t i = 0; i < count; ++i) batch.verdict[i] = look_closer(batch, i);
@@ -71,7 +71,7 @@ void Scorer::score(Batch& batch, std::size_t count) const {
 
 Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
   const Pixel pixel = {batch.u[i], batch.v[i]};
-  if (batch.z[i] == kNoRay) return Verdict::kOutsideLens;
+  if (batch.z[i] == kNoRay || !is_lit(pixel)) return Verdict::kOutsideLens;
   const bool computed = std::isfinite(batch.z[i]);
   if (!computed) {
     const std::optional<Ray> ray = source_.ray(pixel);

@@ -5,6 +5,7 @@
 #include "fit_model.h"
 #include "judge_lattice.h"
 #include "judge_maximum.h"
+#include "lens_edges.h"
 #include "linearised.h"
 #include "smooth_maximum.h"
 
@@ -93,30 +94,13 @@ void minimise_on(std::span<const Correspondence> points, std::span<const Paramet
   }
 }
 
-/// The pixels of the edge of the lens, or of the target's cone inside it, that lie in the image: on their circle errors are
-/// often largest, and a lattice passes it by.
-std::vector<Point> edge_points(const Scorer& scorer) {
-  constexpr int kAzimuths = 360;
-  const double angle = std::min(scorer.domain().max_angle_rad, scorer.target_reach_rad()) * (1.0 - 1e-9);
-  const ImageSize& size = scorer.domain().size;
-  std::vector<Point> points;
-  for (int i = 0; i < kAzimuths; ++i) {
-    const double azimuth = 2.0 * std::numbers::pi * i / kAzimuths;
-    const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
-    const std::optional<Pixel> pixel = project(*scorer.source().model(), ray);
-    if (!pixel || (*pixel)[0] < 0.0 || (*pixel)[1] < 0.0 || (*pixel)[0] > size.width - 1.0 || (*pixel)[1] > size.height - 1.0)
-      continue;
-    points.emplace_back().pixel = *pixel;
-  }
-  scorer.score(points);
-  return points;
-}
-
 /// Everything that is scored, the worst first.
 std::vector<Point> scored_points(const Scorer& scorer) {
   std::vector<Point> points = score_lattice(scorer);
-  const std::vector<Point> edge = edge_points(scorer);
-  points.insert(points.end(), edge.begin(), edge.end());
+  constexpr int kAzimuths = 360;
+  for (const LensEdge& edge : lens_edges(scorer)) {
+    for (int i = 0; i < kAzimuths; ++i) points.push_back(edge(2.0 * std::numbers::pi * i / kAzimuths));
+  }
   std::erase_if(points, [](const Point& point) { return point.verdict != Verdict::kScored; });
   std::ranges::stable_sort(points, std::ranges::greater{}, &Point::error);
   return points;

@@ -31,11 +31,13 @@ class Rays {
   Rays(const Lens& source, const Domain& domain) : source_(source), domain_(domain), lowest_(std::cos(domain.max_angle_rad)) {}
 
   [[nodiscard]] std::optional<Ray> operator()(const Pixel& pixel) const {
+    if (!is_lit(pixel)) return std::nullopt;
     std::optional<Ray> ray = source_.ray(pixel);
     if (!ray || surely_inside((*ray)[2])) return ray;
     if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > domain_.max_angle_rad) return std::nullopt;
     return ray;
   }
+  [[nodiscard]] bool is_lit(const Pixel& pixel) const { return !domain_.circle || domain_.circle->contains(pixel); }
   [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
   /// The same for many pixels, of models that search for a ray: of others one by one is as fast.
   [[nodiscard]] std::optional<internal::BatchRays> batch() const {
@@ -44,11 +46,13 @@ class Rays {
     return internal::BatchRays(*model, domain_.max_angle_rad);
   }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
-  /// Beyond the domain's limit, in radians; nothing where the source has no ray.
+  /// Beyond the domain's limit, in radians (about as many, of a circle); nothing where the source has no ray.
   [[nodiscard]] std::optional<double> beyond(const Pixel& pixel) const {
     const std::optional<Ray> ray = source_.ray(pixel);
     if (!ray) return std::nullopt;
-    return angle_from_axis(*ray) - domain_.max_angle_rad;
+    const double beyond_cone = angle_from_axis(*ray) - domain_.max_angle_rad;
+    if (!domain_.circle) return beyond_cone;
+    return std::max(beyond_cone, domain_.circle->beyond(pixel) / domain_.circle->radius_px * domain_.max_angle_rad);
   }
   [[nodiscard]] const ImageSize& size() const { return domain_.size; }
 
@@ -84,7 +88,7 @@ std::vector<Correspondence> seen_of(const Rays& rays, const std::vector<Candidat
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [pixel, weight] = candidates[first + i];
-      if (batch.z[i] == internal::kNoRay) continue;
+      if (batch.z[i] == internal::kNoRay || !rays.is_lit(pixel)) continue;
       if (std::isfinite(batch.z[i]) && rays.surely_inside(batch.z[i])) {
         samples.push_back({{batch.x[i], batch.y[i], batch.z[i]}, pixel, weight});
       } else if (const std::optional<Ray> ray = rays(pixel)) {

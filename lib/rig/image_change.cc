@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/rig/image_change.h>
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <string>
 #include <type_traits>
@@ -81,6 +83,18 @@ CameraModel with_pixels(const CameraModel& model, const PixelMap& map) {
       model);
 }
 
+std::optional<LensCircle> with_pixels(const LensCircle& circle, const PixelMap& map) {
+  constexpr double kRounding = 0.02;
+  const auto [scale_u, scale_v] = map.scale;
+  if (std::abs(scale_u - scale_v) > kRounding * std::max(scale_u, scale_v)) return std::nullopt;
+  LensCircle result = circle;
+  const double scale = std::sqrt(scale_u * scale_v);
+  result.centre = map(circle.centre);
+  result.radius_px *= scale;
+  result.rms_px *= scale;
+  return result;
+}
+
 std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChange& change, Diagnostics& diagnostics) {
   ChangedImage result{{}, size};
   if (change.crop) {
@@ -127,6 +141,11 @@ std::optional<Camera> with_changed_images(const Camera& camera, const ImageChang
   Camera result = camera;
   result.model = with_pixels(camera.model, changed->map);
   result.image_size = changed->size;
+  if (camera.lens_circle) result.lens_circle = with_pixels(*camera.lens_circle, changed->map);
+  if (camera.lens_circle && !result.lens_circle) {
+    diagnostics.warning("lens-circle-stretched",
+                        camera.name + ": in images stretched along one side the lens circle is none; the whole image counts");
+  }
   return result;
 }
 

@@ -5,8 +5,12 @@
 
 namespace fca {
 
-bool LensCircle::contains(const Pixel& pixel) const {
-  return std::hypot(pixel[0] - centre[0], pixel[1] - centre[1]) <= radius_px;
+double LensCircle::beyond(const Pixel& pixel) const {
+  return std::hypot(pixel[0] - centre[0], pixel[1] - centre[1]) - radius_px;
+}
+
+Pixel LensCircle::rim(double azimuth) const {
+  return {centre[0] + radius_px * std::cos(azimuth), centre[1] + radius_px * std::sin(azimuth)};
 }
 
 }  // namespace fca

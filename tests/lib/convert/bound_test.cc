@@ -80,6 +80,8 @@ std::vector<TableCamera> table() {
           {"tumvi", tumvi(), {}},
           {"tumvi_97", tumvi(), 97.5},
           {"tumvi_80", tumvi(), 80.0},
+          {"tumvi_lit", lit_in(tumvi(), {230.0, 275.0}, 215.0), {}},
+          {"kalibr_ds_lit", lit_in(kalibr_ds(), {420.0, 200.0}, 300.0), {}},
           {"t265_83", t265_like(), 83.0},
           {"t265_60", t265_like(), 60.0},
           {"woodscape_95", woodscape_front(), 95.0},

@@ -50,9 +50,16 @@ TEST(Judge, AgreesWithEveryPixel) {
     std::optional<double> max_angle_deg;
     const char* target;
   };
-  const std::vector<Case> cases = {{test::tumvi(), 97.5, "eucm"},   {test::tumvi(), {}, "eucm"},
-                                   {test::kalibr_ds(), {}, "ucm"},  {test::euroc(), {}, "kb4"},
-                                   {test::lens_220(), 110.0, "ds"}, {test::kalibr_ds(), {}, "radtan"}};
+  const std::vector<Case> cases = {{test::tumvi(), 97.5, "eucm"},
+                                   {test::tumvi(), {}, "eucm"},
+                                   {test::kalibr_ds(), {}, "ucm"},
+                                   {test::euroc(), {}, "kb4"},
+                                   {test::lens_220(), 110.0, "ds"},
+                                   {test::kalibr_ds(), {}, "radtan"},
+                                   // circles inside the image, cut by its border, and with a cone that cuts both
+                                   {test::lit_in(test::tumvi(), {230.0, 275.0}, 215.0), {}, "eucm"},
+                                   {test::lit_in(test::kalibr_ds(), {420.0, 200.0}, 300.0), {}, "kb4"},
+                                   {test::lit_in(test::tumvi(), {200.0, 260.0}, 220.0), 80.0, "ucm"}};
   for (const Case& c : cases) {
     ConvertOptions options;
     options.model = c.target;

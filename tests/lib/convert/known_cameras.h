@@ -21,6 +21,12 @@ inline Camera make_camera(const CameraModel& model, ImageSize size) {
   return camera;
 }
 
+/// The camera, whose image is lit in a circle only.
+inline Camera lit_in(Camera camera, const Pixel& centre, double radius_px) {
+  camera.lens_circle = LensCircle{centre, radius_px, 1.0, 0.0, "a circle of the test"};
+  return camera;
+}
+
 /// Kalibr's sample data set, calibrated with ds (Kalibr's authors).
 inline Camera kalibr_ds() {
   return make_camera(Intrinsics<Ds>{{348.112754378549, 347.1109973814674, 365.8121721753254, 249.3555778487899,

@@ -52,6 +52,15 @@ TEST(FieldsOfView, OfAFisheyeGoBeyondHalfATurn) {
   EXPECT_NEAR(*horizontal_field_of_view(fisheye()), *fields_of_view(fisheye()).horizontal, kTolerance);
 }
 
+TEST(FieldsOfView, EndAtTheLensCircle) {
+  Camera camera = fisheye();
+  camera.lens_circle = LensCircle{{265.5, 255.5}, 200.0, 1.0, 0.0, "a test"};
+  const FieldsOfView view = fields_of_view(camera);
+  EXPECT_FALSE(view.horizontal) << "the border is dark";
+  const Pixel furthest = {465.5, 255.5};
+  EXPECT_NEAR(*view.largest_from_axis, angle_from_axis(*unproject(camera.model, furthest)), 1e-9);
+}
+
 // Two halves that meet in the axis see what the whole sees.
 TEST(FieldsOfView, OfTwoHalvesAddUp) {
   Camera whole = fisheye();

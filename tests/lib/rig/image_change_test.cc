@@ -130,6 +130,27 @@ TEST(ImageChange, WhatAnImageDoesNotHoldIsAnError) {
   EXPECT_FALSE(changed({640, 480}, {.resize = ImageSize{0, 480}}));
 }
 
+TEST(ImageChange, ALensCircleChangesWithTheImage) {
+  Camera camera;
+  camera.model = Intrinsics<Pinhole>{{400.0, 400.0, 320.0, 240.0}};
+  camera.image_size = {640, 480};
+  camera.lens_circle = LensCircle{{310.0, 250.0}, 200.0, 1.0, 0.5, "a.png"};
+  const auto change = [&camera](const ImageChange& how, Diagnostics& diagnostics) {
+    return with_changed_images(camera, how, diagnostics).value();
+  };
+  Diagnostics said;
+  const LensCircle cropped = change({.crop = ImageRegion{10, 20, {600, 400}}}, said).lens_circle.value();
+  EXPECT_EQ(cropped.centre, (Pixel{300.0, 230.0}));
+  EXPECT_EQ(cropped.radius_px, 200.0);
+  const LensCircle half = change({.resize = ImageSize{320, 240}}, said).lens_circle.value();
+  EXPECT_NEAR(half.centre[0], 154.75, 1e-12);
+  EXPECT_NEAR(half.centre[1], 124.75, 1e-12);
+  EXPECT_NEAR(half.radius_px, 100.0, 1e-12);
+  EXPECT_TRUE(said.entries().empty());
+  EXPECT_FALSE(change({.resize = ImageSize{320, 480}}, said).lens_circle) << "an ellipse";
+  EXPECT_EQ(said.entries().size(), 1U);
+}
+
 TEST(ImageChange, ACameraWithoutSizeIsAnError) {
   const Camera camera{"cam0", {}, Intrinsics<Pinhole>{{300, 300, 320, 240}}, {}, {}, {}};
   Diagnostics diagnostics;

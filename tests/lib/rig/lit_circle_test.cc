@@ -23,8 +23,14 @@ struct Scene {
   double lit_from = -4.0;
   double lit_to = 4.0;
   bool flare = false;
+  double glow = 0.0;  ///< Beyond the rim, where it begins; it falls off slowly.
   unsigned seed = 1;
 };
+
+/// Where a calibration has the axis: near the circle's centre, not at it.
+Pixel axis_of(const LensCircle& circle) { return {circle.centre[0] + 6.0, circle.centre[1] - 4.0}; }
+
+constexpr Pixel kMiddle = {319.5, 239.5};
 
 GreyImage rendered(const Scene& scene) {
   std::mt19937 random(scene.seed);
@@ -40,6 +46,8 @@ GreyImage rendered(const Scene& scene) {
       const double texture = 1.0 + 0.4 * std::sin(u / 7.0) * std::cos(v / 11.0);
       double value = 9.0 + (lit ? scene.brightness : 2.0) * texture * light;
       // The sun beside the lens: a spot and its ghost, both outside of the circle.
+      const double beyond = std::max(0.0, std::hypot(du, dv) - scene.circle.radius_px);
+      if (scene.glow > 0.0) value += scene.glow * std::exp(-beyond / 60.0);
       if (scene.flare && (std::hypot(u - 15.0, v - 20.0) < 45.0 || std::hypot(u - 610.0, v - 455.0) < 12.0)) value += 200.0;
       image.samples.push_back(static_cast<float>(std::clamp(std::round(value + noise(random)), 0.0, 255.0)));
     }
@@ -48,7 +56,7 @@ GreyImage rendered(const Scene& scene) {
 }
 
 void expect_found(const GreyImage& image, const LensCircle& truth) {
-  const std::optional<LensCircle> found = find_lit_circle(image);
+  const std::optional<LensCircle> found = find_lit_circle(image, axis_of(truth));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->centre[0], truth.centre[0], 1.0);
   EXPECT_NEAR(found->centre[1], truth.centre[1], 1.0);
@@ -61,7 +69,7 @@ void expect_found(const GreyImage& image, const LensCircle& truth) {
 TEST(LitCircle, IsFoundWhole) {
   const Scene scene;
   expect_found(rendered(scene), scene.circle);
-  EXPECT_GT(find_lit_circle(rendered(scene))->rim_share, 0.95);
+  EXPECT_GT(find_lit_circle(rendered(scene), axis_of(scene.circle))->rim_share, 0.95);
 }
 
 TEST(LitCircle, IsFoundWhereTheImageCutsIt) {
@@ -95,7 +103,7 @@ TEST(LitCircle, IsFoundByAPartOfItsRim) {
   scene.lit_from = -1.0;
   scene.lit_to = 1.2;
   expect_found(rendered(scene), scene.circle);
-  EXPECT_LT(find_lit_circle(rendered(scene))->rim_share, 0.5);
+  EXPECT_LT(find_lit_circle(rendered(scene), axis_of(scene.circle))->rim_share, 0.5);
 }
 
 TEST(LitCircle, IsNotDrawnToFlareBesideIt) {
@@ -112,34 +120,108 @@ TEST(LitCircle, IsFoundInImagesTogetherWhereNoneShowsIt) {
     scene.lit_from = -3.2 + 0.55 * i;
     scene.lit_to = scene.lit_from + 0.3;
     images.push_back(rendered(scene));
-    EXPECT_FALSE(find_lit_circle(images.back())) << i;
+    EXPECT_FALSE(find_lit_circle(images.back(), axis_of(scene.circle))) << i;
   }
   expect_found(brightest(images), Scene().circle);
 }
 
 TEST(LitCircle, IsTheSameInAnotherUnit) {
   GreyImage image = rendered({});
-  const std::optional<LensCircle> found = find_lit_circle(image);
+  const std::optional<LensCircle> found = find_lit_circle(image, kMiddle);
   ASSERT_TRUE(found);
   for (float& sample : image.samples) sample *= 257.0F;
   image.full_scale = 65535.0F;
-  const std::optional<LensCircle> of_16_bits = find_lit_circle(image);
+  const std::optional<LensCircle> of_16_bits = find_lit_circle(image, kMiddle);
   ASSERT_TRUE(of_16_bits);
   EXPECT_NEAR(of_16_bits->radius_px, found->radius_px, 1e-3);
+}
+
+// A ring of stray light around the rim is brighter than the corners are dark.
+TEST(LitCircle, IsNotDrawnToAGlowAroundIt) {
+  for (const double glow : {5.0, 15.0, 25.0, 40.0}) {
+    SCOPED_TRACE(glow);
+    Scene scene;
+    scene.circle.radius_px = 190.4;
+    scene.brightness = 180.0;
+    scene.glow = glow;
+    expect_found(rendered(scene), scene.circle);
+  }
+}
+
+TEST(LitCircle, IsFoundInMuchNoise) {
+  Scene scene;
+  scene.noise = 20.0;
+  expect_found(rendered(scene), scene.circle);
+}
+
+TEST(LitCircle, IsNoLampBesideTheAxis) {
+  Scene lamp;
+  lamp.circle = {{420.0, 160.0}, 85.0, 0.0, 0.0, ""};
+  EXPECT_FALSE(find_lit_circle(rendered(lamp), kMiddle));
+  EXPECT_TRUE(find_lit_circle(rendered(lamp), lamp.circle.centre));
+}
+
+TEST(LitCircle, IsSharpAtALensesEdgeOnly) {
+  Scene sharp;
+  EXPECT_GT(find_lit_circle(rendered(sharp), axis_of(sharp.circle))->sharpness, 0.6);
+  Scene soft;
+  soft.vignette_px = 200.0;
+  const std::optional<LensCircle> found = find_lit_circle(rendered(soft), axis_of(soft.circle));
+  if (found) {
+    EXPECT_LT(found->sharpness, 0.6);
+  }
+}
+
+std::optional<LensCircle> best_of(const std::vector<Scene>& scenes, std::vector<std::size_t>* contradicting = nullptr) {
+  LitCircleSearch search(axis_of(scenes.front().circle));
+  for (const Scene& scene : scenes) search.add(rendered(scene));
+  const std::optional<LensCircle> best = search.best();
+  if (best && contradicting != nullptr) *contradicting = search.contradicting(*best);
+  return best;
+}
+
+TEST(LitCircleSearch, IsNotSpoiltByFurtherImages) {
+  const Scene good;
+  Scene black;
+  black.brightness = 0.0;
+  black.noise = 12.0;
+  Scene glowing;
+  glowing.glow = 30.0;
+  glowing.brightness = 20.0;
+  for (const std::vector<Scene>& scenes : {std::vector{good}, {good, black}, {black, good}, {good, glowing, black}}) {
+    std::vector<std::size_t> contradicting;
+    const std::optional<LensCircle> found = best_of(scenes, &contradicting);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->radius_px, good.circle.radius_px, 1.5);
+    EXPECT_NEAR(found->centre[0], good.circle.centre[0], 1.0);
+  }
+  EXPECT_FALSE(best_of({black}));
+  EXPECT_FALSE(LitCircleSearch(kMiddle).best());
+}
+
+TEST(LitCircleSearch, NamesImagesOfAnotherCircle) {
+  const Scene scene;
+  Scene other;
+  other.circle = {{300.0, 240.0}, 170.0, 0.0, 0.0, ""};
+  std::vector<std::size_t> contradicting;
+  ASSERT_TRUE(best_of({scene, other, scene}, &contradicting));
+  EXPECT_FALSE(contradicting.empty());
+  ASSERT_TRUE(best_of({scene, scene}, &contradicting));
+  EXPECT_TRUE(contradicting.empty());
 }
 
 TEST(LitCircle, IsNoneWhereNoBorderIsDark) {
   Scene everywhere;
   everywhere.circle.radius_px = 1000.0;
-  EXPECT_FALSE(find_lit_circle(rendered(everywhere)));
+  EXPECT_FALSE(find_lit_circle(rendered(everywhere), kMiddle));
   Scene nowhere;
   nowhere.brightness = 0.0;
   nowhere.lit_from = 4.0;
-  EXPECT_FALSE(find_lit_circle(rendered(nowhere)));
-  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 0.0F)}));
-  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 255.0F)}));
-  EXPECT_FALSE(find_lit_circle({2, 2, 255.0F, std::vector<float>(4, 9.0F)}));
-  EXPECT_FALSE(find_lit_circle({0, 0, 255.0F, {}}));
+  EXPECT_FALSE(find_lit_circle(rendered(nowhere), kMiddle));
+  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 0.0F)}, kMiddle));
+  EXPECT_FALSE(find_lit_circle({640, 480, 255.0F, std::vector<float>(640 * 480, 255.0F)}, kMiddle));
+  EXPECT_FALSE(find_lit_circle({2, 2, 255.0F, std::vector<float>(4, 9.0F)}, kMiddle));
+  EXPECT_FALSE(find_lit_circle({0, 0, 255.0F, {}}, kMiddle));
 }
 
 // A dark wood in two corners, a bright window: no circle parts them.
@@ -156,7 +238,7 @@ TEST(LitCircle, IsNoneInAScene) {
       image.samples.push_back(static_cast<float>(std::clamp(value + noise(random), 0.0, 255.0)));
     }
   }
-  EXPECT_FALSE(find_lit_circle(image));
+  EXPECT_FALSE(find_lit_circle(image, kMiddle));
 }
 
 }  // namespace

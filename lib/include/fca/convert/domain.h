@@ -12,20 +12,20 @@
 
 namespace fca {
 
-/// The pixels of [0, width - 1] x [0, height - 1] whose ray lies within max_angle of the axis.
+/// The pixels of [0, width - 1] x [0, height - 1] whose ray lies within max_angle of the axis and that lie in the circle, if
+/// there is one.
 struct Domain {
   ImageSize size;
   double max_angle_rad = 0.0;             ///< From the axis; the largest angle in the domain.
-  std::string why;                        ///< What decided max_angle, in words for people.
-  std::optional<LensCircle> circle = {};  ///< If that did.
+  std::string why;                        ///< What decided where it ends, in words for people.
+  std::optional<LensCircle> circle = {};  ///< Only if it cuts something off.
 
   /// The source's ray of a pixel of the domain; nothing outside.
   [[nodiscard]] std::optional<Ray> ray(const Lens& source, const Pixel& pixel) const;
 };
 
 /// The domain of a camera: the whole image, cut where the model itself ends, at `limit_rad` from the axis if one is given, and
-/// where the camera's lens circle ends: at the largest angle on its rim. (Circle and cone are one where the circle's centre is
-/// the principal point; else nothing that is lit is left out, and a sliver of what is dark is not.)
+/// where the camera's lens circle ends.
 /// An error (and nothing) where the camera has no usable size or parameters, or no pixel of the image has a ray.
 [[nodiscard]] std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limit_rad, Diagnostics& diagnostics);
 

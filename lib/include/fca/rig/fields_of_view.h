@@ -20,7 +20,8 @@ struct FieldsOfView {
 
 [[nodiscard]] std::optional<double> horizontal_field_of_view(const Camera& camera);
 
-/// All of them. `limit`: what counts as lens, in radians from the axis; a border beyond it has no ray.
+/// All of them. `limit`: what counts as lens, in radians from the axis; a border beyond it, or outside the camera's lens
+/// circle, has no ray.
 [[nodiscard]] FieldsOfView fields_of_view(const Camera& camera, double limit = std::numbers::pi);
 
 }  // namespace fca

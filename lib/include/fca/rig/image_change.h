@@ -18,12 +18,20 @@ struct PixelMap {
   [[nodiscard]] Pixel operator()(const Pixel& pixel) const {
     return {scale[0] * pixel[0] + shift[0], scale[1] * pixel[1] + shift[1]};
   }
+  /// From the changed image back.
+  [[nodiscard]] PixelMap inverse() const {
+    return {{1.0 / scale[0], 1.0 / scale[1]}, {-shift[0] / scale[0], -shift[1] / scale[1]}};
+  }
   bool operator==(const PixelMap&) const = default;
 };
 
 /// The model whose pixels are the map's of `model`: project(result, ray) = map(project(model, ray)). Exact (to rounding) for
 /// every model, also where the scales differ, which must be positive; the rays that have a pixel stay the same.
 [[nodiscard]] CameraModel with_pixels(const CameraModel& model, const PixelMap& map);
+
+/// The circle in the changed image; nothing where the scales differ by more than a size's rounding to whole pixels: stretched
+/// along one side it is none.
+[[nodiscard]] std::optional<LensCircle> with_pixels(const LensCircle& circle, const PixelMap& map);
 
 /// A part of an image: its top-left pixel, and its size.
 struct ImageRegion {
@@ -52,7 +60,8 @@ struct ChangedImage {
 [[nodiscard]] std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChange& change,
                                                         Diagnostics& diagnostics);
 
-/// The camera of the changed images; nothing with an error, also where its image size is not known.
+/// The camera of the changed images; nothing with an error, also where its image size is not known. A lens circle that is none
+/// any more is left out with a warning.
 [[nodiscard]] std::optional<Camera> with_changed_images(const Camera& camera, const ImageChange& change,
                                                         Diagnostics& diagnostics);
 

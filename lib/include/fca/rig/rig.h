@@ -17,6 +17,11 @@ struct ImageSize {
   int width = 0;
   int height = 0;
   bool operator==(const ImageSize&) const = default;
+
+  /// Between the centres of its outermost pixels, these included.
+  [[nodiscard]] bool holds(const Pixel& pixel) const {
+    return pixel[0] >= 0.0 && pixel[1] >= 0.0 && pixel[0] <= width - 1.0 && pixel[1] <= height - 1.0;
+  }
 };
 
 /// One camera. Pixel coordinates have their origin at the centre of the top-left pixel.

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A lit circle is the domain: nothing outside it counts, wherever its centre is.
+#include "known_cameras.h"
+
+#include <fca/convert/convert.h>
+#include <fca/convert/domain.h>
+#include <fca/convert/judge.h>
+
+#include <gtest/gtest.h>
+
+namespace fca {
+namespace {
+
+std::optional<Conversion> converted(const Camera& camera, std::string model, std::optional<double> max_angle_rad = {}) {
+  ConvertOptions options;
+  options.model = std::move(model);
+  options.max_angle_rad = max_angle_rad;
+  options.every_pixel = true;
+  Diagnostics diagnostics;
+  return convert(camera, options, diagnostics);
+}
+
+Camera eccentric() { return test::lit_in(test::tumvi(), {215.0, 270.0}, 210.0); }
+
+TEST(LensCircle, ThePixelsInItAreTheDomain) {
+  const Camera camera = eccentric();
+  long long inside = 0;
+  for (int v = 0; v < camera.image_size->height; ++v) {
+    for (int u = 0; u < camera.image_size->width; ++u)
+      inside += camera.lens_circle->contains({static_cast<double>(u), static_cast<double>(v)}) ? 1 : 0;
+  }
+  const std::optional<Conversion> conversion = converted(camera, "ds");
+  ASSERT_TRUE(conversion);
+  const Coverage& coverage = conversion->report.judgement.coverage;
+  EXPECT_EQ(coverage.scored_pixels + coverage.unrepresentable_pixels, inside);
+  EXPECT_NEAR(coverage.scored + coverage.unrepresentable + coverage.outside_lens, 1.0, 1e-12);
+  ASSERT_TRUE(coverage.circle);
+  EXPECT_EQ(coverage.why, camera.lens_circle->why);
+}
+
+// The largest angle is that of the pixel of the circle furthest from the axis: a smaller one would cut what is lit.
+TEST(LensCircle, ItsLargestAngleIsThatOfItsFurthestPixel) {
+  const Camera camera = eccentric();
+  Diagnostics diagnostics;
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  ASSERT_TRUE(domain);
+  double furthest = 0.0;
+  constexpr int kAzimuths = 100'000;
+  for (int i = 0; i < kAzimuths; ++i) {
+    const Pixel pixel = camera.lens_circle->rim(2.0 * std::numbers::pi * i / kAzimuths);
+    const std::optional<Ray> ray = unproject(camera.model, pixel);
+    if (ray && camera.image_size->holds(pixel)) furthest = std::max(furthest, angle_from_axis(*ray));
+  }
+  EXPECT_GE(domain->max_angle_rad, furthest);
+  EXPECT_LE(domain->max_angle_rad, furthest * (1.0 + 1e-8));
+}
+
+// A fit to what is lit is the best there: one to the cone around it, or to the whole image, bends for what is dark.
+TEST(LensCircle, AFitToItIsTheBestInIt) {
+  const Camera camera = eccentric();
+  Diagnostics diagnostics;
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  ASSERT_TRUE(domain);
+  Camera without = camera;
+  without.lens_circle.reset();
+  for (const char* model : {"ucm", "eucm", "ds", "kb4"}) {
+    SCOPED_TRACE(model);
+    const std::optional<Conversion> lit = converted(camera, model);
+    const std::optional<Conversion> cone = converted(without, model, domain->max_angle_rad);
+    const std::optional<Conversion> image = converted(without, model);
+    ASSERT_TRUE(lit && cone && image);
+    const auto rms_in_circle = [&](const CameraModel& target) {
+      return judge(camera.model, target, *domain, {.every_pixel = true}).error.rms;
+    };
+    constexpr double kAlike = 1.0005;
+    EXPECT_LE(rms_in_circle(lit->camera.model), kAlike * rms_in_circle(cone->camera.model));
+    EXPECT_LE(rms_in_circle(lit->camera.model), kAlike * rms_in_circle(image->camera.model));
+  }
+}
+
+TEST(LensCircle, AroundTheAxisItIsACone) {
+  const Camera tumvi = test::tumvi();
+  const Camera camera = test::lit_in(tumvi, principal_point(tumvi.model), 200.0);
+  Diagnostics diagnostics;
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  ASSERT_TRUE(domain);
+  const std::optional<Conversion> lit = converted(camera, "eucm");
+  const std::optional<Conversion> cone = converted(tumvi, "eucm", domain->max_angle_rad);
+  ASSERT_TRUE(lit && cone);
+  const Judgement& a = lit->report.judgement;
+  const Judgement& b = cone->report.judgement;
+  EXPECT_NEAR(a.error.rms, b.error.rms, 1e-3 * b.error.rms);
+  EXPECT_NEAR(a.error.max, b.error.max, 1e-2 * b.error.max);
+  EXPECT_NEAR(a.coverage.scored, b.coverage.scored, 1e-3);
+}
+
+TEST(LensCircle, OneAroundTheWholeImageCutsNothing) {
+  const Camera tumvi = test::tumvi();
+  const Camera camera = test::lit_in(tumvi, {240.0, 260.0}, 1000.0);
+  const std::optional<Conversion> lit = converted(camera, "eucm");
+  const std::optional<Conversion> whole = converted(tumvi, "eucm");
+  ASSERT_TRUE(lit && whole);
+  EXPECT_EQ(lit->camera.model, whole->camera.model);
+  EXPECT_FALSE(lit->report.judgement.coverage.circle);
+}
+
+// The worst pixel may be anywhere on the rim: it is there that the other objective makes it smaller.
+TEST(LensCircle, ItsRimIsLookedAlongForTheWorstPixel) {
+  const Camera camera = eccentric();
+  ConvertOptions options;
+  options.model = "eucm";
+  options.objective = Objective::kMax;
+  Diagnostics diagnostics;
+  const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+  const std::optional<Domain> domain = domain_of(camera, {}, diagnostics);
+  ASSERT_TRUE(conversion && domain);
+  ASSERT_TRUE(conversion->report.rms_fit);
+  EXPECT_LT(conversion->report.judgement.error.max, conversion->report.rms_fit->max_px);
+  constexpr int kAzimuths = 5'000;
+  double worst = 0.0;
+  for (int i = 0; i < kAzimuths; ++i) {
+    LensCircle inner = *camera.lens_circle;
+    inner.radius_px -= 1e-6;
+    const Pixel pixel = inner.rim(2.0 * std::numbers::pi * i / kAzimuths);
+    const std::optional<Ray> ray = domain->ray(camera.model, pixel);
+    const std::optional<Pixel> image = ray ? project(conversion->camera.model, *ray) : std::nullopt;
+    if (image) worst = std::max(worst, std::hypot((*image)[0] - pixel[0], (*image)[1] - pixel[1]));
+  }
+  EXPECT_GE(conversion->report.judgement.error.max, worst * (1.0 - 1e-6));
+  EXPECT_LE(conversion->report.judgement.error.bound, 1.1 * conversion->report.judgement.error.max + 1e-9);
+}
+
+}  // namespace
+}  // namespace fca
