@@ -21,26 +21,47 @@ struct SampleImages {
   std::vector<std::string> paths;
 };
 
-/// Whose images they are; nothing with an error.
-std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string>& asked, Rig& rig, Diagnostics& diagnostics) {
-  std::vector<SampleImages> result;
+/// "IMAGE" or "CAMERA=IMAGE", as given.
+struct Asked {
+  Camera* camera = nullptr;  ///< Null where it names none.
+  std::string path;
+  std::string camera_name;  ///< What stands where a camera's name would.
+};
+
+Asked parse(const std::string& given, Rig& rig) {
+  const std::size_t equals = given.find('=');
+  if (equals == std::string::npos) return {nullptr, given, ""};
+  const std::string name = given.substr(0, equals);
+  const auto camera = std::ranges::find(rig.cameras, name, &Camera::name);
+  if (camera != rig.cameras.end()) return {&*camera, given.substr(equals + 1), name};
+  std::error_code error;
+  return {nullptr, given, std::filesystem::exists(given, error) ? "" : name};  // a file's name may hold a '=', too
+}
+
+void refuse(const std::string& given, const Asked& asked, const Rig& rig, Diagnostics& diagnostics) {
   std::vector<std::string> names;
   for (const Camera& camera : rig.cameras) names.push_back(camera.name);
-  for (const std::string& each : asked) {
-    const std::size_t equals = each.find('=');
-    const std::string name = equals == std::string::npos ? "" : each.substr(0, equals);
-    auto camera = std::ranges::find(rig.cameras, name, &Camera::name);
-    const bool named = equals != std::string::npos && camera != rig.cameras.end();
-    if (!named && rig.cameras.size() == 1) camera = rig.cameras.begin();
-    if (camera == rig.cameras.end()) {
-      diagnostics.error(
-          "lens-circle-of-none", "--lens-circle " + each + " does not say of which camera the image is", {},
-          "there are " + enumerated(names, "and") + ": --lens-circle " + (names.empty() ? "CAMERA" : names.front()) + "=IMAGE");
+  const std::string there = names.empty() ? "none" : enumerated(names, "and");
+  diagnostics.error("lens-circle-of-none",
+                    "--lens-circle " + given +
+                        (asked.camera_name.empty() ? " does not say of which camera the image is"
+                                                   : ": there is no camera '" + asked.camera_name + "'"),
+                    {}, "cameras: " + there + "; --lens-circle " + (names.empty() ? "CAMERA" : names.front()) + "=IMAGE");
+}
+
+/// Whose images they are; nothing with an error.
+std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string>& given, Rig& rig, Diagnostics& diagnostics) {
+  std::vector<SampleImages> result;
+  for (const std::string& each : given) {
+    Asked asked = parse(each, rig);
+    if (asked.camera == nullptr && asked.camera_name.empty() && rig.cameras.size() == 1) asked.camera = rig.cameras.data();
+    if (asked.camera == nullptr) {
+      refuse(each, asked, rig, diagnostics);
       return std::nullopt;
     }
-    auto found = std::ranges::find(result, &*camera, &SampleImages::camera);
-    if (found == result.end()) found = result.insert(result.end(), {&*camera, {}});
-    found->paths.push_back(named ? each.substr(equals + 1) : each);
+    auto found = std::ranges::find(result, asked.camera, &SampleImages::camera);
+    if (found == result.end()) found = result.insert(result.end(), {asked.camera, {}});
+    found->paths.push_back(asked.path);
   }
   return result;
 }

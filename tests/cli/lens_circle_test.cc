@@ -112,6 +112,10 @@ TEST(LensCircleOption, EachCameraOfARigHasItsOwn) {
   const RunResult whose = run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", small});
   EXPECT_EQ(whose.code, 2);
   EXPECT_TRUE(contains(whose.err, "cam0=IMAGE")) << whose.err;
+  const RunResult nobody =
+      run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", "cam9=" + small});
+  EXPECT_EQ(nobody.code, 2);
+  EXPECT_TRUE(contains(nobody.err, "there is no camera 'cam9'")) << nobody.err;
 }
 
 TEST(LensCircleOption, IsSaidByCompareAndDrawnByReport) {
@@ -132,6 +136,20 @@ TEST(LensCircleOption, IsSaidByCompareAndDrawnByReport) {
   }
 }
 
+// The images given may be those that were calibrated, or show what was done to them since.
+TEST(LensCircleOption, IsOfTheImagesBeforeOrAfterTheirChange) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  for (const auto& [side, radius] : {std::pair{512, 240.0}, std::pair{256, 120.0}}) {
+    const std::string seen = folder.write("seen.pgm", image(side, radius));
+    const auto json = json_of(
+        {"convert", chain, "--to", "kalibr", "--model", "eucm", "--resize", "256x256", "--lens-circle", seen, "--json"});
+    const auto& circle = json["cameras"][0]["domain"]["lens_circle"];
+    EXPECT_NEAR(circle["centre"][0].GetDouble(), 127.5, 0.5);
+    EXPECT_NEAR(circle["radius_px"].GetDouble(), 120.0, 1.0);
+  }
+}
+
 // A lamp in a dark room, the images of another camera.
 TEST(LensCircleOption, SaysWhatSpeaksAgainstACircle) {
   const TemporaryFolder folder;
@@ -142,6 +160,8 @@ TEST(LensCircleOption, SaysWhatSpeaksAgainstACircle) {
         .err;
   };
   EXPECT_FALSE(contains(said(kChain, seen), "lens-circle"));
+  const std::string far = with_replaced(kChain, "255.5, 255.5", "425.5, 255.5");
+  EXPECT_TRUE(contains(said(far, seen), "no-lens-circle")) << "the axis hits no lens there";
   const std::string moved = with_replaced(kChain, "255.5, 255.5", "285.5, 255.5");
   EXPECT_TRUE(contains(said(moved, seen), "30.0 px from the principal point")) << said(moved, seen);
   const std::string quarter = folder.write("quarter.pgm", image(512, 240.0, 1.6));
