@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
+#include "at_once.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -155,15 +157,20 @@ struct Place {
   mode_t mode = 0;
 };
 
-std::optional<std::string> find_place(const std::string& path, bool overwrite, Place& place) {
+/// What new files are not allowed. Asking for it changes it for a moment, which threads must not see.
+mode_t current_mask() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return mask;
+}
+
+std::optional<std::string> find_place(const std::string& path, bool overwrite, mode_t mask, Place& place) {
   struct stat status {};
   place.exists = ::stat(path.c_str(), &status) == 0;
   if (!place.exists && errno != ENOENT) return failure("cannot write", path);
   if (place.exists && S_ISDIR(status.st_mode)) return path + " is a directory";
   place.device = place.exists && !S_ISREG(status.st_mode);
   if (place.exists && !place.device && !overwrite) return path + " exists; --force overwrites it";
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
   place.mode = place.exists ? status.st_mode & 07777 : 0666 & ~mask;
   place.target = path;
   // Written through a symbolic link, also one whose target is yet to come.
@@ -189,10 +196,10 @@ struct StagedSet {
   std::optional<std::string> problem;
 };
 
-StagedSet stage(std::span<const OutputFile> files, bool overwrite) {
+StagedSet stage(std::span<const OutputFile> files, bool overwrite, mode_t mask) {
   StagedSet set;
   for (const OutputFile& file : files) {
-    set.problem = find_place(file.path, overwrite, set.places.emplace_back());
+    set.problem = find_place(file.path, overwrite, mask, set.places.emplace_back());
     if (set.problem) return set;
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -262,26 +269,26 @@ void remove_leftovers(const std::string& folder) {
   }
 }
 
-std::vector<std::optional<std::string>> write_sets(std::span<const std::span<const OutputFile>> sets, bool overwrite,
-                                                   bool sync) {
-  std::vector<StagedSet> staged;
-  staged.reserve(sets.size());
-  for (const std::span<const OutputFile>& files : sets) staged.push_back(stage(files, overwrite));
+std::vector<std::optional<std::string>> write_sets(std::span<const std::span<const OutputFile>> sets, bool overwrite, bool sync,
+                                                   std::size_t jobs) {
+  std::vector<StagedSet> staged(sets.size());
+  const mode_t mask = current_mask();
+  at_once(sets.size(), jobs, [&](std::size_t i) { staged[i] = stage(sets[i], overwrite, mask); });
   const std::set<fs::path> folders = folders_of(staged);
   if (sync) force_to_disk(staged);
-  std::vector<std::optional<std::string>> problems;
-  for (std::size_t i = 0; i < sets.size(); ++i) {
+  std::vector<std::optional<std::string>> problems(sets.size());
+  at_once(sets.size(), jobs, [&](std::size_t i) {
     StagedSet& set = staged[i];
-    problems.push_back(set.problem ? set.problem : put_into_place(set, sets[i], overwrite));
+    problems[i] = set.problem ? set.problem : put_into_place(set, sets[i], overwrite);
     set.files.clear();
-  }
+  });
   // The new names, too. A file system that cannot sync a folder has no other way to ask for it.
   if (sync) static_cast<void>(in_each_folder(folders, ::fsync));
   return problems;
 }
 
 std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync) {
-  return write_sets(std::span(&files, 1), overwrite, sync).front();
+  return write_sets(std::span(&files, 1), overwrite, sync, 1).front();
 }
 
 }  // namespace fca::cli

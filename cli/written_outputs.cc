@@ -83,10 +83,10 @@ std::size_t write_outputs(const ConvertArguments& arguments, std::span<ConvertOu
   do {
     sets.push_back(files_of(arguments, outcomes[sets.size()], console));
     files += sets.back().size();
-  } while (arguments.fsync && sets.size() < outcomes.size() && files < kMostFiles);
+  } while (sets.size() < outcomes.size() && files < kMostFiles);
   const std::vector<std::optional<std::string>> problems =
       write_sets(std::vector<std::span<const OutputFile>>(sets.begin(), sets.end()), arguments.force || arguments.in_place,
-                 arguments.fsync);
+                 arguments.fsync, arguments.jobs);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (!problems[i]) continue;
     outcomes[i].diagnostics.error("cannot-write", *problems[i]);

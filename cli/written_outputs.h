@@ -17,8 +17,8 @@ namespace fca::cli {
 /// Removes what killed programs have left beside the outputs.
 void remove_leftovers_beside(const std::vector<ConvertOutcome>& outcomes);
 
-/// Writes the first of the outcomes, or with --fsync as many of the first ones as are forced to disk at once; says in an
-/// outcome what went wrong with it. Returns how many were tried.
+/// Writes the first of the outcomes, as many as have their files open at the same time; says in an outcome what went wrong with
+/// it. Returns how many were tried.
 [[nodiscard]] std::size_t write_outputs(const ConvertArguments& arguments, std::span<ConvertOutcome> outcomes,
                                         const Console& console);
 

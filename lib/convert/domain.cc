@@ -75,7 +75,7 @@ class RayLattice {
   }
 
  private:
-  static constexpr int kSteps = 48;
+  static constexpr int kSteps = 24;
 
   struct Seen {
     Pixel pixel;
