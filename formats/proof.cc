@@ -72,10 +72,17 @@ double wrong_ray_px(const Pixel& pixel, const consumers::ConsumerCamera& theirs)
   return back ? distance(in_file_pixels(*back, theirs), pixel) : 0.0;
 }
 
+/// For how much of the image a point stands: for the comparison of pixels, and for that of the program's rays with its pixels,
+/// which takes as long and is asked for at fewer points; at some for neither.
+struct Area {
+  double pixels = 0.0;
+  std::optional<double> rays = {};
+};
+
 /// The difference in pixels; 0 where there is nothing to compare.
-double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs, double area, double tolerance,
-                     Comparison& result) {
-  result.asked += area;
+double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::ConsumerCamera& theirs, const Area& area,
+                     double tolerance, Comparison& result) {
+  result.asked += area.pixels;
   const std::optional<Pixel> image = theirs.project(ray);
   if (!image) return 0.0;
   const double difference = distance(*image, in_their_pixels(pixel, theirs));
@@ -83,14 +90,14 @@ double compare_pixel(const Pixel& pixel, const Ray& ray, const consumers::Consum
   if (ray[2] <= 0.0 && distance(in_file_pixels(*image, theirs), pixel) > 1.0 &&
       (!theirs.misread || is_mirrored(theirs, *image, pixel)))
     return 0.0;
-  result.compared += area;
+  result.compared += area.pixels;
   constexpr double kWrong = 1.0;  // px
-  if (const double off = wrong_ray_px(pixel, theirs); off > kWrong) {
-    result.wrong_rays += area;
+  if (const double off = area.rays ? wrong_ray_px(pixel, theirs) : 0.0; off > kWrong) {
+    result.wrong_rays += *area.rays;
     result.wrong_ray_px = std::max(result.wrong_ray_px, off);
   }
   if (theirs.misread) {
-    result.misread_area += area;
+    result.misread_area += area.pixels;
     result.misread = std::max(result.misread, difference);
     return difference;
   }
@@ -109,7 +116,7 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
   const Pixel last = {ours.image_size->width - 1.0, ours.image_size->height - 1.0};
   Pixel worst_pixel = {0.0, 0.0};
   double worst = 0.0;
-  const auto compare_at = [&](const Pixel& pixel, double area) {
+  const auto compare_at = [&](const Pixel& pixel, const Area& area) {
     if (pixel[0] < 0.0 || pixel[1] < 0.0 || pixel[0] > last[0] || pixel[1] > last[1]) return false;
     if (ours.lens_circle && !ours.lens_circle->contains(pixel)) return false;
     const std::optional<Ray> ray = unproject(ours.model, pixel);
@@ -121,10 +128,15 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
     return true;
   };
   constexpr int kSteps = 24;
-  // Trapezoids: a point of the border stands for half a cell.
+  // Trapezoids: a point of the border stands for half a cell. Every other row and column for rays.
+  static_assert(kSteps % 2 == 0);
   const auto width_of = [](int step) { return step == 0 || step == kSteps ? 0.5 : 1.0; };
   for (int i = 0; i <= kSteps; ++i) {
-    for (int j = 0; j <= kSteps; ++j) compare_at({last[0] * i / kSteps, last[1] * j / kSteps}, width_of(i) * width_of(j));
+    for (int j = 0; j <= kSteps; ++j) {
+      Area area{width_of(i) * width_of(j)};
+      if (i % 2 == 0 && j % 2 == 0) area.rays = 4.0 * area.pixels;
+      compare_at({last[0] * i / kSteps, last[1] * j / kSteps}, area);
+    }
   }
   const double cell = std::max(last[0], last[1]) / kSteps;
   constexpr int kDirections = 8;
@@ -132,7 +144,7 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
   for (double radius = 0.5; radius < 2.0 * cell; radius *= 2.0) {
     for (int k = 0; k < kDirections; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kDirections;
-      compare_at({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)}, 0.0);
+      compare_at({centre[0] + radius * std::cos(angle), centre[1] + radius * std::sin(angle)}, {0.0, 0.0});
     }
   }
   constexpr double kFinest = 0.25;  // px
@@ -140,7 +152,7 @@ void compare_camera(const Camera& ours, const consumers::ConsumerCamera& theirs,
     const Pixel from = worst_pixel;
     bool moved = false;
     for (const Pixel& way : {Pixel{step, 0.0}, Pixel{-step, 0.0}, Pixel{0.0, step}, Pixel{0.0, -step}})
-      moved = compare_at({from[0] + way[0], from[1] + way[1]}, 0.0) || moved;
+      moved = compare_at({from[0] + way[0], from[1] + way[1]}, {}) || moved;
     if (!moved) step *= 0.5;
   }
 }
