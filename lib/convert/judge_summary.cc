@@ -31,10 +31,22 @@ Summary::Summary(int bins_per_octave)
 
 /// The leading bits of a double, exponent and first bits of the mantissa, count bins of equal ratio (nearly), without a
 /// logarithm.
-std::size_t Summary::bin_of(double error) const {
-  const auto leading = static_cast<long long>(std::bit_cast<std::uint64_t>(error) >> (kMantissaBits - bin_bits_));
-  const long long first = static_cast<long long>(kExponentBias + kSmallestOctave) << bin_bits_;
-  return static_cast<std::size_t>(std::clamp(leading - first, 0LL, static_cast<long long>(bins_.size()) - 1));
+void Summary::find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const {
+  const int shift = kMantissaBits - bin_bits_;
+  const auto first = static_cast<std::int32_t>((kExponentBias + kSmallestOctave) << bin_bits_);
+  const auto last = static_cast<std::int32_t>(bins_.size()) - 1;
+  const auto bin_of = [&](double error) {
+    const auto leading = static_cast<std::int32_t>(std::bit_cast<std::uint64_t>(error) >> shift);
+    return std::clamp(leading - first, 0, last);
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    found.low[i] = std::abs(batch.error[i] - 0.5 * batch.spread[i]);
+    found.high[i] = batch.error[i] + 0.5 * batch.spread[i];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    found.low_bin[i] = bin_of(found.low[i]);
+    found.high_bin[i] = bin_of(found.high[i]);
+  }
 }
 
 double Summary::smallest_bad() const { return worst_.size() == kWorst ? worst_.back().error : -1.0; }
@@ -58,6 +70,13 @@ void Summary::add(const Batch& batch, std::size_t count) {
   double to = band_cosine_[at];
   double sum = sum_;
   double bad = smallest_bad();
+  BinsOfPoints in;
+  find_bins(batch, count, in);
+  const auto add_to = [this](std::int32_t index, double weight, double error) {
+    Bin& bin = bins_[static_cast<std::size_t>(index)];
+    bin.weight += weight;
+    bin.sum += weight * error;
+  };
   for (std::size_t i = 0; i < count; ++i) {
     const double weight = batch.weight[i];
     if (batch.verdict[i] != Verdict::kScored) {
@@ -71,11 +90,8 @@ void Summary::add(const Batch& batch, std::size_t count) {
       keep_bad(batch.point(i));
       bad = smallest_bad();
     }
-    for (const double some : {error - 0.5 * batch.spread[i], error + 0.5 * batch.spread[i]}) {
-      Bin& bin = bins_[bin_of(std::abs(some))];
-      bin.weight += 0.5 * weight;
-      bin.sum += 0.5 * weight * std::abs(some);
-    }
+    add_to(in.low_bin[i], 0.5 * weight, in.low[i]);
+    add_to(in.high_bin[i], 0.5 * weight, in.high[i]);
     const double cosine = batch.z[i];
     if (!(cosine <= from && cosine > to)) {
       bands_[at] = band;

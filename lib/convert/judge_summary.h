@@ -4,6 +4,7 @@
 #include "judge_scorer.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace fca::internal {
@@ -26,7 +27,12 @@ class Summary {
  private:
   static constexpr std::size_t kBands = 18;
   static constexpr std::size_t kWorst = 12;
-  [[nodiscard]] std::size_t bin_of(double error) const;
+  /// The two errors for which each point of a batch stands, and their bins.
+  struct BinsOfPoints {
+    Batch::Lane low, high;
+    std::array<std::int32_t, Batch::kSize> low_bin, high_bin;
+  };
+  void find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const;
   [[nodiscard]] std::size_t band_of(double cosine) const;
   /// The error below which that share of the scored weight lies.
   [[nodiscard]] double percentile(double fraction) const;

@@ -4,6 +4,7 @@
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -12,9 +13,25 @@ namespace fca {
 
 namespace {
 
-/// Pixels are areas: an image ends half a pixel beyond its last centres.
-bool inside(const ImageSize& size, const Pixel& pixel) {
-  return pixel[0] >= -0.5 && pixel[1] >= -0.5 && pixel[0] <= size.width - 0.5 && pixel[1] <= size.height - 0.5;
+/// How far beyond each side of an image, in px. Pixels are areas: an image ends half a pixel beyond its last centres.
+using Beyond = std::array<double, 4>;
+
+Beyond beyond(const ImageSize& size, const Pixel& pixel) {
+  return {-0.5 - pixel[0], -0.5 - pixel[1], pixel[0] - (size.width - 0.5), pixel[1] - (size.height - 0.5)};
+}
+
+bool inside(const Beyond& beyond) {
+  return std::ranges::all_of(beyond, [](double side) { return side <= 0.0; });
+}
+
+/// Are both so far beyond one side that what lies between them is, too?
+bool clearly_beyond(const Beyond& a, const Beyond& b) {
+  // Between rows h px apart a line that is bent like a circle of radius R px leaves a straight one by h^2 / 8R.
+  constexpr double kBend = 0.25;
+  for (std::size_t side = 0; side < a.size(); ++side) {
+    if (a.at(side) > kBend && b.at(side) > kBend) return true;
+  }
+  return false;
 }
 
 class SharedColumns {
@@ -52,16 +69,22 @@ class SharedColumns {
     return max_angle_rad_ >= std::numbers::pi || angle_from_axis(ray) <= max_angle_rad_;
   }
 
-  [[nodiscard]] bool shares_pixel(int column, int row) const {
+  /// Where the other camera has that pixel; nothing where one of them has no lens there.
+  [[nodiscard]] std::optional<Beyond> seen_by_other(int column, int row) const {
     const Pixel here = {static_cast<double>(column), static_cast<double>(row)};
-    if (camera_.lens_circle && !camera_.lens_circle->contains(here)) return false;
+    if (camera_.lens_circle && !camera_.lens_circle->contains(here)) return std::nullopt;
     const std::optional<Ray> ray = unproject(camera_.model, here);
-    if (!ray || !is_lens(*ray)) return false;
+    if (!ray || !is_lens(*ray)) return std::nullopt;
     const Ray there = rotated(T_other_camera_, *ray);
-    if (!is_lens(there)) return false;
+    if (!is_lens(there)) return std::nullopt;
     const std::optional<Pixel> pixel = project(other_.model, there);
-    if (!pixel || (other_.lens_circle && !other_.lens_circle->contains(*pixel))) return false;
-    return inside(*other_.image_size, *pixel);
+    if (!pixel || (other_.lens_circle && !other_.lens_circle->contains(*pixel))) return std::nullopt;
+    return beyond(*other_.image_size, *pixel);
+  }
+
+  [[nodiscard]] bool shares_pixel(int column, int row) const {
+    const std::optional<Beyond> seen = seen_by_other(column, row);
+    return seen && inside(*seen);
   }
 
   [[nodiscard]] bool shares(int column) const {
@@ -80,7 +103,8 @@ class SharedColumns {
     return shared;
   }
 
-  /// What is shared bulges between the lattice's rows: on from a border, looking at every row near those that share.
+  /// What is shared bulges between the lattice's rows: on from a border, looking at every row near those that share, but for
+  /// those between two that clearly do not.
   [[nodiscard]] int bulge(int column, int outwards) const {
     const int near = height() / kSteps + 1;
     int top = height();
@@ -92,8 +116,15 @@ class SharedColumns {
       bottom = std::min(height() - 1, row + near);
     }
     const auto shares_near = [&](int next) {
-      for (int row = top; row <= bottom; ++row) {
-        if (shares_pixel(next, row)) return true;
+      for (int first = top; first <= bottom; first += near) {
+        const int last = std::min(first + near, bottom);
+        const std::optional<Beyond> a = seen_by_other(next, first);
+        const std::optional<Beyond> b = seen_by_other(next, last);
+        if ((a && inside(*a)) || (b && inside(*b))) return true;
+        if (a && b && clearly_beyond(*a, *b)) continue;
+        for (int row = first + 1; row < last; ++row) {
+          if (shares_pixel(next, row)) return true;
+        }
       }
       return false;
     };
