@@ -85,11 +85,7 @@ LensCircle confirmed(const Circle& circle, const std::vector<Steps>& all, const 
   for (const Pixel& step : on) result.rms_px += circle.distance(step) * circle.distance(step) / static_cast<double>(on.size());
   result.rms_px = std::sqrt(result.rms_px);
   int visible = 0;
-  for (int k = 0; k < kDirections; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / kDirections;
-    visible +=
-        view.inside({circle.centre[0] + circle.radius * std::cos(angle), circle.centre[1] + circle.radius * std::sin(angle)});
-  }
+  for (int k = 0; k < kDirections; ++k) visible += view.inside(result.rim(2.0 * std::numbers::pi * k / kDirections));
   result.sharpness = sharpness_of(circle, on, view);
   if (visible > 0) result.rim_share = std::min(1.0, static_cast<double>(parts_seen(circle, on)) / visible);
   return result;
