@@ -77,6 +77,15 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
   const bool many = images.size() > 1 || (images.size() == 1 && !images.front().named);
   if (many && !names_many(arguments.output)) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
   if (arguments.json && arguments.output == "-") return "with --json the image needs a file: -o PATH";
+  std::error_code error;
+  std::set<fs::path> inputs = {fs::weakly_canonical(arguments.file, error)};
+  for (const FoundFile& image : images) inputs.insert(fs::weakly_canonical(image.path, error));
+  const auto is_input = [&](const std::string& path) {
+    return !path.empty() && path != "-" && inputs.contains(fs::weakly_canonical(path, error));
+  };
+  for (const std::string& path : {arguments.map, arguments.mask}) {
+    if (is_input(path)) return path + " is an input; name another place";
+  }
   std::set<std::string> taken = {arguments.map, arguments.mask};
   if (!arguments.map.empty() && arguments.map == arguments.mask) return "--map and --mask name the same file";
   for (const FoundFile& image : images) {
@@ -87,8 +96,8 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
     }
     if (!taken.insert(path).second)
       return "two outputs would be written to " + path + "; a pattern with {folder} and {stem} tells them apart";
-    std::error_code error;
     if (fs::equivalent(path, image.path, error)) return path + " is the image itself; name another place";
+    if (is_input(path)) return path + " is an input; name another place";
   }
   return std::nullopt;
 }

@@ -286,6 +286,27 @@ TEST(Remap, WritesWholeFilesOrNone) {
   EXPECT_EQ(run_program({"remap", camera, deep, "--pinhole", "70", "-o", deep, "--force"}).code, 3);
 }
 
+// --force is for what an earlier run wrote, not for what this one reads.
+TEST(Remap, OverwritesNoInput) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("cam.yaml", kRadtan);
+  const std::string camera = folder.write("cam.npy", kRadtan);
+  const std::string image = folder.write("image.png", bytes_of(noise(752, 480, CV_8UC3), ".png"));
+  fs::create_symlink(image, folder / "link.png");
+  const std::vector<std::vector<std::string>> unwanted = {
+      {chain, image, "-o", folder / "out.png", "--mask", image},
+      {chain, image, "-o", folder / "out.png", "--mask", folder / "link.png"},
+      {camera, image, "-o", folder / "out.png", "--map", camera}};
+  const std::string before = read_file(image) + read_file(camera) + read_file(chain);
+  for (std::vector<std::string> words : unwanted) {
+    words.insert(words.begin(), "remap");
+    words.insert(words.end(), {"--pinhole", "70", "--force"});
+    EXPECT_EQ(run_program(words).code, 3) << words.back();
+    EXPECT_EQ(read_file(image) + read_file(camera) + read_file(chain), before);
+    EXPECT_FALSE(fs::exists(folder / "out.png"));
+  }
+}
+
 TEST(Remap, RefusesWhatIsNoView) {
   const TemporaryFolder folder;
   const std::string camera = folder.write("cam.yaml", kRadtan);
