@@ -117,7 +117,7 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
   Pixel worst_pixel = {0.0, 0.0};
   double worst = 0.0;
   const auto compare_at = [&](const Pixel& pixel, const Area& area) {
-    if (pixel[0] < 0.0 || pixel[1] < 0.0 || pixel[0] > last[0] || pixel[1] > last[1]) return false;
+    if (!ours.image_size->holds(pixel)) return false;
     if (ours.lens_circle && !ours.lens_circle->contains(pixel)) return false;
     const std::optional<Ray> ray = unproject(ours.model, pixel);
     if (!ray || (max_angle_rad < std::numbers::pi && angle_from_axis(*ray) > max_angle_rad)) return false;
