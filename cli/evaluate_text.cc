@@ -129,11 +129,10 @@ std::string why_images_differ() {
   return paragraph(
       "A recovered image shows each ray's light where the converted model has its pixel. PSNR and SSIM depend on the image, "
       "and the paper's are others; besides, its program moves pixels forward as discs, which blurs where a model is exact and "
-      "hides where it is not, and takes identical images for 0 dB. Ours looks every pixel up in the image (Lanczos), over the "
-      "pixels that both cameras see: equal models give the image itself. What is lost otherwise is what the models differ by, "
-      "and what looking up costs: at the image's border, and by places rounded to 1/32 px. Of models that hardly differ that "
-      "is "
-      "most of it.",
+      "hides where it is not, and takes identical images for 0 dB. Ours looks every pixel up in the image where the source has "
+      "its "
+      "ray (Lanczos, at exactly that place, grey levels not rounded), and leaves out what lies within 4 px of the border or is "
+      "seen by one camera only. So it loses what the models differ by, and nothing else: equal models give the image itself.",
       "");
 }
 

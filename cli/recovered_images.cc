@@ -3,34 +3,59 @@
 
 #include "image_file.h"
 #include "image_planes.h"
-#include "pictures/pictures.h"
 #include "words.h"
 
 #include <fca/compare/image_similarity.h>
-#include <fca/remap/image_map.h>
+#include <fca/remap/lanczos.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 namespace fca::cli {
 
 namespace {
 
-Camera camera_with(const CameraModel& model, const ImageSize& size) {
-  Camera camera;
-  camera.image_size = size;
-  camera.model = model;
-  return camera;
+/// The place in the source's image that a pixel of the target's shows; nothing where a model has none, or beyond the limit.
+std::optional<Pixel> looked_up(const EvaluatedRow& row, std::optional<double> limit_rad, const Pixel& pixel) {
+  const std::optional<Ray> ray = unproject(row.conversion.camera.model, pixel);
+  if (!ray || (limit_rad && angle_from_axis(*ray) > *limit_rad)) return std::nullopt;
+  return project(row.source, *ray);
+}
+
+/// An image's colours as the target would have taken them, and where it is known (255, else 0).
+struct Recovered {
+  std::vector<GreyImage> colours;
+  std::vector<std::uint8_t> mask;
+};
+
+Recovered recovered(const std::vector<GreyImage>& original, const EvaluatedTable& table, const EvaluatedRow& row) {
+  const ImageSize& size = table.published.size;
+  std::optional<double> limit_rad;
+  if (table.published.max_angle_deg) limit_rad = *table.published.max_angle_deg / kDegreesPerRadian;
+  Recovered result{original, {}};
+  result.mask.reserve(original.front().samples.size());
+  for (int v = 0; v < size.height; ++v) {
+    for (int u = 0; u < size.width; ++u) {
+      const std::optional<Pixel> place = looked_up(row, limit_rad, {static_cast<double>(u), static_cast<double>(v)});
+      const std::optional<LanczosWindow> window = place ? LanczosWindow::about(*place, size) : std::nullopt;
+      const std::size_t pixel = result.mask.size();
+      result.mask.push_back(window ? 255 : 0);
+      if (!window) continue;
+      for (std::size_t colour = 0; colour < original.size(); ++colour)
+        result.colours[colour].samples[pixel] = static_cast<float>(window->value(original[colour]));
+    }
+  }
+  return result;
 }
 
 /// The mean over the colours.
-RecoveredImage compared(const Image& original, const Image& recovered, std::span<const std::uint8_t> mask) {
-  const std::vector<GreyImage> before = planes(original);
-  const std::vector<GreyImage> after = planes(recovered);
+RecoveredImage compared(const std::vector<GreyImage>& before, const Recovered& after) {
   const auto colours = static_cast<double>(before.size());
   RecoveredImage result;
   double mean_square = 0.0;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    const ImageSimilarity colour = similarity(before[i], after[i], mask);
+    const ImageSimilarity colour = similarity(before[i], after.colours[i], after.mask);
     mean_square += colour.mean_square / colours;
     result.ssim += colour.ssim / colours;
     result.compared = colour.compared;
@@ -39,26 +64,13 @@ RecoveredImage compared(const Image& original, const Image& recovered, std::span
   return result;
 }
 
-std::optional<RecoveredImage> recovered(const Image& original, const EvaluatedTable& table, const EvaluatedRow& row,
-                                        Diagnostics& diagnostics) {
-  const ImageSize& size = table.published.size;
-  std::optional<double> limit_rad;
-  if (table.published.max_angle_deg) limit_rad = *table.published.max_angle_deg / kDegreesPerRadian;
-  const std::optional<ImageMapper> mapper = ImageMapper::between(
-      camera_with(row.source, size), camera_with(row.conversion.camera.model, size), Transform{}, limit_rad, diagnostics);
-  if (!mapper) return std::nullopt;
-  const ImageMap map = image_map(*mapper);
-  const std::optional<Image> image = remapped(original, map, Interpolation::kLanczos);
-  if (!image) return std::nullopt;
-  return compared(original, *image, seen(map, size));
-}
-
 }  // namespace
 
 bool add_recovered_images(const std::string& path, Evaluation& evaluation, Diagnostics& diagnostics) {
   const std::optional<Image> image = read_image(path, diagnostics);
   if (!image) return false;
   const ImageSize size = {image->width, image->height};
+  const std::vector<GreyImage> colours = planes(*image);
   std::vector<std::string> sizes;
   bool fits = false;
   for (EvaluatedTable& table : evaluation.conversions) {
@@ -66,10 +78,7 @@ bool add_recovered_images(const std::string& path, Evaluation& evaluation, Diagn
     if (std::ranges::find(sizes, needed) == sizes.end()) sizes.push_back(needed);
     if (!(table.published.size == size)) continue;
     fits = true;
-    for (EvaluatedRow& row : table.rows) {
-      row.recovered = recovered(*image, table, row, diagnostics);
-      if (!row.recovered) return false;
-    }
+    for (EvaluatedRow& row : table.rows) row.recovered = compared(colours, recovered(colours, table, row));
   }
   if (!fits) {
     diagnostics.error("image-size",

@@ -115,8 +115,11 @@ void expect_same_map(const ImageMap& ours, const cv::Mat& theirs) {
   ASSERT_EQ(theirs.type(), CV_32FC2);
   ASSERT_EQ(theirs.total(), ours.uv.size() / 2);
   double worst = 0.0;
-  for (std::size_t i = 0; i < ours.uv.size(); ++i)
+  for (std::size_t i = 0; i < ours.uv.size(); ++i) {
+    ASSERT_TRUE(std::isfinite(ours.uv[i])) << i;
+    ASSERT_TRUE(std::isfinite(theirs.ptr<float>()[i])) << i;
     worst = std::max(worst, static_cast<double>(std::abs(ours.uv[i] - theirs.ptr<float>()[i])));
+  }
   EXPECT_LE(worst, 1e-4) << "px";
 }
 
