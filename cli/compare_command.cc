@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
 
+#include "kept_inputs.h"
 #include "output_file.h"
 #include "report/command_line.h"
 #include "report/comparison.h"
@@ -149,6 +150,10 @@ ComparedFile compared_file(const std::string& file, const ReferenceFile& referen
 ExitCode write_page(const CompareArguments& arguments, const CLI::App& command, const ReferenceFile& reference,
                     const ComparedFile& compared, const Console& console) {
   if (arguments.page.empty() || !compared.comparison || compared.comparison->cameras.empty()) return ExitCode::kGood;
+  if (const std::optional<std::string> problem = KeptInputs(console, arguments.reading).problem_with(arguments.page)) {
+    console.error(*problem);
+    return ExitCode::kUsage;
+  }
   const std::string line = command_line(command, "compare", [](const std::string&) { return true; });
   const OutputFile file{arguments.page, comparison_page(reference, compared, max_angle_rad(arguments.reading), line)};
   if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false)) {

@@ -412,7 +412,7 @@ bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments
     loss.remedy = with_names_of_file(loss.remedy, outcome.cameras);
   }
   warn_of_wrong_side(rig, arguments, outcome, outcome.diagnostics);
-  place_outputs(arguments, outcome);
+  if (!place_outputs(arguments, outcome)) return false;
   if (!arguments.no_verify) {
     const bool edits_it = base.document != nullptr && base.into == nullptr;  // then the proof says so
     if (!edits_it) warn_if_refused(*calibration, arguments.reading.opencv_model, outcome.diagnostics);

@@ -35,7 +35,7 @@ std::optional<Image> read_image(const std::string& path, Diagnostics& diagnostic
   return image;
 }
 
-bool has_size_of(const Camera& camera, const Image& image, const std::string& path, Diagnostics& diagnostics) {
+bool has_size_of(const Camera& camera, bool changed, const Image& image, const std::string& path, Diagnostics& diagnostics) {
   const ImageSize& known = *camera.image_size;
   const ImageSize is = {image.width, image.height};
   if (is == known) return true;
@@ -44,7 +44,9 @@ bool has_size_of(const Camera& camera, const Image& image, const std::string& pa
   const bool part = is.width <= known.width && is.height <= known.height;
   const std::string size = std::to_string(is.width) + "x" + std::to_string(is.height);
   std::string fix = "give the images of the calibrated size";
-  if (scaled) {
+  if (changed) {
+    fix = "--crop, --binning and --resize say what was done to the images that are given; leave out what was not";
+  } else if (scaled) {
     fix = "if it is the calibrated image, scaled: --resize " + size;
   } else if (part) {
     fix = "if it is a part of the calibrated image: --crop X,Y," + std::to_string(is.width) + "," + std::to_string(is.height);

@@ -2,6 +2,7 @@
 #include "image_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -30,15 +31,14 @@ float sample_at(const Image& image, std::size_t index) {
   return std::isfinite(value) ? value : 0.0F;
 }
 
-/// Numbers have no largest: the image's own, at least 1.
+/// Numbers have no largest: the image's own, at least 1. Sensors of 10, 12 or 14 bits come as 16, mostly with zeros in front.
 float full_scale_of(const Image& image, const std::vector<GreyImage>& planes) {
   if (image.sample == Image::Sample::k8Bit) return 255.0F;
-  if (image.sample == Image::Sample::k16Bit) return 65535.0F;
   float largest = 1.0F;
-  for (const GreyImage& plane : planes) {
-    for (const float sample : plane.samples) largest = std::max(largest, sample);
-  }
-  return largest;
+  for (const GreyImage& plane : planes) largest = std::max(largest, *std::ranges::max_element(plane.samples));
+  if (image.sample == Image::Sample::kFloat) return largest;
+  constexpr std::array<float, 4> kDepths = {1023.0F, 4095.0F, 16383.0F, 65535.0F};
+  return *std::ranges::lower_bound(kDepths, largest);
 }
 
 }  // namespace

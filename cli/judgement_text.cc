@@ -9,9 +9,18 @@
 
 namespace fca::cli {
 
-std::string domain_text(const Coverage& coverage) {
-  return "  domain: " + angle_in_words(coverage.max_angle_deg) + ": " + coverage.why + "\n";
+std::string circle_in_words(const LensCircle& circle) {
+  return circle.why + ": centre (" + fixed(circle.centre[0], 1) + ", " + fixed(circle.centre[1], 1) + "), radius " +
+         fixed(circle.radius_px, 1) + " px, " + percent(circle.rim_share) + " of its rim seen, rms " + pixels(circle.rms_px) +
+         " px";
 }
+
+std::string domain_in_words(const Coverage& coverage) {
+  if (!coverage.circle) return angle_in_words(coverage.max_angle_deg) + ": " + coverage.why;
+  return "up to " + text::format_short(coverage.max_angle_deg, 4) + " deg from the axis: " + circle_in_words(*coverage.circle);
+}
+
+std::string domain_text(const Coverage& coverage) { return "  domain: " + domain_in_words(coverage) + "\n"; }
 
 std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
   std::string result = percent(coverage.scored) + " of the image scored";

@@ -10,7 +10,12 @@
 
 namespace fca::cli {
 
-/// "  domain: 115.3 deg from the axis (230.5 deg in full): the whole image"
+/// "the lit circle of a.png: centre (255.5, 250.1), radius 240.1 px, 98.2 % of its rim seen, rms 0.3 px"
+[[nodiscard]] std::string circle_in_words(const LensCircle& circle);
+/// "115.3 deg from the axis (230.5 deg in full): the whole image". A lens circle need not lie about the axis: then only how far
+/// it reaches from there, and where it is.
+[[nodiscard]] std::string domain_in_words(const Coverage& coverage);
+/// "  domain: " and those words
 [[nodiscard]] std::string domain_text(const Coverage& coverage);
 /// "100.0 % of the image scored, 3.0 % outside the lens": what was scored, and the parts of the image that were not.
 [[nodiscard]] std::string coverage_text(const Coverage& coverage, double scored_to_deg);

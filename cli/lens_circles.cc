@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 namespace fca::cli {
 
@@ -39,6 +40,10 @@ Asked parse(const std::string& given, Rig& rig) {
 }
 
 void refuse(const std::string& given, const Asked& asked, const Rig& rig, Diagnostics& diagnostics) {
+  if (asked.path.empty()) {
+    diagnostics.error("no-image", "--lens-circle " + given + " names no image", {}, "--lens-circle " + given + "IMAGE");
+    return;
+  }
   std::vector<std::string> names;
   for (const Camera& camera : rig.cameras) names.push_back(camera.name);
   const std::string there = names.empty() ? "none" : enumerated(names, "and");
@@ -55,7 +60,7 @@ std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string
   for (const std::string& each : given) {
     Asked asked = parse(each, rig);
     if (asked.camera == nullptr && asked.camera_name.empty() && rig.cameras.size() == 1) asked.camera = rig.cameras.data();
-    if (asked.camera == nullptr) {
+    if (asked.camera == nullptr || asked.path.empty()) {
       refuse(each, asked, rig, diagnostics);
       return std::nullopt;
     }
@@ -66,21 +71,27 @@ std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string
   return result;
 }
 
-std::string in_words(const LensCircle& circle, const std::vector<std::string>& paths) {
+std::string named(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   names.reserve(paths.size());
-  for (const std::string& path : paths) names.push_back(std::filesystem::path(path).filename().string());
+  for (const std::string& path : paths) names.push_back(text::printable(std::filesystem::path(path).filename().string()));
   constexpr std::size_t kFew = 3;
-  const std::string images = names.size() <= kFew ? enumerated(names, "and") : counted(names.size(), "image");
-  return "the lit circle of " + text::printable(images) + ": centre (" + fixed(circle.centre[0], 1) + ", " +
-         fixed(circle.centre[1], 1) + "), radius " + fixed(circle.radius_px, 1) + " px, " + percent(circle.rim_share) +
-         " of its rim seen, rms " + pixels(circle.rms_px) + " px";
+  return names.size() <= kFew ? enumerated(names, "and") : counted(names.size(), "image");
+}
+
+/// Of several images those that show the circle alone, else all.
+std::vector<std::string> witnesses(const LitCircleSearch& search, const LensCircle& circle,
+                                   const std::vector<std::string>& paths) {
+  std::vector<std::string> result;
+  for (const std::size_t image : search.showing(circle)) result.push_back(paths.at(image));
+  return result.empty() ? paths : result;
 }
 
 /// What speaks against the circle that was found: a lamp in a dark room is lit, too, and so is the glow around a lens.
 void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& diagnostics) {
   constexpr double kOffCentre = 0.1;  // of the radius
   constexpr double kHalf = 0.5;
+  constexpr double kSmall = 0.2;  // of the image's area
   const LensCircle& circle = *camera.lens_circle;
   const Pixel axis = principal_point(camera.model);
   const double off = std::hypot(circle.centre[0] - axis[0], circle.centre[1] - axis[1]);
@@ -89,10 +100,18 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
                         camera.name + ": the lit circle's centre is " + fixed(off, 1) + " px from the principal point",
                         {path, 0, 0}, "is it this camera's lens, and not a lamp? fca-io report draws it");
   }
+  const double covered = std::numbers::pi * circle.radius_px * circle.radius_px /
+                         (static_cast<double>(camera.image_size->width) * camera.image_size->height);
+  if (covered < kSmall) {
+    diagnostics.warning("lens-circle-small", camera.name + ": the lit circle covers only " + percent(covered) + " of the image",
+                        {path, 0, 0},
+                        "is it this camera's lens, and not something bright in front of it? fca-io report draws it");
+  }
   if (circle.rim_share < kHalf) {
     diagnostics.warning("lens-circle-uncertain",
                         camera.name + ": only " + percent(circle.rim_share) + " of the lit circle's rim is seen", {path, 0, 0},
-                        "further images of brighter scenes, each as --lens-circle; fca-io report draws it");
+                        "is it a lens's edge at all? fca-io report draws it; further images of brighter scenes, each as --lens-circle, "
+                        "show more of it");
   }
 }
 
@@ -141,14 +160,15 @@ bool add_circle(const SampleImages& sample, const ImageChange& change, Diagnosti
     const std::optional<Image> image = read_image(path, diagnostics);
     if (!image) return false;
     if (!seen) seen = as_taken(camera, change, *image);
-    if (!has_size_of(*seen, *image, path, diagnostics)) return false;
+    if (!has_size_of(*seen, !change.changes_nothing(), *image, path, diagnostics)) return false;
     if (!search) search.emplace(principal_point(seen->model));
     search->add(brightest(planes(*image)));  // a blue light is light, too
   }
   seen->lens_circle = search->best();
   if (seen->lens_circle) {
-    seen->lens_circle->why = in_words(*seen->lens_circle, sample.paths);
-    warn_of_doubts(*seen, sample.paths.front(), diagnostics);
+    const std::vector<std::string> shown_by = witnesses(*search, *seen->lens_circle, sample.paths);
+    seen->lens_circle->why = "the lit circle of " + named(shown_by);
+    warn_of_doubts(*seen, shown_by.front(), diagnostics);
     warn_of_others(*search, *seen, sample.paths, diagnostics);
     camera.lens_circle = in_image_of(camera, change, *seen);
     if (!camera.lens_circle) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_place.h"
 
+#include "kept_inputs.h"
 #include "output_name.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ bool have_place(const ConvertArguments& arguments, const Written& written, Conve
   return false;
 }
 
-void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
+bool place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
   const bool folder = names_folder(arguments.output);
   const std::string& place = arguments.in_place ? arguments.into : arguments.output;
   for (std::size_t i = 0; i < outcome.written.files.size(); ++i) {
@@ -70,6 +71,15 @@ void place_outputs(const ConvertArguments& arguments, ConvertOutcome& outcome) {
       return std::ranges::find(output.cameras, camera.source.name) != output.cameras.end();
     });
   });
+  const KeptInputs images(arguments.reading);
+  for (const ConvertOutcome::Output& output : outcome.outputs) {
+    const std::optional<std::string> problem = images.problem_with(output.path);
+    if (!problem) continue;
+    outcome.diagnostics.error("overwrites-input", *problem);
+    outcome.code = ExitCode::kUsage;
+    return false;
+  }
+  return true;
 }
 
 }  // namespace fca::cli

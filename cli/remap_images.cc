@@ -4,6 +4,7 @@
 #include "at_once.h"
 #include "held_interrupt.h"
 #include "image_file.h"
+#include "kept_inputs.h"
 #include "output_file.h"
 #include "output_name.h"
 #include "pictures/image_formats.h"
@@ -43,7 +44,7 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
     result.code = code;
   };
   const std::optional<Image> image = read_image(result.input, result.diagnostics);
-  if (!image || !has_size_of(source, *image, result.input, result.diagnostics)) {
+  if (!image || !has_size_of(source, changes_images(arguments.reading), *image, result.input, result.diagnostics)) {
     result.code = code_of(result.diagnostics);
     return;
   }
@@ -77,14 +78,11 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
   const bool many = images.size() > 1 || (images.size() == 1 && !images.front().named);
   if (many && !names_many(arguments.output)) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
   if (arguments.json && arguments.output == "-") return "with --json the image needs a file: -o PATH";
-  std::error_code error;
-  std::set<fs::path> inputs = {fs::weakly_canonical(arguments.file, error)};
-  for (const FoundFile& image : images) inputs.insert(fs::weakly_canonical(image.path, error));
-  const auto is_input = [&](const std::string& path) {
-    return !path.empty() && path != "-" && inputs.contains(fs::weakly_canonical(path, error));
-  };
+  std::vector<std::string> files = {arguments.file};
+  for (const FoundFile& image : images) files.push_back(image.path);
+  const KeptInputs inputs(files);
   for (const std::string& path : {arguments.map, arguments.mask}) {
-    if (is_input(path)) return path + " is an input; name another place";
+    if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
   }
   std::set<std::string> taken = {arguments.map, arguments.mask};
   if (!arguments.map.empty() && arguments.map == arguments.mask) return "--map and --mask name the same file";
@@ -96,8 +94,7 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
     }
     if (!taken.insert(path).second)
       return "two outputs would be written to " + path + "; a pattern with {folder} and {stem} tells them apart";
-    if (fs::equivalent(path, image.path, error)) return path + " is the image itself; name another place";
-    if (is_input(path)) return path + " is an input; name another place";
+    if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
   }
   return std::nullopt;
 }

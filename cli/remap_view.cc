@@ -69,7 +69,7 @@ std::optional<std::string> problem_with_view(const RemapArguments& arguments) {
   if (arguments.pinhole_deg && !(*arguments.pinhole_deg > 0.0 && *arguments.pinhole_deg < 180.0))
     return "--pinhole wants the full field of view in degrees, more than 0 and less than 180";
   if (!arguments.rotate.empty() && !parse_turn(arguments.rotate))
-    return "--rotate wants YAW,PITCH,ROLL in degrees, such as 30,0,0; got '" + arguments.rotate + "'";
+    return "--rotate wants YAW,PITCH,ROLL in degrees, each from -360 to 360, such as 30,0,0; got '" + arguments.rotate + "'";
   if (!arguments.out_size.empty() && !arguments.pinhole_deg) return "--out-size is for --pinhole";
   if (!arguments.out_size.empty() && !parse_size(arguments.out_size))
     return "--out-size wants WIDTHxHEIGHT in whole pixels, such as 640x480; got '" + arguments.out_size + "'";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_command.h"
 
+#include "kept_inputs.h"
 #include "option_use.h"
 #include "output_file.h"
 #include "report/command_line.h"
@@ -109,6 +110,8 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
     console.out(page);
     return ExitCode::kGood;
   }
+  if (const std::optional<std::string> problem = KeptInputs(console, arguments.reading).problem_with(arguments.output))
+    return console.refuse(ExitCode::kUsage, *problem);
   const OutputFile file{arguments.output, page};
   if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false))
     return console.refuse(ExitCode::kIo, *failure);
@@ -178,7 +181,7 @@ void add_report_command(CLI::App& app, ReportArguments& arguments, std::function
   command.add_flag("--force", arguments.force, "Overwrite an existing page");
   command.footer(
       "The page needs nothing beside itself: no network, no scripts. It is written even where convert would refuse to write\n"
-      "the file (exit 1), and says so.\n\n"
+      "the file (exit 1), and says so; of what cannot be converted at all (exit 2) there is none.\n\n"
       "Example:\n"
       "  fca-io report camchain.yaml --with imu.yaml --to orbslam3 --model eucm --max-angle 97.5 -o page.html\n"
       "  fca-io report camchain.yaml --model all -o models.html\n");

@@ -52,10 +52,15 @@ bool is_cut_jpeg(std::string_view bytes) {
   return scan == std::string_view::npos || bytes.find("\xFF\xD9", scan) == std::string_view::npos;
 }
 
+/// libpng complains of a cut file in words of its own: its last chunk must be there.
+bool is_cut_png(std::string_view bytes) {
+  return bytes.starts_with("\x89PNG") && bytes.rfind("IEND") == std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<Image> decoded_image(const std::string& bytes) {
-  if (bytes.empty() || is_cut_jpeg(bytes)) return std::nullopt;
+  if (bytes.empty() || is_cut_jpeg(bytes) || is_cut_png(bytes)) return std::nullopt;
   try {
     const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     return as_image(cv::imdecode(file, cv::IMREAD_UNCHANGED));

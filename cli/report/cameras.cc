@@ -16,8 +16,11 @@ namespace fca::cli {
 
 namespace {
 
-std::string degrees_or_dash(const std::optional<double>& radians) {
-  return radians ? fixed(*radians * kDegreesPerRadian, 1) + " deg" : "-";
+constexpr std::string_view kNotCovered = "not covered";
+
+std::string degrees_of(const Camera& camera, const std::optional<double>& radians) {
+  if (!camera.image_size) return "not stated";
+  return radians ? fixed(*radians * kDegreesPerRadian, 1) + " deg" : std::string(kNotCovered);
 }
 
 /// A camera, and what became of it.
@@ -45,17 +48,20 @@ void put_parameters(Html& html, const ConvertedCamera& camera) {
 }
 
 void put_judgement(Html& html, const ConvertedCamera& camera) {
-  if (camera.report() == nullptr) return;
-  const ConversionReport& report = *camera.report();
-  const Judgement& j = report.judgement;
   const auto line = [&html](const char* what, const std::string& text) {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "soft"}}, what);
       html.text(text);
     });
   };
+  if (camera.report() == nullptr) {
+    if (camera.source.lens_circle) line("lens: ", circle_in_words(*camera.source.lens_circle));
+    return;
+  }
+  const ConversionReport& report = *camera.report();
+  const Judgement& j = report.judgement;
   const std::string scored = camera.kept() ? "" : "; " + coverage_text(j.coverage, report.scored_to_deg);
-  line("domain: ", angle_in_words(j.coverage.max_angle_deg) + ": " + j.coverage.why + scored);
+  line("domain: ", domain_in_words(j.coverage) + scored);
   if (camera.kept()) {
     line("error: ", "none: the same model and parameters");
     return;
@@ -128,11 +134,14 @@ void put_camera_table(Html& html, const ReportContents& contents) {
     const FieldsOfView view = fields_of_view(camera, contents.shown.limit_deg / kDegreesPerRadian);
     table.rows.push_back({camera.name, std::string(model_info(camera.model).title),
                           camera.image_size ? size_in_words(*camera.image_size) : "not stated",
-                          degrees_or_dash(view.horizontal), degrees_or_dash(view.vertical), degrees_or_dash(view.diagonal),
-                          degrees_or_dash(view.largest_from_axis),
+                          degrees_of(camera, view.horizontal), degrees_of(camera, view.vertical),
+                          degrees_of(camera, view.diagonal), degrees_of(camera, view.largest_from_axis),
                           camera.time_offset_s ? text::format_short(*camera.time_offset_s, 9) + " s" : "not stated"});
   }
   put_table(html, table);
+  const auto is_short = [](const std::vector<std::string>& row) { return std::ranges::find(row, kNotCovered) != row.end(); };
+  if (std::ranges::none_of(table.rows, is_short)) return;
+  html.element("p", {{"class", "soft"}}, std::string(kNotCovered) + ": the lens ends before the border of the image there");
 }
 
 void put_cameras(Html& html, const ReportContents& contents) {

@@ -58,8 +58,7 @@ void put_words(Html& html, const CameraComparison& camera) {
   }
   const CameraDifference& difference = camera.difference;
   const Coverage& coverage = difference.judgement.coverage;
-  put_line(html, "domain: ",
-           angle_in_words(coverage.max_angle_deg) + ": " + coverage.why + "; " + coverage_text(coverage, camera.scored_to_deg));
+  put_line(html, "domain: ", domain_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
   put_line(html, "difference: ",
            error_text(difference.judgement.error) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");
@@ -150,6 +149,12 @@ void put_only(Html& html, const RigComparison& comparison) {
     put_line(html, "only in the compared file: ", enumerated(comparison.only_in_other, "and"));
 }
 
+void put_diagnostics(Html& html, const char* title, const Diagnostics& diagnostics) {
+  if (!diagnostics.entries().empty()) html.element("h2", {}, title);
+  for (const Diagnostic& entry : diagnostics.entries())
+    put_said(html, {entry.severity, entry.code, entry.message, entry.where.file, "", entry.fix});
+}
+
 }  // namespace
 
 std::string comparison_page(const ReferenceFile& reference, const ComparedFile& compared, std::optional<double> max_angle_rad,
@@ -177,9 +182,8 @@ std::string comparison_page(const ReferenceFile& reference, const ComparedFile& 
     }
     put_facts(html, comparison.facts);
     put_only(html, comparison);
-    const auto& said = compared.diagnostics.entries();
-    if (!said.empty()) html.element("h2", {}, "Said while comparing");
-    for (const Diagnostic& entry : said) put_said(html, {entry.severity, entry.code, entry.message, "", "", entry.fix});
+    put_diagnostics(html, "Said while reading the reference", reference.diagnostics);
+    put_diagnostics(html, "Said while comparing", compared.diagnostics);
     html.element("h2", {}, "How this page was made");
     html.element("pre", {{"class", "command"}}, command);
     html.element("details", {}, [&] {

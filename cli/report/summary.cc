@@ -39,7 +39,7 @@ void put_rig_tile(Html& html, const Rig& rig) {
 void put_conversion_tile(Html& html, const CameraOutcome& camera) {
   const std::string title = camera.name_in_words() + ": " + camera_line(camera);
   if (!camera.report || camera.source.model == camera.target.model) {
-    put_tile(html, title, "no error", {"the same model and parameters"});
+    put_tile(html, title, "kept", {"the same model and parameters"});
     return;
   }
   const ConversionReport& report = *camera.report;

@@ -126,6 +126,25 @@ bool is_same(const LensCircle& one, const LensCircle& other) {
   return std::max(apart, std::abs(one.radius_px - other.radius_px)) <= kSame * other.radius_px;
 }
 
+/// With these levels, and with brighter ones where what they show is not sharp.
+std::optional<LensCircle> find_by(const GreyView& view, const Levels& levels, const Pixel& axis) {
+  constexpr double kLeastOfRim = 0.12;
+  std::optional<LensCircle> found = find_at(view, levels, axis, kLeastOfRim);
+  // A glow beyond the rim is dark, too, as soon as more counts as dark. What is bright inside the lens is no larger circle.
+  constexpr std::array<float, 4> kShares = {0.1F, 0.2F, 0.35F, 0.5F};
+  constexpr double kMuchSmaller = 0.7;
+  constexpr double kMoreOfRim = 0.3;  // bright parts of a scene have edges, too
+  for (const float share : kShares) {
+    if (found && found->sharpness >= kSharp) break;
+    const float threshold = levels.black + share * (levels.bright - levels.black);
+    if (threshold <= levels.threshold) continue;
+    const std::optional<LensCircle> other = find_at(view, {levels.black, levels.bright, threshold}, axis, kMoreOfRim);
+    if (!other) continue;
+    if (!found || (is_better(*other, *found) && other->radius_px > kMuchSmaller * found->radius_px)) found = other;
+  }
+  return found;
+}
+
 }  // namespace
 
 GreyImage brightest(std::span<const GreyImage> images) {
@@ -143,25 +162,16 @@ std::optional<LensCircle> find_lit_circle(const GreyImage& image, const Pixel& p
   if (image.width < kSmallest || image.height < kSmallest) return std::nullopt;
   const GreyImage smooth = internal::smoothed(image);
   const GreyView view(smooth);
-  const std::optional<Levels> levels = internal::levels_of(view);
-  if (!levels) return std::nullopt;
   const Pixel axis = {std::clamp(principal_point[0], 0.0, image.width - 1.0),
                       std::clamp(principal_point[1], 0.0, image.height - 1.0)};
-  constexpr double kLeastOfRim = 0.12;
-  std::optional<LensCircle> found = find_at(view, *levels, axis, kLeastOfRim);
-  // A glow beyond the rim is dark, too, as soon as more counts as dark. What is bright inside the lens is no larger circle.
-  constexpr std::array<float, 4> kShares = {0.1F, 0.2F, 0.35F, 0.5F};
-  constexpr double kMuchSmaller = 0.7;
-  constexpr double kMoreOfRim = 0.3;  // bright parts of a scene have edges, too
-  for (const float share : kShares) {
-    if (found && found->sharpness >= kSharp) break;
-    const float threshold = levels->black + share * (levels->bright - levels->black);
-    if (threshold <= levels->threshold) continue;
-    const std::optional<LensCircle> other = find_at(view, {levels->black, levels->bright, threshold}, axis, kMoreOfRim);
-    if (!other) continue;
-    if (!found || (is_better(*other, *found) && other->radius_px > kMuchSmaller * found->radius_px)) found = other;
+  // Of a small lens little is bright; of a large one that would be the lamps in the scene.
+  constexpr std::array<double, 2> kBrightShares = {0.05, 0.01};
+  for (const double share : kBrightShares) {
+    const std::optional<Levels> levels = internal::levels_of(view, share);
+    if (!levels) continue;
+    if (const std::optional<LensCircle> found = find_by(view, *levels, axis)) return found;
   }
-  return found;
+  return std::nullopt;
 }
 
 void LitCircleSearch::add(const GreyImage& image) {
@@ -176,6 +186,14 @@ std::optional<LensCircle> LitCircleSearch::best() const {
     if (circle && (!best || is_better(*circle, *best))) best = circle;
   }
   return best;
+}
+
+std::vector<std::size_t> LitCircleSearch::showing(const LensCircle& circle) const {
+  std::vector<std::size_t> images;
+  for (std::size_t i = 0; i < alone_.size(); ++i) {
+    if (alone_[i] && is_same(*alone_[i], circle)) images.push_back(i);
+  }
+  return images;
 }
 
 std::vector<std::size_t> LitCircleSearch::contradicting(const LensCircle& circle) const {

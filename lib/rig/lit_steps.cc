@@ -64,7 +64,7 @@ GreyImage smoothed(const GreyImage& image) {
   return result;
 }
 
-std::optional<Levels> levels_of(const GreyView& view) {
+std::optional<Levels> levels_of(const GreyView& view, double bright_share) {
   const GreyImage& image = view.image();
   const int side = std::max(3, std::min(image.width, image.height) / 24);
   std::optional<float> black;
@@ -82,7 +82,7 @@ std::optional<Levels> levels_of(const GreyView& view) {
       noise = 1.4826F * percentile(std::move(corner), 0.5);
     }
   }
-  const float bright = percentile(image.samples, 0.95);
+  const float bright = percentile(image.samples, 1.0 - bright_share);
   constexpr float kTooDark = 0.02F;  // of the full scale: nothing can be told from the noise of a sensor
   if (!(bright - *black > kTooDark * image.full_scale)) return std::nullopt;
   constexpr float kNoises = 6.0F;

@@ -17,7 +17,7 @@ inline constexpr int kDirections = 720;
 /// What parts dark from light in an image.
 struct Levels {
   float black = 0.0F;      ///< of its darkest corner
-  float bright = 0.0F;     ///< all but 5 % are darker
+  float bright = 0.0F;     ///< all but a small share of the image are darker
   float threshold = 0.0F;  ///< what is brighter counts as lit
 };
 
@@ -51,9 +51,9 @@ class GreyView {
 /// The image without much of its noise: means of 5 x 5 pixels (of small images 3 x 3).
 [[nodiscard]] GreyImage smoothed(const GreyImage& image);
 
-/// From the darkest corner, whose noise is what dark is here, and from what is bright. The threshold is the lowest that noise
-/// does not pass. Nothing if nothing is lit.
-[[nodiscard]] std::optional<Levels> levels_of(const GreyView& view);
+/// From the darkest corner, whose noise is what dark is here, and from what is bright: `bright_share` of the image. The
+/// threshold is the lowest that noise does not pass. Nothing if nothing is lit.
+[[nodiscard]] std::optional<Levels> levels_of(const GreyView& view, double bright_share);
 
 /// A direction's steps from dark to light, from the border inwards.
 using Steps = std::vector<Pixel>;

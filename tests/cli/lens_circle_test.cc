@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --lens-circle: images made here, of a known circle, as a user gives them.
+#include "lit_image.h"
 #include "run_program.h"
 
 #include <rapidjson/document.h>
@@ -11,14 +12,7 @@
 namespace fca::test {
 namespace {
 
-/// A wide lens whose axis hits the middle of its image, and a second camera beside it.
-const std::string kLens = R"(  camera_model: pinhole
-  intrinsics: [190.0, 190.0, 255.5, 255.5]
-  distortion_model: equidistant
-  distortion_coeffs: [0.003, 0.001, -0.002, 0.0002]
-  resolution: [512, 512]
-)";
-const std::string kChain = "cam0:\n" + kLens;
+/// A second camera beside it.
 const std::string kPair = kChain + R"(cam1:
   T_cn_cnm1:
   - [1.0, 0.0, 0.0, -0.1]
@@ -27,18 +21,9 @@ const std::string kPair = kChain + R"(cam1:
   - [0.0, 0.0, 0.0, 1.0]
 )" + kLens;
 
-/// A grey image (PGM) whose light lies in a circle about the middle; of it only the sector up to `lit` [rad] is bright.
+/// About the middle of a square.
 std::string image(int side, double radius, double lit = 7.0) {
-  std::string bytes = "P5\n" + std::to_string(side) + " " + std::to_string(side) + "\n255\n";
-  const double middle = (side - 1) / 2.0;
-  for (int v = 0; v < side; ++v) {
-    for (int u = 0; u < side; ++u) {
-      const bool inside = std::hypot(u - middle, v - middle) <= radius;
-      const bool bright = std::atan2(v - middle, u - middle) + 3.2 <= lit;
-      bytes += static_cast<char>(inside ? (bright ? 120 + (u / 9 + v / 5) % 40 : 6) : 5 + (u * v) % 2);
-    }
-  }
-  return bytes;
+  return Lit{.width = side, .height = side, .u = (side - 1) / 2.0, .v = (side - 1) / 2.0, .radius = radius, .lit = lit}.file();
 }
 
 rapidjson::Document json_of(const std::vector<std::string>& words) {
@@ -47,15 +32,6 @@ rapidjson::Document json_of(const std::vector<std::string>& words) {
   json.Parse(run.out.c_str());
   EXPECT_FALSE(json.HasParseError()) << run.out << run.err;
   return json;
-}
-
-double share_beyond(int side, double radius) {
-  const double middle = (side - 1) / 2.0;
-  int beyond = 0;
-  for (int v = 0; v < side; ++v) {
-    for (int u = 0; u < side; ++u) beyond += std::hypot(u - middle, v - middle) > radius ? 1 : 0;
-  }
-  return static_cast<double>(beyond) / (side * side);
 }
 
 TEST(LensCircleOption, IsTheDomain) {
@@ -72,7 +48,7 @@ TEST(LensCircleOption, IsTheDomain) {
     EXPECT_NEAR(domain["lens_circle"]["centre"][1].GetDouble(), 255.5, 0.5);
     EXPECT_NEAR(domain["lens_circle"]["radius_px"].GetDouble(), radius, 1.0);
     // A pixel of radius is 2 pi r pixels of area.
-    EXPECT_NEAR(domain["outside_lens_share"].GetDouble(), share_beyond(512, radius), 6.3 * radius / (512.0 * 512.0));
+    EXPECT_NEAR(domain["outside_lens_share"].GetDouble(), Lit{.radius = radius}.share_beyond(), 6.3 * radius / (512.0 * 512.0));
     EXPECT_NEAR(domain["scored_share"].GetDouble() + domain["outside_lens_share"].GetDouble() +
                     domain["unrepresentable_share"].GetDouble(),
                 1.0, 1e-12);
@@ -83,6 +59,42 @@ TEST(LensCircleOption, IsTheDomain) {
     const auto by_hand = json_of({"convert", chain, "--to", "kalibr", "--model", "eucm", "--max-angle", angle, "--json"});
     EXPECT_NEAR(camera["error_px"]["rms"].GetDouble(), by_hand["cameras"][0]["error_px"]["rms"].GetDouble(),
                 0.01 * camera["error_px"]["rms"].GetDouble());
+  }
+}
+
+// A lens that is mounted askew: the circle is where it is, and not a cone about the axis.
+TEST(LensCircleOption, MayLieBesideTheAxis) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  for (const Lit& lit : {Lit{.u = 291.0, .v = 233.0, .radius = 210.0}, Lit{.u = 228.0, .v = 270.5, .radius = 262.0}}) {
+    SCOPED_TRACE(lit.radius);
+    const std::string seen = folder.write("seen.pgm", lit.file());
+    const std::vector<std::string> words = {"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen};
+    std::vector<std::string> as_json = words;
+    as_json.insert(as_json.end(), {"--every-pixel", "--json"});
+    const auto json = json_of(as_json);
+    const auto& domain = json["cameras"][0]["domain"];
+    EXPECT_NEAR(domain["lens_circle"]["centre"][0].GetDouble(), lit.u, 0.5);
+    EXPECT_NEAR(domain["lens_circle"]["centre"][1].GetDouble(), lit.v, 0.5);
+    EXPECT_NEAR(domain["lens_circle"]["radius_px"].GetDouble(), lit.radius, 1.0);
+    EXPECT_NEAR(domain["outside_lens_share"].GetDouble(), lit.share_beyond(), 6.3 * lit.radius / (512.0 * 512.0));
+    // Its rim is nearer to the axis on one side than on the other: there is no angle "in full".
+    std::vector<std::string> dry = words;
+    dry.emplace_back("--dry-run");
+    const RunResult said = run_program(dry);
+    EXPECT_TRUE(contains(said.out, "domain: up to ")) << said.out;
+    EXPECT_FALSE(contains(said.out, "in full")) << said.out;
+  }
+}
+
+TEST(LensCircleOption, IsFoundInImagesOf10And12Bits) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  for (const int grey : {4, 16, 257}) {
+    SCOPED_TRACE(grey);
+    const std::string seen = folder.write("seen.pgm", Lit{.grey = grey}.file());
+    const auto json = json_of({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen, "--json"});
+    EXPECT_NEAR(json["cameras"][0]["domain"]["lens_circle"]["radius_px"].GetDouble(), 240.0, 1.0);
   }
 }
 
@@ -118,22 +130,69 @@ TEST(LensCircleOption, EachCameraOfARigHasItsOwn) {
   EXPECT_TRUE(contains(nobody.err, "there is no camera 'cam9'")) << nobody.err;
 }
 
-TEST(LensCircleOption, IsSaidByCompareAndDrawnByReport) {
+constexpr const char* kInWords = "the lit circle of seen.pgm: centre (255.5, 255.5), radius 240";
+
+TEST(LensCircleOption, IsSaidByCompareAndByReport) {
   const TemporaryFolder folder;
   const std::string chain = folder.write("chain.yaml", kChain);
   const std::string other = folder.write("other.yaml", with_replaced(kChain, "[0.003,", "[0.004,"));
   const std::string seen = folder.write("seen.pgm", image(512, 240.0));
   const RunResult compared = run_program({"compare", chain, other, "--lens-circle", seen});
   EXPECT_EQ(compared.code, 0) << compared.err;
-  EXPECT_TRUE(contains(compared.out, "the lit circle of seen.pgm: centre (255.5, 255.5)")) << compared.out;
-  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--to", "kalibr", "--model", "eucm"}}) {
+  EXPECT_TRUE(contains(compared.out, kInWords)) << compared.out;
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, {"--to", "kalibr", "--model", "eucm"}, {"--to", "kalibr"}, {"--model", "all"}}) {
     std::vector<std::string> words = {"report", chain, "--lens-circle", seen};
     words.insert(words.end(), more.begin(), more.end());
     const RunResult page = run_program(words);
     EXPECT_EQ(page.code, 0) << page.err;
-    EXPECT_TRUE(contains(page.out, "class=\"rim\"")) << page.err;
-    EXPECT_TRUE(contains(page.out, "lit circle of the images"));
+    EXPECT_TRUE(contains(page.out, kInWords)) << page.err;
+    EXPECT_TRUE(contains(page.out, "lit circle of the images")) << "in the legend";
   }
+}
+
+// What the page says of a comparison is what the command says: also what speaks against the circle.
+TEST(LensCircleOption, IsDoubtedOnTheComparisonsPage) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  const std::string other = folder.write("other.yaml", with_replaced(kChain, "[0.003,", "[0.004,"));
+  const std::string path = folder / "page.html";
+  for (const auto& [seen, code] :
+       {std::pair{Lit{.u = 291.0}, "lens-circle-off-centre"}, std::pair{Lit{.radius = 1000.0}, "no-lens-circle"}}) {
+    const RunResult run = run_program(
+        {"compare", chain, other, "--lens-circle", folder.write("seen.pgm", seen.file()), "--report", path, "--force"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(contains(run.err, code)) << run.err;
+    EXPECT_TRUE(contains(read_file(path), code));
+  }
+}
+
+// --force is for the page of last time, not for what it is made of.
+TEST(LensCircleOption, NoOutputReplacesAnInput) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  const std::string other = folder.write("other.yaml", with_replaced(kChain, "[0.003,", "[0.004,"));
+  const std::string seen = folder.write("seen.pgm", image(512, 240.0));
+  fs::create_symlink(seen, folder / "link.pgm");
+  const std::vector<std::vector<std::string>> commands = {
+      {"report", chain, "--lens-circle", seen, "-o", chain},
+      {"report", chain, "--lens-circle", seen, "-o", seen},
+      {"report", chain, "--lens-circle", "cam0=" + seen, "-o", folder / "link.pgm"},
+      {"compare", chain, other, "--lens-circle", seen, "--report", chain},
+      {"compare", chain, other, "--lens-circle", seen, "--report", other},
+      {"compare", chain, other, "--lens-circle", seen, "--report", seen},
+      {"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen, "-o", seen}};
+  const std::vector<std::string> files = {chain, other, seen};
+  std::vector<std::string> before;
+  for (const std::string& file : files) before.push_back(read_file(file));
+  for (const std::vector<std::string>& command : commands) {
+    std::vector<std::string> words = command;
+    words.emplace_back("--force");
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 3) << run.err;
+    EXPECT_TRUE(contains(run.err, "is an input; name another place")) << run.err;
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) EXPECT_EQ(read_file(files[i]), before[i]) << files[i];
 }
 
 // The images given may be those that were calibrated, or show what was done to them since.
@@ -147,6 +206,9 @@ TEST(LensCircleOption, IsOfTheImagesBeforeOrAfterTheirChange) {
     const auto& circle = json["cameras"][0]["domain"]["lens_circle"];
     EXPECT_NEAR(circle["centre"][0].GetDouble(), 127.5, 0.5);
     EXPECT_NEAR(circle["radius_px"].GetDouble(), 120.0, 1.0);
+    const RunResult said = run_program(
+        {"convert", chain, "--to", "kalibr", "--model", "eucm", "--resize", "256x256", "--lens-circle", seen, "--dry-run"});
+    EXPECT_TRUE(contains(said.out, "centre (127.")) << "in the pixels of the images that are converted: " << said.out;
   }
 }
 
@@ -166,6 +228,26 @@ TEST(LensCircleOption, SaysWhatSpeaksAgainstACircle) {
   EXPECT_TRUE(contains(said(moved, seen), "30.0 px from the principal point")) << said(moved, seen);
   const std::string quarter = folder.write("quarter.pgm", image(512, 240.0, 1.6));
   EXPECT_TRUE(contains(said(kChain, quarter), "lens-circle-uncertain")) << said(kChain, quarter);
+  // Something bright and round in front of the lens.
+  const std::string disc = folder.write("disc.pgm", Lit{.radius = 90.0}.file());
+  EXPECT_TRUE(contains(said(kChain, disc), "lens-circle-small")) << said(kChain, disc);
+  for (const double flatness : {0.6, 0.75, 0.9}) {
+    const std::string ellipse = folder.write("ellipse.pgm", Lit{.radius = 220.0, .flatness = flatness}.file());
+    EXPECT_TRUE(contains(said(kChain, ellipse), "lens-circle-")) << flatness;
+  }
+}
+
+// Of several images those are named that show it, and a doubt is told at one of them.
+TEST(LensCircleOption, NamesTheImagesThatShowIt) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  const std::string black = folder.write("black.pgm", Lit{.radius = 0.0}.file());
+  const std::string seen = folder.write("seen.pgm", Lit{.u = 291.0}.file());
+  const RunResult run = run_program(
+      {"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", black, "--lens-circle", seen, "--dry-run"});
+  EXPECT_TRUE(contains(run.out, "the lit circle of seen.pgm:")) << run.out;
+  EXPECT_TRUE(contains(run.err, "seen.pgm: warning")) << run.err;
+  EXPECT_FALSE(contains(run.err, "black.pgm: warning")) << run.err;
 }
 
 TEST(LensCircleOption, WithoutADarkBorderTheWholeImageIsLens) {
@@ -198,7 +280,16 @@ TEST(LensCircleOption, RefusesWhatIsNoImageOfTheCamera) {
   EXPECT_EQ(run_with(folder.write("text.pgm", "no image")).code, 2);
   EXPECT_EQ(run_with(folder.path().string()).code, 2);
   EXPECT_EQ(run_with(folder / "missing.pgm").code, 4);
-  EXPECT_EQ(run_with(folder.write("good.pgm", image(512, 240.0)), {"--max-angle", "60"}).code, 3);
+  const RunResult nothing = run_with("cam0=");
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_TRUE(contains(nothing.err, "--lens-circle cam0= names no image")) << nothing.err;
+  const std::string good = folder.write("good.pgm", image(512, 240.0));
+  EXPECT_EQ(run_with(good, {"--max-angle", "60"}).code, 3);
+  // What is advised is not what was done.
+  const RunResult changed = run_with(folder.write("other.pgm", image(500, 240.0)), {"--resize", "256x256"});
+  EXPECT_EQ(changed.code, 2);
+  EXPECT_TRUE(contains(changed.err, "leave out what was not")) << changed.err;
+  EXPECT_FALSE(contains(changed.err, "--resize 500x500")) << changed.err;
 }
 
 }  // namespace

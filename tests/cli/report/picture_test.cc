@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pictures of a page show what was computed: parts of the image, contours, and where the worst pixel is.
+#include "cli/lit_image.h"
 #include "pages.h"
 
 #include <rapidjson/document.h>
@@ -46,6 +47,46 @@ TEST(ReportPicture, ShowsWhichPartsWereScored) {
   EXPECT_NEAR(share_of(striped[0], is_stripe), radtan["cameras"][0]["domain"]["unrepresentable_share"].GetDouble(),
               kOfTheImage);
   EXPECT_EQ(share_of(striped[0], [](const cv::Vec4b& p) { return p[3] == 0; }), 0.0);
+}
+
+// The rim is drawn where the circle is, and what lies beyond it is no lens.
+TEST(ReportPicture, ShowsTheLensCircleWhereItIs) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  const Lit lit{.u = 291.0, .v = 233.0, .radius = 210.0};
+  const std::string seen = folder.write("seen.pgm", lit.file());
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{}, {"--to", "kalibr", "--model", "eucm"}, {"--model", "all"}}) {
+    std::vector<std::string> words = {chain, "--lens-circle", seen};
+    words.insert(words.end(), more.begin(), more.end());
+    const std::string html = page(words);
+    const cv::Mat4b map = pictures(html).at(0);
+    ASSERT_EQ(map.size(), cv::Size(512, 512));
+    int wrong = 0;
+    for (int v = 0; v < map.rows; ++v) {
+      for (int u = 0; u < map.cols; ++u) {
+        constexpr double kFound = 1.5;  // px: how well a circle is found in an image
+        if (std::abs(std::hypot(u - lit.u, v - lit.v) - lit.radius) > kFound && (map(v, u)[3] == 0) == lit.contains(u, v))
+          ++wrong;
+      }
+    }
+    EXPECT_EQ(wrong, 0) << "pixels";
+    // A picture in the picture, as wide as the image, with the rim in it.
+    const std::vector<std::string> rims = all_between(html, "<circle class=\"rim\"", ">");
+    ASSERT_EQ(rims.size(), 1U);
+    const std::string before = html.substr(0, html.find("<circle class=\"rim"));
+    const std::string inner = before.substr(before.rfind("<svg"));
+    const auto number = [](const std::string& element, const std::string& attribute) {
+      const std::vector<std::string> values = all_between(element, " " + attribute + "=\"", "\"");
+      return values.empty() ? 0.0 : std::strtod(values.front().c_str(), nullptr);
+    };
+    const double scale = number(inner, "width") / lit.width;
+    ASSERT_GT(scale, 0.0);
+    // Pixel 0 is as wide as the others: its centre is half of it from the border.
+    EXPECT_NEAR(number(rims.front(), "cx") / scale - 0.5, lit.u, 1.0);
+    EXPECT_NEAR(number(rims.front(), "cy") / scale - 0.5, lit.v, 1.0);
+    EXPECT_NEAR(number(rims.front(), "r") / scale, lit.radius, 1.0);
+  }
 }
 
 /// How bright people see a colour, about (viridis rises from one end to the other).

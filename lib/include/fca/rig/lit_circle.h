@@ -34,7 +34,9 @@ class LitCircleSearch {
   void add(const GreyImage& image);
   /// Of all together, or of the one that shows more of a rim, or a sharper one.
   [[nodiscard]] std::optional<LensCircle> best() const;
-  /// The images, counted from 0 in the order of add(), that alone show most of the rim of another circle.
+  /// The images, counted from 0 in the order of add(), that alone show this circle. None: only together they do.
+  [[nodiscard]] std::vector<std::size_t> showing(const LensCircle& circle) const;
+  /// The images that alone show most of the rim of another circle.
   [[nodiscard]] std::vector<std::size_t> contradicting(const LensCircle& circle) const;
 
  private:

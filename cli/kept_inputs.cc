@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kept_inputs.h"
+
+namespace fca::cli {
+
+namespace {
+
+/// Empty where it is no file.
+std::filesystem::path place_of(const std::string& file) {
+  if (file == "-") return {};
+  std::error_code error;
+  return std::filesystem::weakly_canonical(file, error);
+}
+
+}  // namespace
+
+KeptInputs::KeptInputs(std::span<const std::string> files) {
+  for (const std::string& file : files) add(file);
+}
+
+KeptInputs::KeptInputs(const ReadingOptions& options) {
+  for (const std::string& given : options.lens_circles) {
+    add(given);
+    // "CAMERA=IMAGE", or a name that holds a '='.
+    if (const std::size_t equals = given.find('='); equals != std::string::npos) add(given.substr(equals + 1));
+  }
+}
+
+KeptInputs::KeptInputs(const Console& console, const ReadingOptions& options) : KeptInputs(options) {
+  for (const text::Source& source : console.sources()) add(source.name);
+}
+
+void KeptInputs::add(const std::string& file) { files_.insert(place_of(file)); }
+
+std::optional<std::string> KeptInputs::problem_with(const std::string& output) const {
+  if (files_.empty()) return std::nullopt;
+  const std::filesystem::path place = place_of(output);
+  if (place.empty() || !files_.contains(place)) return std::nullopt;
+  return output + " is an input; name another place";
+}
+
+}  // namespace fca::cli
