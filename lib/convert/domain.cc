@@ -228,7 +228,7 @@ void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* 
 }  // namespace
 
 std::optional<Ray> Domain::ray(const Lens& source, const Pixel& pixel) const {
-  if (circle && !circle->contains(pixel)) return std::nullopt;
+  if (!is_lit(pixel)) return std::nullopt;
   const std::optional<Ray> ray = source.ray(pixel);
   if (!ray || angle_from_axis(*ray) > max_angle_rad) return std::nullopt;
   return ray;

@@ -71,7 +71,7 @@ void Scorer::score(Batch& batch, std::size_t count) const {
 
 Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {
   const Pixel pixel = {batch.u[i], batch.v[i]};
-  if (batch.z[i] == kNoRay || !is_lit(pixel)) return Verdict::kOutsideLens;
+  if (batch.z[i] == kNoRay || !domain_.is_lit(pixel)) return Verdict::kOutsideLens;
   const bool computed = std::isfinite(batch.z[i]);
   if (!computed) {
     const std::optional<Ray> ray = source_.ray(pixel);

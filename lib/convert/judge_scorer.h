@@ -42,7 +42,6 @@ class Scorer {
     static constexpr double kClose = 1e-9;
   };
 
-  [[nodiscard]] bool is_lit(const Pixel& pixel) const { return !domain_.circle || domain_.circle->contains(pixel); }
   /// Asks the models for what the batch has not found, and decides.
   [[nodiscard]] Verdict look_closer(Batch& batch, std::size_t i) const;
   [[nodiscard]] std::optional<Pixel> image_of(const Ray& ray) const;

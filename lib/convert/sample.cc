@@ -37,7 +37,6 @@ class Rays {
     if ((*ray)[2] < lowest_ - kUnclear || angle_from_axis(*ray) > domain_.max_angle_rad) return std::nullopt;
     return ray;
   }
-  [[nodiscard]] bool is_lit(const Pixel& pixel) const { return !domain_.circle || domain_.circle->contains(pixel); }
   [[nodiscard]] bool surely_inside(double cosine) const { return cosine > lowest_ + kUnclear; }
   /// The same for many pixels, of models that search for a ray: of others one by one is as fast.
   [[nodiscard]] std::optional<internal::BatchRays> batch() const {
@@ -45,6 +44,7 @@ class Rays {
     if (model == nullptr || !is_any_of<Kb4, Radtan, Rational>(*model) || !validate(*model).empty()) return std::nullopt;
     return internal::BatchRays(*model, domain_.max_angle_rad);
   }
+  [[nodiscard]] bool is_lit(const Pixel& pixel) const { return domain_.is_lit(pixel); }
   [[nodiscard]] bool has(const Pixel& pixel) const { return (*this)(pixel).has_value(); }
   /// Beyond the domain's limit, in radians (about as many, of a circle); nothing where the source has no ray.
   [[nodiscard]] std::optional<double> beyond(const Pixel& pixel) const {

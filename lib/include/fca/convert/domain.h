@@ -20,6 +20,8 @@ struct Domain {
   std::string why;                        ///< What decided where it ends, in words for people.
   std::optional<LensCircle> circle = {};  ///< Only if it cuts something off.
 
+  /// Does light fall there? Everywhere without a circle.
+  [[nodiscard]] bool is_lit(const Pixel& pixel) const { return !circle || circle->contains(pixel); }
   /// The source's ray of a pixel of the domain; nothing outside.
   [[nodiscard]] std::optional<Ray> ray(const Lens& source, const Pixel& pixel) const;
 };
