@@ -121,13 +121,21 @@ long long Summary::count(Verdict verdict) const {
   return std::transform_reduce(bands_.begin(), bands_.end(), 0LL, std::plus{}, [](const Band& band) { return band.count; });
 }
 
-double Summary::percentile(double fraction) const {
-  const double wanted = fraction * weight(Verdict::kScored);
-  double below = 0.0;
-  const auto bin =
-      std::ranges::find_if(bins_, [&](const Bin& each) { return (below += each.weight) >= wanted && each.weight > 0.0; });
+template <std::size_t N>
+std::array<double, N> Summary::percentiles(const std::array<double, N>& shares) const {
   const double worst = worst_.front().error;
-  return bin == bins_.end() ? worst : std::min(bin->sum / bin->weight, worst);
+  const double scored = weight(Verdict::kScored);
+  std::array<double, N> result{};
+  result.fill(worst);
+  std::size_t next = 0;
+  double below = 0.0;
+  for (const Bin& bin : bins_) {
+    if (!(bin.weight > 0.0)) continue;
+    below += bin.weight;
+    for (; next < N && below >= shares[next] * scored; ++next) result[next] = std::min(bin.sum / bin.weight, worst);
+    if (next == N) break;
+  }
+  return result;
 }
 
 Judgement Summary::judgement(const Domain& domain) const {
@@ -149,9 +157,10 @@ Judgement Summary::judgement(const Domain& domain) const {
   for (const Band& band : bands_) square_sum += band.square;
   error.rms = std::sqrt(square_sum / scored);
   error.mean = sum_ / scored;
-  error.p50 = percentile(0.50);
-  error.p95 = percentile(0.95);
-  error.p99 = percentile(0.99);
+  const auto [p50, p95, p99] = percentiles(std::array{0.50, 0.95, 0.99});
+  error.p50 = p50;
+  error.p95 = p95;
+  error.p99 = p99;
   error.max = worst_.front().error;
   error.max_at = worst_.front().pixel;
   for (std::size_t i = 0; i < kBands; ++i) {

@@ -34,8 +34,9 @@ class Summary {
   };
   void find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const;
   [[nodiscard]] std::size_t band_of(double cosine) const;
-  /// The error below which that share of the scored weight lies.
-  [[nodiscard]] double percentile(double fraction) const;
+  /// The errors below which these shares of the scored weight lie; the shares rise.
+  template <std::size_t N>
+  [[nodiscard]] std::array<double, N> percentiles(const std::array<double, N>& shares) const;
   /// What a point's error must exceed to be one of the worst.
   [[nodiscard]] double smallest_bad() const;
   void keep_bad(const Point& point);
