@@ -335,96 +335,145 @@ const text::Document* input_of(const ConvertOutcome::Output& output, const Writt
   return input == calibration.documents.end() ? nullptr : &*input;
 }
 
-/// The steps of one conversion; false with errors.
-bool convert_into(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console,
-                  ConvertOutcome& outcome) {
-  std::optional<Calibration> into;
-  if (!arguments.into.empty()) {
-    into = read_into(arguments, console, outcome);
-    if (!into) return false;
-  }
-  outcome.to = into ? into->format : find_format(arguments.to);
-  if (const std::optional<std::string> problem = option_without_use(arguments, *outcome.to)) {
-    outcome.diagnostics.error("option-without-use", *problem);
-    outcome.code = ExitCode::kUsage;
-    return false;
-  }
-  const std::future<void> programs = arguments.no_verify ? std::future<void>() : prepare_programs(*outcome.to);
-  const std::optional<Calibration> calibration = read_input(inputs, arguments.reading, console, outcome.diagnostics);
-  if (!calibration) return false;
-  outcome.from = calibration->format;
-  outcome.one_format = calibration->one_format;
-  const bool imu_file = outcome.to->imu_file && !into && !calibration->rig.imus.empty();
-  if (calibration->rig.cameras.empty() && !imu_file) {
-    explain_no_camera(arguments, outcome.input, *calibration, outcome.diagnostics);
-    return false;
-  }
-  if (contradicts(arguments, *calibration, outcome)) return false;
-  if (imu_is_another(calibration->rig, outcome.input, outcome.diagnostics)) return false;
-  if (into && !has_use_for(*into, calibration->rig, outcome.input, outcome)) return false;
+/// One conversion, step by step: each of them is false where there are errors.
+class Steps {
+ public:
+  Steps(const std::vector<std::string>& inputs, const ConvertArguments& arguments, Console& console, ConvertOutcome& outcome)
+      : inputs_(inputs), arguments_(arguments), console_(console), outcome_(outcome) {}
 
-  Base base;
-  if (into) {
-    base = {&into->documents.front(), &*into};
-  } else if (const text::Document& main_file = calibration->documents[calibration->with_cameras];
-             (inputs.size() == 1 || edits_first(*calibration, arguments, *outcome.to)) &&
-             is_base_of(*calibration->format, main_file, *outcome.to)) {
-    base = {&main_file, nullptr, calibration->format != outcome.to};
-  }
-  if (!holds_model(arguments, base, calibration->rig, *outcome.to, outcome.diagnostics)) return false;
-  ModelChoice choice;
-  choice.model = arguments.model;
-  choice.max_angle_rad = max_angle_rad(arguments.reading);
-  choice.every_pixel = arguments.every_pixel;
-  choice.jobs = arguments.jobs;
-  choice.objective = arguments.objective == "max" ? Objective::kMax : Objective::kRms;
-  choice.among = models_for(arguments, base, calibration->rig, *outcome.to);
-  choice.same_format = calibration->format == outcome.to && calibration->one_format;
-  std::optional<std::vector<CameraOutcome>> cameras =
-      convert_cameras(calibration->rig.cameras, *outcome.to, choice, outcome.diagnostics);
-  if (!cameras) return false;
-  outcome.cameras = *std::move(cameras);
-  add_reach(*outcome.to, choice, outcome.cameras);
-  Rig rig = converted_rig(*calibration, outcome.cameras, arguments);
-  Kept kept;
-  if (into) {
-    const bool order_given = arguments.reading.cameras.value_or("").find(',') != std::string::npos;
-    rig = put_into(into->rig, std::move(rig), order_given, kept, outcome.diagnostics);
-    if (!sizes_agree(*into, *calibration, rig, arguments, outcome.diagnostics)) return false;
-    for (std::size_t i = 0; i < outcome.cameras.size(); ++i) outcome.cameras[i].source.name = rig.cameras[i].name;
+  [[nodiscard]] bool run() {
+    if (!read() || !fit() || !write() || !place_outputs(arguments_, outcome_)) return false;
+    if (!arguments_.no_verify) prove();
+    warn_of_poor_fits(outcome_);
+    judge_limits(arguments_, outcome_);
+    return true;
   }
 
-  std::optional<Written> written = write_rig(*calibration, rig, base, arguments, kept.replaced, outcome);
-  if (!written || !is_edit_of_base(arguments, base, *written, outcome.diagnostics)) return false;
-  if (into) tell_of_kept(kept, *written, *outcome.to, outcome.diagnostics);
-  list_assumed_units(*calibration, *outcome.to, *written);
-  if (!into && base.document != nullptr && changes_images(arguments.reading))
-    list_facts_of_other_images(calibration->rig, *outcome.to, *written, outcome.diagnostics);
-  if (into) list_facts_of_other_lenses(into->rig, rig, *outcome.to, *written, outcome.diagnostics);
-  if (!have_place(arguments, *written, outcome)) return false;
-  outcome.written = *std::move(written);
-  name_as_written(*outcome.to, outcome.written, outcome.cameras);
-  // Before --set: what that makes of a file is no edit of the input any more.
-  add_provenance(arguments, *calibration, outcome);
-  if (!apply_settings(arguments, *outcome.to, outcome.written, outcome.diagnostics)) return false;
-  for (Loss& loss : outcome.written.losses) {
-    loss.what = with_names_of_file(loss.what, outcome.cameras);
-    loss.remedy = with_names_of_file(loss.remedy, outcome.cameras);
+ private:
+  /// Into calibration_, into_ and base_.
+  [[nodiscard]] bool read();
+  [[nodiscard]] Base base() const;
+  [[nodiscard]] ModelChoice choice() const;
+  /// Into the outcome's cameras.
+  [[nodiscard]] bool fit();
+  /// Into rig_: the cameras that were fitted, in the rig of the input, or of --into's file.
+  [[nodiscard]] bool put_together();
+  /// Into the outcome's files.
+  [[nodiscard]] bool write();
+  void prove();
+
+  const std::vector<std::string>& inputs_;
+  const ConvertArguments& arguments_;
+  Console& console_;
+  ConvertOutcome& outcome_;
+  std::optional<Calibration> into_;         ///< --into's file.
+  std::future<void> programs_;              ///< Made ready while the input is read.
+  std::optional<Calibration> calibration_;  ///< The input.
+  Base base_;
+  Rig rig_;    ///< What is written.
+  Kept kept_;  ///< Of --into's file.
+};
+
+bool Steps::read() {
+  if (!arguments_.into.empty()) {
+    into_ = read_into(arguments_, console_, outcome_);
+    if (!into_) return false;
   }
-  warn_of_wrong_side(rig, arguments, outcome, outcome.diagnostics);
-  if (!place_outputs(arguments, outcome)) return false;
-  if (!arguments.no_verify) {
-    const bool edits_it = base.document != nullptr && base.into == nullptr;  // then the proof says so
-    if (!edits_it) warn_if_refused(*calibration, arguments.reading.opencv_model, outcome.diagnostics);
-    const Rig meant = as_restated(rig, outcome.written);
-    for (const ConvertOutcome::Output& output : outcome.outputs) {
-      const text::Document* own = input_of(output, outcome.written, *calibration);
-      verify(meant, output, arguments, own != nullptr ? own : base.document, outcome);
-    }
+  outcome_.to = into_ ? into_->format : find_format(arguments_.to);
+  if (const std::optional<std::string> problem = option_without_use(arguments_, *outcome_.to)) {
+    outcome_.diagnostics.error("option-without-use", *problem);
+    outcome_.code = ExitCode::kUsage;
+    return false;
   }
-  warn_of_poor_fits(outcome);
-  judge_limits(arguments, outcome);
+  if (!arguments_.no_verify) programs_ = prepare_programs(*outcome_.to);
+  calibration_ = read_input(inputs_, arguments_.reading, console_, outcome_.diagnostics);
+  if (!calibration_) return false;
+  outcome_.from = calibration_->format;
+  outcome_.one_format = calibration_->one_format;
+  const bool imu_file = outcome_.to->imu_file && !into_ && !calibration_->rig.imus.empty();
+  if (calibration_->rig.cameras.empty() && !imu_file) {
+    explain_no_camera(arguments_, outcome_.input, *calibration_, outcome_.diagnostics);
+    return false;
+  }
+  if (contradicts(arguments_, *calibration_, outcome_)) return false;
+  if (imu_is_another(calibration_->rig, outcome_.input, outcome_.diagnostics)) return false;
+  if (into_ && !has_use_for(*into_, calibration_->rig, outcome_.input, outcome_)) return false;
+  base_ = base();
   return true;
+}
+
+Base Steps::base() const {
+  if (into_) return {&into_->documents.front(), &*into_};
+  const text::Document& main_file = calibration_->documents[calibration_->with_cameras];
+  const bool one_file = inputs_.size() == 1 || edits_first(*calibration_, arguments_, *outcome_.to);
+  if (!one_file || !is_base_of(*calibration_->format, main_file, *outcome_.to)) return {};
+  return {&main_file, nullptr, calibration_->format != outcome_.to};
+}
+
+ModelChoice Steps::choice() const {
+  ModelChoice choice;
+  choice.model = arguments_.model;
+  choice.max_angle_rad = max_angle_rad(arguments_.reading);
+  choice.every_pixel = arguments_.every_pixel;
+  choice.jobs = arguments_.jobs;
+  choice.objective = arguments_.objective == "max" ? Objective::kMax : Objective::kRms;
+  choice.among = models_for(arguments_, base_, calibration_->rig, *outcome_.to);
+  choice.same_format = calibration_->format == outcome_.to && calibration_->one_format;
+  return choice;
+}
+
+bool Steps::fit() {
+  if (!holds_model(arguments_, base_, calibration_->rig, *outcome_.to, outcome_.diagnostics)) return false;
+  const ModelChoice chosen = choice();
+  std::optional<std::vector<CameraOutcome>> cameras =
+      convert_cameras(calibration_->rig.cameras, *outcome_.to, chosen, outcome_.diagnostics);
+  if (!cameras) return false;
+  outcome_.cameras = *std::move(cameras);
+  add_reach(*outcome_.to, chosen, outcome_.cameras);
+  return put_together();
+}
+
+bool Steps::put_together() {
+  rig_ = converted_rig(*calibration_, outcome_.cameras, arguments_);
+  if (!into_) return true;
+  const bool order_given = arguments_.reading.cameras.value_or("").find(',') != std::string::npos;
+  rig_ = put_into(into_->rig, std::move(rig_), order_given, kept_, outcome_.diagnostics);
+  if (!sizes_agree(*into_, *calibration_, rig_, arguments_, outcome_.diagnostics)) return false;
+  for (std::size_t i = 0; i < outcome_.cameras.size(); ++i) outcome_.cameras[i].source.name = rig_.cameras[i].name;
+  return true;
+}
+
+bool Steps::write() {
+  const Format& to = *outcome_.to;
+  std::optional<Written> written = write_rig(*calibration_, rig_, base_, arguments_, kept_.replaced, outcome_);
+  if (!written || !is_edit_of_base(arguments_, base_, *written, outcome_.diagnostics)) return false;
+  if (into_) tell_of_kept(kept_, *written, to, outcome_.diagnostics);
+  list_assumed_units(*calibration_, to, *written);
+  if (!into_ && base_.document != nullptr && changes_images(arguments_.reading))
+    list_facts_of_other_images(calibration_->rig, to, *written, outcome_.diagnostics);
+  if (into_) list_facts_of_other_lenses(into_->rig, rig_, to, *written, outcome_.diagnostics);
+  if (!have_place(arguments_, *written, outcome_)) return false;
+  outcome_.written = *std::move(written);
+  name_as_written(to, outcome_.written, outcome_.cameras);
+  // Before --set: what that makes of a file is no edit of the input any more.
+  add_provenance(arguments_, *calibration_, outcome_);
+  if (!apply_settings(arguments_, to, outcome_.written, outcome_.diagnostics)) return false;
+  for (Loss& loss : outcome_.written.losses) {
+    loss.what = with_names_of_file(loss.what, outcome_.cameras);
+    loss.remedy = with_names_of_file(loss.remedy, outcome_.cameras);
+  }
+  warn_of_wrong_side(rig_, arguments_, outcome_, outcome_.diagnostics);
+  return true;
+}
+
+void Steps::prove() {
+  const bool edits_it = base_.document != nullptr && base_.into == nullptr;  // then the proof says so
+  if (!edits_it) warn_if_refused(*calibration_, arguments_.reading.opencv_model, outcome_.diagnostics);
+  const Rig meant = as_restated(rig_, outcome_.written);
+  for (const ConvertOutcome::Output& output : outcome_.outputs) {
+    const text::Document* own = input_of(output, outcome_.written, *calibration_);
+    verify(meant, output, arguments_, own != nullptr ? own : base_.document, outcome_);
+  }
 }
 
 }  // namespace
@@ -434,7 +483,7 @@ ConvertOutcome convert_inputs(const std::vector<std::string>& inputs, const Conv
   outcome.input = inputs.front();
   outcome.to = find_format(arguments.to);
   outcome.max_angle_given = max_angle_rad(arguments.reading).has_value() || !arguments.reading.lens_circles.empty();
-  if (convert_into(inputs, arguments, console, outcome)) return outcome;
+  if (Steps(inputs, arguments, console, outcome).run()) return outcome;
   const ExitCode code = code_of(outcome.diagnostics);
   outcome.code = worse(outcome.code, code == ExitCode::kGood ? ExitCode::kBadInput : code);
   return outcome;

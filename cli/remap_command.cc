@@ -162,13 +162,10 @@ std::string json_of(const RemapArguments& arguments, const Remapping& done, Exit
   return json.document();
 }
 
-ExitCode run_remap(const RemapArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
-  if (const std::optional<std::string> problem = problem_with_patterns(arguments.images))
-    return console.refuse(ExitCode::kIo, *problem);
-  const std::vector<FoundFile> images =
-      arguments.images.empty() ? std::vector<FoundFile>() : walk(arguments.images, &is_image_extension);
-  Remapping done;
+/// Whose images they are, what they are to look like, and the map from the one to the other: into `done`. A code where that
+/// cannot be, which is said.
+std::optional<ExitCode> make_map(const RemapArguments& arguments, std::span<const FoundFile> images, Console& console,
+                                 Remapping& done) {
   const auto refuse = [&] { return console.refuse(worse(code_of(done.diagnostics), ExitCode::kBadInput), done.diagnostics); };
   const std::optional<Camera> source = source_of(arguments, console, done.diagnostics);
   if (!source) return refuse();
@@ -185,14 +182,11 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
                                                                  max_angle_rad(arguments.reading), done.diagnostics);
   if (!mapper) return refuse();
   done.map = map_of(*mapper, arguments.jobs);
-  const std::vector<std::uint8_t> mask = seen(done.map, *source->image_size);
-  done.seen_share = static_cast<double>(std::ranges::count(mask, 255)) / static_cast<double>(mask.size());
-  if (!(done.seen_share > 0.0))
-    return console.refuse(ExitCode::kJudgedBad, source->name + " sees nothing of that view; nothing is written");
-  console.show(done.diagnostics);
-  if (const std::optional<std::string> failure = write_parts(arguments, done.map, mask))
-    return console.refuse(ExitCode::kIo, *failure);
-  done.images = remap_images(arguments, images, *source, done.map, console);
+  return std::nullopt;
+}
+
+/// What was done, at the end.
+ExitCode tell(const RemapArguments& arguments, const Remapping& done, const Console& console) {
   ExitCode code = ExitCode::kGood;
   for (const RemappedImage& image : done.images) {
     console.show(image.diagnostics);
@@ -200,13 +194,32 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   }
   if (arguments.json) {
     console.out(json_of(arguments, done, code, console));
-  } else {
-    const bool wrote_parts = !arguments.map.empty() || !arguments.mask.empty();
-    const bool made = wrote_parts || done.images.empty() || std::ranges::any_of(done.images, &is_written);
-    const std::string text = (made ? view_text(arguments, done) : "") + images_text(arguments, done);
-    arguments.output == "-" ? console.say_aside(text) : console.say(text);
+    return code;
   }
+  const bool wrote_parts = !arguments.map.empty() || !arguments.mask.empty();
+  const bool made = wrote_parts || done.images.empty() || std::ranges::any_of(done.images, &is_written);
+  const std::string text = (made ? view_text(arguments, done) : "") + images_text(arguments, done);
+  arguments.output == "-" ? console.say_aside(text) : console.say(text);
   return code;
+}
+
+ExitCode run_remap(const RemapArguments& arguments, Console& console) {
+  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
+  if (const std::optional<std::string> problem = problem_with_patterns(arguments.images))
+    return console.refuse(ExitCode::kIo, *problem);
+  const std::vector<FoundFile> images =
+      arguments.images.empty() ? std::vector<FoundFile>() : walk(arguments.images, &is_image_extension);
+  Remapping done;
+  if (const std::optional<ExitCode> refused = make_map(arguments, images, console, done)) return *refused;
+  const std::vector<std::uint8_t> mask = seen(done.map, *done.source.image_size);
+  done.seen_share = static_cast<double>(std::ranges::count(mask, 255)) / static_cast<double>(mask.size());
+  if (!(done.seen_share > 0.0))
+    return console.refuse(ExitCode::kJudgedBad, done.source.name + " sees nothing of that view; nothing is written");
+  console.show(done.diagnostics);
+  if (const std::optional<std::string> failure = write_parts(arguments, done.map, mask))
+    return console.refuse(ExitCode::kIo, *failure);
+  done.images = remap_images(arguments, images, done.source, done.map, console);
+  return tell(arguments, done, console);
 }
 
 }  // namespace
