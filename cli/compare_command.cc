@@ -72,7 +72,8 @@ void exceed(ComparedFile& compared, const std::string& message, const std::strin
 }
 
 /// A pixel that is not there is off by more than any limit.
-void judge_pixels(double limit_px, const ReferenceFile& reference, ComparedFile& compared) {
+void judge_pixels(const CompareArguments& arguments, const ReferenceFile& reference, ComparedFile& compared) {
+  const double limit_px = arguments.max_error_px.value_or(kSamePx);
   for (const CameraComparison& camera : compared.comparison->cameras) {
     if (camera.identical) continue;
     const Judgement& judgement = camera.difference.judgement;
@@ -88,7 +89,8 @@ void judge_pixels(double limit_px, const ReferenceFile& reference, ComparedFile&
     }
     if (missing > kNoticeable) {
       exceed(compared, camera.other + " has no pixel for " + percent(missing) + " of the image",
-             "if the lens ends before, --max-angle DEG says where");
+             std::string("if the lens ends before, --max-angle DEG ") +
+                 (arguments.reading.lens_circles.empty() ? "" : "in place of --lens-circle ") + "says where");
     }
   }
   if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size())
@@ -116,7 +118,7 @@ void judge_rest(ComparedFile& compared) {
 void judge(const CompareArguments& arguments, const ReferenceFile& reference, ComparedFile& compared) {
   if (!arguments.max_error_px && !arguments.strict) return;
   for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, sentence(mistake));
-  judge_pixels(arguments.max_error_px.value_or(kSamePx), reference, compared);
+  judge_pixels(arguments, reference, compared);
   if (arguments.strict) judge_rest(compared);
 }
 

@@ -81,11 +81,13 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
     const double missing = camera.report->judgement.coverage.unrepresentable;
     if (missing > kNoticeable) {
       const double reach_deg = camera.report->scored_to_deg;
-      outcome.diagnostics.error(
-          "error-limit",
-          camera.source.name + ": " + percent(missing) + " of the image has no pixel or a wrong one as " +
-              camera.report->to_model + ", and --max-error was given",
-          {}, "--max-angle " + text::format_short(std::floor(reach_deg), 3) + " if nothing further from the axis is needed");
+      outcome.diagnostics.error("error-limit",
+                                camera.source.name + ": " + percent(missing) + " of the image has no pixel or a wrong one as " +
+                                    camera.report->to_model + ", and --max-error was given",
+                                {},
+                                "--max-angle " + text::format_short(std::floor(reach_deg), 3) +
+                                    (arguments.reading.lens_circles.empty() ? "" : " in place of --lens-circle") +
+                                    " if nothing further from the axis is needed");
       outcome.code = ExitCode::kJudgedBad;
     }
     const double worst = camera.report->judgement.error.max;
@@ -482,7 +484,7 @@ ConvertOutcome convert_inputs(const std::vector<std::string>& inputs, const Conv
   ConvertOutcome outcome;
   outcome.input = inputs.front();
   outcome.to = find_format(arguments.to);
-  outcome.max_angle_given = max_angle_rad(arguments.reading).has_value() || !arguments.reading.lens_circles.empty();
+  outcome.lens_given = max_angle_rad(arguments.reading).has_value() || !arguments.reading.lens_circles.empty();
   if (Steps(inputs, arguments, console, outcome).run()) return outcome;
   const ExitCode code = code_of(outcome.diagnostics);
   outcome.code = worse(outcome.code, code == ExitCode::kGood ? ExitCode::kBadInput : code);

@@ -43,8 +43,8 @@ struct ConvertOutcome {
     std::vector<std::string> programs;
   };
   std::string input;
-  bool one_of_many = false;      ///< Then its report names it.
-  bool max_angle_given = false;  ///< Then shares are of the image within that angle.
+  bool one_of_many = false;  ///< Then its report names it.
+  bool lens_given = false;   ///< By --max-angle or --lens-circle: shares are of the lens.
   const Format* from = nullptr;
   bool one_format = true;  ///< False: `from` is the first file's, and others joined to it have another.
   const Format* to = nullptr;

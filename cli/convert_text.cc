@@ -139,7 +139,7 @@ std::string proofs_text(const ConvertOutcome& outcome) {
       text += "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
               " differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
     }
-    for (const std::string& warning : misreadings(proof, outcome.max_angle_given))
+    for (const std::string& warning : misreadings(proof, outcome.lens_given))
       text += "  warning: " + text::printable(warning) + "\n";
     if (proof.misread_px > 0.0) {
       text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_file.h"
 
+#include "pictures/image_formats.h"
 #include "pictures/pictures.h"
 #include "words.h"
 
@@ -31,7 +32,10 @@ std::optional<Image> read_image(const std::string& path, Diagnostics& diagnostic
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   if (bytes.empty()) return refuse("no-image", "the file is empty");
   std::optional<Image> image = decoded(bytes);
-  if (!image) return refuse("no-image", "this is no image, or not a whole one, or of a kind that is not read");
+  if (!image) {
+    diagnostics.error("no-image", "this is no image, or not a whole one, or of a kind that is not read", {path, 0, 0},
+                      "up to 134 megapixels are read, as " + image_extensions());
+  }
   return image;
 }
 

@@ -9,15 +9,21 @@
 
 namespace fca::cli {
 
+std::string place_in_words(const LensCircle& circle) {
+  return "centre (" + fixed(circle.centre[0], 1) + ", " + fixed(circle.centre[1], 1) + "), radius " +
+         fixed(circle.radius_px, 1) + " px";
+}
+
 std::string circle_in_words(const LensCircle& circle) {
-  return circle.why + ": centre (" + fixed(circle.centre[0], 1) + ", " + fixed(circle.centre[1], 1) + "), radius " +
-         fixed(circle.radius_px, 1) + " px, " + percent(circle.rim_share) + " of its rim seen, rms " + pixels(circle.rms_px) +
-         " px";
+  return circle.why + ": " + place_in_words(circle) + ", " + percent(circle.rim_share) + " of its rim in the image seen, rms " +
+         pixels(circle.rms_px) + " px";
 }
 
 std::string domain_in_words(const Coverage& coverage) {
   if (!coverage.circle) return angle_in_words(coverage.max_angle_deg) + ": " + coverage.why;
-  return "up to " + text::format_short(coverage.max_angle_deg, 4) + " deg from the axis: " + circle_in_words(*coverage.circle);
+  const LensCircle& circle = *coverage.circle;
+  const std::string first = coverage.why == circle.why ? "" : coverage.why + "; ";
+  return "up to " + text::format_short(coverage.max_angle_deg, 4) + " deg from the axis: " + first + circle_in_words(circle);
 }
 
 std::string domain_text(const Coverage& coverage) { return "  domain: " + domain_in_words(coverage) + "\n"; }

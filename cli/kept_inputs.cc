@@ -14,10 +14,6 @@ std::filesystem::path place_of(const std::string& file) {
 
 }  // namespace
 
-KeptInputs::KeptInputs(std::span<const std::string> files) {
-  for (const std::string& file : files) add(file);
-}
-
 KeptInputs::KeptInputs(const ReadingOptions& options) {
   for (const std::string& given : options.lens_circles) {
     add(given);
@@ -28,6 +24,10 @@ KeptInputs::KeptInputs(const ReadingOptions& options) {
 
 KeptInputs::KeptInputs(const Console& console, const ReadingOptions& options) : KeptInputs(options) {
   for (const text::Source& source : console.sources()) add(source.name);
+}
+
+void KeptInputs::add(std::span<const std::string> files) {
+  for (const std::string& file : files) add(file);
 }
 
 void KeptInputs::add(const std::string& file) { files_.insert(place_of(file)); }

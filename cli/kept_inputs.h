@@ -16,12 +16,12 @@ namespace fca::cli {
 /// Files that stay as they are. A symbolic link counts as the file it points to; "-" and "" are no files.
 class KeptInputs {
  public:
-  explicit KeptInputs(std::span<const std::string> files);
   /// The images of --lens-circle.
   explicit KeptInputs(const ReadingOptions& options);
   /// All that was read until now: calibrations with the files they name, and those images.
   KeptInputs(const Console& console, const ReadingOptions& options);
 
+  void add(std::span<const std::string> files);
   /// "PATH is an input; name another place" where an output would replace one of them.
   [[nodiscard]] std::optional<std::string> problem_with(const std::string& output) const;
 

@@ -3,6 +3,7 @@
 
 #include "image_file.h"
 #include "image_planes.h"
+#include "judgement_text.h"
 #include "words.h"
 
 #include <fca/formats/text/source.h>
@@ -66,7 +67,7 @@ std::optional<std::vector<SampleImages>> by_camera(const std::vector<std::string
     }
     auto found = std::ranges::find(result, asked.camera, &SampleImages::camera);
     if (found == result.end()) found = result.insert(result.end(), {asked.camera, {}});
-    found->paths.push_back(asked.path);
+    if (std::ranges::find(found->paths, asked.path) == found->paths.end()) found->paths.push_back(asked.path);
   }
   return result;
 }
@@ -108,20 +109,22 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
                         "is it this camera's lens, and not something bright in front of it? fca-io report draws it");
   }
   if (circle.rim_share < kHalf) {
-    diagnostics.warning("lens-circle-uncertain",
-                        camera.name + ": only " + percent(circle.rim_share) + " of the lit circle's rim is seen", {path, 0, 0},
-                        "is it a lens's edge at all? fca-io report draws it; further images of brighter scenes, each as --lens-circle, "
-                        "show more of it");
+    diagnostics.warning(
+        "lens-circle-uncertain",
+        camera.name + ": only " + percent(circle.rim_share) + " of the lit circle's rim in the image is seen", {path, 0, 0},
+        "is it a lens's edge at all? fca-io report draws it; further images of brighter scenes, each as --lens-circle, "
+        "show more of it");
   }
 }
 
 /// Images whose own circle is another one: of another camera, or of something else than the lens.
 void warn_of_others(const LitCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
-                    Diagnostics& diagnostics) {
+                    const std::vector<std::string>& witnesses, Diagnostics& diagnostics) {
   for (const std::size_t image : search.contradicting(*camera.lens_circle)) {
     diagnostics.warning("lens-circles-differ",
-                        camera.name + ": this image alone shows another lit circle than the images together",
-                        {paths.at(image), 0, 0}, "is it of this camera?");
+                        camera.name + ": this image shows another lit circle (" + place_in_words(*search.alone(image)) +
+                            ") than " + named(witnesses),
+                        {paths.at(image), 0, 0}, "is it of this camera? It is left out");
   }
 }
 
@@ -148,40 +151,74 @@ std::optional<LensCircle> in_image_of(const Camera& camera, const ImageChange& c
   return with_pixels(*seen.lens_circle, changed_image_of(camera, change)->map.inverse());
 }
 
+/// A camera as its sample images have it, and what they show.
+struct Seen {
+  Camera camera;
+  LitCircleSearch search;
+};
+
+/// Nothing with an error where an image is none of the camera's.
+std::optional<Seen> look_at(const Camera& camera, const std::vector<std::string>& paths, const ImageChange& change,
+                            Diagnostics& diagnostics) {
+  std::optional<Seen> seen;
+  for (const std::string& path : paths) {
+    const std::optional<Image> image = read_image(path, diagnostics);
+    if (!image) return std::nullopt;
+    if (!seen) {
+      const Camera taken = as_taken(camera, change, *image);
+      seen = Seen{taken, LitCircleSearch(principal_point(taken.model))};
+    }
+    if (!has_size_of(seen->camera, !change.changes_nothing(), *image, path, diagnostics)) return std::nullopt;
+    seen->search.add(brightest(planes(*image)));  // a blue light is light, too
+  }
+  if (seen) seen->camera.lens_circle = seen->search.best();
+  return seen;
+}
+
+/// Tells of the images that show another circle than most, and looks at the others alone.
+bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, const ImageChange& change, Seen& seen,
+                      Diagnostics& diagnostics) {
+  const std::vector<std::size_t> others = seen.search.contradicting(*seen.camera.lens_circle);
+  if (others.empty()) return true;
+  warn_of_others(seen.search, seen.camera, paths, witnesses(seen.search, *seen.camera.lens_circle, paths), diagnostics);
+  std::vector<std::string> rest;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (std::ranges::find(others, i) == others.end()) rest.push_back(paths[i]);
+  }
+  std::optional<Seen> again = look_at(camera, rest, change, diagnostics);
+  if (!again) return false;
+  paths = std::move(rest);
+  if (again->camera.lens_circle) seen = *std::move(again);
+  return true;
+}
+
 bool add_circle(const SampleImages& sample, const ImageChange& change, Diagnostics& diagnostics) {
   Camera& camera = *sample.camera;
   if (!camera.image_size) {
     diagnostics.error("image-size-missing", camera.name + ": the image size is not known", {}, "give it: --size WIDTHxHEIGHT");
     return false;
   }
-  std::optional<Camera> seen;  // the camera as the images have it
-  std::optional<LitCircleSearch> search;
-  for (const std::string& path : sample.paths) {
-    const std::optional<Image> image = read_image(path, diagnostics);
-    if (!image) return false;
-    if (!seen) seen = as_taken(camera, change, *image);
-    if (!has_size_of(*seen, !change.changes_nothing(), *image, path, diagnostics)) return false;
-    if (!search) search.emplace(principal_point(seen->model));
-    search->add(brightest(planes(*image)));  // a blue light is light, too
-  }
-  seen->lens_circle = search->best();
-  if (seen->lens_circle) {
-    const std::vector<std::string> shown_by = witnesses(*search, *seen->lens_circle, sample.paths);
-    seen->lens_circle->why = "the lit circle of " + named(shown_by);
-    warn_of_doubts(*seen, shown_by.front(), diagnostics);
-    warn_of_others(*search, *seen, sample.paths, diagnostics);
-    camera.lens_circle = in_image_of(camera, change, *seen);
-    if (!camera.lens_circle) {
-      diagnostics.warning("lens-circle-stretched",
-                          camera.name + ": images stretched along one side say nothing of a circle; the whole image counts",
-                          {sample.paths.front(), 0, 0}, "give images of the calibrated size");
-    }
-  } else {
+  std::vector<std::string> paths = sample.paths;
+  std::optional<Seen> seen = look_at(camera, paths, change, diagnostics);
+  if (!seen) return false;
+  if (!seen->camera.lens_circle) {
     diagnostics.warning("no-lens-circle",
-                        camera.name + ": " + (sample.paths.size() == 1 ? "the image shows" : "the images show") +
+                        camera.name + ": " + (paths.size() == 1 ? "the image shows" : "the images show") +
                             " no dark border around a lit circle about the principal point; the whole image counts as lens",
-                        {sample.paths.front(), 0, 0},
+                        {paths.front(), 0, 0},
                         "images of a bright scene show it best, several together if need be; --max-angle DEG says it by hand");
+    return true;
+  }
+  if (!leave_out_others(camera, paths, change, *seen, diagnostics)) return false;
+  LensCircle& circle = *seen->camera.lens_circle;
+  const std::vector<std::string> shown_by = witnesses(seen->search, circle, paths);
+  circle.why = "the lit circle of " + named(shown_by);
+  warn_of_doubts(seen->camera, shown_by.front(), diagnostics);
+  camera.lens_circle = in_image_of(camera, change, seen->camera);
+  if (!camera.lens_circle) {
+    diagnostics.warning("lens-circle-stretched",
+                        camera.name + ": images stretched along one side say nothing of a circle; the whole image counts",
+                        {paths.front(), 0, 0}, "give images of the calibrated size");
   }
   return true;
 }

@@ -48,7 +48,7 @@ std::string refusal_text(const std::vector<std::string>& refusals) {
 }
 
 /// What a program sees of a file that it loads.
-std::string view_text(const ProofResult& proof, const Rig& rig, bool within_max_angle) {
+std::string view_text(const ProofResult& proof, const Rig& rig, bool lens_given) {
   std::string text;
   for (const CameraProof& camera : proof.cameras) text += "    " + camera_text(camera) + "\n";
   std::vector<std::string> unseen;
@@ -62,8 +62,7 @@ std::string view_text(const ProofResult& proof, const Rig& rig, bool within_max_
             "\n";
   }
   for (const std::string& clause : proof.other_numbers) text += "    but: " + clause + "\n";
-  for (const std::string& sentence : misreadings(proof, within_max_angle))
-    text += "    but: " + text::printable(sentence) + "\n";
+  for (const std::string& sentence : misreadings(proof, lens_given)) text += "    but: " + text::printable(sentence) + "\n";
   return text;
 }
 
@@ -114,9 +113,9 @@ ProgramReading ask_program(const consumers::Consumer& program, const Calibration
   return reading;
 }
 
-std::vector<std::string> misreadings(const ProofResult& proof, bool within_max_angle) {
+std::vector<std::string> misreadings(const ProofResult& proof, bool lens_given) {
   constexpr double kNoticeable = 1e-3;
-  const std::string of_image = within_max_angle ? " of the image within --max-angle" : " of the image";
+  const std::string of_image = lens_given ? " of the lens" : " of the image";
   std::vector<std::string> sentences;
   if (proof.unanswered_share > kNoticeable) {
     sentences.push_back("it has no right pixel for " + percent(proof.unanswered_share) + of_image +
@@ -131,7 +130,7 @@ std::vector<std::string> misreadings(const ProofResult& proof, bool within_max_a
 }
 
 std::string program_reading_text(const ProgramReading& reading, const Calibration& calibration, const std::string& file,
-                                 bool within_max_angle) {
+                                 bool lens_given) {
   const std::string program(reading.program->program);
   std::string text = "\nwhat " + program + " makes of it\n";
   if (!reading.reads_format) {
@@ -142,7 +141,7 @@ std::string program_reading_text(const ProgramReading& reading, const Calibratio
   for (const ProgramReading::Mode& mode : reading.modes) {
     const std::string who = mode.names.empty() ? "" : "as " + enumerated(mode.names) + ": ";
     text += "  " + who + (mode.proof.loads ? "loads it\n" : "refuses it\n");
-    text += mode.proof.loads ? view_text(mode.proof, calibration.rig, within_max_angle) : refusal_text(mode.proof.refusals);
+    text += mode.proof.loads ? view_text(mode.proof, calibration.rig, lens_given) : refusal_text(mode.proof.refusals);
   }
   return text;
 }

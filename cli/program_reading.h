@@ -36,11 +36,11 @@ struct ProgramReading {
                                          std::optional<double> max_angle_rad, const std::string& opencv_model);
 
 /// What a program that loads a file gets wrong in it, a sentence each: parts of the image first, then what it says itself.
-/// `within_max_angle`: the shares are of the image within --max-angle.
-[[nodiscard]] std::vector<std::string> misreadings(const ProofResult& proof, bool within_max_angle);
+/// `lens_given`: the shares are of the lens, as --max-angle or --lens-circle say it.
+[[nodiscard]] std::vector<std::string> misreadings(const ProofResult& proof, bool lens_given);
 
 /// All of it in words. `file`: the input's name, for a command.
 [[nodiscard]] std::string program_reading_text(const ProgramReading& reading, const Calibration& calibration,
-                                               const std::string& file, bool within_max_angle);
+                                               const std::string& file, bool lens_given);
 
 }  // namespace fca::cli

@@ -55,15 +55,15 @@ std::optional<Camera> source_of(const RemapArguments& arguments, Console& consol
 }
 
 bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
-  constexpr int kLongest = 32766;             // cv::remap counts in 16 bits
-  constexpr std::int64_t kMost = 1LL << 27U;  // pixels, whose map takes a GiB
+  constexpr int kLongest = 32766;  // cv::remap counts in 16 bits
   if (!camera.image_size) {
     diagnostics.error("no-size", camera.name + " has no image size", {}, "--like wants a file that states one");
     return false;
   }
   const auto& [width, height] = *camera.image_size;
-  if (std::max(width, height) <= kLongest && std::int64_t{width} * height <= kMost) return true;
-  diagnostics.error("image-size", "images of " + size_in_words(*camera.image_size) + " px are too large to be remapped");
+  if (std::max(width, height) <= kLongest && std::int64_t{width} * height <= kMostPixels) return true;
+  diagnostics.error("image-size", "images of " + size_in_words(*camera.image_size) + " px are too large to be remapped", {},
+                    "sides up to " + std::to_string(kLongest) + " px, and 134 megapixels");
   return false;
 }
 
@@ -260,6 +260,7 @@ void add_remap_command(CLI::App& app, RemapArguments& arguments, std::function<E
                   "none; for numpy.load and cv2.remap")
       ->type_name("NPY");
   add_reading_options(command, arguments.reading);
+  add_lens_circle_option(command, arguments.reading);
   command.add_option("--jobs", arguments.jobs, "Images at the same time (default: as many as there are processors)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));

@@ -80,20 +80,22 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
   if (arguments.json && arguments.output == "-") return "with --json the image needs a file: -o PATH";
   std::vector<std::string> files = {arguments.file};
   for (const FoundFile& image : images) files.push_back(image.path);
-  const KeptInputs inputs(files);
+  KeptInputs inputs(arguments.reading);
+  inputs.add(files);
   for (const std::string& path : {arguments.map, arguments.mask}) {
     if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
   }
-  std::set<std::string> taken = {arguments.map, arguments.mask};
   if (!arguments.map.empty() && arguments.map == arguments.mask) return "--map and --mask name the same file";
+  std::set<std::string> taken;
   for (const FoundFile& image : images) {
     const std::string path = output_path(arguments.output, image.path, camera);
     const std::string extension = extension_for(path, image.path);
     if (!is_image_extension(extension)) {
       return "'" + path + "' does not end as an image that is written; there are " + image_extensions();
     }
+    if (path == arguments.map || path == arguments.mask) return path + " is named twice, for an image and for --map or --mask";
     if (!taken.insert(path).second)
-      return "two outputs would be written to " + path + "; a pattern with {folder} and {stem} tells them apart";
+      return "two outputs would be written to " + path + "; a pattern with {folder}, {stem} and {extension} tells them apart";
     if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
   }
   return std::nullopt;

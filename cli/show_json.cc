@@ -46,7 +46,7 @@ void put_imu(Json& json, const Imu& imu) {
   if (!imu.topic.empty()) json.put("topic", imu.topic);
 }
 
-void put_mode(Json& json, const ProgramReading::Mode& mode, bool within_max_angle) {
+void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
   const ProofResult& proof = mode.proof;
   json.put("modes", std::span<const std::string>(mode.names));
   json.put("loads", proof.loads);
@@ -65,7 +65,7 @@ void put_mode(Json& json, const ProgramReading::Mode& mode, bool within_max_angl
   json.put("poses", std::span<const std::string>(proof.poses));
   json.put("max_diff_pose", proof.max_diff_pose);
   json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
-  json.put("warnings", std::span<const std::string>(misreadings(proof, within_max_angle)));
+  json.put("warnings", std::span<const std::string>(misreadings(proof, lens_given)));
 }
 
 void put_file(Json& json, const ShownFile& shown, const Console& console) {

@@ -18,6 +18,9 @@ struct Image {
   std::vector<std::uint8_t> bytes;
 };
 
+/// Larger ones are not read: a few hundred bytes of PNG can be gigabytes of black.
+inline constexpr std::int64_t kMostPixels = 1LL << 27U;
+
 enum class Interpolation : std::uint8_t { kBilinear, kLanczos };
 
 }  // namespace fca::cli

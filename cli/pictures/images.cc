@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <exception>
+#include <iostream>
 #include <string_view>
 
 namespace fca::cli::module {
@@ -57,10 +58,17 @@ bool is_cut_png(std::string_view bytes) {
   return bytes.starts_with("\x89PNG") && bytes.rfind("IEND") == std::string_view::npos;
 }
 
+/// OpenCV tells std::cerr what is wrong with an image, and our own message (by stderr, not by std::cerr) says it too.
+void hush_opencv() {
+  static const std::streambuf* const kSpoken = std::cerr.rdbuf(nullptr);
+  static_cast<void>(kSpoken);
+}
+
 }  // namespace
 
 std::optional<Image> decoded_image(const std::string& bytes) {
   if (bytes.empty() || is_cut_jpeg(bytes) || is_cut_png(bytes)) return std::nullopt;
+  hush_opencv();
   try {
     const cv::Mat file(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     return as_image(cv::imdecode(file, cv::IMREAD_UNCHANGED));

@@ -3,13 +3,21 @@
 
 #include <fca/formats/consumers/load_module.h>
 
+#include <cstdlib>
+
 namespace fca::cli {
 
 namespace {
 
-const PictureFunctions& functions() {
-  static const auto* kLoaded = static_cast<const PictureFunctions*>(
+const PictureFunctions* load() {
+  // OpenCV asks for its limit when it is loaded.
+  ::setenv("OPENCV_IO_MAX_IMAGE_PIXELS", std::to_string(kMostPixels).c_str(), 0);
+  return static_cast<const PictureFunctions*>(
       consumers::load_module(FCA_PICTURES_MODULE, kPictureFunctions, "which makes pictures"));
+}
+
+const PictureFunctions& functions() {
+  static const PictureFunctions* const kLoaded = load();
   return *kLoaded;
 }
 

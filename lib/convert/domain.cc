@@ -217,11 +217,14 @@ void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* 
     return;
   }
   const std::optional<double> largest = largest_angle_in(circle, camera.model, domain.size);
-  if (!largest) return;                  // the model ends before the circle does
+  domain.circle = circle;
+  if (!largest) {
+    domain.why += ", and inside " + circle.why;
+    return;
+  }
   constexpr double kSlack = 1.0 + 1e-9;  // rounding must not cut the rim
   const bool limited = limit != nullptr && domain.max_angle_rad == limit->rad;
   domain.max_angle_rad = std::min(domain.max_angle_rad, *largest * kSlack);
-  domain.circle = circle;
   domain.why = limited ? limit->who + ", and " + circle.why : circle.why;
 }
 

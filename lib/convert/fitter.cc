@@ -36,8 +36,8 @@ bool is_better(const FoundFit& a, const FoundFit& b) {
   return a.reaches_all ? a.rms_px <= kWorth * b.rms_px : kWorth * a.rms_px < b.rms_px;
 }
 
-void keep_better(FoundFit fit, std::optional<FoundFit>& best) {
-  if (!best || is_better(fit, *best)) best = std::move(fit);
+void keep_better(std::optional<FoundFit> fit, std::optional<FoundFit>& best) {
+  if (fit && (!best || is_better(*fit, *best))) best = std::move(fit);
 }
 
 /// Would no other start be better? One may be where a parameter ends at a bound, as the basin's bottom lies beyond it; and
@@ -108,7 +108,7 @@ std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
   for (const double scale : std::span(kScales).first(folds ? kScales.size() : kFew)) {
     const LensCentre other = {{scale * centre.focal[0], scale * centre.focal[1]}, centre.point};
     const std::size_t tried = tried_.size();
-    if (std::optional<FoundFit> fit = fit_starts(other)) keep_better(*std::move(fit), best);
+    keep_better(fit_starts(other), best);
     if (tried_.size() == tried) break;
   }
   return best;
@@ -139,7 +139,7 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
 void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best) {
   std::vector<Candidate> polished;
   for (Candidate& candidate : candidates) {
-    if (best && settled(*best) && !is_rival(candidate, polished)) continue;
+    if (best && settled(*best) && !candidate.is_rival && !is_across_fold(candidate, polished)) continue;
     const Candidate coarse = candidate;
     if (!polisher_.polish(candidate, samples_, full_)) continue;
     polisher_.respect_bounds(candidate, samples_, full_);
@@ -154,7 +154,7 @@ void Fitter::polish_all(std::vector<Candidate>& candidates, std::optional<FoundF
 }
 
 /// Is it about as good as the first one and on another side of the fold than all that were polished, before or after?
-bool Fitter::is_rival(const Candidate& candidate, const std::vector<Candidate>& polished) const {
+bool Fitter::is_across_fold(const Candidate& candidate, const std::vector<Candidate>& polished) const {
   constexpr double kAboutAsGood = 1.5;
   constexpr double kFarAway = 0.3;
   const std::optional<std::size_t> folded = target_.folded();
@@ -328,12 +328,33 @@ std::vector<Fitter::Trial> Fitter::try_shapes(std::span<const Correspondence> fe
   return trials;
 }
 
+/// The bottom next to a trial, between its neighbours: by the golden section, the longer side of what is left is divided.
+Fitter::Trial Fitter::bottom_near(std::span<const Trial> trials, std::size_t at_trial, std::span<const Correspondence> few,
+                                  const LensCentre& centre) const {
+  constexpr int kSections = 10;
+  constexpr double kGolden = 0.381966011250105;
+  Trial best = trials[at_trial];
+  double low = trials[at_trial > 0 ? at_trial - 1 : at_trial].shape;
+  double high = trials[std::min(at_trial + 1, trials.size() - 1)].shape;
+  for (int i = 0; i < kSections; ++i) {
+    const double at = best.shape;
+    const double next = high - at > at - low ? at + kGolden * (high - at) : at - kGolden * (at - low);
+    Trial trial{next, fit_terms(few, centre, next)};
+    if (trial.cost() < best.cost()) {
+      (next > at ? low : high) = at;
+      best = trial;
+    } else {
+      (next > at ? high : low) = next;
+    }
+  }
+  return best;
+}
+
 /// The bottoms along the shape, with the best of all other parameters for each (variable projection: Golub & Pereyra 1973), on
 /// a few of the samples, best first: what a descent in all parameters finds only by a long way through a narrow valley.
 std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   constexpr std::size_t kSamples = 48;
   constexpr std::size_t kMostBottoms = 3;
-  constexpr int kSections = 10;
   if (target_.shapes().empty()) return {};
   const std::vector<Correspondence> few = spread(samples_, kSamples);
   const std::vector<Trial> trials = try_shapes(few, centre);
@@ -345,31 +366,36 @@ std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   }
   std::ranges::sort(bottoms, {}, [&](std::size_t i) { return trials[i].cost(); });
   bottoms.resize(std::min(bottoms.size(), kMostBottoms));
-  std::vector<Candidate> found;
+  std::vector<Trial> found;
   for (const std::size_t bottom : bottoms) {
-    Trial best = trials[bottom];
-    double low = trials[bottom > 0 ? bottom - 1 : bottom].shape;
-    double high = trials[std::min(bottom + 1, trials.size() - 1)].shape;
-    // Golden section: the longer side of what is left is divided.
-    constexpr double kGolden = 0.381966011250105;
-    for (int i = 0; i < kSections; ++i) {
-      const double at = best.shape;
-      const double next = high - at > at - low ? at + kGolden * (high - at) : at - kGolden * (at - low);
-      Trial trial{next, fit_terms(few, centre, next)};
-      if (trial.cost() < best.cost()) {
-        (next > at ? low : high) = at;
-        best = trial;
-      } else {
-        (next > at ? high : low) = next;
-      }
-    }
-    polisher_.hold_fixed(*best.candidate);
+    Trial& trial = found.emplace_back(bottom_near(trials, bottom, few, centre));
+    polisher_.hold_fixed(*trial.candidate);
     // Bottoms differ by less than what the search leaves of each.
-    if (bottoms.size() > 1) polisher_.polish(*best.candidate, few, kCoarse.effort);
-    found.push_back(*best.candidate);
+    if (bottoms.size() > 1) polisher_.polish(*trial.candidate, few, kCoarse.effort);
   }
-  std::ranges::sort(found, {}, &Candidate::cost);
-  return found;
+  std::ranges::sort(found, {}, &Trial::cost);
+  rank_rivals(centre, found);
+  std::vector<Candidate> candidates;
+  for (Trial& trial : found) candidates.push_back(*std::move(trial.candidate));
+  return candidates;
+}
+
+/// Of bottoms that are about as deep on a few samples all tell which is the deepest: where errors bend, at the lens's edge,
+/// there are few of the few.
+void Fitter::rank_rivals(const LensCentre& centre, std::vector<Trial>& found) const {
+  constexpr double kAboutAsDeep = 4.0;
+  const auto is_rival = [&found](const Trial& trial) { return trial.cost() < kAboutAsDeep * found.front().cost(); };
+  const auto others = std::ranges::find_if_not(found, is_rival);
+  const std::span<Trial> rivals(found.begin(), others);
+  if (rivals.size() < 2 || !(found.front().cost() > kSmallCost)) return;
+  for (Trial& trial : rivals) {
+    std::optional<Candidate> on_all = fit_terms(samples_, centre, trial.shape);
+    if (!on_all) return;
+    trial.candidate = std::move(on_all);
+  }
+  std::ranges::sort(rivals, {}, &Trial::cost);
+  constexpr double kTooCloseToTell = 1.3;
+  for (Trial& trial : rivals.subspan(1)) trial.candidate->is_rival = trial.cost() < kTooCloseToTell * rivals.front().cost();
 }
 
 std::optional<FoundFit> fit_target(const FitTarget& target, std::span<const Correspondence> samples, const LensCentre& centre,

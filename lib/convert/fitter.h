@@ -32,7 +32,7 @@ class Fitter {
 
  private:
   void polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best);
-  [[nodiscard]] bool is_rival(const Candidate& candidate, const std::vector<Candidate>& polished) const;
+  [[nodiscard]] bool is_across_fold(const Candidate& candidate, const std::vector<Candidate>& polished) const;
   bool move_inside(Candidate& candidate) const;
   std::optional<FoundFit> fit_starts(const LensCentre& centre);
   std::vector<Candidate> coarse_fits(const LensCentre& centre);
@@ -43,7 +43,10 @@ class Fitter {
                                                    double shape) const;
   struct Trial;
   [[nodiscard]] std::vector<Trial> try_shapes(std::span<const Correspondence> few, const LensCentre& centre) const;
+  [[nodiscard]] Trial bottom_near(std::span<const Trial> trials, std::size_t at_trial, std::span<const Correspondence> few,
+                                  const LensCentre& centre) const;
   std::vector<Candidate> search_shapes(const LensCentre& centre);
+  void rank_rivals(const LensCentre& centre, std::vector<Trial>& found) const;
 
   const FitTarget& target_;
   std::size_t count_;          ///< Of parameters.

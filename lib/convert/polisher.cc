@@ -142,8 +142,8 @@ void Polisher::respect_bounds(Candidate& candidate, std::span<const Corresponden
   }
 }
 
-/// How far from the samples, and whether all of them but for the very edge are in the model's domain.
-void Polisher::score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const {
+/// How far from the samples, and whether all of them but for the very edge are in the model's domain. False if none is.
+bool Polisher::score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const {
   double weight = 0.0;
   double lowest = 1.0;
   for (const Correspondence& s : samples) {
@@ -156,7 +156,7 @@ void Polisher::score(const Candidate& candidate, std::span<const Correspondence>
   const double limit = std::cos(target_.max_angle(candidate.values.data()));
   if (candidate.on_all && lowest > limit + kHair) {
     result.rms_px = std::sqrt(candidate.cost / weight);
-    return;
+    return true;
   }
   std::vector<std::array<double, 2>> pixels(samples.size());
   target_.pixels(candidate.values.data(), samples, pixels.data());
@@ -174,14 +174,16 @@ void Polisher::score(const Candidate& candidate, std::span<const Correspondence>
     sum += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
   }
   result.reaches_all = whole - weight <= kVeryEdge * whole;
-  result.rms_px = weight > 0.0 ? std::sqrt(sum / weight) : 0.0;
+  if (!(weight > 0.0)) return false;
+  result.rms_px = std::sqrt(sum / weight);
+  return true;
 }
 
-FoundFit Polisher::finish(const Candidate& candidate, std::span<const Correspondence> samples) const {
+std::optional<FoundFit> Polisher::finish(const Candidate& candidate, std::span<const Correspondence> samples) const {
   FoundFit result;
   result.parameters = candidate.values;
   result.iterations = candidate.iterations;
-  score(candidate, samples, result);
+  if (!score(candidate, samples, result)) return std::nullopt;
   for (std::size_t i = 0; i < count_; ++i) {
     if (candidate.fixed[i] && !limits_.fixed(i)) result.at_bound.emplace_back(target_.parameters()[i].name);
   }

@@ -11,6 +11,7 @@
 #include <fca/convert/fit_target.h>
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct Candidate {
   std::array<bool, kMostParameters> fixed{};
   double cost = 0.0;
   int iterations = 0;
-  bool on_all = true;  ///< The cost is that of all samples.
+  bool on_all = true;     ///< The cost is that of all samples.
+  bool is_rival = false;  ///< Of another bottom along a shape, about as deep as the deepest.
 };
 
 class Polisher {
@@ -46,13 +48,14 @@ class Polisher {
   bool polish(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort);
   /// Back inside the bounds, the others polished again.
   void respect_bounds(Candidate& candidate, std::span<const Correspondence> samples, const Effort& effort);
-  [[nodiscard]] FoundFit finish(const Candidate& candidate, std::span<const Correspondence> samples) const;
+  /// Nothing if it reaches none of the samples.
+  [[nodiscard]] std::optional<FoundFit> finish(const Candidate& candidate, std::span<const Correspondence> samples) const;
 
  private:
   bool minimise_active(Candidate& candidate, std::size_t samples, const Effort& effort);
   void refine(Candidate& candidate, const Effort& effort, std::span<double> free);
   [[nodiscard]] ParameterValues merged(const Candidate& candidate, const double* free) const;
-  void score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const;
+  [[nodiscard]] bool score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const;
 
   const FitTarget& target_;
   std::size_t count_;  ///< Of parameters.

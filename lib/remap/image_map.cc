@@ -46,6 +46,7 @@ struct ImageMapper::Pair {
   CameraModel source;
   CameraModel target;
   ImageSize size;
+  std::optional<LensCircle> lens;  ///< Outside it the source's image shows nothing.
   internal::Matrix3 rotation;
   bool is_turned;
   double last_rad;     ///< Nothing is seen beyond.
@@ -59,6 +60,7 @@ struct ImageMapper::Pair {
       : source(from.model),
         target(to.model),
         size(*to.image_size),
+        lens(from.lens_circle),
         rotation(rotation_part(T_source_target)),
         is_turned(rotation != rotation_part(Transform())),
         last_rad(std::min(limit_rad, max_angle(source))),
@@ -75,6 +77,7 @@ struct ImageMapper::Pair {
   void find_rays(Batch& batch, std::size_t count) const;
   /// The place of a ray that the kernels left open, from the source's model.
   void look_closer(const Ray& ray, float* uv) const;
+  void leave_out_dark(std::span<float> uv) const;
 };
 
 void ImageMapper::Pair::write(std::size_t first, int v, std::size_t count, float* uv) const {
@@ -132,6 +135,13 @@ void ImageMapper::Pair::look_closer(const Ray& ray, float* uv) const {
   uv[1] = v;
 }
 
+/// Places outside the lens.
+void ImageMapper::Pair::leave_out_dark(std::span<float> uv) const {
+  for (std::size_t i = 0; i + 1 < uv.size(); i += 2) {
+    if (!lens->contains({static_cast<double>(uv[i]), static_cast<double>(uv[i + 1])})) uv[i] = uv[i + 1] = kNothing;
+  }
+}
+
 ImageMapper::ImageMapper(std::unique_ptr<const Pair> pair) : pair_(std::move(pair)) {}
 ImageMapper::ImageMapper(ImageMapper&&) noexcept = default;
 ImageMapper& ImageMapper::operator=(ImageMapper&&) noexcept = default;
@@ -152,6 +162,7 @@ void ImageMapper::row(int v, std::span<float> uv) const {
   const auto width = static_cast<std::size_t>(pair_->size.width);
   for (std::size_t first = 0; first < width; first += Batch::kSize)
     pair_->write(first, v, std::min(Batch::kSize, width - first), uv.data() + 2 * first);
+  if (pair_->lens) pair_->leave_out_dark(uv.first(2 * width));
 }
 
 ImageMap image_map(const ImageMapper& mapper) {

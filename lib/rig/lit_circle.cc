@@ -121,7 +121,7 @@ bool is_better(const LensCircle& one, const LensCircle& other) {
 }
 
 bool is_same(const LensCircle& one, const LensCircle& other) {
-  constexpr double kSame = 0.03;  // of the radius
+  constexpr double kSame = 0.015;  // of the radius
   const double apart = std::hypot(one.centre[0] - other.centre[0], one.centre[1] - other.centre[1]);
   return std::max(apart, std::abs(one.radius_px - other.radius_px)) <= kSame * other.radius_px;
 }
@@ -180,10 +180,19 @@ void LitCircleSearch::add(const GreyImage& image) {
 }
 
 std::optional<LensCircle> LitCircleSearch::best() const {
-  if (!together_) return std::nullopt;
-  std::optional<LensCircle> best = alone_.size() > 1 ? find_lit_circle(*together_, principal_point_) : std::nullopt;
+  std::vector<LensCircle> found;
   for (const std::optional<LensCircle>& circle : alone_) {
-    if (circle && (!best || is_better(*circle, *best))) best = circle;
+    if (circle) found.push_back(*circle);
+  }
+  if (alone_.size() > 1) {
+    if (const std::optional<LensCircle> together = find_lit_circle(*together_, principal_point_)) found.push_back(*together);
+  }
+  // One image by itself proves no other wrong.
+  const auto witnesses = [this](const LensCircle& circle) { return std::max<std::size_t>(showing(circle).size(), 1); };
+  std::optional<LensCircle> best;
+  for (const LensCircle& circle : found) {
+    const std::size_t more = best ? witnesses(*best) : 0;
+    if (witnesses(circle) > more || (witnesses(circle) == more && is_better(circle, *best))) best = circle;
   }
   return best;
 }
@@ -197,10 +206,10 @@ std::vector<std::size_t> LitCircleSearch::showing(const LensCircle& circle) cons
 }
 
 std::vector<std::size_t> LitCircleSearch::contradicting(const LensCircle& circle) const {
-  constexpr double kMost = 0.5;
+  constexpr double kGoodPart = 0.3;
   std::vector<std::size_t> images;
   for (std::size_t i = 0; i < alone_.size(); ++i) {
-    if (alone_[i] && alone_[i]->rim_share > kMost && !is_same(*alone_[i], circle)) images.push_back(i);
+    if (alone_[i] && alone_[i]->rim_share > kGoodPart && !is_same(*alone_[i], circle)) images.push_back(i);
   }
   return images;
 }

@@ -210,6 +210,32 @@ TEST(LitCircleSearch, NamesImagesOfAnotherCircle) {
   EXPECT_TRUE(contradicting.empty());
 }
 
+// One image of another camera, however much of a rim it shows, does not outweigh those that agree.
+TEST(LitCircleSearch, BelievesTheImagesThatAgree) {
+  const Scene scene;
+  Scene half = scene;
+  half.lit_from = -1.4;
+  half.lit_to = 1.4;
+  Scene other_half = scene;
+  other_half.lit_from = 1.2;
+  Scene other;
+  other.circle = {{300.0, 240.0}, 190.0, 0.0, 0.0, ""};
+  other.noise = 0.5;
+  Scene noisy = scene;
+  noisy.noise = 12.0;
+  for (const std::vector<Scene>& scenes : {std::vector{half, other_half, other}, {noisy, other, half}, {other, noisy, noisy}}) {
+    LitCircleSearch search(axis_of(scene.circle));
+    for (const Scene& each : scenes) search.add(rendered(each));
+    const std::optional<LensCircle> found = search.best();
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->radius_px, scene.circle.radius_px, 1.5);
+    EXPECT_GE(search.showing(*found).size(), 2U);
+    const std::vector<std::size_t> contradicting = search.contradicting(*found);
+    ASSERT_EQ(contradicting.size(), 1U);
+    EXPECT_NEAR(search.alone(contradicting.front())->radius_px, other.circle.radius_px, 1.5);
+  }
+}
+
 TEST(LitCircle, IsNoneWhereNoBorderIsDark) {
   Scene everywhere;
   everywhere.circle.radius_px = 1000.0;

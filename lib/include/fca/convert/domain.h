@@ -18,7 +18,7 @@ struct Domain {
   ImageSize size;
   double max_angle_rad = 0.0;             ///< From the axis; the largest angle in the domain.
   std::string why;                        ///< What decided where it ends, in words for people.
-  std::optional<LensCircle> circle = {};  ///< Only if it cuts something off.
+  std::optional<LensCircle> circle = {};  ///< Only if it cuts a corner off the image.
 
   /// Does light fall there? Everywhere without a circle.
   [[nodiscard]] bool is_lit(const Pixel& pixel) const { return !circle || circle->contains(pixel); }

@@ -32,11 +32,14 @@ class LitCircleSearch {
 
   /// Of the size of those before.
   void add(const GreyImage& image);
-  /// Of all together, or of the one that shows more of a rim, or a sharper one.
+  /// The circle that most images show; where no two agree, of all together, or of the one that shows more of a rim, or a
+  /// sharper one.
   [[nodiscard]] std::optional<LensCircle> best() const;
-  /// The images, counted from 0 in the order of add(), that alone show this circle. None: only together they do.
+  /// What an image shows alone, counted from 0 in the order of add().
+  [[nodiscard]] const std::optional<LensCircle>& alone(std::size_t image) const { return alone_.at(image); }
+  /// The images that alone show this circle. None: only together they do.
   [[nodiscard]] std::vector<std::size_t> showing(const LensCircle& circle) const;
-  /// The images that alone show most of the rim of another circle.
+  /// The images that alone show a good part of the rim of another circle.
   [[nodiscard]] std::vector<std::size_t> contradicting(const LensCircle& circle) const;
 
  private:
