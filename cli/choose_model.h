@@ -25,6 +25,12 @@ struct CameraOutcome {
   [[nodiscard]] std::string name_in_words() const {
     return name() == source.name ? name() : name() + " (input's " + source.name + ")";
   }
+  /// Of the image, what the target does not reach; 0 where nobody notices.
+  [[nodiscard]] double unrepresented_share() const {
+    constexpr double kNoticeable = 5e-4;
+    const double share = report ? report->judgement.coverage.unrepresentable : 0.0;
+    return share > kNoticeable ? share : 0.0;
+  }
 };
 
 struct ModelChoice {

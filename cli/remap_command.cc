@@ -123,7 +123,8 @@ std::string images_text(const RemapArguments& arguments, const Remapping& done) 
   for (const RemappedImage& image : done.images) {
     if (!is_written(image)) continue;
     ++written;
-    if (image.output != "-" && is_told_in_full(done.images.size())) text += "wrote " + image.output + "\n";
+    if (image.output != "-" && is_told_in_full(done.images.size()))
+      text += "wrote " + fca::text::printable(image.output) + "\n";
   }
   const bool interrupted = std::ranges::any_of(done.images, &RemappedImage::left);
   if (!is_told_in_full(done.images.size()) || interrupted) {

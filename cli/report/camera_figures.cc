@@ -96,12 +96,12 @@ Profile profile_of(const DrawnCamera& camera, const Transform* rotation) {
   return profile;
 }
 
-Curve curve_of_bands(const Judgement& judgement) {
+Curve curve_of_bands(const Judgement& judgement, double scored_to_deg) {
   Curve curve{"reference", "rms of the table's bands", {}};
   for (const ErrorBand& band : judgement.bands) {
     if (band.share <= 0.0) continue;
     curve.points.push_back({band.from_deg, band.rms_px});
-    curve.points.push_back({std::min(band.to_deg, judgement.coverage.max_angle_deg), band.rms_px});
+    curve.points.push_back({std::min({band.to_deg, judgement.coverage.max_angle_deg, scored_to_deg}), band.rms_px});
   }
   return curve;
 }
@@ -112,8 +112,9 @@ Chart error_chart(const DrawnCamera& camera) {
   chart.title = camera.distance + " over angle";
   chart.what = camera.distance + " in pixels over the angle from the axis, for " + camera.source.name;
   const Profile profile = profile_of(camera, nullptr);
-  chart.curves = {
-      curve_of_bands(judgement), {"max", "worst direction", profile.worst}, {"rms", "rms around the axis", profile.rms}};
+  chart.curves = {curve_of_bands(judgement, camera.scored_to_deg),
+                  {"max", "worst direction", profile.worst},
+                  {"rms", "rms around the axis", profile.rms}};
   double smallest = profile.smallest;
   if (camera.rotation != nullptr) {
     const Profile rotated = profile_of(camera, camera.rotation);

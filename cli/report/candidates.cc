@@ -31,7 +31,7 @@ std::string in_words(const Candidate& candidate) {
 /// Which to take, for a reader and without one.
 std::string recommendation(const std::vector<Candidate>& candidates, const Format* to) {
   const Candidate* best = recommended(candidates, to);
-  if (best == nullptr) return "No model describes this camera.";
+  if (best == nullptr) return "No model could be fitted; the table says why.";
   const bool read_by_some = !best->stored_by.empty();
   if (to != nullptr) {
     std::string text = "For " + std::string(to->program) + ": " + in_words(*best) + ".";
@@ -48,13 +48,23 @@ std::string recommendation(const std::vector<Candidate>& candidates, const Forma
   return text;
 }
 
+/// Does check warn of anything in the file?
+bool is_doubted(const ReportContents& contents) {
+  return std::ranges::any_of(contents.checks, [](const CheckedFile& file) {
+    return std::ranges::any_of(file.report.findings, [](const Finding& finding) {
+      return finding.severity != Severity::kNote && !finding.code.starts_with("program-");
+    });
+  });
+}
+
 void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, const Candidate* best) {
   Table table{{"model", "rms px", "max px", "scored", "unreachable", "stored by"}, {}, "cards"};
   for (const Candidate& candidate : candidates) {
     const std::string id = std::string(candidate.model->id) + (&candidate == best ? " \u2190 recommended" : "");
     if (!candidate.conversion) {
       const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
-      table.rows.push_back({id, "", "", "", "", why.empty() ? "does not fit" : why.back().message});
+      table.rows.push_back(
+          {id, "", "", "", "", "not fitted: " + (why.empty() ? "it does not describe the lens" : why.back().message)});
       continue;
     }
     const Judgement& j = candidate.conversion->report.judgement;
@@ -103,7 +113,8 @@ void put_candidates(Html& html, const ReportContents& contents) {
     const std::vector<Candidate>& all = contents.candidates[i];
     html.element("section", {{"class", "candidates"}}, [&] {
       html.element("h3", {}, cameras[i].name + " (" + std::string(model_info(cameras[i].model).id) + ")");
-      html.element("p", {{"class", "strong recommendation"}}, recommendation(all, contents.to));
+      html.element("p", {{"class", "strong recommendation"}},
+                   recommendation(all, contents.to) + (is_doubted(contents) ? " If the file is right: check doubts it." : ""));
       put_candidate_table(html, all, recommended(all, contents.to));
       put_errors(html, cameras[i], all);
     });

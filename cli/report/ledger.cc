@@ -4,6 +4,7 @@
 #include "../convert_command.h"
 #include "../words.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -11,11 +12,20 @@ namespace fca::cli {
 
 namespace {
 
-void put_losses(Html& html, const std::vector<Loss>& losses) {
+void put_losses(Html& html, const ConvertOutcome& outcome) {
   html.element("h3", {}, "Lost");
-  if (losses.empty()) html.element("p", {{"class", "good"}}, "Nothing.");
+  const auto lacks_pixels = [](const CameraOutcome& camera) { return camera.unrepresented_share() > 0.0; };
+  if (outcome.written.losses.empty() && std::ranges::none_of(outcome.cameras, lacks_pixels))
+    html.element("p", {{"class", "good"}}, "Nothing.");
   html.element("ul", {{"class", "losses"}}, [&] {
-    for (const Loss& loss : losses) {
+    for (const CameraOutcome& camera : outcome.cameras) {
+      if (!lacks_pixels(camera)) continue;
+      html.element("li", {}, [&] {
+        html.element("span", {{"class", "strong"}}, percent(camera.unrepresented_share()) + " of the image");
+        html.text(" of " + camera.name_in_words() + ": " + camera.report->to_model + " does not describe the lens there");
+      });
+    }
+    for (const Loss& loss : outcome.written.losses) {
       html.element("li", {}, [&] {
         html.element("span", {{"class", "strong"}}, loss.what);
         html.text(": " + loss.why);
@@ -58,7 +68,7 @@ void put_proofs(Html& html, const ConvertOutcome& outcome) {
 void put_ledger(Html& html, const ReportContents& contents) {
   if (!contents.conversion || contents.to == nullptr) return;
   html.element("h2", {}, "What convert loses and makes up for " + std::string(contents.to->title));
-  put_losses(html, contents.conversion->written.losses);
+  put_losses(html, *contents.conversion);
   put_defaults(html, contents.conversion->written.defaults);
   put_proofs(html, *contents.conversion);
 }

@@ -80,7 +80,13 @@ void put_losses_tile(Html& html, const ConvertOutcome& outcome) {
                                      : proof.agrees()     ? " loads it, and misreads a part"
                                                           : " loads it, and understands something else"));
   }
-  const std::size_t losses = outcome.written.losses.size();
+  std::size_t losses = outcome.written.losses.size();
+  for (const CameraOutcome& camera : outcome.cameras) {
+    const double missing = camera.unrepresented_share();
+    if (missing == 0.0) continue;
+    ++losses;
+    lines.push_back(camera.name_in_words() + ": " + percent(missing) + " of the image");
+  }
   put_tile(html, "Lost on the way", losses == 0 ? "nothing" : counted(losses, "thing"), lines);
 }
 

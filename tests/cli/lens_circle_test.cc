@@ -237,6 +237,37 @@ TEST(LensCircleOption, SaysWhatSpeaksAgainstACircle) {
   }
 }
 
+TEST(LensCircleOption, LeavesOutAnImageOfAnotherCamera) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", kChain);
+  const std::string half = folder.write("half.pgm", Lit{.lit = 3.0}.file());
+  const std::string dim = folder.write("dim.pgm", Lit{.lit = 4.5}.file());
+  const std::string other = folder.write("other.pgm", Lit{.u = 240.0, .radius = 215.0}.file());
+  for (const std::vector<std::string>& images : {std::vector{half, dim, other}, {other, half, dim}}) {
+    std::vector<std::string> words = {"convert", chain, "--to", "kalibr", "--model", "eucm", "--dry-run"};
+    for (const std::string& path : images) words.insert(words.end(), {"--lens-circle", path});
+    const RunResult run = run_program(words);
+    EXPECT_TRUE(contains(run.out, "radius 240.") || contains(run.out, "radius 239.")) << run.out;
+    EXPECT_TRUE(contains(run.err, "other.pgm: warning: cam0: this image shows another lit circle (centre (240.")) << run.err;
+    EXPECT_TRUE(contains(run.err, ") than ")) << run.err;
+    EXPECT_FALSE(contains(run.err, "half.pgm: warning")) << run.err;
+    EXPECT_FALSE(contains(run.err, "dim.pgm: warning")) << run.err;
+  }
+}
+
+// A model that folds before the lens ends: what was found is said all the same.
+TEST(LensCircleOption, IsSaidWhereTheModelEndsBefore) {
+  const TemporaryFolder folder;
+  const std::string chain =
+      folder.write("chain.yaml", with_replaced(kChain, "[0.003, 0.001, -0.002, 0.0002]", "[-0.15, -0.05, 0.0, 0.0]"));
+  const std::string seen = folder.write("seen.pgm", image(512, 250.0));
+  const RunResult run =
+      run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen, "--dry-run"});
+  EXPECT_TRUE(contains(run.out, "the source model ends there, inside the image, and inside the lit circle of seen.pgm; "))
+      << run.out;
+  EXPECT_TRUE(contains(run.out, "centre (255.5, 255.5), radius 250")) << run.out;
+}
+
 // Of several images those are named that show it, and a doubt is told at one of them.
 TEST(LensCircleOption, NamesTheImagesThatShowIt) {
   const TemporaryFolder folder;

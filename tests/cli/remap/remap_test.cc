@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // remap makes the images that OpenCV makes where OpenCV knows the model, and right ones where it does not.
+#include "cli/lit_image.h"
 #include "images.h"
 
 #include <fca/remap/view.h>
@@ -339,6 +340,42 @@ TEST(Remap, SaysWhatItDidAsJson) {
   const RunResult run = run_program({"remap", camera, "--pinhole", "60", "--map", folder / "map.npy", "--json"});
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "\"seen_share\": 1.0") && contains(run.out, "\"model\": \"pinhole\"")) << run.out;
+}
+
+// What lies outside the lens is taken from nowhere, and the mask and the map say so.
+TEST(Remap, TakesNothingFromOutsideTheLens) {
+  const TemporaryFolder folder;
+  const std::string camera = folder.write("cam.yaml", kChain);
+  const Lit lit{.u = 271.0, .v = 243.0, .radius = 200.0};
+  const std::string seen = folder.write("seen.pgm", lit.file());
+  const RunResult run = run_program({"remap", camera, seen, "--rotate", "0,0,0", "--lens-circle", seen, "--mask",
+                                     folder / "mask.png", "-o", folder / "out.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const cv::Mat1b mask = read_picture(folder / "mask.png");
+  ASSERT_EQ(mask.size(), cv::Size(512, 512));
+  int wrong = 0;
+  for (int v = 0; v < mask.rows; ++v) {
+    for (int u = 0; u < mask.cols; ++u) {
+      constexpr double kFound = 1.5;  // px: how well a circle is found
+      const bool close = std::abs(std::hypot(u - lit.u, v - lit.v) - lit.radius) <= kFound;
+      wrong += !close && (mask(v, u) != 0) != lit.contains(u, v) ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(wrong, 0) << "pixels";
+  const RunResult over = run_program(
+      {"remap", camera, "--rotate", "0,0,0", "--lens-circle", seen, "--mask", seen + ".png", "--map", seen, "--force"});
+  EXPECT_EQ(over.code, 3) << "a map is a .npy file";
+}
+
+// A few bytes that say they are gigabytes.
+TEST(Remap, RefusesWhatIsTooLargeForAnyCamera) {
+  const TemporaryFolder folder;
+  const std::string camera = folder.write("cam.yaml", kFisheye);
+  const std::string bomb = folder.write("bomb.pgm", "P5\n30000 30000\n255\n" + std::string(1000, 'x'));
+  const RunResult run = run_program({"remap", camera, bomb, "--pinhole", "90", "-o", folder / "out.png"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "134 megapixels")) << run.err;
+  EXPECT_FALSE(contains(run.err, "OpenCV")) << run.err;
 }
 
 }  // namespace

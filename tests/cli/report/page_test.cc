@@ -50,6 +50,14 @@ TEST(Report, OfAFileAloneShowsWhereItsPixelsLook) {
   EXPECT_FALSE(contains(html, ">Lost<"));
 }
 
+// What a model does not reach is lost, whatever the file can say.
+TEST(Report, CountsWhatAModelDoesNotReachAmongTheLosses) {
+  const std::string html = page({kTumvi, "--camera", "cam0", "--to", "opencv", "--model", "radtan", "--max-angle", "80"});
+  EXPECT_FALSE(contains(html, ">Nothing.<"));
+  EXPECT_TRUE(contains(html, "radtan does not describe the lens there"));
+  EXPECT_FALSE(contains(page({kTumvi, "--camera", "cam0", "--to", "kalibr"}), "does not describe the lens there"));
+}
+
 TEST(Report, HasTheNumbersOfConvert) {
   const std::string html = page(kToEucm);
   const RunResult run = run_program(with({"convert"}, with(kToEucm, {"--json"})));
