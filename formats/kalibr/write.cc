@@ -5,11 +5,11 @@
 #include "layout.h"
 #include "overlaps.h"
 
+#include "../composed.h"
 #include "../losses.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
-#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <functional>
@@ -19,20 +19,14 @@ namespace fca::kalibr {
 
 namespace {
 
-/// A camera's block as lines.
-std::string block(const Rig& rig, std::size_t index, const std::optional<fields::Field>& overlaps) {
-  std::string lines = indexed("cam", index) + ":";
-  for (const fields::Field& field : camera_fields(rig, index, overlaps)) lines += "\n" + fields::spell(field, 2);
-  return lines;
-}
-
 /// A fresh camchain in Kalibr's own layout, but with the rows of transforms indented deeper than their key: OpenVINS then needs
 /// only its first line added. `overlaps`: cam_overlaps of every camera that has it.
 std::optional<text::Document> compose(const Rig& rig, std::span<const std::optional<fields::Field>> overlaps,
                                       Diagnostics& diagnostics) {
-  std::string bytes;
-  for (std::size_t i = 0; i < rig.cameras.size(); ++i) bytes += block(rig, i, overlaps[i]) + "\n";
-  return text::parse_document({"camchain.yaml", bytes}, diagnostics);
+  ComposedYaml chain("");
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i)
+    chain.add_mapping(indexed("cam", i), camera_fields(rig, i, overlaps[i]), 2);
+  return std::move(chain).document("camchain.yaml", diagnostics);
 }
 
 /// Does an input that is no edit of the base count the rig's cameras? One that is written into another file counts its own.
@@ -120,10 +114,10 @@ void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
     imu.topic = "/" + imu.name;
     written.defaults.push_back({"rostopic (imu.yaml)", imu.topic, true});
   }
-  std::string bytes;
-  for (const fields::Field& field : imu_fields(imu)) bytes += fields::spell(field) + "\n";
+  ComposedYaml file("");
+  for (const fields::Field& field : imu_fields(imu)) file.add(field);
   if (std::optional<text::Document> document =
-          text::parse_document({imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml", bytes}, diagnostics))
+          std::move(file).document(imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml", diagnostics))
     written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
 }
 

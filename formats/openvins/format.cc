@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "openvins.h"
 
+#include "../composed.h"
 #include "../kalibr/blocks.h"
 #include "../kalibr/demands.h"
 #include "../kalibr/kalibr.h"
@@ -99,8 +100,9 @@ Transform pose_of(const Rig& rig, const Camera& camera, std::vector<DefaultedVal
 }
 
 /// A fresh chain.
-std::string compose(const Rig& rig, std::vector<AsRead>& said, std::vector<DefaultedValue>& defaults) {
-  std::string bytes = std::string(kHeader) + "\n";
+std::optional<text::Document> compose(const Rig& rig, std::vector<AsRead>& said, std::vector<DefaultedValue>& defaults,
+                                      Diagnostics& diagnostics) {
+  ComposedYaml chain(std::string(kHeader) + "\n");
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const Camera& camera = rig.cameras[i];
     std::vector<Field> fields = {fields::rows("T_imu_cam", pose_of(rig, camera, defaults))};
@@ -109,11 +111,10 @@ std::string compose(const Rig& rig, std::vector<AsRead>& said, std::vector<Defau
     if (overlaps) fields.push_back(*overlaps);
     if (extra != rig.as_read.end() && kalibr::is_whole(overlaps, *extra)) said.push_back(*extra);
     std::ranges::move(kalibr::lens_fields(camera), std::back_inserter(fields));
-    bytes += "\n" + kalibr::indexed("cam", i) + ":";
-    for (const Field& field : fields) bytes += "\n" + fields::spell(field, 2);
-    bytes += "\n";
+    chain.add_comments("\n");
+    chain.add_mapping(kalibr::indexed("cam", i), fields, 2);
   }
-  return bytes;
+  return std::move(chain).document("kalibr_imucam_chain.yaml", diagnostics);
 }
 
 /// What an OpenVINS chain was read to say under a key of imu0; nothing if it said nothing.
@@ -254,8 +255,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   Written written;
   std::vector<AsRead> said;
   if (!rig.cameras.empty()) {
-    std::optional<text::Document> document =
-        text::parse_document({"kalibr_imucam_chain.yaml", compose(rig, said, written.defaults)}, diagnostics);
+    std::optional<text::Document> document = compose(rig, said, written.defaults, diagnostics);
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}, {"openvins"}});
     for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);

@@ -2,6 +2,8 @@
 // How a fresh file is spelled, and which of its values no input states.
 #include "settings.h"
 
+#include "../composed.h"
+
 #include <algorithm>
 #include <array>
 
@@ -87,18 +89,20 @@ std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Ta
   return result;
 }
 
-std::string compose(const std::vector<Field>& fields, const Target& target, const Rig& rig, std::string_view headline) {
-  std::string text = "%YAML:1.0\n# " + std::string(headline) + "\n\n";
+std::optional<text::Document> compose(const std::vector<Field>& fields, const Target& target, const Rig& rig,
+                                      std::string_view headline, Diagnostics& diagnostics) {
+  ComposedYaml text("%YAML:1.0\n# " + std::string(headline) + "\n\n");
   for (const Field& field : fields) {
     for (const Heading& heading : kHeadings) {
       if (heading.key != field.key) continue;
-      text += "\n# " + std::string(heading.comment) + (upstreams(field, target) ? ", upstream's values" : "") + "\n";
+      text.add_comments("\n# " + std::string(heading.comment) + (upstreams(field, target) ? ", upstream's values" : "") + "\n");
     }
-    if (const std::optional<Note> note = note_on(field, target, rig)) text += "# " + std::string(note->comment) + "\n";
-    text += fields::spell(field) + "\n";
-    if (field.key == "Camera.type" || field.key == "File.version") text += "\n";
+    if (const std::optional<Note> note = note_on(field, target, rig))
+      text.add_comments("# " + std::string(note->comment) + "\n");
+    text.add(field);
+    if (field.key == "Camera.type" || field.key == "File.version") text.add_comments("\n");
   }
-  return text;
+  return std::move(text).document("settings.yaml", diagnostics);
 }
 
 }  // namespace fca::orbslam3

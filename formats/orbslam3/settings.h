@@ -67,7 +67,7 @@ struct Target {
                                                     const Rig& rig);
 
 /// A fresh file: `headline` as a comment, the fields under headings, a comment at every value that no input states.
-[[nodiscard]] std::string compose(const std::vector<fields::Field>& fields, const Target& target, const Rig& rig,
-                                  std::string_view headline);
+[[nodiscard]] std::optional<text::Document> compose(const std::vector<fields::Field>& fields, const Target& target,
+                                                    const Rig& rig, std::string_view headline, Diagnostics& diagnostics);
 
 }  // namespace fca::orbslam3

@@ -10,7 +10,6 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
-#include <fca/formats/text/read_document.h>
 
 #include <algorithm>
 #include <array>
@@ -314,8 +313,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     if (!options.sensor.empty()) list_left_keys(*edited, fields, *target, written.losses);
     warn_of_other_baseline(*edited, fields, diagnostics);
   } else {
-    std::optional<text::Document> document =
-        text::parse_document({"settings.yaml", compose(fields, *target, rig, audience.headline)}, diagnostics);
+    std::optional<text::Document> document = compose(fields, *target, rig, audience.headline, diagnostics);
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}, {}});
     written.defaults = defaulted(fields, *target, rig);

@@ -3,10 +3,10 @@
 
 #include "scaramuzza.h"
 
+#include "../composed.h"
 #include "../ocamcalib/inverse.h"
 
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/read_document.h>
 
 namespace fca::vins {
 
@@ -14,13 +14,8 @@ using fields::Field;
 
 namespace {
 
-/// As cv::FileStorage writes it for camodocal.
-std::string compose(const Camera& camera, std::string_view name, std::span<const double> inverse) {
-  std::string text = "%YAML:1.0\n---\n";
-  for (const Field& field : head_of(camera, name)) text += fields::spell(field) + "\n";
-  for (const Section& section : sections_of(camera, inverse)) text += spelled(section, false) + "\n";
-  return text;
-}
+/// How deep cv::FileStorage puts the keys of a mapping.
+constexpr std::size_t kDeeper = 3;
 
 }  // namespace
 
@@ -48,14 +43,19 @@ std::vector<double> fitted_inverse(const Camera& camera, Written& written, Diagn
 std::string spelled(const Section& section, bool flow) {
   std::string text = section.name + (flow ? ": {" : ":");
   for (const Field& field : section.fields) {
-    text += flow ? (&field == &section.fields.front() ? " " : ", ") + fields::spell(field) : "\n" + fields::spell(field, 3);
+    text +=
+        flow ? (&field == &section.fields.front() ? " " : ", ") + fields::spell(field) : "\n" + fields::spell(field, kDeeper);
   }
   return text + (flow ? " }" : "");
 }
 
 std::optional<text::Document> fresh_camera_file(const Camera& camera, std::string_view name, const std::string& file,
                                                 Written& written, Diagnostics& diagnostics) {
-  return text::parse_document({file, compose(camera, name, fitted_inverse(camera, written, diagnostics))}, diagnostics);
+  ComposedYaml text("%YAML:1.0\n---\n");
+  for (const Field& field : head_of(camera, name)) text.add(field);
+  for (const Section& section : sections_of(camera, fitted_inverse(camera, written, diagnostics)))
+    text.add_mapping(section.name, section.fields, kDeeper);
+  return std::move(text).document(file, diagnostics);
 }
 
 }  // namespace fca::vins
