@@ -17,7 +17,14 @@ namespace {
 /// program stores them as floats (2.6e-4 px on a T265).
 constexpr double kRounding = 5.0;
 
-/// Sums are of image area, in cells of the lattice.
+/// Steps of the lattices over a camera's image.
+constexpr int kCoarse = 24;
+constexpr int kFine = 40;
+
+/// An image in parts of which both lattices' cells are whole numbers: cameras count alike, and sums are exact.
+constexpr double kImageArea = kCoarse * kCoarse * kFine * kFine;
+
+/// Sums are of image area, in parts of kImageArea.
 struct Comparison {
   double worst = 0.0;
   double misread = 0.0;
@@ -130,20 +137,21 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
   // Trapezoids: a point of the border stands for half a cell.
   const auto compare_lattice = [&](int steps, int steps_to_next_ray) {
     const auto width_of = [steps](int step) { return step == 0 || step == steps ? 0.5 : 1.0; };
+    const double cell_area = kImageArea / (steps * steps);
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; j <= steps; ++j) {
-        Area area{width_of(i) * width_of(j)};
+        Area area{width_of(i) * width_of(j) * cell_area};
         if (i % steps_to_next_ray == 0 && j % steps_to_next_ray == 0)
           area.rays = steps_to_next_ray * steps_to_next_ray * area.pixels;
         compare_at({last[0] * i / steps, last[1] * j / steps}, area);
       }
     }
   };
-  constexpr int kCoarse = 24;
-  constexpr int kFine = 40;
   compare_lattice(kCoarse, 2);
-  // Shares of the image are to be told: by a finer lattice.
-  if (result.wrong_rays > 0.0 || result.misread_area > 0.0 || result.compared < result.asked) {
+  // By a finer lattice where shares of the image are to be told; and where a lens that is misread ends inside the image: the
+  // worst pixel then lies at that edge, which the walk below follows badly.
+  const bool ends_inside = result.asked < kImageArea;
+  if (result.wrong_rays > 0.0 || result.compared < result.asked || (result.misread_area > 0.0 && ends_inside)) {
     result = {};
     compare_lattice(kFine, 1);
   }

@@ -48,15 +48,16 @@ bool is_printable(std::uint32_t code) {
 
 std::string check_characters(std::string_view text) {
   std::size_t line = 1;
+  const auto where = [&line] { return "line " + std::to_string(line) + ": "; };
   while (!text.empty()) {
     std::uint32_t code = 0;
     const std::size_t length = decode_utf8(text, code);
-    const std::string where = "line " + std::to_string(line) + ": ";
-    if (length == 0) return where + "the bytes are not UTF-8";
-    if (!is_printable(code)) return where + "a control character is not allowed in YAML";
+    if (length == 0) return where() + "the bytes are not UTF-8";
+    if (!is_printable(code)) return where() + "a control character is not allowed in YAML";
     // yaml/scanner.py: '\0\r\n\x85\u2028\u2029'. The parser below knows none of these; what they would cut is not judged.
     if (code == 0x85 || code == 0x2028 || code == 0x2029)
-      return where + "PyYAML ends a line, also a comment, at a character that others take for a blank (U+0085, U+2028, U+2029)";
+      return where() +
+             "PyYAML ends a line, also a comment, at a character that others take for a blank (U+0085, U+2028, U+2029)";
     if (code == '\n') ++line;
     text.remove_prefix(length);
   }
