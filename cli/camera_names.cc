@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera_names.h"
 
+#include <fca/formats/read_back.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/read_document.h>
 
@@ -9,20 +10,26 @@
 
 namespace fca::cli {
 
+namespace {
+
+/// Does the file say the name, or does its reader make it up?
+bool is_stated(const Written::File& file, const std::string& name) {
+  const std::optional<text::Document> document = text::as_edited(file.document);
+  return document && text::find_entry(document->root(), name, text::Dialect::kPyYaml) != nullptr;
+}
+
+}  // namespace
+
 void name_as_written(const Format& format, const Written& written, std::vector<CameraOutcome>& cameras) {
   if (!format.many_cameras) return;
   for (const Written::File& file : written.files) {
-    Diagnostics ignored;
-    const std::optional<text::Document> document = text::as_edited(file.document);
-    const ReadOptions options = {std::nullopt, written.opencv_model, false};
-    const std::optional<Rig> rig = document ? format.read(std::span(&*document, 1), options, ignored) : std::nullopt;
+    const std::optional<Rig> rig = read_back(format, file, {std::nullopt, written.opencv_model, false});
     if (!rig || rig->cameras.size() != file.cameras.size()) continue;
     for (std::size_t i = 0; i < file.cameras.size(); ++i) {
       const std::string& name = rig->cameras[i].name;
-      const bool stated = text::find_entry(document->root(), name, text::Dialect::kPyYaml) != nullptr;
       const auto camera =
           std::ranges::find_if(cameras, [&](const CameraOutcome& each) { return each.source.name == file.cameras[i]; });
-      if (camera != cameras.end() && (stated || file.cameras.size() > 1)) camera->name_in_file = name;
+      if (camera != cameras.end() && (file.cameras.size() > 1 || is_stated(file, name))) camera->name_in_file = name;
     }
   }
 }

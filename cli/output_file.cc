@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -76,11 +77,16 @@ std::optional<std::string> write_directly(const std::string& path, std::string_v
 constexpr std::string_view kTemporary = ".fca-io-";
 constexpr const char* kOwnFiles = "/proc/self/fd";
 
+std::uint64_t seed() {
+  std::random_device device;
+  return std::uint64_t{device()} << 32U | device();
+}
+
 /// A name for a temporary file in that folder that nobody else has just now.
 std::string temporary_name(const fs::path& folder) {
-  std::random_device random;
+  thread_local std::mt19937_64 random(seed());  // the device itself takes longer than a file
   std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%08x%08x", random(), random());
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(random()));
   return (folder / (std::string(kTemporary) + digits.data())).string();
 }
 

@@ -8,6 +8,7 @@ namespace fca {
 
 std::optional<Rig> read_back(const Format& format, const Written::File& file, const ReadOptions& options) {
   Diagnostics told_when_written;
+  if (!file.document.edited()) return format.read(std::span(&file.document, 1), options, told_when_written);
   const std::optional<text::Document> document = text::as_edited(file.document);
   return document ? format.read(std::span(&*document, 1), options, told_when_written) : std::nullopt;
 }

@@ -41,6 +41,10 @@ std::vector<std::pair<std::string_view, std::string_view>> names_of(const Rig& r
 
 std::multiset<std::string> not_finite(const text::Document& document) {
   std::multiset<std::string> names;
+  if (!document.edited()) {
+    collect_not_finite(document.root(), "", names);
+    return names;
+  }
   if (const std::optional<text::Document> after = text::as_edited(document)) collect_not_finite(after->root(), "", names);
   return names;
 }
