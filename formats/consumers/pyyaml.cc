@@ -55,9 +55,10 @@ std::string check_characters(std::string_view text) {
     if (length == 0) return where() + "the bytes are not UTF-8";
     if (!is_printable(code)) return where() + "a control character is not allowed in YAML";
     // yaml/scanner.py: '\0\r\n\x85\u2028\u2029'. The parser below knows none of these; what they would cut is not judged.
-    if (code == 0x85 || code == 0x2028 || code == 0x2029)
+    if (code == 0x85 || code == 0x2028 || code == 0x2029) {
       return where() +
              "PyYAML ends a line, also a comment, at a character that others take for a blank (U+0085, U+2028, U+2029)";
+    }
     if (code == '\n') ++line;
     text.remove_prefix(length);
   }

@@ -376,7 +376,8 @@ std::vector<Candidate> Fitter::search_shapes(const LensCentre& centre) {
   std::ranges::sort(found, {}, &Trial::cost);
   rank_rivals(centre, found);
   std::vector<Candidate> candidates;
-  for (Trial& trial : found) candidates.push_back(*std::move(trial.candidate));
+  candidates.reserve(found.size());
+  for (const Trial& trial : found) candidates.push_back(*trial.candidate);
   return candidates;
 }
 
@@ -389,9 +390,9 @@ void Fitter::rank_rivals(const LensCentre& centre, std::vector<Trial>& found) co
   const std::span<Trial> rivals(found.begin(), others);
   if (rivals.size() < 2 || !(found.front().cost() > kSmallCost)) return;
   for (Trial& trial : rivals) {
-    std::optional<Candidate> on_all = fit_terms(samples_, centre, trial.shape);
+    const std::optional<Candidate> on_all = fit_terms(samples_, centre, trial.shape);
     if (!on_all) return;
-    trial.candidate = std::move(on_all);
+    trial.candidate = on_all;
   }
   std::ranges::sort(rivals, {}, &Trial::cost);
   constexpr double kTooCloseToTell = 1.3;

@@ -27,8 +27,8 @@ struct ImageMap {
 class ImageMapper {
  public:
   /// `T_source_target`: only its rotation counts, which takes rays of the target to rays of the source. `limit_rad`: the source
-  /// sees nothing further from its axis, and nothing outside its lens circle. Errors: a camera without a usable size or parameters, or no ray at all in the target's
-  /// image.
+  /// sees nothing further from its axis, and nothing outside its lens circle. Errors: a camera without a usable size or
+  /// parameters, or no ray at all in the target's image.
   [[nodiscard]] static std::optional<ImageMapper> between(const Camera& source, const Camera& target,
                                                           const Transform& T_source_target, std::optional<double> limit_rad,
                                                           Diagnostics& diagnostics);
