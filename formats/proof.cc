@@ -35,6 +35,8 @@ struct Comparison {
   double wrong_ray_px = 0.0;
   bool agrees = true;
 
+  /// What is found stays found; the areas are to be summed anew.
+  void forget_areas() { asked = compared = misread_area = wrong_rays = 0.0; }
   void add(const Comparison& other) {
     worst = std::max(worst, other.worst);
     misread = std::max(misread, other.misread);
@@ -152,7 +154,7 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
   // worst pixel then lies at that edge, which the walk below follows badly.
   const bool ends_inside = result.asked < kImageArea;
   if (result.wrong_rays > 0.0 || result.compared < result.asked || (result.misread_area > 0.0 && ends_inside)) {
-    result = {};
+    result.forget_areas();
     compare_lattice(kFine, 1);
   }
   const double cell = std::max(last[0], last[1]) / kCoarse;
