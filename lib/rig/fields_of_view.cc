@@ -31,21 +31,32 @@ class View {
 
   [[nodiscard]] std::optional<double> largest_from_axis() const {
     std::optional<double> largest;
+    Pixel furthest{};
     const auto look = [&](const Pixel& pixel) {
-      if (const std::optional<Ray> ray = ray_at(pixel)) largest = std::max(largest.value_or(0.0), angle_from_axis(*ray));
+      const std::optional<Ray> ray = camera_.image_size->holds(pixel) ? ray_at(pixel) : std::nullopt;
+      if (!ray || (largest && !(angle_from_axis(*ray) > *largest))) return false;
+      largest = angle_from_axis(*ray);
+      furthest = pixel;
+      return true;
     };
     constexpr int kSteps = 64;
     for (int i = 0; i <= kSteps; ++i) {
       for (int j = 0; j <= kSteps; ++j) look({last_[0] * i / kSteps, last_[1] * j / kSteps});
     }
+    // A lens that ends inside the image ends between these.
+    constexpr double kFinest = 1e-3;  // px
+    for (double step = std::max(last_[0], last_[1]) / kSteps; step > kFinest;) {
+      const Pixel from = furthest;
+      bool moved = false;
+      for (const Pixel& way : {Pixel{step, 0.0}, Pixel{-step, 0.0}, Pixel{0.0, step}, Pixel{0.0, -step}})
+        moved = look({from[0] + way[0], from[1] + way[1]}) || moved;
+      if (!moved) step *= 0.5;
+    }
     if (!camera_.lens_circle) return largest;
     constexpr int kAzimuths = 720;
     LensCircle inner = *camera_.lens_circle;
     inner.radius_px *= 1.0 - 1e-12;
-    for (int i = 0; i < kAzimuths; ++i) {
-      const Pixel pixel = inner.rim(2.0 * std::numbers::pi * i / kAzimuths);
-      if (camera_.image_size->holds(pixel)) look(pixel);
-    }
+    for (int i = 0; i < kAzimuths; ++i) look(inner.rim(2.0 * std::numbers::pi * i / kAzimuths));
     return largest;
   }
 
