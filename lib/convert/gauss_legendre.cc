@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
-#include <deque>
+#include <memory>
 #include <numbers>
 
 namespace fca::internal {
@@ -39,12 +39,12 @@ std::vector<Node> compute_gauss_legendre(int n) {
 }  // namespace
 
 const std::vector<Node>& gauss_legendre(int n) {
-  thread_local std::deque<std::vector<Node>> known;  // whose elements stay where they are
+  thread_local std::vector<std::unique_ptr<const std::vector<Node>>> known;
   const auto index = static_cast<std::size_t>(n);
   if (known.size() <= index) known.resize(index + 1);
-  std::vector<Node>& nodes = known[index];
-  if (nodes.empty()) nodes = compute_gauss_legendre(n);
-  return nodes;
+  std::unique_ptr<const std::vector<Node>>& nodes = known[index];
+  if (!nodes) nodes = std::make_unique<const std::vector<Node>>(compute_gauss_legendre(n));
+  return *nodes;
 }
 
 }  // namespace fca::internal

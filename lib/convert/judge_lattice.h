@@ -12,8 +12,8 @@ namespace fca::internal {
 /// Takes the first `count` points of a batch.
 using LatticeSink = std::function<void(const Batch& batch, std::size_t count)>;
 
-/// 3,000 to 6,000 points of the image, border included, whose weights sum to the number of its pixels: the pixels themselves if
-/// there are no more.
+/// At least 4,000 points (mostly under 6,000) of the image, border included, whose weights sum to the number of its pixels: the
+/// pixels themselves if there are no more.
 void score_lattice(const Scorer& scorer, const LatticeSink& sink);
 [[nodiscard]] std::vector<Point> score_lattice(const Scorer& scorer);
 

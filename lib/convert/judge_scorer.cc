@@ -55,7 +55,7 @@ void Scorer::find_rays(Batch& batch, std::size_t count) const {
   }
 }
 
-void Scorer::score(Batch& batch, std::size_t count) const {
+bool Scorer::score(Batch& batch, std::size_t count) const {
   find_rays(batch, count);
   if (errors_) {
     (*errors_)(batch, count);
@@ -64,9 +64,10 @@ void Scorer::score(Batch& batch, std::size_t count) const {
   }
   if (!domain_.circle && all_within(batch, count, surely_scored_)) {
     std::fill_n(batch.verdict.begin(), count, Verdict::kScored);
-  } else {
-    for (std::size_t i = 0; i < count; ++i) batch.verdict[i] = look_closer(batch, i);
+    return true;
   }
+  for (std::size_t i = 0; i < count; ++i) batch.verdict[i] = look_closer(batch, i);
+  return false;
 }
 
 Verdict Scorer::look_closer(Batch& batch, std::size_t i) const {

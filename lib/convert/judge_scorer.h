@@ -17,8 +17,9 @@ class Scorer {
   /// One of `model` and `program` is the target, the other null; both are kept by reference.
   Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad);
 
-  /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time.
-  void score(Batch& batch, std::size_t count) const;
+  /// Fills in error, cosine and verdict. Models are chosen once per call: give many points at a time. True if all are surely
+  /// scored.
+  bool score(Batch& batch, std::size_t count) const;
   void score(std::span<Point> points) const;
   /// The source's rays alone; z may be kNoRay, surely beyond the domain, or kAskModel.
   void find_rays(Batch& batch, std::size_t count) const;

@@ -12,6 +12,8 @@ namespace fca::internal {
 
 namespace {
 
+/// No cosine is above it, and none below its negative.
+constexpr double kAnyCosine = 2.0;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 // Errors outside 2^-60 .. 2^20 px count as these.
 constexpr int kSmallestOctave = -60;
@@ -26,7 +28,7 @@ Summary::Summary(int bins_per_octave)
       bins_(static_cast<std::size_t>(kOctaves * bins_per_octave)) {
   for (std::size_t i = 0; i < kBands; ++i)
     band_cosine_[i] = std::cos(kBandDegrees * kRadiansPerDegree * static_cast<double>(i + 1));
-  band_cosine_.back() = -2.0;
+  band_cosine_.back() = -kAnyCosine;
 }
 
 /// The leading bits of a double, exponent and first bits of the mantissa, count bins of equal ratio (nearly), without a
@@ -62,53 +64,60 @@ std::size_t Summary::band_of(double cosine) const {
   return i;
 }
 
-/// Neighbours are mostly of one band: its sums are kept at hand until another one's turn comes.
 void Summary::add(const Batch& batch, std::size_t count) {
-  std::size_t at = 0;
-  Band band = bands_[at];
-  double from = 2.0;  // cosines of this band: from >= cosine > to
-  double to = band_cosine_[at];
-  double sum = sum_;
-  double bad = smallest_bad();
   BinsOfPoints in;
   find_bins(batch, count, in);
-  const auto add_to = [this](std::int32_t index, double weight, double error) {
-    Bin& bin = bins_[static_cast<std::size_t>(index)];
-    bin.weight += weight;
-    bin.sum += weight * error;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const double weight = batch.weight[i];
-    if (batch.verdict[i] != Verdict::kScored) {
-      const auto verdict = static_cast<std::size_t>(batch.verdict[i]);
-      weight_[verdict] += weight;
-      ++count_[verdict];
+  for (std::size_t i = 0; i < count;) {
+    if (batch.verdict[i] == Verdict::kScored) {
+      i = add_band(batch, i, count, in);
       continue;
     }
-    const double error = batch.error[i];
-    if (error > bad) {
-      keep_bad(batch.point(i));
-      bad = smallest_bad();
-    }
-    add_to(in.low_bin[i], 0.5 * weight, in.low[i]);
-    add_to(in.high_bin[i], 0.5 * weight, in.high[i]);
-    const double cosine = batch.z[i];
-    if (!(cosine <= from && cosine > to)) {
-      bands_[at] = band;
-      at = band_of(cosine);
-      band = bands_[at];
-      from = at > 0 ? band_cosine_[at - 1] : 2.0;
-      to = band_cosine_[at];
-    }
-    const double weighted = weight * error;
-    sum += weighted;
-    band.weight += weight;
-    ++band.count;
-    band.square += weighted * error;
-    band.max = std::max(band.max, error);
+    const auto verdict = static_cast<std::size_t>(batch.verdict[i]);
+    weight_[verdict] += batch.weight[i];
+    ++count_[verdict];
+    ++i;
   }
-  bands_[at] = band;
-  sum_ = sum;
+}
+
+/// Neighbours are mostly of one band: adds the points from `begin` on that are scored and of the first one's, and returns the
+/// end of these.
+std::size_t Summary::add_band(const Batch& batch, std::size_t begin, std::size_t count, const BinsOfPoints& in) {
+  const std::size_t at = band_of(batch.z[begin]);
+  const double from = at > 0 ? band_cosine_[at - 1] : kAnyCosine;
+  const double to = band_cosine_[at];
+  std::size_t end = begin + 1;
+  while (end < count && batch.z[end] <= from && batch.z[end] > to && batch.verdict[end] == Verdict::kScored) ++end;
+  Bin* const bins = bins_.data();
+  for (std::size_t i = begin; i < end; ++i) {
+    const double half = 0.5 * batch.weight[i];
+    Bin& low = bins[in.low_bin[i]];
+    low.weight += half;
+    low.sum += half * in.low[i];
+    Bin& high = bins[in.high_bin[i]];
+    high.weight += half;
+    high.sum += half * in.high[i];
+  }
+  Band sums;
+  double sum = 0.0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double weighted = batch.weight[i] * batch.error[i];
+    sums.weight += batch.weight[i];
+    sum += weighted;
+    sums.square += weighted * batch.error[i];
+    sums.max = std::max(sums.max, batch.error[i]);
+  }
+  Band& band = bands_[at];
+  band.weight += sums.weight;
+  band.square += sums.square;
+  band.max = std::max(band.max, sums.max);
+  band.count += static_cast<long long>(end - begin);
+  sum_ += sum;
+  if (sums.max > smallest_bad()) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (batch.error[i] > smallest_bad()) keep_bad(batch.point(i));
+    }
+  }
+  return end;
 }
 
 double Summary::weight(Verdict verdict) const {

@@ -33,6 +33,7 @@ class Summary {
     std::array<std::int32_t, Batch::kSize> low_bin, high_bin;
   };
   void find_bins(const Batch& batch, std::size_t count, BinsOfPoints& found) const;
+  std::size_t add_band(const Batch& batch, std::size_t begin, std::size_t count, const BinsOfPoints& in);
   [[nodiscard]] std::size_t band_of(double cosine) const;
   /// The errors below which these shares of the scored weight lie; the shares rise.
   template <std::size_t N>

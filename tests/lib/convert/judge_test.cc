@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "known_cameras.h"
 
+#include <convert/judge_lattice.h>
 #include <fca/convert/convert.h>
 #include <fca/convert/judge.h>
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace fca {
 namespace {
@@ -148,6 +150,24 @@ TEST(Judge, TheLatticeStandsForEveryPixel) {
       EXPECT_NEAR(lattice.error.max, pixels.error.max, 1e-3 * pixels.error.max);
       EXPECT_NEAR(lattice.coverage.scored, pixels.coverage.scored, 0.002);
       expect_same_bands(lattice, pixels);
+    }
+  }
+}
+
+// CLI.md promises them, whatever the lens, and however small a part of it is scored.
+TEST(Judge, TheLatticeHasFourThousandScoredPoints) {
+  constexpr double kReachesRad[] = {0.05, 0.3, 1.0, std::numbers::pi};
+  for (const TablePair& pair : table()) {
+    std::optional<double> limit;
+    if (pair.max_angle_deg) limit = *pair.max_angle_deg * test::kRadians;
+    Diagnostics diagnostics;
+    const std::optional<Domain> domain = domain_of(pair.camera, limit, diagnostics);
+    ASSERT_TRUE(domain);
+    for (const double reach : kReachesRad) {
+      const internal::Scorer scorer(pair.camera.model, &pair.camera.model, nullptr, *domain, reach);
+      const std::vector<internal::Point> points = internal::score_lattice(scorer);
+      const auto scored = std::ranges::count(points, internal::Verdict::kScored, &internal::Point::verdict);
+      EXPECT_GE(scored, 4000) << points.size() << " points, " << model_info(pair.camera.model).id << " within " << reach;
     }
   }
 }

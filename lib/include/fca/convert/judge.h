@@ -35,9 +35,10 @@ struct JudgeOptions {
   double target_reach_rad = std::numbers::pi;
 };
 
-/// Compares `target` with `source` over the domain, on a lattice of 3,000 to 6,000 points that includes the image's border and
-/// has nothing to do with the points of a fit: spokes from the principal point, cut at the borders of the angle bands and at
-/// the edges of the lens and of the target's reach. Points are weighted by area, so that rms, bands and shares are the image's;
+/// Compares `target` with `source` over the domain, on a lattice of at least 4,000 points (mostly under 6,000) that includes
+/// the image's border and has nothing to do with the points of a fit: spokes from the principal point, cut at the borders of
+/// the angle bands and at the edges of the lens and of the target's reach. Points are weighted by area, so that rms, bands and
+/// shares are the image's;
 /// small images are judged pixel by pixel. The maximum is polished between lattice points and along the edge of the lens to
 /// 1e-3 px in position. Its bound is proven by branch and bound on enclosures of both models, for all rays of the domain
 /// (lib/convert/bound.h says how): typically 1 % above the maximum.

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lattice_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::internal {
+
+void LatticePoints::finish() {
+  joined_[0] = 0.0;
+  joined_[count_] = 0.0;
+  if (!scorer_.score(batch_, count_)) part_verdicts();
+  find_spreads();
+  sink_(batch_, count_);
+  count_ = 0;
+}
+
+/// From one verdict to another an error jumps, and what is not scored has none.
+void LatticePoints::part_verdicts() {
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (i > 0 && batch_.verdict[i] != batch_.verdict[i - 1]) joined_[i] = 0.0;
+    if (batch_.verdict[i] != Verdict::kScored) batch_.error[i] = 0.0;
+  }
+}
+
+/// A point in a row stands for the errors half way to its neighbours.
+void LatticePoints::find_spreads() {
+  const Batch::Lane& error = batch_.error;
+  std::array<double, Batch::kSize + 1> rise;  // from the point before
+  rise[0] = 0.0;
+  rise[count_] = 0.0;
+  for (std::size_t i = 1; i < count_; ++i) rise[i] = joined_[i] * (error[i] - error[i - 1]);
+  for (std::size_t i = 0; i < count_; ++i)
+    batch_.spread[i] = (0.5 - 0.25 * joined_[i] * joined_[i + 1]) * std::abs(rise[i] + rise[i + 1]);
+}
+
+}  // namespace fca::internal

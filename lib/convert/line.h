@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/models/camera_model.h>
+
+#include <cmath>
+
+namespace fca::internal {
+
+/// From one pixel, at 0, to another, at 1.
+struct Line {
+  Pixel from;
+  Pixel to;
+  [[nodiscard]] Pixel at(double t) const { return {from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])}; }
+  [[nodiscard]] double length() const { return std::hypot(to[0] - from[0], to[1] - from[1]); }
+};
+
+}  // namespace fca::internal
