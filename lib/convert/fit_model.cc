@@ -100,7 +100,8 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
   std::optional<FittedModel> fitted = std::visit(
       [&]<class M>(const Intrinsics<M>& /*model*/) {
         const JetTarget<M> target;
-        return listed<M>(Fitter(target, samples, ranges).fit_from(values_of(start)));
+        const LensCentre centre{central_focal_lengths(start), principal_point(start)};
+        return listed<M>(Fitter(target, samples, ranges).refit(values_of(start), centre));
       },
       start);
   if (fitted && better(*fitted, best)) best = std::move(fitted);

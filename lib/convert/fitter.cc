@@ -89,11 +89,20 @@ std::optional<FoundFit> Fitter::as_it_is(const ParameterValues& values) const {
   return polisher_.finish(candidate, samples_);
 }
 
+std::optional<FoundFit> Fitter::refit(const ParameterValues& start, const LensCentre& centre) {
+  if (std::optional<FoundFit> solved = solve(centre)) return solved;
+  return fit_from(start);
+}
+
+/// Nothing if the model is not linear.
+std::optional<FoundFit> Fitter::solve(const LensCentre& centre) const {
+  if (target_.terms() == 0 || !target_.shapes().empty()) return std::nullopt;
+  const std::optional<Candidate> candidate = fit_terms(samples_, centre, 0.0);
+  return candidate ? polisher_.finish(*candidate, samples_) : std::nullopt;
+}
+
 std::optional<FoundFit> Fitter::fit(const LensCentre& centre) {
-  if (target_.terms() > 0 && target_.shapes().empty()) {
-    if (const std::optional<Candidate> candidate = fit_terms(samples_, centre, 0.0))
-      return polisher_.finish(*candidate, samples_);
-  }
+  if (std::optional<FoundFit> solved = solve(centre)) return solved;
   std::optional<FoundFit> best = fit_starts(centre);
   // Two more reasons to begin from longer and shorter lenses: the optimum's radius may turn back before the edge of this one,
   // and many parameters have many bottoms.

@@ -27,10 +27,13 @@ class Fitter {
   std::optional<FoundFit> fit(const LensCentre& centre);
   /// From a given camera.
   std::optional<FoundFit> fit_from(const ParameterValues& start);
+  /// The same where nothing depends on the start: a linear model is solved for, with that centre as the unit and the origin.
+  std::optional<FoundFit> refit(const ParameterValues& start, const LensCentre& centre);
   /// That camera as it is, if it lies within the ranges.
   [[nodiscard]] std::optional<FoundFit> as_it_is(const ParameterValues& values) const;
 
  private:
+  [[nodiscard]] std::optional<FoundFit> solve(const LensCentre& centre) const;
   void polish_all(std::vector<Candidate>& candidates, std::optional<FoundFit>& best);
   [[nodiscard]] bool is_across_fold(const Candidate& candidate, const std::vector<Candidate>& polished) const;
   bool move_inside(Candidate& candidate) const;

@@ -2,6 +2,8 @@
 // A model whose derivatives, where it has none of its own, are Ceres' automatic ones.
 #pragma once
 
+#include "slope_columns.h"
+
 #include <fca/convert/fit_target.h>
 
 #include <ceres/jet.h>
@@ -15,7 +17,7 @@ class JetTarget : public FitTargetOf<M> {
 
   bool linearise(const double* p, std::span<const Correspondence> samples, const LinearisedColumns& out) const override {
     if constexpr (HasSlopes<M>) {
-      return FitTargetOf<M>::linearise(p, samples, out);
+      return slope_columns(std::type_identity<M>(), p, samples, out);
     } else {
       using Jet = ceres::Jet<double, static_cast<int>(kCount)>;
       std::array<Jet, kCount> parameters;

@@ -2,6 +2,7 @@
 #include "polisher.h"
 
 #include "products.h"
+#include "projected.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,23 +58,47 @@ bool Polisher::minimise_active(Candidate& candidate, std::size_t samples, const 
     candidate.on_all = false;
     return true;
   }
+  const std::span<double> values = std::span(free).first(count);
+  Minimum minimum;
+  if (Projected::suits(target_, candidate.fixed)) minimum = minimise_shape(candidate, effort, values);
+  if (!minimum.usable) minimum = minimise_free(candidate, effort, values);
+  if (!minimum.usable) return false;
+  candidate.cost = minimum.cost;
+  candidate.iterations += minimum.iterations;
+  candidate.on_all = linearised_.rows() == 2 * samples;
+  if (minimum.cost < kSmallCost) refine(candidate, effort, values);
+  candidate.values = merged(candidate, free.data());
+  return true;
+}
+
+Minimum Polisher::minimise_free(const Candidate& candidate, const Effort& effort, std::span<double> free) {
   const Evaluate evaluate_at = [this, &candidate](const double* p, NormalEquations& sums) {
     return linearised_.evaluate(merged(candidate, p), sums);
   };
   // So close to an optimum that J'J leads nowhere: refine() goes on from the start itself.
   constexpr double kTinyCost = 1e-9;
   NormalEquations at_start;
-  if (!evaluate_at(free.data(), at_start)) return false;
-  Minimum minimum{true, at_start.cost, 0};
-  if (!has_many_parameters(target_) || !(at_start.cost < kTinyCost))
-    minimum = minimise(evaluate_at, effort, std::span(free).first(count));
-  if (!minimum.usable) return false;
-  candidate.cost = minimum.cost;
-  candidate.iterations += minimum.iterations;
-  candidate.on_all = linearised_.rows() == 2 * samples;
-  if (minimum.cost < kSmallCost) refine(candidate, effort, std::span(free).first(count));
-  candidate.values = merged(candidate, free.data());
-  return true;
+  if (!evaluate_at(free.data(), at_start)) return {};
+  if (has_many_parameters(target_) && at_start.cost < kTinyCost) return {true, at_start.cost, 0};
+  return minimise(evaluate_at, effort, free);
+}
+
+/// With the focal lengths and the centre that are best for each shape.
+Minimum Polisher::minimise_shape(const Candidate& candidate, const Effort& effort, std::span<double> free) {
+  Projected projected(linearised_, candidate.values, candidate.fixed);
+  const Evaluate evaluate_at = [&projected](const double* shape, NormalEquations& sums) {
+    return projected.evaluate(shape, sums);
+  };
+  ParameterValues shape{};
+  const std::span<double> parameters = std::span(shape).first(projected.shape().size());
+  std::ranges::copy(projected.shape(), parameters.begin());
+  const Minimum minimum = minimise(evaluate_at, effort, parameters);
+  if (!minimum.usable) return minimum;
+  const ParameterValues values = projected.values_at(parameters);
+  for (std::size_t i = 0, k = 0; i < count_; ++i) {
+    if (!candidate.fixed[i]) free[k++] = values[i];
+  }
+  return minimum;
 }
 
 /// The same in coordinates in which the Jacobian's columns are orthonormal at the start: J'J squares the condition of J, and

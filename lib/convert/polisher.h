@@ -53,6 +53,8 @@ class Polisher {
 
  private:
   bool minimise_active(Candidate& candidate, std::size_t samples, const Effort& effort);
+  Minimum minimise_free(const Candidate& candidate, const Effort& effort, std::span<double> free);
+  Minimum minimise_shape(const Candidate& candidate, const Effort& effort, std::span<double> free);
   void refine(Candidate& candidate, const Effort& effort, std::span<double> free);
   [[nodiscard]] ParameterValues merged(const Candidate& candidate, const double* free) const;
   [[nodiscard]] bool score(const Candidate& candidate, std::span<const Correspondence> samples, FoundFit& result) const;

@@ -86,7 +86,8 @@ class FitTarget {
   [[nodiscard]] virtual bool held(std::size_t parameter) const = 0;
   /// A parameter along which there are two bottoms with nearly the same pixels.
   [[nodiscard]] virtual std::optional<std::size_t> folded() const = 0;
-  /// u depends on the parameters 0 and 2 of the first four, v on 1 and 3.
+  /// Of the first four parameters u depends on 0 and 2, v on 1 and 3, and linearly: u = p[0] m_x + p[2], v = p[1] m_y + p[3],
+  /// where m depends on the others alone.
   [[nodiscard]] virtual bool focal_lengths_first() const = 0;
   /// Derivatives cost hardly more than pixels.
   [[nodiscard]] virtual bool cheap_slopes() const = 0;

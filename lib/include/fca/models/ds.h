@@ -42,9 +42,8 @@ struct Ds : internal::FocalLengthsFirst, internal::RayMap<Ds> {
     const double k = xi + ray[2];
     const double d2 = std::sqrt(r2 + k * k);
     const double denominator = internal::unified_sum(alpha, d2, 1.0 - alpha, k, r2);
-    if (!(denominator > 0.0)) return false;
     internal::radial_slopes<2>(p, ray, denominator, {d2 - k, alpha * k / d2 + (1.0 - alpha)}, pixel, du, dv);
-    return true;
+    return denominator > 0.0;
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {

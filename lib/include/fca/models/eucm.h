@@ -94,9 +94,8 @@ struct Eucm : internal::FocalLengthsFirst, internal::RayMap<Eucm> {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double d = std::sqrt(p[5] * r2 + ray[2] * ray[2]);
     const double denominator = internal::unified_sum(alpha, d, 1.0 - alpha, ray[2], p[5] * r2);
-    if (!(denominator > 0.0)) return false;
     internal::radial_slopes<2>(p, ray, denominator, {d - ray[2], 0.5 * alpha * r2 / d}, pixel, du, dv);
-    return true;
+    return denominator > 0.0;
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {

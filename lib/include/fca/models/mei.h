@@ -40,7 +40,6 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double denominator = internal::unified_sum(p[4], 1.0, 1.0, ray[2], r2);
-    if (!(denominator > 0.0)) return false;
     const double x = ray[0] / denominator;
     const double y = ray[1] / denominator;
     const double t = x * x + y * y;
@@ -73,9 +72,9 @@ struct Mei : internal::FocalLengthsFirst, internal::RayMap<Mei> {
                                      p[1] * y * t * t,
                                      p[1] * (t + 2.0 * y * y),
                                      p[1] * xy2};
-    std::ranges::copy(u, du);
-    std::ranges::copy(v, dv);
-    return true;
+    internal::store(u, du);
+    internal::store(v, dv);
+    return denominator > 0.0;
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {

@@ -14,6 +14,7 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <utility>
 
 namespace fca {
 
@@ -76,7 +77,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              of p, a camera with that centre.
 ///   formula_and_slopes(p, ray, pixel, du, dv)
 ///                              (optional) formula for double and a unit ray, and the derivatives of u and v by each parameter,
-///                              where that is much faster than automatic differentiation.
+///                              where that is much faster than automatic differentiation. Where it returns false it may
+///                              leave anything in them.
 ///   kTerms, terms(ray, along_u, along_v), from_terms(coefficients, aspect, point, p)
 ///                              (optional) for a model that is linear in all else once fy / fx is given:
 ///                              u = cx + c . along_u,  v = cy + aspect c . along_v; false where a ray has no pixel. Such a
@@ -163,7 +165,8 @@ struct RayMap {
   }
 };
 
-/// What a model inherits that begins with fx fy cx cy, where fx and fy are the central focal lengths.
+/// What a model inherits that begins with fx fy cx cy, applied as to_pixel does (fits rely on it), where fx and fy are the
+/// central focal lengths.
 struct FocalLengthsFirst {
   static std::array<double, 2> principal_point(const double* p) { return {p[2], p[3]}; }
   static std::array<double, 2> central_focal_lengths(const double* p) { return {p[0], p[1]}; }
@@ -182,6 +185,13 @@ template <class T>
 T unified_sum(const T& a, const T& d, const T& b, const T& z, const T& r2) {
   if (value_of(z) >= 0.0) return a * d + b * z;
   return (a * a * r2 + (a - b) * (a + b) * z * z) / (a * d - b * z);
+}
+
+/// Writes N numbers, one by one: of a copy of memory a compiler makes no SIMD.
+template <std::size_t N>
+void store(const std::array<double, N>& from, double* to) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) { ((to[I] = from[I]), ...); }
+  (std::make_index_sequence<N>());
 }
 
 /// What formula_and_slopes returns for pixel = (fx x, fy y) / denominator + (cx, cy), given the derivatives of the denominator

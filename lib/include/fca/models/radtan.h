@@ -40,7 +40,6 @@ struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
   static constexpr std::string_view kBendsBack = "k3";
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
-    if (!(ray[2] > 0.0)) return false;
     const double x = ray[0] / ray[2];
     const double y = ray[1] / ray[2];
     const double r2 = x * x + y * y;
@@ -56,9 +55,9 @@ struct Radtan : internal::FocalLengthsFirst, internal::RayMap<Radtan> {
     const double v1 = p[1] * y * r2;
     const std::array<double, 9> u = {mx, 0.0, 1.0, 0.0, u1, u1 * r2, p[0] * xy2, p[0] * x_term, u1 * r2 * r2};
     const std::array<double, 9> v = {0.0, my, 0.0, 1.0, v1, v1 * r2, p[1] * y_term, p[1] * xy2, v1 * r2 * r2};
-    std::copy(u.begin(), u.end(), du);
-    std::copy(v.begin(), v.end(), dv);
-    return true;
+    internal::store(u, du);
+    internal::store(v, dv);
+    return ray[2] > 0.0;
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {

@@ -120,12 +120,10 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
   static constexpr bool kAheadOnly = true;
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
-    if (!(ray[2] > 0.0)) return false;
     const double x = ray[0] / ray[2];
     const double y = ray[1] / ray[2];
     const double t = x * x + y * y;
     const double denominator = 1.0 + t * (p[9] + t * (p[10] + t * p[11]));
-    if (!(denominator > 0.0)) return false;
     const double inverse = 1.0 / denominator;
     const double radial = (1.0 + t * (p[4] + t * (p[5] + t * p[8]))) * inverse;
     const double xy2 = 2.0 * x * y;
@@ -161,9 +159,9 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
                                       -along_v * radial * t,
                                       -along_v * radial * t * t,
                                       -along_v * radial * t * t * t};
-    std::copy(u.begin(), u.end(), du);
-    std::copy(v.begin(), v.end(), dv);
-    return true;
+    internal::store(u, du);
+    internal::store(v, dv);
+    return ray[2] > 0.0 && denominator > 0.0;
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {

@@ -26,9 +26,8 @@ struct Ucm : internal::FocalLengthsFirst, internal::RayMap<Ucm> {
     const double r2 = ray[0] * ray[0] + ray[1] * ray[1];
     const double d = std::sqrt(r2 + ray[2] * ray[2]);
     const double denominator = internal::unified_sum(p[4], d, 1.0 - p[4], ray[2], r2);
-    if (!(denominator > 0.0)) return false;
     internal::radial_slopes<1>(p, ray, denominator, {d - ray[2]}, pixel, du, dv);
-    return true;
+    return denominator > 0.0;
   }
 
   static bool unproject(const double* p, const double* pixel, double* ray) {
