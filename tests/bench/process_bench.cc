@@ -28,6 +28,8 @@ const bool kRegistered = [] {
   add("process/empty", {FCA_EMPTY_PROGRAM});
   add("process/version", {FCA_IO, "--version"});
   add("process/same-format", {FCA_IO, "convert", chain, "--to", "kalibr", "--model", "kb4", "-o", output, "--force"});
+  add("process/same-format-97.5-deg",
+      {FCA_IO, "convert", chain, "--to", "kalibr", "--model", "kb4", "--max-angle", "97.5", "-o", output, "--force"});
   add("process/orbslam3-97.5-deg",
       {FCA_IO, "convert", chain, "--to", "orbslam3", "--max-angle", "97.5", "-o", output, "--force"});
   add("process/kept", {FCA_IO, "convert", chain, "--to", "kalibr", "-o", output, "--force"});
