@@ -98,7 +98,7 @@ class Lattice {
     bool last_of_scored;  ///< What follows is not.
 
     [[nodiscard]] int nodes(double density) const {
-      return std::min(kMostNodes, std::max(fewest, static_cast<int>(density * share) + 1));
+      return std::max(fewest, 1 + static_cast<int>(std::min(density * share, kMostNodes - 1.0)));
     }
   };
   static constexpr int kMostNodes = 64;
@@ -129,12 +129,12 @@ class Lattice {
   /// Nodes per length of a spoke, so that there are enough points in all.
   [[nodiscard]] double find_density() const {
     constexpr double kLeast = 20.0;
-    constexpr int kMostRounds = 40;
+    constexpr double kMost = 1e7;  // slivers have kMostNodes, too: where next to nothing is scored, there are no more
     constexpr double kLeastGrowth = 1.25;  // most parts may have as many nodes as they need already
     // The last one of a spoke may turn out to lie beyond the edge.
     const std::size_t fewest = kFewestPoints + spokes_.size();
     double density = kLeast;
-    for (int round = 0; round < kMostRounds; ++round) {
+    while (density < kMost) {
       std::size_t points = scored_.added();
       for (const Part& part : parts_) points += part.scored ? static_cast<std::size_t>(part.nodes(density)) : 0;
       if (points >= fewest) break;

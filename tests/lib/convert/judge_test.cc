@@ -156,7 +156,7 @@ TEST(Judge, TheLatticeStandsForEveryPixel) {
 
 // CLI.md promises them, whatever the lens, and however small a part of it is scored.
 TEST(Judge, TheLatticeHasFourThousandScoredPoints) {
-  constexpr double kReachesRad[] = {0.05, 0.3, 1.0, std::numbers::pi};
+  constexpr double kReachesRad[] = {1e-3, 0.05, 0.3, 1.0, std::numbers::pi};
   for (const TablePair& pair : table()) {
     std::optional<double> limit;
     if (pair.max_angle_deg) limit = *pair.max_angle_deg * test::kRadians;
