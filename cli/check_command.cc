@@ -5,6 +5,7 @@
 #include "conversion_preview.h"
 #include "output_file.h"
 #include "program_reading.h"
+#include "subcommand.h"
 #include "words.h"
 
 #include <fca/formats/text/read_document.h>
@@ -181,10 +182,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   return exit_code;
 }
 
-}  // namespace
-
-void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command = *app.add_subcommand("check", "What is wrong with a file, what happens if it is used, and how to mend it");
+void add_options(CLI::App& command, CheckArguments& arguments, std::function<ExitCode(Console&)>& run) {
   command.add_option("FILE", arguments.files, "Calibration file(s) or folders; '-' is standard input");
   add_reading_options(command, arguments.reading);
   add_join_option(command, arguments.reading);
@@ -212,7 +210,14 @@ void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<E
   command.footer(
       "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"
       "Example:\n  fca-io check camchain.yaml\n  fca-io check --explain poses-contradict\n");
-  command.callback([&] { run = [&arguments](Console& console) { return run_check(arguments, console); }; });
+  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_check(arguments, console); }; });
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  add_subcommand(app, "check", "What is wrong with a file, what happens if it is used, and how to mend it",
+                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

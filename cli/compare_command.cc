@@ -5,6 +5,7 @@
 #include "output_file.h"
 #include "report/command_line.h"
 #include "report/comparison.h"
+#include "subcommand.h"
 #include "words.h"
 
 #include <fca/compare/compare.h>
@@ -196,12 +197,7 @@ ExitCode run_compare(const CompareArguments& arguments, const CLI::App& command,
   return code;
 }
 
-}  // namespace
-
-void add_compare_command(CLI::App& app, CompareArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command = *app.add_subcommand(
-      "compare",
-      "How calibrations of any formats and models differ: pixels, degrees, poses, IMU, time; and which mistake it is");
+void add_options(CLI::App& command, CompareArguments& arguments, std::function<ExitCode(Console&)>& run) {
   command.add_option("REF", arguments.reference, "The calibration that counts as right; '-' is standard input")->required();
   command.add_option("FILE", arguments.files, "Calibration file(s) to lay beside it, each by itself")->required();
   add_reading_options(command, arguments.reading);
@@ -242,6 +238,15 @@ void add_compare_command(CLI::App& app, CompareArguments& arguments, std::functi
   command.callback([&arguments, &command, &run] {
     run = [&arguments, &command](Console& console) { return run_compare(arguments, command, console); };
   });
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, CompareArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  add_subcommand(
+      app, "compare",
+      "How calibrations of any formats and models differ: pixels, degrees, poses, IMU, time; and which mistake it is",
+      [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

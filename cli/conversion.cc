@@ -185,8 +185,8 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   std::optional<Written> written = write_calibration(*outcome.to, base.document, rig, options, outcome.diagnostics);
   if (!written || base.document == nullptr || arguments.no_verify || arguments.anew) return written;
   const bool edited = written->files.front().document.edited();
-  if (edited || base.into != nullptr) mend_kept_text(*written, outcome.diagnostics);
-  if (keeps_text(arguments, base)) return written;
+  const bool loads = (edited || base.into != nullptr) && mend_kept_text(*written, outcome.diagnostics);
+  if (loads || keeps_text(arguments, base)) return written;
   const bool asked_for = !options.layout.empty() || edited;
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.

@@ -5,6 +5,7 @@
 #include "calibration_files.h"
 #include "option_use.h"
 #include "output_name.h"
+#include "subcommand.h"
 #include "words.h"
 #include "written_outputs.h"
 
@@ -98,11 +99,7 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   return code;
 }
 
-}  // namespace
-
-void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command =
-      *app.add_subcommand("convert", "Convert a calibration to another format, and to another camera model if need be");
+void add_options(CLI::App& command, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run) {
   command
       .add_option("INPUT", arguments.inputs, "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input")
       ->required();
@@ -149,7 +146,14 @@ void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::functi
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"
       "  fca-io convert camchain.yaml --to orbslam3 --model eucm --max-angle 97.5 -o eucm.yaml\n");
-  command.callback([&] { run = [&arguments](Console& console) { return run_convert(arguments, console); }; });
+  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_convert(arguments, console); }; });
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  add_subcommand(app, "convert", "Convert a calibration to another format, and to another camera model if need be",
+                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

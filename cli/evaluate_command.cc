@@ -2,6 +2,7 @@
 #include "evaluate_command.h"
 
 #include "recovered_images.h"
+#include "subcommand.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,11 +26,7 @@ ExitCode run_evaluation(const EvaluateArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-}  // namespace
-
-void add_evaluate_command(CLI::App& app, EvaluateArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command = *app.add_subcommand(
-      "evaluate", "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and judged on every pixel");
+void add_options(CLI::App& command, EvaluateArguments& arguments, std::function<ExitCode(Console&)>& run) {
   command
       .add_option("--image", arguments.image,
                   "An image of 752 x 480 px: recovered by every row's conversion and compared with itself, PSNR and SSIM")
@@ -42,7 +39,15 @@ void add_evaluate_command(CLI::App& app, EvaluateArguments& arguments, std::func
       "  fca-io evaluate\n"
       "  fca-io evaluate --json > tables.json\n"
       "  fca-io evaluate --image seen.pgm\n");
-  command.callback([&] { run = [&arguments](Console& console) { return run_evaluation(arguments, console); }; });
+  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_evaluation(arguments, console); }; });
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, EvaluateArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  add_subcommand(app, "evaluate",
+                 "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and judged on every pixel",
+                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

@@ -5,6 +5,7 @@
 #include "ledger.h"
 #include "model_candidates.h"
 #include "show_command.h"
+#include "subcommand.h"
 #include "words.h"
 
 #include <fca/convert/domain.h>
@@ -236,31 +237,41 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-}  // namespace
+void add_formats_options(CLI::App& command, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.add_flag("--markdown", arguments.markdown, "The table of the README");
+  command.add_flag("--ledger", arguments.ledger, "For every pair of formats: what is exact, fitted, dropped and defaulted");
+  command.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");
+  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return list_formats(arguments, console); }; });
+}
 
-void add_list_commands(CLI::App& app, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& formats = *app.add_subcommand("formats", "The formats, and which camera models each can hold");
-  formats.add_flag("--json", arguments.json, "One JSON document on standard output");
-  formats.add_flag("--markdown", arguments.markdown, "The table of the README");
-  formats.add_flag("--ledger", arguments.ledger, "For every pair of formats: what is exact, fitted, dropped and defaulted");
-  formats.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");
-  formats.callback([&] { run = [&arguments](Console& console) { return list_formats(arguments, console); }; });
-
-  CLI::App& models = *app.add_subcommand("models", "The camera models; with a FILE, how well each would describe its cameras");
-  models.add_option("FILE", arguments.file, "Calibration file");
-  add_reading_options(models, arguments.reading);
-  models.add_flag("--json", arguments.json, "One JSON document on standard output");
-  models.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
-  models.callback([&] {
+void add_models_options(CLI::App& command, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  command.add_option("FILE", arguments.file, "Calibration file");
+  add_reading_options(command, arguments.reading);
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
+  command.callback([&arguments, &run] {
     run = [&arguments](Console& console) {
       return arguments.file.empty() ? list_models(arguments, console) : compare_models(arguments, console);
     };
   });
+}
 
-  CLI::App& programs = *app.add_subcommand("programs", "The programs whose readers fca-io imitates to prove what it writes");
-  programs.add_flag("--json", arguments.json, "One JSON document on standard output");
-  programs.footer("Example:\n  fca-io programs\n");
-  programs.callback([&] { run = [&arguments](Console& console) { return list_programs(arguments, console); }; });
+void add_programs_options(CLI::App& command, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer("Example:\n  fca-io programs\n");
+  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return list_programs(arguments, console); }; });
+}
+
+}  // namespace
+
+void add_list_commands(CLI::App& app, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  add_subcommand(app, "formats", "The formats, and which camera models each can hold",
+                 [&arguments, &run](CLI::App& command) { add_formats_options(command, arguments, run); });
+  add_subcommand(app, "models", "The camera models; with a FILE, how well each would describe its cameras",
+                 [&arguments, &run](CLI::App& command) { add_models_options(command, arguments, run); });
+  add_subcommand(app, "programs", "The programs whose readers fca-io imitates to prove what it writes",
+                 [&arguments, &run](CLI::App& command) { add_programs_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

@@ -33,16 +33,6 @@ std::vector<std::string> subcommand_names(const CLI::App& app) {
   return names;
 }
 
-/// An option whose value is an empty string is a script's unset variable.
-void refuse_empty_values(CLI::App& app) {
-  const CLI::Validator not_empty([](const std::string& value) { return value.empty() ? "an empty value" : std::string(); }, "");
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
-    for (CLI::Option* option : command->get_options()) {
-      if (option->get_items_expected_max() > 0) option->check(not_empty);
-    }
-  }
-}
-
 /// `fca-io FILE` is `fca-io show FILE`; a word that is neither command nor anything like a path is a mistyped command.
 void insert_show(std::vector<std::string>& words, const CLI::App& app, bool& mistyped) {
   if (words.empty() || (words.front().starts_with('-') && words.front() != "-")) return;
@@ -92,7 +82,6 @@ int run(int argc, char** argv) {
   add_list_commands(app, list_arguments, chosen);
   add_evaluate_command(app, evaluate_arguments, chosen);
 
-  refuse_empty_values(app);
   std::vector<std::string> words(argv + 1, argv + argc);
   convert_arguments.words = words;
   if (std::ranges::find(words, "--json") != words.end()) console.promise_json();

@@ -2,6 +2,7 @@
 #include "project_command.h"
 
 #include "json.h"
+#include "subcommand.h"
 #include "words.h"
 
 #include <fca/convert/domain.h>
@@ -120,31 +121,38 @@ ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& 
   return map_lines(to_ray, arguments.json, console);
 }
 
+/// One of the two: they differ in the way they go.
+struct Direction {
+  const char* name;
+  const char* what;
+  const char* footer;
+  bool forwards;
+};
+
+constexpr std::array kDirections = {
+    Direction{"project", "Rays 'x y z' per line on standard input -> pixels 'u v'; 'nan nan' where the model has no answer",
+              "Example:\n  echo '0.1 0.2 1' | fca-io project camchain.yaml --camera cam0\n", true},
+    Direction{"unproject",
+              "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
+              "Example:\n  echo '320 240' | fca-io unproject camchain.yaml --camera cam0\n", false}};
+
+void add_options(CLI::App& command, const Direction& direction, ProjectArguments& arguments,
+                 std::function<ExitCode(Console&)>& run) {
+  command.add_option("FILE", arguments.file, "Calibration file")->required();
+  add_reading_options(command, arguments.reading);
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer(direction.footer);
+  command.callback([&direction, &arguments, &run] {
+    run = [&direction, &arguments](Console& console) { return run_mapping(arguments, direction.forwards, console); };
+  });
+}
+
 }  // namespace
 
 void add_project_commands(CLI::App& app, ProjectArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  struct Description {
-    const char* name;
-    const char* what;
-    const char* footer;
-    bool forwards;
-  };
-  constexpr std::array kCommands = {
-      Description{"project", "Rays 'x y z' per line on standard input -> pixels 'u v'; 'nan nan' where the model has no answer",
-                  "Example:\n  echo '0.1 0.2 1' | fca-io project camchain.yaml --camera cam0\n", true},
-      Description{"unproject",
-                  "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
-                  "Example:\n  echo '320 240' | fca-io unproject camchain.yaml --camera cam0\n", false}};
-  for (const Description& description : kCommands) {
-    CLI::App& command = *app.add_subcommand(description.name, description.what);
-    command.add_option("FILE", arguments.file, "Calibration file")->required();
-    add_reading_options(command, arguments.reading);
-    command.add_flag("--json", arguments.json, "One JSON document on standard output");
-    command.footer(description.footer);
-    const bool forwards = description.forwards;
-    command.callback([&arguments, &run, forwards] {
-      run = [&arguments, forwards](Console& console) { return run_mapping(arguments, forwards, console); };
-    });
+  for (const Direction& direction : kDirections) {
+    add_subcommand(app, direction.name, direction.what,
+                   [&direction, &arguments, &run](CLI::App& command) { add_options(command, direction, arguments, run); });
   }
 }
 

@@ -60,9 +60,10 @@ std::optional<std::string> newly_refused(const Written& written, const text::Doc
   return std::nullopt;
 }
 
-void mend_kept_text(Written& written, Diagnostics& diagnostics) {
+bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
   constexpr int kMostMends = 100;  // each is some runs of the program's reader
   const consumers::LoadOptions options = load_options(written);
+  bool all_load = true;
   for (Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
       const consumers::Consumer* program = consumers::find_consumer(id);
@@ -72,6 +73,7 @@ void mend_kept_text(Written& written, Diagnostics& diagnostics) {
       std::optional<std::string> refusal;
       for (int i = 0; i < kMostMends; ++i) {
         refusal = first_refusal(document.bytes(), id, options);
+        all_load = all_load && !refusal;
         const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
         if (!mend) break;
         const bool says_how = refusal->ends_with(mend->fix);
@@ -83,6 +85,7 @@ void mend_kept_text(Written& written, Diagnostics& diagnostics) {
       for (const Diagnostic& each : mends.entries()) diagnostics.add(each);
     }
   }
+  return all_load;
 }
 
 void warn_if_refused(const Calibration& calibration, const std::string& opencv_model, Diagnostics& diagnostics) {

@@ -11,6 +11,7 @@
 #include "pictures/pictures.h"
 #include "remap_images.h"
 #include "remap_view.h"
+#include "subcommand.h"
 #include "words.h"
 
 #include <fca/remap/image_map.h>
@@ -223,11 +224,7 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   return tell(arguments, done, console);
 }
 
-}  // namespace
-
-void add_remap_command(CLI::App& app, RemapArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command =
-      *app.add_subcommand("remap", "Images as another camera would have taken them: undistorted, as another model, turned");
+void add_options(CLI::App& command, RemapArguments& arguments, std::function<ExitCode(Console&)>& run) {
   command.add_option("FILE", arguments.file, "Calibration file of the camera that took the images")->required();
   command.add_option("IMAGE", arguments.images, "Images of the calibrated size, folders of them or patterns ('left/*.png')");
   command
@@ -275,6 +272,13 @@ void add_remap_command(CLI::App& app, RemapArguments& arguments, std::function<E
       "  fca-io remap camchain.yaml --camera cam0 'left/*.png' --pinhole 90 --rotate 45,0,0 -o 'right/{stem}.png'\n"
       "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask seen.png\n");
   command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_remap(arguments, console); }; });
+}
+
+}  // namespace
+
+void add_remap_command(CLI::App& app, RemapArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  add_subcommand(app, "remap", "Images as another camera would have taken them: undistorted, as another model, turned",
+                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

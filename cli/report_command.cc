@@ -7,6 +7,7 @@
 #include "report/command_line.h"
 #include "report/contents.h"
 #include "report/page.h"
+#include "subcommand.h"
 #include "words.h"
 
 #include <fca/convert/domain.h>
@@ -161,11 +162,7 @@ ExitCode run_report(const ReportArguments& arguments, const CLI::App& command, C
   return put(arguments, report_page(contents), console);
 }
 
-}  // namespace
-
-void add_report_command(CLI::App& app, ReportArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command = *app.add_subcommand(
-      "report", "A page to look at: what a file says, the rig drawn, and what converting it costs, as curves and error maps");
+void add_options(CLI::App& command, ReportArguments& arguments, std::function<ExitCode(Console&)>& run) {
   command.add_option("INPUT", arguments.inputs, "Calibration file(s); '-' is standard input")->required();
   command.add_option("--to", arguments.to, "Show what converting it to this format does")->type_name("FORMAT");
   command
@@ -188,6 +185,14 @@ void add_report_command(CLI::App& app, ReportArguments& arguments, std::function
   command.callback([&arguments, &command, &run] {
     run = [&arguments, &command](Console& console) { return run_report(arguments, command, console); };
   });
+}
+
+}  // namespace
+
+void add_report_command(CLI::App& app, ReportArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  add_subcommand(app, "report",
+                 "A page to look at: what a file says, the rig drawn, and what converting it costs, as curves and error maps",
+                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "show_command.h"
+#include "subcommand.h"
 #include "words.h"
 
 #include <fca/rig/first_camera.h>
@@ -58,6 +59,22 @@ ExitCode run_show(const ShowArguments& arguments, Console& console) {
   return code;
 }
 
+void add_options(CLI::App& command, ShowArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  command.add_option("FILE", arguments.files, "Calibration file(s); '-' is standard input")->required();
+  add_reading_options(command, arguments.reading);
+  add_join_option(command, arguments.reading);
+  add_imu_option(command, arguments.reading);
+  command
+      .add_option("--for", arguments.program,
+                  "What this program makes of the file: whether it loads it, which cameras it sees, how far they are from what "
+                  "the file means: " +
+                      enumerated(program_ids(), "or"))
+      ->type_name("PROGRAM");
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer("Example:\n  fca-io show camchain.yaml --with imu.yaml\n  fca-io show settings.yaml --for orbslam3\n");
+  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_show(arguments, console); }; });
+}
+
 }  // namespace
 
 std::string name_in(const Format& format, const StoredModel& row) {
@@ -76,21 +93,8 @@ std::vector<std::string> names_elsewhere(std::string_view model) {
 }
 
 void add_show_command(CLI::App& app, ShowArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  CLI::App& command =
-      *app.add_subcommand("show", "What a file means: cameras, models, fields of view, poses, IMU, and who reads it");
-  command.add_option("FILE", arguments.files, "Calibration file(s); '-' is standard input")->required();
-  add_reading_options(command, arguments.reading);
-  add_join_option(command, arguments.reading);
-  add_imu_option(command, arguments.reading);
-  command
-      .add_option("--for", arguments.program,
-                  "What this program makes of the file: whether it loads it, which cameras it sees, how far they are from what "
-                  "the file means: " +
-                      enumerated(program_ids(), "or"))
-      ->type_name("PROGRAM");
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.footer("Example:\n  fca-io show camchain.yaml --with imu.yaml\n  fca-io show settings.yaml --for orbslam3\n");
-  command.callback([&] { run = [&arguments](Console& console) { return run_show(arguments, console); }; });
+  add_subcommand(app, "show", "What a file means: cameras, models, fields of view, poses, IMU, and who reads it",
+                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
 }
 
 }  // namespace fca::cli

@@ -123,13 +123,14 @@ Comparison compare_camera(const Camera& ours, const consumers::ConsumerCamera& t
   Comparison result;
   if (!ours.image_size) return result;
   const Pixel last = {ours.image_size->width - 1.0, ours.image_size->height - 1.0};
+  const double last_cosine = max_angle_rad < std::numbers::pi ? std::cos(max_angle_rad) : -2.0;
   Pixel worst_pixel = {0.0, 0.0};
   double worst = 0.0;
   const auto compare_at = [&](const Pixel& pixel, const Area& area) {
     if (!ours.image_size->holds(pixel)) return false;
     if (ours.lens_circle && !ours.lens_circle->contains(pixel)) return false;
     const std::optional<Ray> ray = unproject(ours.model, pixel);
-    if (!ray || (max_angle_rad < std::numbers::pi && angle_from_axis(*ray) > max_angle_rad)) return false;
+    if (!ray || (*ray)[2] < last_cosine) return false;
     const double difference = compare_pixel(pixel, *ray, theirs, area, tolerance, result);
     if (!(difference > worst)) return false;
     worst = difference;

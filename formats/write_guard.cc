@@ -2,7 +2,6 @@
 #include "write_guard.h"
 
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/read_document.h>
 #include <fca/rig/limits.h>
 
 #include <cmath>

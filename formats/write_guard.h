@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/formats/format.h>
+#include <fca/formats/text/read_document.h>
 
 namespace fca {
 
@@ -25,7 +26,10 @@ Format guarded() {
     // An edit keeps what its base says, right or wrong.
     if (base == nullptr && !has_no_mirror(rig, diagnostics)) return std::nullopt;
     std::optional<Written> written = kFormat.write(base, rig, options, diagnostics);
-    if (written && !holds_finite_numbers(*written, base, diagnostics)) return std::nullopt;
+    if (!written) return std::nullopt;
+    // What follows (the next check, losses, the names in the file) all asks what an edited file says now.
+    for (Written::File& file : written->files) text::keep_edited(file.document);
+    if (!holds_finite_numbers(*written, base, diagnostics)) return std::nullopt;
     return written;
   };
   return format;

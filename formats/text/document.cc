@@ -8,7 +8,12 @@
 
 namespace fca::text {
 
-void Document::replace(const Span& span, std::string text) { edits_.push_back({span, std::move(text)}); }
+void Document::add_edit(Edit edit) {
+  kept_.reset();
+  edits_.push_back(std::move(edit));
+}
+
+void Document::replace(const Span& span, std::string text) { add_edit({span, std::move(text)}); }
 
 std::vector<Span> Document::edited_spans() const {
   std::vector<Span> spans;
@@ -78,7 +83,7 @@ void Document::remove_from_flow(const Node& mapping, const Entry& entry) {
     const bool takes_comma_behind = first == 0 && behind < entries.size();
     const std::size_t start = first == 0 ? entries[0].key.span.offset : end_of(entries[first - 1]);
     const std::size_t end = takes_comma_behind ? entries[behind].key.span.offset : end_of(entries[behind - 1]);
-    edits_.push_back({{start, end - start}, "", owner});
+    add_edit({{start, end - start}, "", owner});
     if (first == 0 && behind == entries.size()) emptied_.push_back(owner);
     first = behind;
   }
@@ -126,7 +131,7 @@ void Document::insert_in_flow(const Node& mapping, const Entry& entry, const std
     indentation = indentation_at(entry.key.span.offset);
     separator = "," + std::string(source_.line_break()) + std::string(indentation);
   }
-  edits_.push_back({{end_of(entry), 0}, separator + laid_out(lines, indentation), mapping.span.offset, separator.size()});
+  add_edit({{end_of(entry), 0}, separator + laid_out(lines, indentation), mapping.span.offset, separator.size()});
 }
 
 void Document::insert_element_after(const Entry& entry, const std::string& lines) {

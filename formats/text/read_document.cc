@@ -14,6 +14,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
+#include <utility>
 
 namespace fca::text {
 
@@ -105,8 +107,15 @@ std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) 
 
 std::optional<Document> as_edited(const Document& document) {
   if (!document.edited()) return document;
+  if (const Document* kept = document.kept_edited()) return *kept;
   Diagnostics ignored;
   return parse_document({document.source().name, document.bytes()}, ignored);
+}
+
+void keep_edited(Document& document) {
+  if (!document.edited() || document.kept_edited() != nullptr) return;
+  if (std::optional<Document> edited = as_edited(document))
+    document.keep_edited(std::make_shared<const Document>(*std::move(edited)));
 }
 
 std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics) {

@@ -2,6 +2,9 @@
 // Edits change the bytes they name and no other.
 #include "formats/test_files.h"
 
+#include <fca/formats/text/read_document.h>
+
+#include <functional>
 #include <random>
 
 namespace fca::test {
@@ -73,6 +76,37 @@ TEST(DocumentEdit, RandomEditsReadBack) {
       }
       ASSERT_EQ(values_of(reopened(path, document)), expected) << path;
     }
+  }
+}
+
+TEST(DocumentEdit, WhatIsKeptIsWhatTheLastEditLeft) {
+  for (const fs::path& path : files_of_all_formats("good")) {
+    Document document = open(path);
+    const Document original = document;
+    for (const Node* number : numbers_of(original)) {
+      document.replace(number->span, "7.125");
+      keep_edited(document);
+      ASSERT_NE(document.kept_edited(), nullptr);
+      ASSERT_EQ(values_of(as_edited(document).value()), values_of(reopened(path, document))) << path;
+    }
+  }
+}
+
+TEST(DocumentEdit, EveryEditForgetsWhatWasKept) {
+  for (const std::string bytes : {"a: 1\nb: 2\n", "{a: 1, b: 2}\n"}) {
+    const auto keeps_after = [&bytes](const std::function<void(Document&, const Node&)>& edit) {
+      const Document original = document_of(bytes);
+      Document document = original;
+      document.replace(at(original, "a").span, "3");
+      keep_edited(document);
+      edit(document, original.root());
+      return document.kept_edited() != nullptr;
+    };
+    EXPECT_TRUE(keeps_after([](Document&, const Node&) {}));
+    EXPECT_FALSE(keeps_after([](Document& document, const Node&) { document.insert(0, " "); }));
+    EXPECT_FALSE(keeps_after([](Document& document, const Node& root) { document.remove_entry(root, entry_at(root, "b")); }));
+    EXPECT_FALSE(
+        keeps_after([](Document& document, const Node& root) { document.insert_after(root, entry_at(root, "b"), "c: 4"); }));
   }
 }
 

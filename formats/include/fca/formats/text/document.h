@@ -6,6 +6,7 @@
 #include <fca/formats/text/node.h>
 #include <fca/formats/text/source.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,11 @@ class Document {
   /// The bytes with all edits applied.
   [[nodiscard]] std::string bytes() const;
 
+  /// Keeps what the edits left, parsed (keep_edited(), read_document.h), until the next edit.
+  void keep_edited(std::shared_ptr<const Document> edited) { kept_ = std::move(edited); }
+  /// What was kept; null after another edit.
+  [[nodiscard]] const Document* kept_edited() const { return kept_.get(); }
+
  private:
   static constexpr std::size_t kNoOwner = static_cast<std::size_t>(-1);
   struct Edit {
@@ -64,6 +70,7 @@ class Document {
     std::size_t owner = kNoOwner;  ///< Offset of the flow mapping whose entries the edit removes or adds.
     std::size_t separator = 0;     ///< Of an added entry: how much of `text` separates it from the one before.
   };
+  void add_edit(Edit edit);
   void remove_from_flow(const Node& mapping, const Entry& entry);
   void remove_element(const Entry& entry);
   void insert_in_flow(const Node& mapping, const Entry& entry, const std::string& lines);
@@ -77,6 +84,7 @@ class Document {
   std::vector<Edit> edits_;
   std::vector<std::size_t> removed_;  ///< Offsets of the keys of entries removed from flow mappings.
   std::vector<std::size_t> emptied_;  ///< Offsets of the flow mappings of which no entry is left.
+  std::shared_ptr<const Document> kept_;
 };
 
 }  // namespace fca::text

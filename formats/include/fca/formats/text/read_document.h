@@ -19,6 +19,9 @@ namespace fca::text {
 /// no document any more.
 [[nodiscard]] std::optional<Document> as_edited(const Document& document);
 
+/// Parses what the edits left and keeps it in the document: as_edited() then has it at hand until the next edit.
+void keep_edited(Document& document);
+
 /// Reads and parses a file; "-" is standard input. A missing, unreadable or non-regular file is an error "cannot-read".
 [[nodiscard]] std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics);
 
