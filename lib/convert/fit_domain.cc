@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fit_domain.h"
 
-#include "polisher.h"
-
 #include <fca/convert/sample.h>
 
 #include <algorithm>
@@ -19,9 +17,37 @@ using Micros = std::chrono::duration<double, std::micro>;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kAhead = std::numbers::pi / 2.0;
 
+/// Points of the domain's edge, none of the area: a pole between it and the outermost sample would cost a fit nothing, and
+/// spoil the pixels around it beyond all measure.
+void add_edge(const FitTask& task, std::vector<Correspondence>& samples) {
+  constexpr int kAzimuths = 24;
+  constexpr double kInside = 1.0 - 1e-9;  // so that rounding keeps it in the domain
+  const ImageSize& size = task.domain.size;
+  const double weight = 0.25 / (static_cast<double>(size.width) * size.height);
+  const auto add = [&](const Pixel& pixel) {
+    if (!size.holds(pixel)) return;
+    if (const std::optional<Ray> ray = task.domain.ray(task.camera.model, pixel)) samples.push_back({*ray, pixel, weight});
+  };
+  for (const double u : {0.0, size.width - 1.0}) {
+    for (const double v : {0.0, size.height - 1.0}) add({u, v});
+  }
+  for (int i = 0; i < kAzimuths; ++i) {
+    const double azimuth = 2.0 * std::numbers::pi * i / kAzimuths;
+    if (task.domain.circle) {
+      LensCircle inner = *task.domain.circle;
+      inner.radius_px *= kInside;
+      add(inner.rim(azimuth));
+    }
+    const double angle = task.domain.max_angle_rad * kInside;
+    const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
+    if (const std::optional<Pixel> pixel = project(task.camera.model, ray)) add(*pixel);
+  }
+}
+
 /// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
 SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = nullptr) {
-  const std::vector<Correspondence> samples = sample(task.camera.model, task.domain, count);
+  std::vector<Correspondence> samples = sample(task.camera.model, task.domain, count);
+  if (has_poles(task.target.id)) add_edge(task, samples);
   SampledFit result;
   result.samples = samples.size();
   if (!too_few(samples.size(), task.target)) {
@@ -38,11 +64,6 @@ double other_than_on_samples(const Judgement& judgement, const FittedModel& fitt
   constexpr double kNobodySees = 1e-6;  // px
   const auto [less, more] = std::minmax(judgement.error.rms, fitted.rms_px);
   return !fitted.reaches_all || more <= less + kNobodySees ? 1.0 : more / less;
-}
-
-/// rational: its poles lie where they fit the samples, and samples and image may agree by chance.
-bool has_poles(const FitTask& task) {
-  return sees_ahead_only(task.target.id) && task.target.parameters.size() >= kManyParameters;
 }
 
 /// The fit to the domain, its error being that of the image: on more samples, while that helps. Not scored where it does not
@@ -74,7 +95,8 @@ DomainFit fit_and_score(const FitTask& task) {
       result.fitted = std::move(finer);
       result.score = std::move(score);
     }
-    if (is_first && has_poles(task) && judgement.error.rms > kNobodySees) continue;
+    // Poles lie where they fit the samples, and samples and image may agree by chance.
+    if (is_first && has_poles(task.target.id) && judgement.error.rms > kNobodySees) continue;
     if (unlike <= (helps ? kAlike : kVeryUnlike) && !(helps && misses_edge)) break;
   }
   return result;

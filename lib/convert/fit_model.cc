@@ -121,6 +121,14 @@ bool sees_ahead_only(std::string_view id) {
   return result;
 }
 
+bool has_poles(std::string_view id) {
+  bool result = false;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if (M::kId == id) result = JetTarget<M>().has_poles();
+  });
+  return result;
+}
+
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
                                      std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);

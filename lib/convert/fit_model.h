@@ -33,6 +33,9 @@ struct FittedModel {
 /// Has no camera of that model a pixel for rays at 90 degrees from the axis and beyond?
 [[nodiscard]] bool sees_ahead_only(std::string_view id);
 
+/// Can a camera of that model have a pole inside its image?
+[[nodiscard]] bool has_poles(std::string_view id);
+
 /// What a fit asks of that model.
 [[nodiscard]] std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model);
 

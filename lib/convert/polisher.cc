@@ -186,6 +186,7 @@ bool Polisher::score(const Candidate& candidate, std::span<const Correspondence>
   std::vector<std::array<double, 2>> pixels(samples.size());
   target_.pixels(candidate.values.data(), samples, pixels.data());
   const double whole = weight;
+  std::size_t missed = 0;
   weight = 0.0;
   double sum = 0.0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -194,11 +195,15 @@ bool Polisher::score(const Candidate& candidate, std::span<const Correspondence>
     const bool close = std::abs(s.ray[2] - limit) <= kHair;
     const bool inside = close ? target_.project(candidate.values.data(), s.ray.data(), pixel.data())
                               : s.ray[2] > limit && !std::isnan(pixel[0]);
-    if (!inside) continue;
+    if (!inside) {
+      ++missed;
+      continue;
+    }
     weight += s.weight;
     sum += s.weight * (std::pow(pixel[0] - s.pixel[0], 2) + std::pow(pixel[1] - s.pixel[1], 2));
   }
-  result.reaches_all = whole - weight <= kVeryEdge * whole;
+  // What lies beyond a pole is spoiled, and so is what lies before it.
+  result.reaches_all = missed == 0 || (!target_.has_poles() && whole - weight <= kVeryEdge * whole);
   if (!(weight > 0.0)) return false;
   result.rms_px = std::sqrt(sum / weight);
   return true;

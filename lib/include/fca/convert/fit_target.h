@@ -89,6 +89,8 @@ class FitTarget {
   /// Of the first four parameters u depends on 0 and 2, v on 1 and 3, and linearly: u = p[0] m_x + p[2], v = p[1] m_y + p[3],
   /// where m depends on the others alone.
   [[nodiscard]] virtual bool focal_lengths_first() const = 0;
+  /// Next to an angle before the edge of its domain pixels may leave for infinity.
+  [[nodiscard]] virtual bool has_poles() const = 0;
   /// Derivatives cost hardly more than pixels.
   [[nodiscard]] virtual bool cheap_slopes() const = 0;
   [[nodiscard]] virtual double max_angle(const double* p) const = 0;
@@ -131,6 +133,9 @@ class FitTargetOf : public FitTarget {
     } else {
       return std::nullopt;
     }
+  }
+  [[nodiscard]] bool has_poles() const override {
+    return requires { M::kHasPoles; };
   }
   [[nodiscard]] bool focal_lengths_first() const override { return std::is_base_of_v<FocalLengthsFirst, M>; }
   [[nodiscard]] bool cheap_slopes() const override { return HasSlopes<M>; }

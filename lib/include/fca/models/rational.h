@@ -118,6 +118,7 @@ struct Rational : internal::FocalLengthsFirst, internal::RayMap<Rational> {
                                              common_parameter::coefficient("k6")};
 
   static constexpr bool kAheadOnly = true;
+  static constexpr bool kHasPoles = true;
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     const double x = ray[0] / ray[2];
