@@ -31,16 +31,22 @@ struct Field {
   std::array<std::array<Polynomial, kHarmonics>, 2> of{};
   /// Of each polynomial, a bound of its third derivative in the strip.
   std::array<std::array<double, kHarmonics>, 2> third{};
-  std::array<std::array<bool, kHarmonics>, 2> used{};
+  std::array<std::array<std::size_t, kHarmonics>, 2> terms{};  ///< Of each polynomial; 0: it is 0.
   Vector remainder{};
   double truncation = 0.0;  ///< The part of the remainder that a narrower strip makes smaller; the rest is rounding.
 };
+
+/// How many coefficients of a polynomial there are up to the last that is not 0.
+std::size_t terms_of(const Field::Polynomial& polynomial) {
+  std::size_t terms = polynomial.size();
+  while (terms > 0 && polynomial[terms - 1] == 0.0) --terms;
+  return terms;
+}
 
 /// Taylor polynomials from the series at the centre, their remainders from the series over the whole strip (of which the
 /// lowest coefficient is a plain enclosure: all there is where the remainder is infinite).
 Field field_of(const PolarSeries& centre, const PolarSeries& strip, double half) {
   Field field;
-  field.used = centre.used;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < kHarmonics; ++j) {
       if (!centre.used[i][j]) continue;
@@ -67,6 +73,7 @@ Field field_of(const PolarSeries& centre, const PolarSeries& strip, double half)
       }
       field.remainder[i] += remainder;
       field.truncation += truncation;
+      field.terms[i][j] = terms_of(polynomial);
       double third = 0.0;
       for (std::size_t k = kOrder - 1; k >= 3; --k) {
         third = third * half + static_cast<double>(k * (k - 1) * (k - 2)) * std::abs(polynomial[k]);
@@ -150,10 +157,9 @@ struct Radial {
   Radial(const Field& field, double t, double dt) {
     for (std::size_t i = 0; i < 2; ++i) {
       for (std::size_t j = 0; j < kHarmonics; ++j) {
-        if (!field.used[i][j]) continue;
         const Field::Polynomial& c = field.of[i][j];
         double half_second = 0.0;
-        for (std::size_t k = kOrder; k-- > 0;) {
+        for (std::size_t k = field.terms[i][j]; k-- > 0;) {
           half_second = half_second * t + first[i][j];
           first[i][j] = first[i][j] * t + value[i][j];
           value[i][j] = value[i][j] * t + c[k];
@@ -175,7 +181,7 @@ Plane plane_of(const Field& field, const Radial& radial, const Cell& cell, const
     double azimuth_rest = 0.0;
     double mixed_rest = 0.0;
     for (std::size_t j = 0; j < kHarmonics; ++j) {
-      if (!field.used[i][j]) continue;
+      if (field.terms[i][j] == 0) continue;
       const double n = Harmonics::kFrequency[j];
       plane.value[i] += radial.value[i][j] * harmonics.value[j];
       plane.by_angle[i] += radial.first[i][j] * harmonics.value[j];
@@ -215,8 +221,7 @@ class Bounder {
   }
 
   ErrorBound bound() {
-    const int strips = std::max(1, static_cast<int>(std::ceil(max_angle_ / kWidestStrip)));
-    for (int i = 0; i < strips; ++i) add_strip(max_angle_ * i / strips, max_angle_ * (i + 1) / strips, 0);
+    add_strips();
     while (!hopeless_ && !cells_.empty() && !(cells_.front().bound <= good_enough()) && result_.evaluations < budget_) {
       std::ranges::pop_heap(cells_, {}, &Cell::bound);
       const Cell cell = cells_.back();
@@ -231,9 +236,10 @@ class Bounder {
  private:
   /// max_angle() is an arc cosine for some models: its rounding near 180 degrees.
   static constexpr double kAngleSlack = 4e-8;
-  static constexpr double kWidestStrip = 0.12;  // rad
-  static constexpr int kMaxHalvings = 12;
-  static constexpr int kAzimuths = 16;
+  static constexpr double kFirstStrip = 0.12;      // rad
+  static constexpr double kWidestStrip = 0.25;     // rad
+  static constexpr double kNarrowestStrip = 3e-5;  // rad
+  static constexpr int kAzimuths = 8;
   static constexpr double kFirstWidth = std::numbers::pi / kAzimuths * (1.0 + 4.0 * kRoundOff);
   /// unproject() may give a ray for a pixel on the border whose pixel is, by rounding, outside.
   static constexpr double kBorderSlack = 1e-6;  // px
@@ -243,16 +249,25 @@ class Bounder {
 
   [[nodiscard]] double good_enough() const { return std::max(kGoodEnough * result_.seen, result_.seen + kNegligible); }
 
-  /// Halves the strip until both models are polynomials to what is asked.
-  void add_strip(double from, double to, int halvings) {
-    Strip strip = make_strip(0.5 * (from + to), 0.5 * (to - from));
-    result_.evaluations += kStripCost;
-    const double middle = 0.5 * (from + to);
-    if (!is_narrow(strip) && halvings < kMaxHalvings && result_.evaluations < budget_) {
-      add_strip(from, middle, halvings + 1);
-      add_strip(middle, to, halvings + 1);
-      return;
+  /// Strips on which both models are polynomials to what is asked, each as wide as the one before lets one expect.
+  void add_strips() {
+    double width = kFirstStrip;
+    for (double from = 0.0; from < max_angle_;) {
+      const double left = max_angle_ - from;
+      const bool spent = result_.evaluations >= budget_;
+      const double parts = spent ? 1.0 : std::ceil(left / width);
+      const double to = parts > 1.0 ? from + left / parts : max_angle_;
+      const Strip strip = make_strip(0.5 * (from + to), 0.5 * (to - from));
+      result_.evaluations += kStripCost;
+      const double fitting = fitting_share(strip);
+      width = std::clamp(fitting * (to - from), kNarrowestStrip, kWidestStrip);
+      if (fitting < 1.0 && to - from > kNarrowestStrip && !spent) continue;
+      add_cells(strip);
+      from = to;
     }
+  }
+
+  void add_cells(const Strip& strip) {
     strips_.push_back(strip);
     Cell cell;
     cell.strip = strips_.size() - 1;
@@ -267,11 +282,20 @@ class Bounder {
   /// An evaluation of a strip takes as long as that many of cells.
   static constexpr int kStripCost = 50;
 
-  [[nodiscard]] bool is_narrow(const Strip& strip) const {
+  /// Times its width a strip would be as narrow as asked, about: less than 1 if it is too wide. What is left out shrinks like
+  /// that power of the width.
+  [[nodiscard]] double fitting_share(const Strip& strip) const {
     // Of the same camera all that counts is how steep it is.
     constexpr double kRough = 1e-3;  // px
-    if (source_ == target_) return strip.source.truncation <= kRough;
-    return strip.error.truncation <= std::max(kNegligibleRemainder, kRemainderShare * result_.seen);
+    const bool same = source_ == target_;
+    const double truncation = same ? strip.source.truncation : strip.error.truncation;
+    const double allowed = same ? kRough : std::max(kNegligibleRemainder, kRemainderShare * result_.seen);
+    constexpr double kLeast = 0.25;
+    constexpr double kMost = 2.0;
+    constexpr double kSafe = 0.9;
+    const double share = kSafe * std::pow(allowed / truncation, 1.0 / static_cast<double>(kOrder));
+    if (!(truncation <= allowed)) return share > kLeast && share < kSafe ? share : kLeast;
+    return std::clamp(share, 1.0, kMost);
   }
 
   [[nodiscard]] Strip make_strip(double centre, double half) const {

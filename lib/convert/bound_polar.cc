@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace fca::internal {
 
@@ -146,18 +147,17 @@ struct ImplicitRadius {
   }
 
   /// Horner up to the last coefficient that is not 0.
-  template <std::size_t N, class X>
-  static X at(const std::array<double, N>& coefficients, std::size_t last, const X& x, X result) {
+  template <std::size_t N>
+  static Ball at(const std::array<double, N>& coefficients, std::size_t last, const Ball& x) {
+    Ball result;
     for (std::size_t k = std::min(last, N - 1) + 1; k-- > 0;) result = exactly(coefficients[k]) + result * x;
     return result;
   }
-  template <class X>
-  [[nodiscard]] X value(const X& rho, const X& sine, const X& cosine) const {
-    return at(g, degree, rho, X{}) * sine - rho * cosine;
+  [[nodiscard]] Ball value(const Ball& rho, const Ball& sine, const Ball& cosine) const {
+    return at(g, degree, rho) * sine - rho * cosine;
   }
-  template <class X>
-  [[nodiscard]] X derivative(const X& rho, const X& sine, const X& cosine) const {
-    return at(slope, degree > 0 ? degree - 1 : 0, rho, X{}) * sine - cosine;
+  [[nodiscard]] Ball derivative(const Ball& rho, const Ball& sine, const Ball& cosine) const {
+    return at(slope, degree > 0 ? degree - 1 : 0, rho) * sine - cosine;
   }
 };
 
@@ -176,6 +176,61 @@ Ball enclose_root(const ImplicitRadius& f, double guess, const Ball& sine, const
   return unknown();
 }
 
+/// A polynomial of a series that becomes known coefficient by coefficient.
+class PolynomialOf {
+ public:
+  using Coefficients = std::array<Ball, 9>;
+  PolynomialOf(const Coefficients& c, std::size_t degree, const Series& x) : c_(c), degree_(degree), x_(x) {}
+
+  /// Its coefficient number k, after all before it, once x is known up to that number: Horner's scheme.
+  Ball coefficient(std::size_t k) {
+    Ball result = k == 0 ? c_[degree_] : Ball{};
+    for (std::size_t j = degree_; j-- > 0;) {
+      sums_[j][k] = result;
+      ProductSum product;
+      for (std::size_t i = 0; i <= (j + 1 == degree_ ? 0 : k); ++i) product.add(sums_[j][i], x_[k - i]);
+      result = k == 0 ? c_[j] + product.ball() : product.ball();
+    }
+    return result;
+  }
+
+ private:
+  const Coefficients& c_;
+  std::size_t degree_;
+  const Series& x_;
+  std::array<Series, std::tuple_size_v<Coefficients>> sums_;  ///< Before each multiplication with x.
+};
+
+/// The coefficients of rho(angle) behind the first one, from the differential equation rho' h(rho) = g(rho)^2 + rho^2,
+/// h(rho) = g - rho dg/drho: what angle = atan2(rho, g(rho)) says of its derivative.
+void continue_radius(const ImplicitRadius& f, Series& rho) {
+  PolynomialOf::Coefficients g;
+  PolynomialOf::Coefficients h;
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    g[k] = exactly(f.g[k]);
+    h[k] = exactly(1.0 - static_cast<double>(k)) * g[k];
+  }
+  PolynomialOf g_of_rho(g, f.degree, rho);
+  PolynomialOf h_of_rho(h, f.degree, rho);
+  Series g_series;
+  Series h_series;
+  Series slope;
+  for (std::size_t k = 0; k < kOrder; ++k) {
+    g_series[k] = g_of_rho.coefficient(k);
+    h_series[k] = h_of_rho.coefficient(k);
+    ProductSum heights;
+    ProductSum radii;
+    for (std::size_t i = 0; i <= k; ++i) {
+      heights.add(g_series[i], g_series[k - i]);
+      radii.add(rho[i], rho[k - i]);
+    }
+    ProductSum known;
+    for (std::size_t i = 1; i <= k; ++i) known.add(h_series[i], slope[k - i]);
+    slope[k] = (heights.ball() + radii.ball() - known.ball()) / h_series[0];
+    rho[k + 1] = slope[k] / exactly(static_cast<double>(k + 1));
+  }
+}
+
 }  // namespace
 
 void polar_form(const Intrinsics<Ocamcalib>& model, const AngleSeries& angle, PolarSeries& form) {
@@ -192,14 +247,7 @@ void polar_form(const Intrinsics<Ocamcalib>& model, const AngleSeries& angle, Po
   } else {
     rho[0] = unknown();
   }
-  // Newton's method on series: each step doubles the number of right coefficients. What is right is not touched again: F's
-  // coefficients below are 0 exactly.
-  for (std::size_t known = 1; known <= kOrder; known *= 2) {
-    Series value = f.value(rho, angle.sine, angle.cosine);
-    for (std::size_t k = 0; k < known; ++k) value[k] = {};
-    const Series step = value / f.derivative(rho, angle.sine, angle.cosine);
-    for (std::size_t k = known; k < std::min(2 * known, kOrder + 1); ++k) rho[k] = rho[k] - step[k];
-  }
+  continue_radius(f, rho);
   // u = cx + Y + e X, v = cy + c X + d Y with (X, Y) = rho (sin phi, cos phi)
   set_radial(form, {p[0], p[1]}, {1.0, p[4], p[3], p[2]}, rho);
 }
