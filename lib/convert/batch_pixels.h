@@ -104,13 +104,14 @@ struct PixelKernel<Fov> {
   }
 };
 
-/// rho is the root of g(rho) sin - rho cos, g the height of the ray ahead of the camera: Newton's method from a polynomial.
+/// rho is the root of g(rho) sin - rho cos, g the height of the ray ahead of the camera: Newton's method from sqrt(1 - cos)
+/// times a polynomial of 1 - cos, which is smooth up to 180 degrees.
 template <>
 struct PixelKernel<Ocamcalib> {
   double cx, cy, c, d, e;
   std::array<double, 9> g{};
   std::array<double, 8> slope{};
-  Interpolant start;  ///< rho / angle
+  Interpolant start;  ///< rho / sqrt(1 - cos)
   double largest_rho;
 
   PixelKernel(const double* p, double reach) : cx(p[0]), cy(p[1]), c(p[2]), d(p[3]), e(p[4]) {
@@ -122,17 +123,18 @@ struct PixelKernel<Ocamcalib> {
     }
     // 0 leaves everything to the model.
     largest_rho = !(c > d * e) ? 0.0 : kSurelyInside * positive_until(growth, std::numeric_limits<double>::infinity());
-    start = Interpolant(std::min(reach, kSmooth * Ocamcalib::max_angle(p)), [&](double angle) {
-      const double ray[3] = {std::sin(angle), 0.0, std::cos(angle)};
+    const double last = std::min(reach, kSmooth * Ocamcalib::max_angle(p));
+    start = Interpolant(1.0 - std::cos(last), [&](double below) {
+      const double ray[3] = {std::sqrt(below * (2.0 - below)), 0.0, 1.0 - below};
       double pixel[2];
-      return Ocamcalib::project(p, ray, pixel) ? (pixel[0] - cx) / angle : kAskModel;
+      return Ocamcalib::project(p, ray, pixel) ? (pixel[0] - cx) / std::sqrt(below) : kAskModel;
     });
   }
   PixelOfRay operator()(const UnitRay& ray) const {
-    constexpr int kSteps = 3;
+    constexpr int kSteps = 2;
     const double r = std::sqrt(ray.x * ray.x + ray.y * ray.y + kTiny);
-    const double angle = angle_of(ray.z, r);
-    double rho = angle * start(angle);
+    const double below = 1.0 - ray.z;
+    double rho = std::sqrt(std::abs(below)) * start(below);
     double step = 0.0;
     repeat<kSteps>([&] {
       step = (horner(g, rho) * r - ray.z * rho) / (horner(slope, rho) * r - ray.z);

@@ -172,7 +172,7 @@ class PolynomialAngle {
   }
 
  private:
-  static constexpr int kSteps = 3;
+  static constexpr int kSteps = 2;
   static double power(double angle) { return kPower == 2 ? angle * angle : angle; }
   [[nodiscard]] double radius(double angle) const { return angle * horner(c_, power(angle)); }
 
