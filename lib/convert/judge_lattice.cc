@@ -51,6 +51,13 @@ class Lattice {
   }
 
  private:
+  /// gauss_legendre(count), which takes as long as some points to find its own.
+  const std::vector<Node>& nodes(int count) {
+    const std::vector<Node>*& found = nodes_.at(static_cast<std::size_t>(count));
+    if (found == nullptr) found = &gauss_legendre(count);
+    return *found;
+  }
+
   [[nodiscard]] Pixel last() const { return {size_.width - 1.0, size_.height - 1.0}; }
   LatticePoints& points_of(const LineCutter::Piece& piece) { return piece.scored ? scored_ : unscored_; }
 
@@ -129,7 +136,7 @@ class Lattice {
   /// Nodes per length of a spoke, so that there are enough points in all.
   [[nodiscard]] double find_density() const {
     constexpr double kLeast = 20.0;
-    constexpr double kMost = 1e7;  // slivers have kMostNodes, too: where next to nothing is scored, there are no more
+    constexpr double kMost = 1e7;          // slivers have kMostNodes, too: where next to nothing is scored, there are no more
     constexpr double kLeastGrowth = 1.25;  // most parts may have as many nodes as they need already
     // The last one of a spoke may turn out to lie beyond the edge.
     const std::size_t fewest = kFewestPoints + spokes_.size();
@@ -163,7 +170,7 @@ class Lattice {
         continue;
       }
       if (count + kMostNodes + 1 > places.size()) finish();
-      for (const Node& node : gauss_legendre(part.nodes(density))) {
+      for (const Node& node : nodes(part.nodes(density))) {
         const double place = part.begin + node.position * part.share;
         places[count] = place;
         weights[count++] = area * node.weight * place;
@@ -185,6 +192,7 @@ class Lattice {
   std::vector<double> twice_areas_;  ///< Of the triangles for which the spokes stand.
   std::vector<Part> parts_;          ///< Of all spokes.
   std::vector<std::size_t> ends_;    ///< Of each spoke's.
+  std::array<const std::vector<Node>*, kMostNodes + 1> nodes_{};  ///< By their number.
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace fca::internal {
 
@@ -57,34 +58,64 @@ void keep_if_worse(const Point& point, Judgement& result) {
   if (band < result.bands.size()) result.bands[band].max_px = std::max(result.bands[band].max_px, point.error);
 }
 
-/// The worst point of an edge: a candidate for the maximum.
-Point worst_point(const LensEdge& edge) {
-  constexpr int kAzimuths = 120;
-  constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
-  Point worst;
-  double azimuth = 0.0;
-  const auto keep_if_worse_at = [&](double candidate) {
-    const Point point = edge(candidate);
-    if (point.verdict != Verdict::kScored || (worst.verdict == Verdict::kScored && point.error <= worst.error)) return false;
-    worst = point;
-    azimuth = candidate;
-    return true;
-  };
-  for (int i = 0; i < kAzimuths; ++i) keep_if_worse_at(kSpacing * i);
-  constexpr double kFinest = 1e-6;
-  for (double step = 0.5 * kSpacing; worst.verdict == Verdict::kScored && step > kFinest;) {
-    if (!keep_if_worse_at(azimuth + step) && !keep_if_worse_at(azimuth - step)) step *= 0.5;
+double error_of(const Point& point) { return point.verdict == Verdict::kScored ? point.error : -1.0; }
+
+/// To where the error is largest along an edge, near an azimuth.
+Point climb_along(const Scorer& scorer, const LensEdge& edge, double azimuth, double step, Point top) {
+  constexpr double kFinest = 1e-5;  // rad
+  while (step > kFinest) {
+    bool moved = false;
+    for (const double next : {azimuth + step, azimuth - step}) {
+      const std::optional<Pixel> pixel = edge.at(next);
+      const Point point = pixel ? scorer.at(*pixel) : Point();
+      if (!(error_of(point) > error_of(top))) continue;
+      top = point;
+      azimuth = next;
+      moved = true;
+      break;
+    }
+    if (!moved) step *= 0.5;
   }
-  return worst;
+  return top;
 }
 
-/// Climbs from the points, the worst first, but not twice up the same hill.
-void climb_from(const Scorer& scorer, std::span<const Point> points, std::size_t most, Judgement& result) {
+/// How much higher than its middle one of three neighbours on an edge a top between them may be. A parabola's is at most an
+/// eighth of the second difference above it; where the edge leaves the image, at one neighbour, nobody knows.
+double possible_rise(double before, double here, double behind) {
+  constexpr double kNoParabola = 2.0;
+  if (before < 0.0 || behind < 0.0) return here;
+  return kNoParabola * 0.125 * std::abs(before - 2.0 * here + behind);
+}
+
+/// The tops of an edge that may be higher than what was seen.
+void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
+  constexpr int kAzimuths = 120;
+  constexpr double kSpacing = 2.0 * std::numbers::pi / kAzimuths;
+  const std::vector<Point> rim = points_of(scorer, edge, kAzimuths);
+  const double highest = std::max(result.error.max, error_of(std::ranges::max(rim, {}, error_of)));
+  Point best;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const double here = error_of(rim[i]);
+    const double before = error_of(rim[(i + rim.size() - 1) % rim.size()]);
+    const double behind = error_of(rim[(i + 1) % rim.size()]);
+    if (here < std::max(before, behind) || here + possible_rise(before, here, behind) < highest) continue;
+    const Point top = climb_along(scorer, edge, kSpacing * static_cast<double>(i), 0.5 * kSpacing, rim[i]);
+    if (error_of(top) > error_of(best)) best = top;
+  }
+  if (best.verdict != Verdict::kScored) return;
+  keep_if_worse(best, result);
+  keep_if_worse(climb(scorer, best.pixel), result);
+}
+
+/// Climbs from the points, the worst first, but not twice up the same hill, nor where an edge was climbed along.
+void climb_from(const Scorer& scorer, std::span<const Point> points, std::span<const LensEdge> edges, std::size_t most,
+                Judgement& result) {
   const ImageSize& size = scorer.domain().size;
   const double apart = std::max(size.width, size.height) / 20.0;
   std::vector<Pixel> climbed;
   for (const Point& point : points) {
     if (climbed.size() >= most) return;
+    if (std::ranges::any_of(edges, [&point](const LensEdge& edge) { return edge.passes(point); })) continue;
     const bool known = std::ranges::any_of(
         climbed, [&](const Pixel& other) { return std::hypot(point.pixel[0] - other[0], point.pixel[1] - other[1]) < apart; });
     if (known) continue;
@@ -97,23 +128,19 @@ void climb_from(const Scorer& scorer, std::span<const Point> points, std::size_t
 
 }  // namespace
 
-/// Without a bound, climbing from the worst points and along the edge of the lens is all there is. With one, the search for it
-/// looks everywhere: it starts from the worst hill and ends at most 1 % below the maximum, and one more climb leads up there. A
-/// climb does not follow the rim of a circle: that is looked along, too.
+/// Along the edges of what is scored, which a climb does not follow, and from the worst points. With a bound, the search for it
+/// looks everywhere: it ends at most 1 % below the maximum, and one more climb leads up there.
 void find_maximum(const Scorer& scorer, std::span<const Point> worst, bool prove, Judgement& result) {
   if (worst.empty()) return;
   constexpr std::size_t kAll = 12;
   constexpr std::size_t kFew = 4;
   const CameraModel* source = scorer.source().model();
   const bool provable = prove && source != nullptr && scorer.target() != nullptr;
-  climb_from(scorer, worst, provable ? kFew : kAll, result);
   // Where the source is no model, its edge is where climbing ends, too.
-  if (source != nullptr && (!provable || scorer.domain().circle)) {
-    for (const LensEdge& edge : lens_edges(scorer)) {
-      if (const Point point = worst_point(edge); point.verdict == Verdict::kScored)
-        keep_if_worse(climb(scorer, point.pixel), result);
-    }
-  }
+  std::vector<LensEdge> edges;
+  if (source != nullptr) edges = lens_edges(scorer);
+  for (const LensEdge& edge : edges) climb_edge(scorer, edge, result);
+  climb_from(scorer, worst, edges, provable ? kFew : kAll, result);
   if (!provable) return;
   const double climbed = result.error.max;
   const ErrorBound proof = bound_error(*source, *scorer.target(), scorer.domain(), scorer.target_reach_rad(), climbed);

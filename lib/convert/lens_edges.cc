@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace fca::internal {
@@ -11,25 +12,60 @@ namespace {
 
 constexpr double kInside = 1.0 - 1e-9;  // so that rounding keeps it in the domain
 
-Point point_at(const Scorer& scorer, const std::optional<Pixel>& pixel) {
-  return pixel && scorer.domain().size.holds(*pixel) ? scorer.at(*pixel) : Point();
+/// Does the image have rays beyond that angle, or none in its corners? Angles are largest there.
+bool ends_inside(const Scorer& scorer, double angle_rad) {
+  const ImageSize& size = scorer.domain().size;
+  for (const double u : {0.0, size.width - 1.0}) {
+    for (const double v : {0.0, size.height - 1.0}) {
+      const std::optional<Ray> ray = scorer.source().ray({u, v});
+      if (!ray || angle_from_axis(*ray) > angle_rad) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
 
 std::vector<LensEdge> lens_edges(const Scorer& scorer) {
+  const ImageSize& size = scorer.domain().size;
+  const auto in_image = [size](const std::optional<Pixel>& pixel) {
+    return pixel && size.holds(*pixel) ? pixel : std::nullopt;
+  };
   std::vector<LensEdge> edges;
-  edges.emplace_back([&scorer](double azimuth) {
-    const double angle = std::min(scorer.domain().max_angle_rad, scorer.target_reach_rad()) * kInside;
-    const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
-    return point_at(scorer, project(*scorer.source().model(), ray));
-  });
+  const double cone = std::min(scorer.domain().max_angle_rad, scorer.target_reach_rad());
+  if (ends_inside(scorer, cone)) {
+    const auto at = [&scorer, in_image, angle = cone * kInside](double azimuth) {
+      const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
+      return in_image(project(*scorer.source().model(), ray));
+    };
+    constexpr double kNear = 1e-5;
+    edges.push_back({at, [cosine = std::cos(cone)](const Point& point) { return point.cosine < cosine + kNear; }});
+  }
   if (const std::optional<LensCircle>& circle = scorer.domain().circle) {
     LensCircle inner = *circle;
     inner.radius_px *= kInside;
-    edges.emplace_back([&scorer, inner](double azimuth) { return point_at(scorer, inner.rim(azimuth)); });
+    constexpr double kNear = 1e-3;  // px
+    edges.push_back({[in_image, inner](double azimuth) { return in_image(inner.rim(azimuth)); },
+                     [inner](const Point& point) { return inner.beyond(point.pixel) > -kNear; }});
   }
   return edges;
+}
+
+std::vector<Point> points_of(const Scorer& scorer, const LensEdge& edge, int azimuths) {
+  std::vector<Point> points(static_cast<std::size_t>(azimuths));
+  std::vector<Point> inside;
+  inside.reserve(points.size());
+  std::vector<std::size_t> at;
+  at.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::optional<Pixel> pixel = edge.at(2.0 * std::numbers::pi * static_cast<double>(i) / azimuths);
+    if (!pixel) continue;
+    inside.emplace_back().pixel = *pixel;
+    at.push_back(i);
+  }
+  scorer.score(inside);
+  for (std::size_t k = 0; k < at.size(); ++k) points[at[k]] = inside[k];
+  return points;
 }
 
 }  // namespace fca::internal

@@ -18,6 +18,9 @@ double half_sine(double cosine) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * cos
 /// Where there is no ray: more than any half sine.
 constexpr double kNone = 2.0;
 
+/// Of a step: to a hundredth of a pixel in images as wide as there are.
+constexpr int kHalvings = 12;
+
 double edge_at(double angle) { return angle < std::numbers::pi ? half_sine(std::cos(angle)) : 1.0; }
 
 }  // namespace
@@ -27,14 +30,18 @@ LineCutter::LineCutter(const Scorer& scorer)
       lens_(edge_at(scorer.domain().max_angle_rad)),
       scored_(std::min(lens_, edge_at(scorer.target_reach_rad()))) {
   const double last = scorer.domain().max_angle_rad;
-  for (double angle = kBandRad; angle < last; angle += kBandRad) borders_.push_back(edge_at(angle));
-  for (const double edge : {scored_, lens_}) {
-    if (edge < 1.0) borders_.push_back(edge);
+  std::vector<double> angles = {std::min(last, scorer.target_reach_rad()), last};
+  for (double angle = kBandRad; angle < last; angle += kBandRad) angles.push_back(angle);
+  radial_ = RadialBorders::of(scorer.source(), angles);
+  if (radial_) return;
+  for (const double angle : angles) {
+    if (const double edge = edge_at(angle); edge < 1.0) borders_.push_back(edge);
   }
   std::ranges::sort(borders_);
 }
 
 void LineCutter::look_along(std::span<const Line> lines) {
+  if (radial_) return;
   seen_.resize(lines.size() * (kSteps + 1));
   Batch batch;
   std::size_t first = 0;
@@ -64,23 +71,39 @@ std::span<const LineCutter::Piece> LineCutter::pieces(std::size_t i, const Line&
   pieces_.clear();
   begin_ = 0.0;
   lit_ = lit_part(line);
+  if (radial_) {
+    cut_at_radii(line);
+    return pieces_;
+  }
   const std::span<double> seen = std::span(seen_).subspan(i * (kSteps + 1), kSteps + 1);
   for (std::size_t step = 0; step < kSteps; ++step) cut_step(line, seen, step);
   end_piece(1.0, seen[kSteps] <= scored_);
   return pieces_;
 }
 
-LineCutter::LitSpan LineCutter::lit_part(const Line& line) const {
+void LineCutter::cut_at_radii(const Line& line) {
+  const LinePast past = radial_->past(line);
+  const std::span<const double> radii = radial_->radii();
+  const LineSpan scored = past.inside(radii.front());
+  places_.clear();
+  const auto cut_at_ends = [this](const LineSpan& span) {
+    for (const double place : {span.begin, span.end}) {
+      if (place > 0.0 && place < 1.0) places_.push_back(place);
+    }
+  };
+  cut_at_ends(lit_);
+  for (const double radius : radii) cut_at_ends(past.inside(radius));
+  std::ranges::sort(places_);
+  places_.push_back(1.0);
+  for (const double place : places_) add_piece(place, scored.holds(0.5 * (begin_ + place)));
+}
+
+LineSpan LineCutter::lit_part(const Line& line) const {
   const std::optional<LensCircle>& circle = scorer_.domain().circle;
   if (!circle) return {0.0, 1.0};
-  const std::array<double, 2> way = {line.to[0] - line.from[0], line.to[1] - line.from[1]};
-  const std::array<double, 2> start = {line.from[0] - circle->centre[0], line.from[1] - circle->centre[1]};
-  const double square = way[0] * way[0] + way[1] * way[1];
-  const double nearest = -(way[0] * start[0] + way[1] * start[1]) / square;
-  const double across = (way[0] * start[1] - way[1] * start[0]) / square;
-  const double half = circle->radius_px * circle->radius_px / square - across * across;
-  if (!(half > 0.0)) return {1.0, 0.0};
-  return {nearest - std::sqrt(half), nearest + std::sqrt(half)};
+  return LinePast({line.from[0] - circle->centre[0], line.from[1] - circle->centre[1]},
+                  {line.to[0] - line.from[0], line.to[1] - line.from[1]})
+      .inside(circle->radius_px);
 }
 
 double LineCutter::ask(const Pixel& pixel) const {
@@ -93,6 +116,7 @@ void LineCutter::cut_step(const Line& line, std::span<double> seen, std::size_t 
   if (step.from == kNone && step.to == kNone) return;
   if (step.from == kNone) {
     find_last_ray(line, step.end, step.begin, step.from);
+    step.steep = true;
     end_piece(step.begin, false);
   } else if (step.to == kNone) {
     if (i > 1) {
@@ -101,6 +125,7 @@ void LineCutter::cut_step(const Line& line, std::span<double> seen, std::size_t 
     }
     if (!end_at_lens(line, step)) {
       step.bend = 0.0;
+      step.steep = true;
       find_last_ray(line, step.begin, step.end, step.to);
     }
   } else if (const std::size_t middle = std::clamp<std::size_t>(i, 1, kSteps - 1);
@@ -122,7 +147,8 @@ void LineCutter::cut_step(const Line& line, std::span<double> seen, std::size_t 
 
 std::optional<double> LineCutter::crossing_of_edge(const Line& line, const Step& step, double edge) const {
   constexpr double kClose = 0.01;  // of a half sine
-  constexpr double kFine = 1e-3;   // of a line; the next step would be a tenth of that
+  constexpr double kFine = 1e-3;   // of a line; the next step would be a tenth of that, by a slope that was seen
+  constexpr double kVeryFine = 1e-5;
   const double whole = step.end - step.begin;
   double at = step.crossing(edge);
   double slope = (step.to - step.from + ((at - step.begin) / whole - 0.5) * step.bend) / whole;
@@ -137,7 +163,7 @@ std::optional<double> LineCutter::crossing_of_edge(const Line& line, const Step&
     seen = found;
     at += (edge - found) / slope;
     if (!(at > step.begin && at <= step.end)) return std::nullopt;
-    if (std::abs(at - before) < kFine) return at;
+    if (std::abs(at - before) < (round == 0 ? kVeryFine : kFine)) return at;
   }
   return std::nullopt;
 }
@@ -151,8 +177,15 @@ bool LineCutter::end_at_lens(const Line& line, Step& step) const {
   return true;
 }
 
+double LineCutter::halve_to(const Line& line, double border, double inside, double outside) const {
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (inside + outside);
+    (ask(line.at(middle)) <= border ? inside : outside) = middle;
+  }
+  return inside;
+}
+
 void LineCutter::find_last_ray(const Line& line, double there, double& none, double& seen) const {
-  constexpr int kHalvings = 12;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (there + none);
     if (const double found = ask(line.at(middle)); found <= lens_) {

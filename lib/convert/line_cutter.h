@@ -3,6 +3,7 @@
 
 #include "judge_scorer.h"
 #include "line.h"
+#include "radial_borders.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -26,22 +27,20 @@ class LineCutter {
     [[nodiscard]] double share() const { return end - begin; }
   };
 
-  /// Looks along the lines, at kSteps + 1 places of each.
+  /// Looks along the lines, at kSteps + 1 places of each, if it must.
   void look_along(std::span<const Line> lines);
 
   /// The pieces of line number `i` of those that were looked along.
   [[nodiscard]] std::span<const Piece> pieces(std::size_t i, const Line& line);
 
  private:
-  /// The part of a line inside the domain's circle; empty (end < begin) where there is none.
-  struct LitSpan {
-    double begin;
-    double end;
-  };
   static constexpr std::size_t kSteps = 12;
 
-  [[nodiscard]] LitSpan lit_part(const Line& line) const;
+  [[nodiscard]] LineSpan lit_part(const Line& line) const;
   [[nodiscard]] double ask(const Pixel& pixel) const;
+
+  /// Without a search, where the source allows it.
+  void cut_at_radii(const Line& line);
 
   void end_piece(double at, bool scored) {
     for (const double edge : {lit_.begin, lit_.end}) {
@@ -52,8 +51,9 @@ class LineCutter {
 
   void add_piece(double at, bool in_cone) {
     constexpr double kSliver = 1e-4;
+    at = std::max(at, begin_);
     const double middle = 0.5 * (begin_ + at);
-    const bool scored = in_cone && middle >= lit_.begin && middle <= lit_.end;
+    const bool scored = in_cone && lit_.holds(middle);
     if (at - begin_ > kSliver || pieces_.empty()) {
       pieces_.push_back({begin_, at, scored});
     } else {
@@ -68,7 +68,8 @@ class LineCutter {
     double end;
     double from;
     double to;
-    double bend;  ///< Second difference.
+    double bend;         ///< Second difference.
+    bool steep = false;  ///< One end is that of the rays: up to there the angle may be no parabola.
     /// Where a border between from and to is crossed.
     [[nodiscard]] double crossing(double border) const {
       const double rise = to - from;
@@ -92,8 +93,13 @@ class LineCutter {
   [[nodiscard]] double place_of(const Line& line, const Step& step, double border) const {
     if (border == step.to) return step.end;
     const double roughly = step.crossing(border);
-    return border == scored_ ? crossing_of_edge(line, step, border).value_or(roughly) : roughly;
+    if (border != scored_ && !step.steep) return roughly;
+    if (const std::optional<double> at = crossing_of_edge(line, step, border)) return *at;
+    return step.from < step.to ? halve_to(line, border, step.begin, step.end) : halve_to(line, border, step.end, step.begin);
   }
+
+  /// Where a border is crossed on the way from `inside` to `outside`, by halving: where the angle is all but a line.
+  [[nodiscard]] double halve_to(const Line& line, double border, double inside, double outside) const;
 
   /// From where the domain's rays end on the way from `there` (with a ray) to `none` (without): its place and half sine.
   void find_last_ray(const Line& line, double there, double& none, double& seen) const;
@@ -103,10 +109,12 @@ class LineCutter {
   double lens_;    ///< of the domain's edge
   double scored_;  ///< of the edge of what is scored
   std::vector<double> borders_;
+  std::optional<RadialBorders> radial_;  ///< The edge of what is scored first, then all others; nothing: search.
+  std::vector<double> places_;
   std::vector<double> seen_;
   std::vector<Piece> pieces_;
   double begin_ = 0.0;
-  LitSpan lit_{0.0, 1.0};  ///< Of the line in hand: what the domain's circle holds.
+  LineSpan lit_{0.0, 1.0};  ///< Of the line in hand: what the domain's circle holds.
 };
 
 }  // namespace fca::internal

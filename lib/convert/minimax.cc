@@ -99,7 +99,8 @@ std::vector<Point> scored_points(const Scorer& scorer) {
   std::vector<Point> points = score_lattice(scorer);
   constexpr int kAzimuths = 360;
   for (const LensEdge& edge : lens_edges(scorer)) {
-    for (int i = 0; i < kAzimuths; ++i) points.push_back(edge(2.0 * std::numbers::pi * i / kAzimuths));
+    const std::vector<Point> rim = points_of(scorer, edge, kAzimuths);
+    points.insert(points.end(), rim.begin(), rim.end());
   }
   std::erase_if(points, [](const Point& point) { return point.verdict != Verdict::kScored; });
   std::ranges::stable_sort(points, std::ranges::greater{}, &Point::error);

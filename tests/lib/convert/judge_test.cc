@@ -128,7 +128,6 @@ TEST(Judge, TheLatticeStandsForEveryPixel) {
       SCOPED_TRACE(std::string(model_info(pair.camera.model).id) + " -> " + target);
       ConvertOptions options;
       options.model = target;
-      options.bound = false;
       if (pair.max_angle_deg) options.max_angle_rad = *pair.max_angle_deg * test::kRadians;
       Diagnostics diagnostics;
       const std::optional<Conversion> conversion = convert(pair.camera, options, diagnostics);
@@ -152,6 +151,48 @@ TEST(Judge, TheLatticeStandsForEveryPixel) {
       expect_same_bands(lattice, pixels);
     }
   }
+}
+
+/// The largest error at an angle from the axis, within the image, by small steps around it.
+double worst_on_rim(const Camera& camera, const CameraModel& target, double angle) {
+  constexpr int kSteps = 20'000;
+  double worst = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double azimuth = 2.0 * std::numbers::pi * i / kSteps;
+    const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
+    const std::optional<Pixel> meant = project(camera.model, ray);
+    const std::optional<Pixel> given = project(target, ray);
+    if (!meant || !given || !camera.image_size->holds(*meant)) continue;
+    worst = std::max(worst, std::hypot((*given)[0] - (*meant)[0], (*given)[1] - (*meant)[1]));
+  }
+  return worst;
+}
+
+// Errors are often largest where a lens or a cone ends inside the image, between pixels and between the lattice's points.
+TEST(Judge, TheMaximumIsFoundOnTheEdgeOfTheLens) {
+  constexpr double kHair = 1e-8;
+  int largest_on_rim = 0;
+  const Camera cameras[] = {test::euroc(), test::tumvi(), test::kalibr_ds(), test::kalibr_radtan()};
+  for (const Camera& camera : cameras) {
+    for (const double degrees : {20.0, 45.0, 70.0, 95.0}) {
+      for (const char* target : {"ucm", "ds", "mei", "ocamcalib", "woodscape", "rational"}) {
+        SCOPED_TRACE(std::string(model_info(camera.model).id) + " -> " + target + " within " + std::to_string(degrees));
+        ConvertOptions options;
+        options.model = target;
+        options.max_angle_rad = degrees * test::kRadians;
+        Diagnostics diagnostics;
+        const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
+        if (!conversion || conversion->report.exact) continue;
+        const double edge = conversion->report.scored_to_deg * test::kRadians * (1.0 - kHair);
+        const double rim = worst_on_rim(camera, conversion->camera.model, edge);
+        const double found = conversion->report.judgement.error.max;
+        constexpr double kSteepness = 1e-6;  // of the error along the angle, times the hair; and of the steps
+        EXPECT_GE(found, rim * (1.0 - kSteepness) - 1e-9);
+        largest_on_rim += rim > 0.999 * found ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(largest_on_rim, 20);
 }
 
 // CLI.md promises them, whatever the lens, and however small a part of it is scored.
