@@ -91,7 +91,7 @@ std::string camera_text(const CameraComparison& camera) {
   text += domain_text(judgement.coverage);
   text += "          " + coverage_text(judgement.coverage, camera.scored_to_deg) + "\n";
   if (!(judgement.coverage.scored > 0.0)) return text;
-  text += "  error:  " + error_text(judgement.error) + "\n";
+  text += "  error:  " + error_text(judgement) + "\n";
   text += "          rms " + pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
   text += "          " + same_in_words(difference) + "\n";
   text += turned_text(camera);

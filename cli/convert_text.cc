@@ -71,7 +71,7 @@ std::string report_text(const ConversionReport& report, const Format& to, const 
   const Judgement& j = report.judgement;
   std::string text = domain_text(j.coverage);
   text += "          " + coverage_text(j.coverage, report.scored_to_deg) + "\n";
-  text += "  error:  " + error_text(j.error) + "\n";
+  text += "  error:  " + error_text(j) + "\n";
   if (!report.exact) {
     text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
             ", 99 % " + pixels(j.error.p99) + "\n";

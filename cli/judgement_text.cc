@@ -28,20 +28,27 @@ std::string domain_in_words(const Coverage& coverage) {
 
 std::string domain_text(const Coverage& coverage) { return "  domain: " + domain_in_words(coverage) + "\n"; }
 
+constexpr double kNoticeableShare = 0.0005;  // less is 0.0 %
+
 std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
   std::string result = percent(coverage.scored) + " of the image scored";
   constexpr double kNoticeable = 0.01;  // deg
   if (scored_to_deg < coverage.max_angle_deg - kNoticeable)
     result += " (up to " + text::format_short(scored_to_deg, 4) + " deg from the axis)";
-  if (coverage.outside_lens > 0.0005) result += ", " + percent(coverage.outside_lens) + " outside the lens";
-  if (coverage.unrepresentable > 0.0005) result += ", " + percent(coverage.unrepresentable) + " beyond what was scored";
+  if (coverage.outside_lens > kNoticeableShare) result += ", " + percent(coverage.outside_lens) + " outside the lens";
+  if (coverage.unrepresentable > kNoticeableShare)
+    result += ", " + percent(coverage.unrepresentable) + " beyond what was scored";
   return result;
 }
 
-std::string error_text(const ErrorSummary& error) {
+std::string error_text(const Judgement& judgement) {
+  const ErrorSummary& error = judgement.error;
+  const bool all = judgement.coverage.unrepresentable <= kNoticeableShare;
+  const std::string bound = std::isfinite(error.bound)
+                                ? "proven below " + pixels(error.bound) + (all ? " everywhere" : " where it was scored")
+                                : "which nothing proves";
   return "rms " + pixels(error.rms) + " px, max " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " +
-         fixed(error.max_at[1], 1) + ")" +
-         (std::isfinite(error.bound) ? ", proven below " + pixels(error.bound) + " everywhere" : "");
+         fixed(error.max_at[1], 1) + "), " + bound;
 }
 
 std::string band_table(const std::vector<ErrorBand>& bands, std::span<const BandColumn> further) {
@@ -58,7 +65,7 @@ std::string band_table(const std::vector<ErrorBand>& bands, std::span<const Band
   std::string text = row(titles);
   for (std::size_t i = 0; i < bands.size(); ++i) {
     const ErrorBand& band = bands[i];
-    if (band.share <= 0.0) continue;
+    if (band.share <= 0.0 && band.max_px <= 0.0) continue;
     std::vector<std::string> cells = {fixed(band.from_deg, 0) + "-" + fixed(band.to_deg, 0), percent(band.share),
                                       pixels(band.rms_px), pixels(band.max_px)};
     for (const BandColumn& column : further) cells.push_back(i < column.values.size() ? pixels(column.values[i]) : "");

@@ -22,7 +22,7 @@ namespace fca::cli {
 /// "100.0 % of the image scored, 3.0 % outside the lens": what was scored, and the parts of the image that were not.
 [[nodiscard]] std::string coverage_text(const Coverage& coverage, double scored_to_deg);
 /// "rms 0.118 px, max 2.96 px at (511.0, 0.0), proven below 2.98 everywhere"
-[[nodiscard]] std::string error_text(const ErrorSummary& error);
+[[nodiscard]] std::string error_text(const Judgement& judgement);
 
 /// A further column of the table of bands, a cell for each band.
 struct BandColumn {

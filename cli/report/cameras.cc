@@ -66,7 +66,7 @@ void put_judgement(Html& html, const ConvertedCamera& camera) {
     line("error: ", "none: the same model and parameters");
     return;
   }
-  line("error: ", error_text(j.error) + (report.exact ? ""
+  line("error: ", error_text(j) + (report.exact ? ""
                                                       : "; mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) +
                                                             ", 95 % " + pixels(j.error.p95) + ", 99 % " + pixels(j.error.p99)));
   if (report.exact) return;

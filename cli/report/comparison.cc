@@ -60,7 +60,7 @@ void put_words(Html& html, const CameraComparison& camera) {
   const Coverage& coverage = difference.judgement.coverage;
   put_line(html, "domain: ", domain_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
   put_line(html, "difference: ",
-           error_text(difference.judgement.error) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
+           error_text(difference.judgement) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");
   put_line(html, "", same_in_words(difference));
   if (!turning_helps(camera)) return;

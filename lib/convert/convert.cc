@@ -3,7 +3,6 @@
 
 #include "exact.h"
 #include "fit_domain.h"
-#include "judge_maximum.h"
 #include "judge_stages.h"
 #include "minimax.h"
 
@@ -67,11 +66,9 @@ void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics
   }
 }
 
-/// Everything the report says of a model that counts up to that angle, from what the lattice says of it.
-Judgement final_judgement(const FitTask& task, const internal::Scorer& scorer, internal::Score score) {
-  if (task.options.every_pixel) score = internal::score_every_pixel(scorer);
-  internal::find_maximum(scorer, score.worst, task.options.bound, score.judgement);
-  return std::move(score.judgement);
+/// Everything the report says of a model, from what the lattice says of it.
+Judgement final_judgement(const FitTask& task, const internal::Scorer& scorer, internal::Score lattice) {
+  return internal::judge_all(scorer, std::move(lattice), {task.options.every_pixel, task.options.bound});
 }
 
 /// The angle beyond which a model that counts up to `reach_rad` is not scored.

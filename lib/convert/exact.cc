@@ -4,6 +4,8 @@
 #include <fca/convert/containment.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 namespace fca::internal {
@@ -79,16 +81,24 @@ std::optional<Intrinsics<Pinhole>> as_pinhole(const CameraModel& source) {
   return std::nullopt;
 }
 
-/// The radius f angle + f k angle^3 is kb4's without k2, k3, k4 and woodscape's without k2, k4.
-std::optional<CameraModel> of_cubic(const CameraModel& source, std::string_view target_id) {
-  if (const auto* m = std::get_if<Intrinsics<Kb4>>(&source); m != nullptr && target_id == Woodscape::kId) {
-    const auto& [fx, fy, cx, cy, k1, k2, k3, k4] = m->values;
-    const double others[] = {k2, k3, k4};
-    if (all_zero(others)) return Intrinsics<Woodscape>{{fx, 0.0, fx * k1, 0.0, fy / fx, cx, cy}};
+/// fov's w at which atan2(2 r tan(w / 2), z) is the angle itself.
+double equidistant_w() { return 2.0 * std::atan(0.5); }
+
+/// The source as kb4, where its radius is f angle + f k angle^3: kb4's without k2, k3, k4, woodscape's without k2, k4, and,
+/// with k = 0, that of the fov of an equidistant lens.
+std::optional<Intrinsics<Kb4>> as_cubic(const CameraModel& source) {
+  if (const auto* m = std::get_if<Intrinsics<Kb4>>(&source)) {
+    const double others[] = {m->values[5], m->values[6], m->values[7]};
+    if (all_zero(others)) return *m;
   }
-  if (const auto* m = std::get_if<Intrinsics<Woodscape>>(&source); m != nullptr && target_id == Kb4::kId) {
+  if (const auto* m = std::get_if<Intrinsics<Woodscape>>(&source)) {
     const auto& [k1, k2, k3, k4, aspect, cx, cy] = m->values;
     if (k2 == 0.0 && k4 == 0.0) return Intrinsics<Kb4>{{k1, k1 * aspect, cx, cy, k3 / k1, 0.0, 0.0, 0.0}};
+  }
+  if (const auto* m = std::get_if<Intrinsics<Fov>>(&source)) {
+    const auto& [fx, fy, cx, cy, w] = m->values;
+    if (std::abs(w - equidistant_w()) <= std::numeric_limits<double>::epsilon())
+      return Intrinsics<Kb4>{{fx / w, fy / w, cx, cy, 0.0, 0.0, 0.0, 0.0}};
   }
   return std::nullopt;
 }
@@ -126,7 +136,14 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
     const auto& [fx, fy, cx, cy, alpha] = ucm->values;
     return Intrinsics<Ocamcalib>{{cx, cy, fy / fx, 0, 0, -fx, 0, 0.25 / fx, 0, 0, 0, 0, 0, 0}};
   }
-  return of_cubic(source, target_id);
+  if (const std::optional<Intrinsics<Kb4>> cubic = as_cubic(source)) {
+    const auto& [fx, fy, cx, cy, k, k2, k3, k4] = cubic->values;
+    const double w = equidistant_w();
+    if (target_id == Kb4::kId) return *cubic;
+    if (target_id == Woodscape::kId) return Intrinsics<Woodscape>{{fx, 0.0, fx * k, 0.0, fy / fx, cx, cy}};
+    if (target_id == Fov::kId && k == 0.0) return Intrinsics<Fov>{{fx * w, fy * w, cx, cy, w}};
+  }
+  return std::nullopt;
 }
 
 std::optional<CameraModel> convert_nearly(const CameraModel& inner, std::string_view outer_id) {

@@ -17,13 +17,14 @@ using Micros = std::chrono::duration<double, std::micro>;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kAhead = std::numbers::pi / 2.0;
 
-/// Points of the domain's edge, none of the area: a pole between it and the outermost sample would cost a fit nothing, and
-/// spoil the pixels around it beyond all measure.
+/// Points of the domain's edge that stand for next to nothing of the area: a pole between it and the outermost sample would
+/// cost a fit nothing, and spoil the pixels around it beyond all measure.
 void add_edge(const FitTask& task, std::vector<Correspondence>& samples) {
   constexpr int kAzimuths = 24;
-  constexpr double kInside = 1.0 - 1e-9;  // so that rounding keeps it in the domain
+  constexpr double kInside = 1.0 - 1e-7;  // so that rounding keeps it in the domain, where the lens folds, too
+  constexpr double kMostWeight = 1e-6;
   const ImageSize& size = task.domain.size;
-  const double weight = 0.25 / (static_cast<double>(size.width) * size.height);
+  const double weight = std::min(kMostWeight, 0.25 / (static_cast<double>(size.width) * size.height));
   const auto add = [&](const Pixel& pixel) {
     if (!size.holds(pixel)) return;
     if (const std::optional<Ray> ray = task.domain.ray(task.camera.model, pixel)) samples.push_back({*ray, pixel, weight});
@@ -47,10 +48,10 @@ void add_edge(const FitTask& task, std::vector<Correspondence>& samples) {
 /// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
 SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = nullptr) {
   std::vector<Correspondence> samples = sample(task.camera.model, task.domain, count);
-  if (has_poles(task.target.id)) add_edge(task, samples);
   SampledFit result;
   result.samples = samples.size();
   if (!too_few(samples.size(), task.target)) {
+    if (has_poles(task.target.id)) add_edge(task, samples);
     result.model = coarser != nullptr ? fit_from(coarser->model, samples, task.options.ranges)
                                       : fit_model(task.target.id, samples, task.centre, task.options.ranges);
   }

@@ -13,16 +13,9 @@ namespace fca {
 
 namespace internal {
 
-Score score_on_lattice(const Scorer& scorer) {
-  constexpr int kBinsPerOctave = 64;
-  Summary summary(kBinsPerOctave);
-  score_lattice(scorer, [&](const Batch& batch, std::size_t count) { summary.add(batch, count); });
-  return {summary.judgement(scorer.domain()), summary.worst()};
-}
+namespace {
 
-Score score_every_pixel(const Scorer& scorer) {
-  constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
-  Summary summary(kBinsPerOctave);
+void add_pixels(const Scorer& scorer, Summary& summary) {
   const ImageSize& size = scorer.domain().size;
   Batch batch;
   batch.weight.fill(1.0);
@@ -38,6 +31,49 @@ Score score_every_pixel(const Scorer& scorer) {
       summary.add(batch, count);
     }
   }
+}
+
+/// Is the error next to nothing but for a few places, of which a lattice has too few points to sum over it?
+bool is_steep(const ErrorSummary& error) {
+  constexpr double kSteep = 40.0;       // fits of the known cameras: up to 30
+  constexpr double kNobodySees = 1e-6;  // px
+  return error.max > kNobodySees && error.max > kSteep * error.rms;
+}
+
+/// Sums over all pixels in place of those over the lattice.
+void sum_over_pixels(const Scorer& scorer, Judgement& judgement) {
+  constexpr int kBinsPerOctave = 64;
+  Summary summary(kBinsPerOctave);
+  add_pixels(scorer, summary);
+  Judgement pixels = summary.judgement(scorer.domain());
+  if (pixels.coverage.scored == 0.0) return;
+  if (pixels.error.max < judgement.error.max) {
+    pixels.error.max = judgement.error.max;
+    pixels.error.max_at = judgement.error.max_at;
+  }
+  pixels.error.bound = judgement.error.bound;
+  for (std::size_t i = pixels.bands.size(); i < judgement.bands.size(); ++i) {
+    pixels.bands.push_back(judgement.bands[i]);
+    pixels.bands.back().share = 0.0;
+  }
+  for (std::size_t i = 0; i < judgement.bands.size(); ++i)
+    pixels.bands[i].max_px = std::max(pixels.bands[i].max_px, judgement.bands[i].max_px);
+  judgement = std::move(pixels);
+}
+
+}  // namespace
+
+Score score_on_lattice(const Scorer& scorer) {
+  constexpr int kBinsPerOctave = 64;
+  Summary summary(kBinsPerOctave);
+  score_lattice(scorer, [&](const Batch& batch, std::size_t count) { summary.add(batch, count); });
+  return {summary.judgement(scorer.domain()), summary.worst()};
+}
+
+Score score_every_pixel(const Scorer& scorer) {
+  constexpr int kBinsPerOctave = 1024;  // percentiles to 0.1 %
+  Summary summary(kBinsPerOctave);
+  add_pixels(scorer, summary);
   Score score{summary.judgement(scorer.domain()), summary.worst()};
   Coverage& coverage = score.judgement.coverage;
   coverage.scored_pixels = summary.count(Verdict::kScored);
@@ -50,14 +86,23 @@ Score score_every_pixel(const Scorer& scorer) {
   return score;
 }
 
+Judgement judge_all(const Scorer& scorer, Score score, const JudgeOptions& options) {
+  constexpr long long kMostPixels = 2'000'000;
+  if (options.every_pixel) score = score_every_pixel(scorer);
+  Judgement& judgement = score.judgement;
+  find_maximum(scorer, score.worst, options.bound, judgement);
+  const ImageSize& size = scorer.domain().size;
+  if (!options.every_pixel && is_steep(judgement.error) && 1LL * size.width * size.height <= kMostPixels)
+    sum_over_pixels(scorer, judgement);
+  return std::move(judgement);
+}
+
 }  // namespace internal
 
 namespace {
 
 Judgement judge_all(const internal::Scorer& scorer, const JudgeOptions& options) {
-  internal::Score score = options.every_pixel ? score_every_pixel(scorer) : score_on_lattice(scorer);
-  internal::find_maximum(scorer, score.worst, options.bound, score.judgement);
-  return std::move(score.judgement);
+  return internal::judge_all(scorer, options.every_pixel ? internal::Score() : internal::score_on_lattice(scorer), options);
 }
 
 }  // namespace

@@ -189,9 +189,9 @@ class Lattice {
   ImageSize size_;
   Pixel centre_{};
   std::vector<Line> spokes_;
-  std::vector<double> twice_areas_;  ///< Of the triangles for which the spokes stand.
-  std::vector<Part> parts_;          ///< Of all spokes.
-  std::vector<std::size_t> ends_;    ///< Of each spoke's.
+  std::vector<double> twice_areas_;                               ///< Of the triangles for which the spokes stand.
+  std::vector<Part> parts_;                                       ///< Of all spokes.
+  std::vector<std::size_t> ends_;                                 ///< Of each spoke's.
   std::array<const std::vector<Node>*, kMostNodes + 1> nodes_{};  ///< By their number.
 };
 

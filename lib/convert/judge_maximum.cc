@@ -2,6 +2,7 @@
 #include "judge_maximum.h"
 
 #include "bound.h"
+#include "judge_summary.h"
 #include "lens_edges.h"
 
 #include <algorithm>
@@ -49,13 +50,26 @@ Point climb(const Scorer& scorer, const Pixel& start) {
 
 namespace {
 
+/// The band of a point, be it that no point of the lattice lies in it: next to no share of the image.
+ErrorBand& band_of(const Point& point, std::vector<ErrorBand>& bands) {
+  constexpr double kBandRadians = Summary::kBandDegrees * std::numbers::pi / 180.0;
+  constexpr auto kLast = static_cast<std::size_t>(180.0 / Summary::kBandDegrees) - 1;
+  const double angle = std::acos(std::clamp(point.cosine, -1.0, 1.0));
+  const std::size_t band = std::min(kLast, static_cast<std::size_t>(angle / kBandRadians));
+  while (bands.size() <= band) {
+    const double from = Summary::kBandDegrees * static_cast<double>(bands.size());
+    bands.push_back({from, from + Summary::kBandDegrees, 0.0, 0.0, 0.0});
+  }
+  return bands[band];
+}
+
 void keep_if_worse(const Point& point, Judgement& result) {
   if (point.verdict != Verdict::kScored || point.error < result.error.max) return;
   result.error.max = point.error;
   result.error.max_at = point.pixel;
-  constexpr double kBandRadians = 10.0 * std::numbers::pi / 180.0;
-  const auto band = static_cast<std::size_t>(std::acos(std::clamp(point.cosine, -1.0, 1.0)) / kBandRadians);
-  if (band < result.bands.size()) result.bands[band].max_px = std::max(result.bands[band].max_px, point.error);
+  ErrorBand& band = band_of(point, result.bands);
+  band.max_px = std::max(band.max_px, point.error);
+  if (band.share == 0.0) band.rms_px = band.max_px;
 }
 
 double error_of(const Point& point) { return point.verdict == Verdict::kScored ? point.error : -1.0; }

@@ -10,7 +10,16 @@ namespace fca::internal {
 
 namespace {
 
-constexpr double kInside = 1.0 - 1e-9;  // so that rounding keeps it in the domain
+/// So that rounding keeps it in the domain. Where a lens folds, the radius hardly changes with the angle, and less does not.
+constexpr double kInside = 1.0 - 1e-9;
+constexpr double kInsideFold = 1.0 - 1e-7;
+
+/// The angle up to which pixels are scored, a hair inside.
+double scored_angle(const Scorer& scorer) {
+  double fold = max_angle(*scorer.source().model());
+  if (scorer.target() != nullptr) fold = std::min(fold, max_angle(*scorer.target()));
+  return std::min(kInside * std::min(scorer.domain().max_angle_rad, scorer.target_reach_rad()), kInsideFold * fold);
+}
 
 /// Does the image have rays beyond that angle, or none in its corners? Angles are largest there.
 bool ends_inside(const Scorer& scorer, double angle_rad) {
@@ -32,14 +41,15 @@ std::vector<LensEdge> lens_edges(const Scorer& scorer) {
     return pixel && size.holds(*pixel) ? pixel : std::nullopt;
   };
   std::vector<LensEdge> edges;
-  const double cone = std::min(scorer.domain().max_angle_rad, scorer.target_reach_rad());
+  const double cone = scored_angle(scorer);
   if (ends_inside(scorer, cone)) {
-    const auto at = [&scorer, in_image, angle = cone * kInside](double azimuth) {
-      const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
+    const auto at = [&scorer, in_image, cone](double azimuth) {
+      const Ray ray = {std::sin(cone) * std::cos(azimuth), std::sin(cone) * std::sin(azimuth), std::cos(cone)};
       return in_image(project(*scorer.source().model(), ray));
     };
     constexpr double kNear = 1e-5;
-    edges.push_back({at, [cosine = std::cos(cone)](const Point& point) { return point.cosine < cosine + kNear; }});
+    const double near = std::cos(cone) + kNear * (1.0 - std::cos(cone));
+    edges.push_back({at, [near](const Point& point) { return point.cosine < near; }});
   }
   if (const std::optional<LensCircle>& circle = scorer.domain().circle) {
     LensCircle inner = *circle;

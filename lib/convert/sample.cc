@@ -305,7 +305,8 @@ bool whole_image(const Rays& rays) {
 }  // namespace
 
 std::vector<Correspondence> sample(const Lens& source, const Domain& domain, int count) {
-  const Pixel centre = source.centre().point;
+  Pixel centre = source.centre().point;
+  if (!domain.is_lit(centre)) centre = domain.circle->centre;
   const bool centred =
       centre[0] > 0.0 && centre[1] > 0.0 && centre[0] < domain.size.width - 1.0 && centre[1] < domain.size.height - 1.0;
   const Rays rays(source, domain);

@@ -55,6 +55,16 @@ TEST(LensCircle, ItsLargestAngleIsThatOfItsFurthestPixel) {
   EXPECT_LE(domain->max_angle_rad, furthest * (1.0 + 1e-8));
 }
 
+TEST(LensCircle, NeedsNotHoldThePrincipalPoint) {
+  const Camera camera = test::lit_in(test::tumvi(), {60.0, 60.0}, 10.0);
+  for (const char* target : {"ucm", "eucm", "ds", "mei", "ocamcalib"}) {
+    const std::optional<Conversion> conversion = converted(camera, target);
+    ASSERT_TRUE(conversion) << target;
+    EXPECT_LE(conversion->report.judgement.error.rms, 0.02) << target;
+    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0) << target;
+  }
+}
+
 // A fit to what is lit is the best there: one to the cone around it, or to the whole image, bends for what is dark.
 TEST(LensCircle, AFitToItIsTheBestInIt) {
   const Camera camera = eccentric();

@@ -135,7 +135,8 @@ class FitTargetOf : public FitTarget {
     }
   }
   [[nodiscard]] bool has_poles() const override {
-    return requires { M::kHasPoles; };
+    if constexpr (requires { M::kHasPoles; }) return M::kHasPoles;
+    return false;
   }
   [[nodiscard]] bool focal_lengths_first() const override { return std::is_base_of_v<FocalLengthsFirst, M>; }
   [[nodiscard]] bool cheap_slopes() const override { return HasSlopes<M>; }
