@@ -210,8 +210,8 @@ void add_options(CLI::App& command, CompareArguments& arguments, std::function<E
                           ->type_name("FILE"));
   command
       .add_option("--max-error", arguments.max_error_px,
-                  "Exit with 1 if a camera's worst pixel is off by more, if a camera or a part of its image is missing, or if "
-                  "one of the mistakes that people make is found, in poses, IMU and times too")
+                  "Exit with 1 if a camera's worst pixel is off by more, if a camera or more than a thousandth of its image is "
+                  "missing, or if one of the mistakes that people make is found, in poses, IMU and times too")
       ->type_name("PX")
       ->check(decimal_number());
   command.add_flag("--strict", arguments.strict,

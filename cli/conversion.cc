@@ -79,7 +79,7 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
     // A pixel that is not there is off by more than any limit.
     constexpr double kNoticeable = 1e-3;
     const double missing = camera.report->judgement.coverage.unrepresentable;
-    if (missing > kNoticeable) {
+    if (missing > kNoticeable || (camera.report->fitted_to_cone && missing > 0.0)) {
       const double reach_deg = camera.report->scored_to_deg;
       outcome.diagnostics.error("error-limit",
                                 camera.source.name + ": " + percent(missing) + " of the image has no pixel or a wrong one as " +
@@ -91,9 +91,9 @@ void judge_limits(const ConvertArguments& arguments, ConvertOutcome& outcome) {
       outcome.code = ExitCode::kJudgedBad;
     }
     const double worst = camera.report->judgement.error.max;
-    if (worst <= *arguments.max_error_px) continue;
-    outcome.diagnostics.error("error-limit", camera.source.name + ": the worst pixel is off by " + pixels(worst) +
-                                                 " px, more than --max-error " + pixels(*arguments.max_error_px));
+    if (camera.report->exact || worst <= *arguments.max_error_px) continue;
+    outcome.diagnostics.error("error-limit", camera.source.name + ": the worst pixel is off by " + text::format_short(worst) +
+                                                 " px, more than --max-error " + text::format_short(*arguments.max_error_px));
     outcome.code = ExitCode::kJudgedBad;
   }
   if (arguments.strict && !outcome.written.losses.empty()) {

@@ -63,8 +63,10 @@ std::optional<std::string> problem_with(const WritingOptions& options) {
 
 void add_writing_options(CLI::App& command, WritingOptions& options) {
   command
-      .add_option("--sensor", options.sensor,
-                  "orbslam3: mono, stereo, rgbd, mono-inertial or stereo-inertial (default: the richest the input serves)")
+      .add_option(
+          "--sensor", options.sensor,
+          "orbslam3: mono, stereo, rgbd, mono-inertial, stereo-inertial or rgbd-inertial (default: the richest the input "
+          "serves)")
       ->type_name("MODE");
   command
       .add_option("--orbslam3-layout", options.orbslam3_layout,

@@ -56,7 +56,8 @@ class ImageCheck {
     const double down = v_ / (0.5 * (size_.height - 1));
     constexpr double kSame = 0.08;
     constexpr double kFarFromOne = 0.3;
-    if (across <= 0.0 || down <= 0.0 || std::abs(across / down - 1.0) > kSame || std::abs(across - 1.0) < kFarFromOne)
+    if (!(across > 0.0 && down > 0.0) || !std::isfinite(across + down) || std::abs(across / down - 1.0) > kSame ||
+        std::abs(across - 1.0) < kFarFromOne)
       return false;
     const double factor = 0.5 * (across + down);
     add(Severity::kError, "size-unlike-centre",

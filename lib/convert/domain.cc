@@ -200,7 +200,7 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
     domain.why = given->who;
   } else if (!border_is_covered(lens, size)) {
     domain.max_angle_rad = std::min(model_limit, limit);
-    domain.why = "the source model ends there, inside the image";
+    domain.why = given && limit < model_limit ? given->who : "the source model ends there, inside the image";
   } else {
     // Corners are lattice points, so this is the image's own largest angle; the slack keeps rounding from dropping them.
     domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);

@@ -17,8 +17,8 @@ using Micros = std::chrono::duration<double, std::micro>;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kAhead = std::numbers::pi / 2.0;
 
-/// Points of the domain's edge that stand for next to nothing of the area: a pole between it and the outermost sample would
-/// cost a fit nothing, and spoil the pixels around it beyond all measure.
+/// Points of the domain's edge that stand for next to nothing of the area: a pole between it and the outermost sample, or a
+/// radius that turns back there, would cost a fit nothing and spoil the pixels around it.
 void add_edge(const FitTask& task, std::vector<Correspondence>& samples) {
   constexpr int kAzimuths = 24;
   constexpr double kInside = 1.0 - 1e-7;  // so that rounding keeps it in the domain, where the lens folds, too
@@ -51,7 +51,7 @@ SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = null
   SampledFit result;
   result.samples = samples.size();
   if (!too_few(samples.size(), task.target)) {
-    if (has_poles(task.target.id)) add_edge(task, samples);
+    if (may_end_early(task.target.id)) add_edge(task, samples);
     result.model = coarser != nullptr ? fit_from(coarser->model, samples, task.options.ranges)
                                       : fit_model(task.target.id, samples, task.centre, task.options.ranges);
   }

@@ -109,6 +109,37 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
   if (unchanged && better(*unchanged, best)) best = std::move(unchanged);
 }
 
+/// Where the radius of the optimum, `best`, turns back before the last sample: the best of what has as much of a coefficient as
+/// keeps it from that.
+void bend_less(std::string_view id, std::string_view coefficient, std::span<const Correspondence> samples,
+               const LensCentre& centre, std::span<const ParameterRange> ranges, std::optional<FittedModel>& best) {
+  constexpr int kHalvings = 10;
+  std::vector<ParameterRange> fixed(ranges.begin(), ranges.end());
+  fixed.push_back({coefficient, 0.0, 0.0});
+  std::optional<FittedModel> grows = fit_from_own_starts(id, samples, centre, fixed);
+  const std::optional<FittedModel> turns = std::move(best);
+  best = turns;
+  if (grows && better(*grows, best)) best = grows;
+  if (!grows || !grows->reaches_all || !turns) return;
+  double furthest = 0.0;
+  for (const Correspondence& s : samples) furthest = std::max(furthest, angle_from_axis(s.ray));
+  double there = 0.0;
+  double too_far = *parameter(turns->model, coefficient);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double between = 0.5 * (there + too_far);
+    fixed.back() = {coefficient, between, between};
+    std::optional<FittedModel> fitted = fit_from(grows->model, samples, fixed);
+    if (fitted && max_angle(fitted->model) > furthest) {
+      there = between;
+      if (better(*fitted, best)) best = fitted;
+      grows = std::move(fitted);
+    } else {
+      too_far = between;
+    }
+  }
+  std::erase(best->at_bound, coefficient);
+}
+
 }  // namespace
 
 bool sees_ahead_only(std::string_view id) {
@@ -129,17 +160,13 @@ bool has_poles(std::string_view id) {
   return result;
 }
 
+bool may_end_early(std::string_view id) { return has_poles(id) || !bends_back(id).empty(); }
+
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
                                      std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
-  if (!best || !best->reaches_all) {
-    std::vector<ParameterRange> shorter(ranges.begin(), ranges.end());
-    if (const std::string_view bends = bends_back(id); !bends.empty()) shorter.push_back({bends, 0.0, 0.0});
-    if (shorter.size() > ranges.size()) {
-      std::optional<FittedModel> without = fit_from_own_starts(id, samples, centre, shorter);
-      if (without && better(*without, best)) best = std::move(without);
-    }
-  }
+  if (const std::string_view bends = bends_back(id); !bends.empty() && (!best || !best->reaches_all))
+    bend_less(id, bends, samples, centre, ranges, best);
   const std::string_view inner = contained_model(id);
   if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
   if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges)) {

@@ -36,6 +36,9 @@ struct FittedModel {
 /// Can a camera of that model have a pole inside its image?
 [[nodiscard]] bool has_poles(std::string_view id);
 
+/// May a fit of that model end, at a pole or where its radius turns back, between the outermost sample and the domain's edge?
+[[nodiscard]] bool may_end_early(std::string_view id);
+
 /// What a fit asks of that model.
 [[nodiscard]] std::unique_ptr<FitTarget> fit_target_of(const CameraModel& model);
 

@@ -40,6 +40,12 @@ void keep_better(std::optional<FoundFit> fit, std::optional<FoundFit>& best) {
   if (fit && (!best || is_better(*fit, *best))) best = std::move(fit);
 }
 
+/// Beyond this angle, lenses whose radius all but stops growing, a fold has a bottom on either side, whatever the error there.
+bool are_wide(std::span<const Correspondence> samples) {
+  constexpr double kWideCosine = -0.5;
+  return std::ranges::any_of(samples, [](const Correspondence& s) { return s.ray[2] < kWideCosine; });
+}
+
 /// Would no other start be better? One may be where a parameter ends at a bound, as the basin's bottom lies beyond it; and
 /// where next to nothing is left, but not nothing: then another basin holds the very lens, and looked as good on few samples.
 bool settled(const FoundFit& fit) {
@@ -131,7 +137,7 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
   if (candidates.empty()) return std::nullopt;
   polish_all(candidates, best);
   const std::optional<std::size_t> folded = target_.folded();
-  if (folded && best && !settled(*best) && best->at_bound.empty()) {
+  if (folded && best && best->at_bound.empty() && (!settled(*best) || are_wide(samples_))) {
     // Close to the fold a few samples do not tell its sides apart.
     Candidate found = candidates.front();
     found.values = best->parameters;
@@ -139,6 +145,7 @@ std::optional<FoundFit> Fitter::fit_starts(const LensCentre& centre) {
     std::vector<Candidate> beyond = {found};
     look_beyond_fold(*folded, beyond, full_);
     std::ranges::sort(beyond, {}, &Candidate::cost);
+    for (Candidate& candidate : beyond) candidate.is_rival = true;
     polish_all(beyond, best);
   }
   return best;
@@ -250,7 +257,7 @@ void Fitter::look_beyond_fold(std::size_t folded, std::vector<Candidate>& polish
   constexpr std::array kSteps = {0.15, -0.15, 0.4, -0.4, 0.06, -0.06, 0.02, -0.02, 0.1, -0.1, 0.03, -0.03, 0.7, -0.7};
   constexpr std::size_t kLikely = 2;
   const Candidate from = polished.front();
-  if (!from.on_all || from.cost > kNearlyExact) return;
+  if (!from.on_all || (from.cost > kNearlyExact && !are_wide(samples_))) return;
   const double exact = std::max(kExactCost, kKnown * from.cost);
   for (std::size_t i = 0; i < kSteps.size(); ++i) {
     if (polished.back().cost <= exact || from.cost <= kExactCost) return;

@@ -142,6 +142,40 @@ TEST(Convert, SharesAddUpToTheImage) {
   }
 }
 
+// The free optimum of these folds before the lens's edge. A fit that does not fold is there, by least squares with that
+// condition on the radial profile (numpy): 0.137 px, and 0.66 and 0.82 px inside 66 and 67 deg of TUM-VI's.
+TEST(Convert, RadtanIsHeldFromFoldingNoMoreThanItMust) {
+  struct Case {
+    Camera camera;
+    std::optional<double> max_angle_deg;
+    double rms_px;
+  };
+  const Camera held = test::make_camera(Intrinsics<Kb4>{{300.0, 300.0, 376.0, 240.0, 0.0, 0.0, 0.0, -0.3}}, {752, 480});
+  for (const Case& c : {Case{held, {}, 0.137}, Case{test::tumvi(), 66.0, 0.66}, Case{test::tumvi(), 67.0, 0.82}}) {
+    Diagnostics diagnostics;
+    const std::optional<Conversion> conversion = to(c.camera, "radtan", diagnostics, c.max_angle_deg);
+    ASSERT_TRUE(conversion);
+    EXPECT_TRUE(diagnostics.entries().empty());
+    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0);
+    EXPECT_LE(conversion->report.judgement.error.rms, 1.04 * c.rms_px);
+  }
+}
+
+// ds has two bottoms for a lens that sees nearly all around, .1 px deep both: what is best inside an angle is not worse there
+// than what is best inside a wider one.
+TEST(Convert, ANarrowerDomainIsFittedNoWorseThanAWiderOne) {
+  const Camera camera = test::make_camera(Intrinsics<Kb4>{{120.0, 120.0, 376.0, 376.0, 0.0, 0.0, 0.0, 0.0}}, {752, 752});
+  for (const double degrees : {148.0, 150.0, 151.0, 152.0, 155.0, 160.0}) {
+    Diagnostics diagnostics;
+    const std::optional<Conversion> narrow = to(camera, "ds", diagnostics, degrees);
+    const std::optional<Conversion> wide = to(camera, "ds", diagnostics, degrees + 1.0);
+    const std::optional<Domain> domain = domain_of(camera, degrees * test::kRadians, diagnostics);
+    ASSERT_TRUE(narrow && wide && domain);
+    const double rms = judge(camera.model, wide->camera.model, *domain).error.rms;
+    EXPECT_LE(narrow->report.judgement.error.rms, 1.005 * rms) << degrees;
+  }
+}
+
 TEST(Convert, ATargetThatCannotReachTheLensIsFittedToACone) {
   Diagnostics diagnostics;
   const std::optional<Conversion> conversion = to(test::tumvi(), "radtan", diagnostics, 97.5);

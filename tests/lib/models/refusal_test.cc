@@ -31,6 +31,18 @@ TEST(Refusal, AnswersAreNumbersWhateverThePixel) {
   });
 }
 
+// A pixel so far off that its square overflows is nobody's, least of all the axis'.
+TEST(Refusal, NoPixelFarAwayIsOnTheAxis) {
+  for_each_model([]<CameraModelType M>() {
+    for (const TestCamera<M>& camera : cameras_and_neighbours_of<M>(2)) {
+      for (const double u : {1e150, 1e160, 1e200, 1e300}) {
+        const auto ray = unproject(camera.intrinsics, {u, 0.0});
+        EXPECT_TRUE(!ray || angle_from_axis(*ray) > 0.1) << camera.name << " " << u;
+      }
+    }
+  });
+}
+
 TEST(Refusal, AnswersAreNumbersWhateverTheRay) {
   for_each_model([]<CameraModelType M>() {
     for (const TestCamera<M>& camera : cameras_of<M>()) {

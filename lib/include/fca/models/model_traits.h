@@ -96,7 +96,7 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///   kHasPoles                  (optional) true: its pixels may leave for infinity at an angle inside an image. A fit whose
 ///                              domain ends before one samples' edge is then none that reaches all of them.
 ///   kBendsBack                 (optional) the name of a coefficient that may bend the radius back before the edge of a wide
-///                              lens; a fit that does not reach the edge is tried with 0 there.
+///                              lens; a fit that does not reach the edge gets only as much of it as lets it.
 ///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them
 ///                              a range.
 ///

@@ -58,6 +58,8 @@ struct TangentialOver {
 
     const double limit = max_radius(q);
     const double radius = length(m[0], m[1]);
+    constexpr double kSquareOverflows = 1e150;
+    if (!(radius < kSquareOverflows)) return false;
     const auto radial = [q](double r, double& value, double& slope) {
       Radial::factor_and_slope(q, r * r, value, slope);
       slope = value + 2.0 * r * r * slope;
