@@ -35,7 +35,7 @@ void add_pixels(const Scorer& scorer, Summary& summary) {
 
 /// Is the error next to nothing but for a few places, of which a lattice has too few points to sum over it?
 bool is_steep(const ErrorSummary& error) {
-  constexpr double kSteep = 40.0;       // fits of the known cameras: up to 30
+  constexpr double kSteep = 150.0;      // corners of wide lenses: up to 60
   constexpr double kNobodySees = 1e-6;  // px
   return error.max > kNobodySees && error.max > kSteep * error.rms;
 }

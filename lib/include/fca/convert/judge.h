@@ -39,7 +39,7 @@ struct JudgeOptions {
 /// the image's border and has nothing to do with the points of a fit: spokes from the principal point, cut at the borders of
 /// the angle bands and at the edges of the lens and of the target's reach. Points are weighted by area, so that rms, bands and
 /// shares are the image's;
-/// small images are judged pixel by pixel, and so are those whose largest error is more than 40 times the rms (up to two
+/// small images are judged pixel by pixel, and so are those whose largest error is more than 150 times the rms (up to two
 /// megapixels): what is lost in so few places no lattice tells. The maximum is polished between lattice points and along the
 /// edge of the lens to 1e-3 px in position. Its bound is proven by branch and bound on enclosures of both models, for all rays
 /// of the domain (lib/convert/bound.h says how): typically 1 % above the maximum.
