@@ -127,7 +127,8 @@ void add_options(CLI::App& command, ConvertArguments& arguments, std::function<E
           "--max-error", arguments.max_error_px,
           "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
           "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if --max-angle or "
-          "--lens-circle says where it ends), a thousandth or more, has no pixel in the new model")
+          "--lens-circle says where it ends), more than a thousandth of it or what the fit had to give up, has no pixel in the "
+          "new model")
       ->type_name("PX")
       ->check(decimal_number());
   command.add_flag("--strict", arguments.strict, "Fail if anything of the input cannot be carried");

@@ -46,7 +46,7 @@ std::string error_text(const Judgement& judgement) {
   const bool all = judgement.coverage.unrepresentable <= kNoticeableShare;
   const std::string bound = std::isfinite(error.bound)
                                 ? "proven below " + pixels(error.bound) + (all ? " everywhere" : " where it was scored")
-                                : "which nothing proves";
+                                : "no bound is proven";
   return "rms " + pixels(error.rms) + " px, max " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " +
          fixed(error.max_at[1], 1) + "), " + bound;
 }

@@ -252,7 +252,7 @@ class Bounder {
   /// Strips on which both models are polynomials to what is asked, each as wide as the one before lets one expect.
   void add_strips() {
     double width = kFirstStrip;
-    for (double from = 0.0; from < max_angle_;) {
+    for (double from = 0.0; from < max_angle_ && !hopeless_;) {
       const double left = max_angle_ - from;
       const bool spent = result_.evaluations >= budget_;
       const double parts = spent ? 1.0 : std::ceil(left / width);
@@ -282,8 +282,8 @@ class Bounder {
   /// An evaluation of a strip takes as long as that many of cells.
   static constexpr int kStripCost = 50;
 
-  /// Times its width a strip would be as narrow as asked, about: less than 1 if it is too wide. What is left out shrinks like
-  /// that power of the width.
+  /// How many times as wide a strip may be, about, to leave out no more than is asked: less than 1 if it is too wide. What is
+  /// left out grows like the width to the power of kOrder.
   [[nodiscard]] double fitting_share(const Strip& strip) const {
     // Of the same camera all that counts is how steep it is.
     constexpr double kRough = 1e-3;  // px

@@ -113,18 +113,16 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
 /// keeps it from that.
 void bend_less(std::string_view id, std::string_view coefficient, std::span<const Correspondence> samples,
                const LensCentre& centre, std::span<const ParameterRange> ranges, std::optional<FittedModel>& best) {
-  constexpr int kHalvings = 10;
+  constexpr int kHalvings = 10;  // of the coefficient, to a thousandth
+  double too_far = best ? parameter(best->model, coefficient).value_or(0.0) : 0.0;
   std::vector<ParameterRange> fixed(ranges.begin(), ranges.end());
   fixed.push_back({coefficient, 0.0, 0.0});
   std::optional<FittedModel> grows = fit_from_own_starts(id, samples, centre, fixed);
-  const std::optional<FittedModel> turns = std::move(best);
-  best = turns;
   if (grows && better(*grows, best)) best = grows;
-  if (!grows || !grows->reaches_all || !turns) return;
+  if (!grows || !grows->reaches_all || too_far == 0.0) return;
   double furthest = 0.0;
   for (const Correspondence& s : samples) furthest = std::max(furthest, angle_from_axis(s.ray));
   double there = 0.0;
-  double too_far = *parameter(turns->model, coefficient);
   for (int i = 0; i < kHalvings; ++i) {
     const double between = 0.5 * (there + too_far);
     fixed.back() = {coefficient, between, between};

@@ -17,8 +17,8 @@ struct Score {
 [[nodiscard]] Score score_on_lattice(const Scorer& scorer);
 [[nodiscard]] Score score_every_pixel(const Scorer& scorer);
 
-/// Everything a judgement says, from what the lattice says; of every pixel if the options say so, or where the worst error is so
-/// far above the others that a lattice cannot tell how often it is met.
+/// Everything a judgement says, from what the lattice says; of every pixel if the options say so, or where the worst error is
+/// so far above the others that a lattice cannot tell how often it is met.
 [[nodiscard]] Judgement judge_all(const Scorer& scorer, Score lattice, const JudgeOptions& options);
 
 }  // namespace fca::internal

@@ -35,6 +35,16 @@ TEST(Check, AFindingHasItsPlaceConsequenceAndFix) {
   EXPECT_EQ(run.err, "");
 }
 
+TEST(Check, AnImageOfOnePixelIsComparedWithNothing) {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("one.yaml",
+                                       "cam0:\n  camera_model: pinhole\n  intrinsics: [300.0, 300.0, 0.0, 0.0]\n"
+                                       "  distortion_model: equidistant\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n"
+                                       "  resolution: [1, 1]\n");
+  const RunResult run = run_program({"check", one});
+  EXPECT_FALSE(contains(run.out + run.err, "nan")) << run.out;
+}
+
 TEST(Check, FoldersAreWalkedAndOtherFilesCounted) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "inner" / ".hidden");

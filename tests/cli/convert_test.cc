@@ -22,6 +22,11 @@ const std::string kPairReader = "read by ns15417/slam_no_opt, NOT by stock ORB-S
 const std::string kReaders =
     "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
 
+/// An EUCM lens that ends 106 degrees from its axis, inside the image.
+const std::string kWide =
+    "cam0:\n  camera_model: eucm\n  intrinsics: [0.8, 1.3, 300.0, 300.0, 640.0, 400.0]\n"
+    "  distortion_model: none\n  distortion_coeffs: []\n  resolution: [1280, 800]\n";
+
 using Json = rapidjson::Document;
 using Value = rapidjson::Value;
 
@@ -481,6 +486,30 @@ TEST(Convert, MaxErrorWantsEveryPixelOfTheLens) {
   EXPECT_TRUE(contains(whole.out, "error-limit"));
   EXPECT_EQ(with_angle("97.5").code, 1);
   EXPECT_EQ(with_angle("60").code, 0);
+}
+
+// However little of the lens a fit gave up; and what is the same camera is within any limit.
+TEST(Convert, MaxErrorKnowsNoSmallPartAndNoRounding) {
+  const TemporaryFolder folder;
+  const std::string wide = folder.write("wide.yaml", kWide);
+  const RunResult ds = run_program({"convert", wide, "--to", "kalibr", "--model", "ds", "--max-error", "1000", "--json"});
+  const Json json = json_of(ds);
+  const Value& domain = json["cameras"][0]["domain"];
+  ASSERT_GT(domain["unrepresentable_share"].GetDouble(), 0.0) << "another lens is wanted";
+  EXPECT_LT(domain["unrepresentable_share"].GetDouble(), 1e-3) << "another lens is wanted";
+  EXPECT_EQ(ds.code, 1) << ds.err;
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--max-error", "0"}).code, 0);
+}
+
+// The lens ends behind the angle that was given, beside what a coarse look at the image sees.
+TEST(Convert, TheDomainEndsForTheReasonGiven) {
+  const TemporaryFolder folder;
+  const std::string wide = folder.write("wide.yaml", kWide);
+  for (const char* angle : {"100", "105"}) {
+    const Json json =
+        json_of(run_program({"convert", wide, "--to", "kalibr", "--model", "kb4", "--max-angle", angle, "--json"}));
+    EXPECT_TRUE(contains(json["cameras"][0]["domain"]["why"].GetString(), "given")) << angle;
+  }
 }
 
 // What the advice says of a model is what a conversion to it reports.
