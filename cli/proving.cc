@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "proving.h"
 
+#include "at_once.h"
 #include "words.h"
 
 #include <fca/formats/mend.h>
@@ -106,7 +107,8 @@ void verify(const Rig& rig, const ConvertOutcome::Output& output, const ConvertA
     judged = true;
     const consumers::LoadOptions options = load_options(outcome.written);
     ProofResult proof = prove(*consumer, output.bytes, options, rig, output.cameras,
-                              max_angle_rad(arguments.reading).value_or(std::numbers::pi));
+                              max_angle_rad(arguments.reading).value_or(std::numbers::pi),
+                              [&arguments](std::size_t count, const auto& body) { at_once(count, arguments.jobs, body); });
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !arguments.into.empty()) &&

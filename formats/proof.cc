@@ -258,18 +258,22 @@ std::vector<std::string> differing_numbers(const Rig& rig, const consumers::Cons
 
 }  // namespace
 
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& body) {
+  for (std::size_t i = 0; i < count; ++i) body(i);
+}
+
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, std::span<const std::string> cameras, double max_angle_rad) {
+                  const Rig& rig, std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera) {
   Rig written = rig;
   written.cameras.clear();
   for (const std::string& name : cameras) {
     if (const Camera* camera = rig.find_camera(name)) written.cameras.push_back(*camera);
   }
-  return prove(consumer, bytes, options, written, max_angle_rad);
+  return prove(consumer, bytes, options, written, max_angle_rad, each_camera);
 }
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, double max_angle_rad) {
+                  const Rig& rig, double max_angle_rad, const ForEach& each_camera) {
   const consumers::ConsumerView view = consumer.load(bytes, options);
   ProofResult result;
   result.program = consumer.program;
@@ -278,10 +282,14 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.warnings = view.warnings;
   if (!result.loads) return result;
   // The rig's cameras by position: formats may rename them.
+  std::vector<Comparison> comparisons(std::min(rig.cameras.size(), view.cameras.size()));
+  each_camera(comparisons.size(), [&](std::size_t i) {
+    comparisons[i] = compare_camera(rig.cameras[i], view.cameras[i], consumer.tolerance_px, max_angle_rad);
+  });
   Comparison comparison;
-  for (std::size_t i = 0; i < std::min(rig.cameras.size(), view.cameras.size()); ++i) {
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const consumers::ConsumerCamera& theirs = view.cameras[i];
-    const Comparison one = compare_camera(rig.cameras[i], theirs, consumer.tolerance_px, max_angle_rad);
+    const Comparison& one = comparisons[i];
     comparison.add(one);
     const bool agrees = one.agrees && one.misread == 0.0 && (one.compared > 0.0 || one.asked == 0.0);
     result.cameras.push_back({rig.cameras[i].name, theirs.model, theirs.width, theirs.height, theirs.misread, agrees,

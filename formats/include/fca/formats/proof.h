@@ -6,6 +6,8 @@
 #include <fca/formats/consumers/consumer.h>
 #include <fca/rig/rig.h>
 
+#include <cstddef>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -56,15 +58,20 @@ struct ProofResult {
   [[nodiscard]] bool understood() const { return agrees() && misread_px == 0.0; }
 };
 
+/// Calls body(0) .. body(count - 1), which have nothing to do with each other.
+using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
+void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& body);
+
 /// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
 /// them? Compared are pixels, poses, and what other numbers both state. Rays: a lattice over each camera's image, up to
-/// `max_angle_rad` from the axis; what lies beyond is not asked about.
+/// `max_angle_rad` from the axis; what lies beyond is not asked about. `each_camera` may compare several at once.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras,
-                                double max_angle_rad = std::numbers::pi);
+                                double max_angle_rad = std::numbers::pi, const ForEach& each_camera = one_after_the_other);
 /// The same of all the rig's cameras.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
-                                const consumers::LoadOptions& options, const Rig& rig, double max_angle_rad = std::numbers::pi);
+                                const consumers::LoadOptions& options, const Rig& rig, double max_angle_rad = std::numbers::pi,
+                                const ForEach& each_camera = one_after_the_other);
 
 /// Who reads a file, for people.
 struct Readers {
