@@ -67,8 +67,8 @@ void put_judgement(Html& html, const ConvertedCamera& camera) {
     return;
   }
   line("error: ", error_text(j) + (report.exact ? ""
-                                                      : "; mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) +
-                                                            ", 95 % " + pixels(j.error.p95) + ", 99 % " + pixels(j.error.p99)));
+                                                : "; mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) +
+                                                      ", 95 % " + pixels(j.error.p95) + ", 99 % " + pixels(j.error.p99)));
   if (report.exact) return;
   if (!report.at_bound.empty()) line("at the edge of its range: ", enumerated(report.at_bound));
 }

@@ -94,7 +94,7 @@ Judgement judge_all(const Scorer& scorer, Score score, const JudgeOptions& optio
   const ImageSize& size = scorer.domain().size;
   if (!options.every_pixel && is_steep(judgement.error) && 1LL * size.width * size.height <= kMostPixels)
     sum_over_pixels(scorer, judgement);
-  return std::move(judgement);
+  return std::move(score.judgement);
 }
 
 }  // namespace internal
