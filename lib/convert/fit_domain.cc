@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fit_domain.h"
 
+#include "edge_samples.h"
+
 #include <fca/convert/sample.h>
 
 #include <algorithm>
@@ -17,41 +19,13 @@ using Micros = std::chrono::duration<double, std::micro>;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 constexpr double kAhead = std::numbers::pi / 2.0;
 
-/// Points of the domain's edge that stand for next to nothing of the area: a pole between it and the outermost sample, or a
-/// radius that turns back there, would cost a fit nothing and spoil the pixels around it.
-void add_edge(const FitTask& task, std::vector<Correspondence>& samples) {
-  constexpr int kAzimuths = 24;
-  constexpr double kInside = 1.0 - 1e-7;  // so that rounding keeps it in the domain, where the lens folds, too
-  constexpr double kMostWeight = 1e-6;
-  const ImageSize& size = task.domain.size;
-  const double weight = std::min(kMostWeight, 0.25 / (static_cast<double>(size.width) * size.height));
-  const auto add = [&](const Pixel& pixel) {
-    if (!size.holds(pixel)) return;
-    if (const std::optional<Ray> ray = task.domain.ray(task.camera.model, pixel)) samples.push_back({*ray, pixel, weight});
-  };
-  for (const double u : {0.0, size.width - 1.0}) {
-    for (const double v : {0.0, size.height - 1.0}) add({u, v});
-  }
-  for (int i = 0; i < kAzimuths; ++i) {
-    const double azimuth = 2.0 * std::numbers::pi * i / kAzimuths;
-    if (task.domain.circle) {
-      LensCircle inner = *task.domain.circle;
-      inner.radius_px *= kInside;
-      add(inner.rim(azimuth));
-    }
-    const double angle = task.domain.max_angle_rad * kInside;
-    const Ray ray = {std::sin(angle) * std::cos(azimuth), std::sin(angle) * std::sin(azimuth), std::cos(angle)};
-    if (const std::optional<Pixel> pixel = project(task.camera.model, ray)) add(*pixel);
-  }
-}
-
 /// Fits the target to about `count` samples of the domain: from its own starts, or where one to fewer samples ended.
 SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = nullptr) {
   std::vector<Correspondence> samples = sample(task.camera.model, task.domain, count);
   SampledFit result;
   result.samples = samples.size();
   if (!too_few(samples.size(), task.target)) {
-    if (may_end_early(task.target.id)) add_edge(task, samples);
+    if (may_end_early(task.target.id)) add_edge(task.camera.model, task.domain, samples);
     result.model = coarser != nullptr ? fit_from(coarser->model, samples, task.options.ranges)
                                       : fit_model(task.target.id, samples, task.centre, task.options.ranges);
   }

@@ -3,6 +3,7 @@
 // the domain, which a conversion asks for once, and the judge.
 #include "lib/convert/known_cameras.h"
 
+#include <convert/edge_samples.h>
 #include <convert/fit_model.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/sample.h>
@@ -30,7 +31,8 @@ void convert_core(benchmark::State& state, const Source& source, const std::stri
   const LensCentre centre{central_focal_lengths(source.camera.model), principal_point(source.camera.model)};
   std::optional<internal::FittedModel> fitted;
   for (auto _ : state) {
-    const std::vector<Correspondence> samples = sample(source.camera.model, *domain, kSamples);
+    std::vector<Correspondence> samples = sample(source.camera.model, *domain, kSamples);
+    if (internal::may_end_early(target)) internal::add_edge(source.camera.model, *domain, samples);
     fitted = internal::fit_model(target, samples, centre, {});
     benchmark::DoNotOptimize(fitted);
   }
