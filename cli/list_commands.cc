@@ -151,6 +151,7 @@ std::string candidates_json(const std::string& file, const std::vector<Camera>& 
     json.put("rms_px", j.error.rms);
     json.put("max_px", j.error.max);
     json.put("max_angle_deg", j.coverage.max_angle_deg);
+    json.put("scored_to_deg", candidate.conversion->report.scored_to_deg);
     json.put("scored_share", j.coverage.scored);
     json.put("outside_lens_share", j.coverage.outside_lens);
     json.put("unrepresentable_share", j.coverage.unrepresentable);
