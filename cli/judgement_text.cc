@@ -43,7 +43,7 @@ std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
 
 std::string error_text(const Judgement& judgement) {
   const ErrorSummary& error = judgement.error;
-  const bool all = judgement.coverage.unrepresentable <= kNoticeableShare;
+  const bool all = judgement.coverage.unrepresentable == 0.0;
   const std::string bound = std::isfinite(error.bound)
                                 ? "proven below " + pixels(error.bound) + (all ? " everywhere" : " where it was scored")
                                 : "no bound is proven";

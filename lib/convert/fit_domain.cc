@@ -26,8 +26,9 @@ SampledFit fit(const FitTask& task, int count, const FittedModel* coarser = null
   result.samples = samples.size();
   if (!too_few(samples.size(), task.target)) {
     if (may_end_early(task.target.id)) add_edge(task.camera.model, task.domain, samples);
-    result.model = coarser != nullptr ? fit_from(coarser->model, samples, task.options.ranges)
-                                      : fit_model(task.target.id, samples, task.centre, task.options.ranges);
+    result.model = coarser != nullptr
+                       ? fit_from(coarser->model, samples, task.options.ranges)
+                       : fit_model(task.target.id, samples, task.centre, task.options.ranges, Reach::kEverySample);
   }
   return result;
 }

@@ -109,33 +109,46 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
   if (unchanged && better(*unchanged, best)) best = std::move(unchanged);
 }
 
-/// Where the radius of the optimum, `best`, turns back before the last sample: the best of what has as much of a coefficient as
-/// keeps it from that.
-void bend_less(std::string_view id, std::string_view coefficient, std::span<const Correspondence> samples,
-               const LensCentre& centre, std::span<const ParameterRange> ranges, std::optional<FittedModel>& best) {
+/// A radius that turns back may do so within a hair of the edge, where samples have no weight: then the fit does not reach
+/// them.
+void ask_every_sample(std::span<const Correspondence> samples, std::optional<FittedModel>& fitted) {
+  if (!fitted || bends_back(model_info(fitted->model).id).empty()) return;
+  const double last = max_angle(fitted->model);
+  fitted->reaches_all = std::ranges::all_of(samples, [last](const Correspondence& s) { return angle_from_axis(s.ray) < last; });
+}
+
+bool allows_none(std::string_view coefficient, std::span<const ParameterRange> ranges) {
+  return std::ranges::all_of(ranges, [coefficient](const ParameterRange& range) {
+    return range.parameter != coefficient || (range.lower <= 0.0 && range.upper >= 0.0);
+  });
+}
+
+/// Where the radius of the optimum, `turning`, turns back before the last sample, or there is none: the best of what has no
+/// more of a coefficient than lets it grow; nothing if even without it the radius turns back.
+std::optional<FittedModel> bend_less(std::string_view id, std::string_view coefficient,
+                                     const std::optional<FittedModel>& turning, std::span<const Correspondence> samples,
+                                     const LensCentre& centre, std::span<const ParameterRange> ranges) {
   constexpr int kHalvings = 10;  // of the coefficient, to a thousandth
-  double too_far = best ? parameter(best->model, coefficient).value_or(0.0) : 0.0;
+  if (!allows_none(coefficient, ranges)) return std::nullopt;
   std::vector<ParameterRange> fixed(ranges.begin(), ranges.end());
   fixed.push_back({coefficient, 0.0, 0.0});
   std::optional<FittedModel> grows = fit_from_own_starts(id, samples, centre, fixed);
-  if (grows && better(*grows, best)) best = grows;
-  if (!grows || !grows->reaches_all || too_far == 0.0) return;
-  double furthest = 0.0;
-  for (const Correspondence& s : samples) furthest = std::max(furthest, angle_from_axis(s.ray));
+  ask_every_sample(samples, grows);
+  if (!grows || !grows->reaches_all || !turning) return grows;
   double there = 0.0;
-  for (int i = 0; i < kHalvings; ++i) {
+  double too_far = parameter(turning->model, coefficient).value_or(0.0);
+  for (int i = 0; i < kHalvings && too_far != there; ++i) {
     const double between = 0.5 * (there + too_far);
     fixed.back() = {coefficient, between, between};
-    std::optional<FittedModel> fitted = fit_from(grows->model, samples, fixed);
-    if (fitted && max_angle(fitted->model) > furthest) {
+    const std::optional<FittedModel> fitted = fit_from(grows->model, samples, fixed);
+    if (fitted && fitted->reaches_all && fitted->rms_px <= grows->rms_px) {
       there = between;
-      if (better(*fitted, best)) best = fitted;
-      grows = std::move(fitted);
+      grows = fitted;
     } else {
       too_far = between;
     }
   }
-  std::erase(best->at_bound, coefficient);
+  return grows;
 }
 
 }  // namespace
@@ -161,13 +174,16 @@ bool has_poles(std::string_view id) {
 bool may_end_early(std::string_view id) { return has_poles(id) || !bends_back(id).empty(); }
 
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
-                                     std::span<const ParameterRange> ranges) {
+                                     std::span<const ParameterRange> ranges, Reach reach) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
-  if (const std::string_view bends = bends_back(id); !bends.empty() && (!best || !best->reaches_all))
-    bend_less(id, bends, samples, centre, ranges, best);
+  if (reach == Reach::kEverySample) ask_every_sample(samples, best);
+  if (const std::string_view bends = bends_back(id); !bends.empty() && (!best || !best->reaches_all)) {
+    std::optional<FittedModel> grows = bend_less(id, bends, best, samples, centre, ranges);
+    if (grows && better(*grows, best)) best = std::move(grows);
+  }
   const std::string_view inner = contained_model(id);
   if (inner.empty() || (best && !may_be_beaten(*best, inner, samples, centre, ranges))) return best;
-  if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges)) {
+  if (const std::optional<FittedModel> contained = fit_model(inner, samples, centre, ranges, reach)) {
     if (const std::optional<CameraModel> start = convert_nearly(contained->model, id)) {
       // Next to the limit of a model its other parameters could grow beyond all measure, for a gain that nobody sees.
       constexpr double kNobodySees = 1e-5;  // px
@@ -189,6 +205,7 @@ std::optional<FittedModel> fit_from(const CameraModel& start, std::span<const Co
                                     std::span<const ParameterRange> ranges) {
   std::optional<FittedModel> best;
   improve_from(start, samples, ranges, best);
+  ask_every_sample(samples, best);
   return best;
 }
 

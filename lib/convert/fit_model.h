@@ -4,6 +4,7 @@
 #include <fca/convert/convert.h>
 #include <fca/convert/fit_target.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,13 +23,20 @@ struct FittedModel {
   std::vector<std::string> at_bound;
 };
 
+/// What a fit must reach to reach all.
+enum class Reach : std::uint8_t {
+  kAlmostAll,    ///< All samples but next to none of their weight: the very edge of a lens.
+  kEverySample,  ///< Those of no weight, too, which a conversion adds where a model may end early (edge_samples.h).
+};
+
 /// Fits the listed model of that id to the samples of a lens with that centre; nothing if no start leads to a camera.
 ///
 /// Never worse than the fit of a model that the target contains (pinhole in radtan, ucm in eucm, ...), but for a thousandth of
 /// a pixel: where the target's own starts fail, do not reach every sample or may have lost to the contained model, that is
 /// fitted, too, and what it finds is one more start.
 [[nodiscard]] std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples,
-                                                   const LensCentre& centre, std::span<const ParameterRange> ranges);
+                                                   const LensCentre& centre, std::span<const ParameterRange> ranges,
+                                                   Reach reach = Reach::kAlmostAll);
 
 /// Has no camera of that model a pixel for rays at 90 degrees from the axis and beyond?
 [[nodiscard]] bool sees_ahead_only(std::string_view id);

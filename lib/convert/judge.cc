@@ -40,25 +40,24 @@ bool is_steep(const ErrorSummary& error) {
   return error.max > kNobodySees && error.max > kSteep * error.rms;
 }
 
-/// Sums over all pixels in place of those over the lattice.
+/// Errors summed over all pixels in place of the lattice's; what part of the image they are of stays as it is.
 void sum_over_pixels(const Scorer& scorer, Judgement& judgement) {
   constexpr int kBinsPerOctave = 64;
   Summary summary(kBinsPerOctave);
   add_pixels(scorer, summary);
-  Judgement pixels = summary.judgement(scorer.domain());
+  const Judgement pixels = summary.judgement(scorer.domain());
   if (pixels.coverage.scored == 0.0) return;
-  if (pixels.error.max < judgement.error.max) {
-    pixels.error.max = judgement.error.max;
-    pixels.error.max_at = judgement.error.max_at;
+  const ErrorSummary polished = judgement.error;
+  judgement.error = pixels.error;
+  judgement.error.bound = polished.bound;
+  if (polished.max >= pixels.error.max) {
+    judgement.error.max = polished.max;
+    judgement.error.max_at = polished.max_at;
   }
-  pixels.error.bound = judgement.error.bound;
-  for (std::size_t i = pixels.bands.size(); i < judgement.bands.size(); ++i) {
-    pixels.bands.push_back(judgement.bands[i]);
-    pixels.bands.back().share = 0.0;
+  for (std::size_t i = 0; i < std::min(judgement.bands.size(), pixels.bands.size()); ++i) {
+    judgement.bands[i].rms_px = pixels.bands[i].rms_px;
+    judgement.bands[i].max_px = std::max(judgement.bands[i].max_px, pixels.bands[i].max_px);
   }
-  for (std::size_t i = 0; i < judgement.bands.size(); ++i)
-    pixels.bands[i].max_px = std::max(pixels.bands[i].max_px, judgement.bands[i].max_px);
-  judgement = std::move(pixels);
 }
 
 }  // namespace
@@ -86,9 +85,9 @@ Score score_every_pixel(const Scorer& scorer) {
   return score;
 }
 
-Judgement judge_all(const Scorer& scorer, Score score, const JudgeOptions& options) {
+Judgement judge_all(const Scorer& scorer, Score lattice, const JudgeOptions& options) {
   constexpr long long kMostPixels = 2'000'000;
-  if (options.every_pixel) score = score_every_pixel(scorer);
+  Score score = options.every_pixel ? score_every_pixel(scorer) : std::move(lattice);
   Judgement& judgement = score.judgement;
   find_maximum(scorer, score.worst, options.bound, judgement);
   const ImageSize& size = scorer.domain().size;

@@ -101,6 +101,20 @@ double possible_rise(double before, double here, double behind) {
   return kNoParabola * 0.125 * std::abs(before - 2.0 * here + behind);
 }
 
+/// Where an edge leaves the image between an azimuth and its neighbour, a step (rad, signed) away.
+Point end_of_edge(const Scorer& scorer, const LensEdge& edge, double azimuth, double step) {
+  constexpr double kFinest = 1e-9;  // rad
+  Point last;
+  for (double way = 0.5 * step; std::abs(way) > kFinest; way *= 0.5) {
+    const std::optional<Pixel> pixel = edge.at(azimuth + way);
+    if (!pixel) continue;
+    azimuth += way;
+    last.pixel = *pixel;
+    last.verdict = Verdict::kScored;
+  }
+  return last.verdict == Verdict::kScored ? scorer.at(last.pixel) : last;
+}
+
 /// The tops of an edge that may be higher than what was seen.
 void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
   constexpr int kAzimuths = 120;
@@ -108,13 +122,17 @@ void climb_edge(const Scorer& scorer, const LensEdge& edge, Judgement& result) {
   const std::vector<Point> rim = points_of(scorer, edge, kAzimuths);
   const double highest = std::max(result.error.max, error_of(std::ranges::max(rim, {}, error_of)));
   Point best;
+  const auto keep_worse = [&best](const Point& point) {
+    if (error_of(point) > error_of(best)) best = point;
+  };
   for (std::size_t i = 0; i < rim.size(); ++i) {
     const double here = error_of(rim[i]);
     const double before = error_of(rim[(i + rim.size() - 1) % rim.size()]);
     const double behind = error_of(rim[(i + 1) % rim.size()]);
+    if (here >= 0.0 && before < 0.0) keep_worse(end_of_edge(scorer, edge, kSpacing * static_cast<double>(i), -kSpacing));
+    if (here >= 0.0 && behind < 0.0) keep_worse(end_of_edge(scorer, edge, kSpacing * static_cast<double>(i), kSpacing));
     if (here < std::max(before, behind) || here + possible_rise(before, here, behind) < highest) continue;
-    const Point top = climb_along(scorer, edge, kSpacing * static_cast<double>(i), 0.5 * kSpacing, rim[i]);
-    if (error_of(top) > error_of(best)) best = top;
+    keep_worse(climb_along(scorer, edge, kSpacing * static_cast<double>(i), 0.5 * kSpacing, rim[i]));
   }
   if (best.verdict != Verdict::kScored) return;
   keep_if_worse(best, result);

@@ -19,7 +19,7 @@ struct LineSpan {
   [[nodiscard]] bool holds(double place) const { return place >= begin && place <= end; }
 };
 
-/// A line as it runs past a centre, in units of a border's radius.
+/// A line as it runs past a centre, in the plane in which borders are circles.
 class LinePast {
  public:
   /// start: from the centre to the line's begin; way: from there to its end.
@@ -36,7 +36,7 @@ class LinePast {
 /// but with tangential distortion. Where a line crosses them needs no search.
 class RadialBorders {
  public:
-  /// Nothing if that is not so of the source, or if it has no pixel at such an angle [rad].
+  /// Nothing if that is not so of the source. Of angles [rad] beyond its last the border is that of the last.
   [[nodiscard]] static std::optional<RadialBorders> of(const Lens& source, std::span<const double> angles);
 
   [[nodiscard]] LinePast past(const Line& line) const;

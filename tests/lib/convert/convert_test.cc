@@ -161,6 +161,22 @@ TEST(Convert, RadtanIsHeldFromFoldingNoMoreThanItMust) {
   }
 }
 
+// Whatever the angle, up to the whole degree at which the rms passes 1 px.
+TEST(Convert, RadtansConeIsTheLargest) {
+  const Camera camera = test::make_camera(Intrinsics<Kb4>{{250.0, 250.0, 376.0, 240.0, 0.0, 0.0, 0.0, 0.0}}, {752, 480});
+  for (const double degrees : {64.0, 64.25, 64.5, 64.75, 65.0, 65.25, 66.0}) {
+    Diagnostics diagnostics;
+    const std::optional<Conversion> conversion = to(camera, "radtan", diagnostics, degrees);
+    ASSERT_TRUE(conversion);
+    EXPECT_FALSE(conversion->report.fitted_to_cone) << degrees;
+    EXPECT_EQ(conversion->report.judgement.coverage.unrepresentable, 0.0) << degrees;
+    EXPECT_LE(conversion->report.judgement.error.rms, 1.0) << degrees;
+  }
+  const std::optional<Conversion> whole = to(camera, "radtan");
+  ASSERT_TRUE(whole);
+  EXPECT_NEAR(whole->report.scored_to_deg, 66.0, 1e-9);
+}
+
 // ds has two bottoms for a lens that sees nearly all around, .1 px deep both: what is best inside an angle is not worse there
 // than what is best inside a wider one.
 TEST(Convert, ANarrowerDomainIsFittedNoWorseThanAWiderOne) {

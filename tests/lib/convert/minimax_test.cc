@@ -236,5 +236,19 @@ TEST(Minimax, TheSameQuestionHasTheSameAnswer) {
   EXPECT_EQ(converted(c, Objective::kMax).camera, converted(c, Objective::kMax).camera);
 }
 
+// The least-squares fit of this one is summed over pixels, as its error sits in a corner; the other is no worse for being
+// summed over a lattice.
+TEST(Minimax, ASteepFitIsNotKept) {
+  const Camera camera = test::make_camera(Intrinsics<Kb4>{{75.1135380958, 75.1135380958, 79.5, 41.0, -0.0333760489974,
+                                                           -0.0119854105505, 0.00650021895677, -0.00726882954621}},
+                                          {159, 82});
+  const Case steep = {"steep", camera, 123.5337, "rational"};
+  const Conversion rms = converted(steep, Objective::kRms);
+  const Conversion max = converted(steep, Objective::kMax);
+  ASSERT_TRUE(max.report.rms_fit);
+  EXPECT_FALSE(max.report.rms_fit->kept);
+  EXPECT_LT(max.report.judgement.error.max, 0.1 * rms.report.judgement.error.max);
+}
+
 }  // namespace
 }  // namespace fca

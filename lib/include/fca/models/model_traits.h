@@ -93,8 +93,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              as a unit and an origin only.
 ///   kAheadOnly                 (optional) true: whatever the parameters, no ray at 90 degrees from the axis or beyond has a
 ///                              pixel. Nobody then tries to fit it to such rays.
-///   kHasPoles                  (optional) true: its pixels may leave for infinity at an angle inside an image. A fit whose
-///                              domain ends before one samples' edge is then none that reaches all of them.
+///   kHasPoles                  (optional) true: its pixels may leave for infinity at an angle inside an image. A fit that
+///                              misses any sample, of however little weight, then does not reach all of them.
 ///   kBendsBack                 (optional) the name of a coefficient that may bend the radius back before the edge of a wide
 ///                              lens; a fit that does not reach the edge gets only as much of it as lets it.
 ///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them
