@@ -136,7 +136,9 @@ void add_options(CLI::App& command, ConvertArguments& arguments, std::function<E
       "--verify", [](std::int64_t) {},
       "Ask the real program's reader about the bytes before they are put in place (the default)");
   command.add_flag("--no-verify", arguments.no_verify, "Do not ask it")->excludes(verify);
-  command.add_option("--jobs", arguments.jobs, "Inputs converted at the same time (default: as many as there are processors)")
+  command
+      .add_option("--jobs", arguments.jobs,
+                  "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--dry-run", arguments.dry_run, "Report, write nothing");

@@ -1,18 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "radial_borders.h"
 
+#include "bound_polar.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
+#include <variant>
 
 namespace fca::internal {
 
 namespace {
 
-bool has_tangential(const CameraModel& model) {
-  constexpr std::array<std::string_view, 2> kTangential = {"p1", "p2"};
-  return std::ranges::any_of(kTangential, [&](std::string_view name) { return parameter(model, name).value_or(0.0) != 0.0; });
+/// Is a pixel's azimuth about the centre that of its ray, whatever the angle? Where the bound knows no form of the model,
+/// nobody does.
+bool is_radial(const CameraModel& model) {
+  constexpr std::size_t kFirstOfTwice = 3;  // cos 2phi, sin 2phi: tangential distortion (bound_polar.h)
+  return std::visit(
+      []<class M>(const Intrinsics<M>& m) {
+        if constexpr (HasPolarForm<M>) {
+          PolarSeries form;
+          polar_form(m, angle_series({0.1, 0.0}), form);
+          return std::ranges::none_of(form.used,
+                                      [](const auto& used) { return used[kFirstOfTwice] || used[kFirstOfTwice + 1]; });
+        } else {
+          return false;
+        }
+      },
+      model);
 }
 
 std::optional<Pixel> pixel_at(const CameraModel& model, double angle, double azimuth) {
@@ -37,7 +52,7 @@ LineSpan LinePast::inside(double radius) const {
 
 std::optional<RadialBorders> RadialBorders::of(const Lens& source, std::span<const double> angles) {
   const CameraModel* model = source.model();
-  if (model == nullptr || has_tangential(*model)) return std::nullopt;
+  if (model == nullptr || !is_radial(*model)) return std::nullopt;
   // An angle of which every lens has pixels, or half of what this one has.
   const double last = max_angle(*model);
   const double unit = std::min(0.5, 0.5 * last);
