@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "check_command.h"
-#include "compare_command.h"
-#include "convert_command.h"
-#include "evaluate_command.h"
-#include "list_commands.h"
-#include "project_command.h"
-#include "remap_command.h"
-#include "report_command.h"
-#include "show_command.h"
-#include "words.h"
+#include "commands/check/check_command.h"
+#include "commands/compare/compare_command.h"
+#include "commands/convert/convert_command.h"
+#include "commands/evaluate/evaluate_command.h"
+#include "commands/lists/list_commands.h"
+#include "commands/points/project_command.h"
+#include "commands/remap/remap_command.h"
+#include "commands/report/report_command.h"
+#include "commands/show/show_command.h"
+#include "shell/words.h"
 
 #include <fca/formats/consumers/missing_module.h>
 

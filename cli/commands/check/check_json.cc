@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_command.h"
+#include "commands/convert/conversion_json.h"
+#include "shell/diagnostics_json.h"
+#include "shell/json.h"
+
+#include <set>
+
+namespace fca::cli {
+
+namespace {
+
+bool placed(const Finding& finding) { return finding.where.offset > 0 || finding.where.length > 0; }
+
+void put_finding(Json& json, const Finding& finding, const text::Source& source) {
+  json.put("severity", severity_name(finding.severity));
+  json.put("code", finding.code);
+  if (placed(finding)) {
+    const text::Position position = source.position(finding.where.offset);
+    json.put("line", position.line);
+    json.put("column", position.column);
+  }
+  json.put("message", finding.message);
+  json.put("consequence", finding.consequence);
+  json.put("fix", finding.fix);
+}
+
+void put_file(Json& json, const CheckedFile& file, const Console& console) {
+  const CheckReport& report = file.report;
+  json.put("file", file.source.name);
+  report.format != nullptr ? json.put("format", report.format->id) : json.null("format");
+  json.array("findings", report.findings,
+             [&](const Finding& finding) { json.object([&] { put_finding(json, finding, file.source); }); });
+  json.put("checked", std::span<const std::string>(report.checked));
+  json.array("undecided", report.undecided, [&](const Undecided& undecided) {
+    json.object([&] {
+      json.put("code", undecided.code);
+      json.put("question", undecided.question);
+      json.put("why", undecided.why);
+    });
+  });
+  if (file.instead) json.object("conversion", [&] { put_conversion(json, *file.instead, console); });
+}
+
+/// A path as SARIF wants it (RFC 3986): absolute ones as file://, everything but plain letters encoded.
+std::string uri_of(std::string_view path) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string uri = path.starts_with("/") ? "file://" : "";
+  for (const char c : path) {
+    if (kPlain.find(c) != std::string_view::npos) {
+      uri += c;
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      uri += {'%', kDigits[byte / 16U], kDigits[byte % 16U]};
+    }
+  }
+  return uri;
+}
+
+/// SARIF's word for a severity.
+std::string_view level(Severity severity) { return severity_name(severity); }
+
+void put_result(Json& json, const Finding& finding, const text::Source& source) {
+  json.put("ruleId", finding.code);
+  json.put("level", level(finding.severity));
+  const std::string text = finding.message + (finding.consequence.empty() ? "" : "\nIf used: " + finding.consequence) +
+                           (finding.fix.empty() ? "" : "\nFix: " + finding.fix);
+  json.object("message", [&] { json.put("text", text); });
+  json.array("locations", std::initializer_list<int>{0}, [&](int) {
+    json.object([&] {
+      json.object("physicalLocation", [&] {
+        json.object("artifactLocation", [&] { json.put("uri", uri_of(source.name)); });
+        if (!placed(finding)) return;
+        const text::Position first = source.position(finding.where.offset);
+        const text::Position last = source.position(finding.where.offset + finding.where.length);
+        json.object("region", [&] {
+          json.put("startLine", first.line);
+          json.put("startColumn", first.column);
+          json.put("endLine", last.line);
+          json.put("endColumn", last.column);
+        });
+      });
+    });
+  });
+}
+
+void put_rule(Json& json, const CheckCode& code) {
+  json.put("id", code.code);
+  json.object("shortDescription", [&] { json.put("text", code.title); });
+  if (!code.story.empty()) json.object("help", [&] { json.put("text", code.story); });
+}
+
+}  // namespace
+
+std::string check_json(const CheckedFiles& checked, const Console& console) {
+  Json json;
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    json.array("files", checked.files, [&](const CheckedFile& file) { json.object([&] { put_file(json, file, console); }); });
+    json.put("skipped", std::span<const std::string>(checked.skipped));
+  });
+  return json.document();
+}
+
+std::string check_sarif(const CheckedFiles& checked) {
+  std::set<std::string_view> codes;
+  for (const CheckedFile& file : checked.files) {
+    for (const Finding& finding : file.report.findings) codes.insert(finding.code);
+  }
+  Json json;
+  json.object([&] {
+    json.put("$schema", "https://json.schemastore.org/sarif-2.1.0.json");
+    json.put("version", "2.1.0");
+    json.array("runs", std::initializer_list<int>{0}, [&](int) {
+      json.object([&] {
+        json.object("tool", [&] {
+          json.object("driver", [&] {
+            json.put("name", "fca-io");
+            json.put("version", FCA_VERSION);
+            json.array("rules", codes, [&](std::string_view code) {
+              if (const CheckCode* known = find_check_code(code)) json.object([&] { put_rule(json, *known); });
+            });
+          });
+        });
+        json.put("columnKind", "unicodeCodePoints");
+        std::vector<std::pair<const Finding*, const text::Source*>> results;
+        for (const CheckedFile& file : checked.files) {
+          for (const Finding& finding : file.report.findings) results.emplace_back(&finding, &file.source);
+        }
+        json.array("results", results,
+                   [&](const auto& result) { json.object([&] { put_result(json, *result.first, *result.second); }); });
+      });
+    });
+  });
+  return json.document();
+}
+
+}  // namespace fca::cli

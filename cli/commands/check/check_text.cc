@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "check_command.h"
+#include "shell/words.h"
+#include "toolkit/conversion_preview.h"
+
+#include <fca/formats/text/render.h>
+
+#include <algorithm>
+#include <span>
+
+namespace fca::cli {
+
+namespace {
+
+std::size_t count_of(const CheckReport& report, Severity severity) {
+  return static_cast<std::size_t>(std::ranges::count(report.findings, severity, &Finding::severity));
+}
+
+std::string verdict(const CheckReport& report) {
+  std::vector<std::string> parts;
+  const std::size_t errors = count_of(report, Severity::kError);
+  const std::size_t warnings = count_of(report, Severity::kWarning);
+  const std::size_t notes = count_of(report, Severity::kNote);
+  if (errors > 0) parts.push_back(counted(errors, "error"));
+  if (warnings > 0) parts.push_back(counted(warnings, "warning"));
+  if (notes > 0) parts.push_back(counted(notes, "note"));
+  return parts.empty() ? "nothing wrong found" : enumerated(parts);
+}
+
+std::string finding_text(const Finding& finding, const text::Source& source) {
+  std::string text = text::render({finding.severity, finding.code, finding.message, {}, finding.where}, std::span(&source, 1));
+  if (!finding.consequence.empty()) text += paragraph("if used: " + finding.consequence, "    ");
+  if (!finding.fix.empty()) text += paragraph("fix: " + finding.fix, "    ");
+  return text;
+}
+
+std::string readers_line(const Readers& readers) {
+  std::vector<std::string> names;
+  for (const Readers::Program& program : readers.programs) {
+    if (program.loads)
+      names.push_back(program.program + (program.sensors.empty() ? "" : " (" + enumerated(program.sensors) + ")"));
+  }
+  return names.empty() ? "" : paragraph("read by " + enumerated(names), "  ");
+}
+
+}  // namespace
+
+std::string check_text(const CheckedFile& file) {
+  const CheckReport& report = file.report;
+  std::string text = text::printable(file.source.name) + ": ";
+  text += report.format == nullptr ? "" : std::string(report.format->title) + " (" + report.why + "); ";
+  text += verdict(report) + "\n";
+  for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
+  if (report.format == nullptr) return text;
+  if (file.instead) text += preview_text(*file.instead, "  ");
+  text += readers_line(report.readers);
+  if (!report.checked.empty()) text += paragraph("checked: " + enumerated(report.checked), "  ");
+  for (const Undecided& undecided : report.undecided)
+    text += paragraph("not decidable: " + undecided.question + "; " + undecided.why, "  ");
+  return text;
+}
+
+std::string check_summary(const CheckedFiles& checked) {
+  if (checked.files.size() < 2 && checked.skipped.empty()) return "";
+  std::size_t calibrations = 0;
+  std::size_t bad = 0;
+  std::size_t doubtful = 0;
+  for (const CheckedFile& file : checked.files) {
+    if (!file.report.is_calibration) continue;
+    ++calibrations;
+    const bool error = file.report.has(Severity::kError);
+    bad += error ? 1 : 0;
+    doubtful += !error && file.report.has(Severity::kWarning) ? 1 : 0;
+  }
+  std::string text = "\n" + counted(calibrations, "calibration") + " checked: " + std::to_string(bad) + " with errors, " +
+                     std::to_string(doubtful) + " with warnings, " + std::to_string(calibrations - bad - doubtful) + " without";
+  if (checked.skipped.empty()) return text + "\n";
+  const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
+  return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";
+}
+
+std::string explanation(const CheckCode& code) {
+  std::string text = std::string(code.code) + ": " + std::string(code.title) + "\n";
+  if (!code.consequence.empty()) text += "\n" + paragraph("if used: " + std::string(code.consequence), "");
+  if (!code.story.empty()) text += "\n" + std::string(code.story) + "\n";
+  return text;
+}
+
+}  // namespace fca::cli

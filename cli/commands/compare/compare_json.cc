@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare_command.h"
+#include "shell/diagnostics_json.h"
+#include "shell/json.h"
+#include "shell/judgement_json.h"
+#include "shell/words.h"
+
+namespace fca::cli {
+
+namespace {
+
+std::array<double, 2> pair_of(const ImageSize& size) {
+  return {static_cast<double>(size.width), static_cast<double>(size.height)};
+}
+
+void put_difference(Json& json, const CameraDifference& difference, bool identical) {
+  if (!identical && !(difference.judgement.coverage.scored > 0.0)) {  // no pixel has a ray in both
+    for (const char* key : {"error_px", "error_deg", "bands", "same_to_deg"}) json.null(key);
+    return;
+  }
+  put_error(json, difference.judgement.error);
+  json.object("error_deg", [&] {
+    json.put("rms", difference.angle.rms_deg);
+    json.put("max", difference.angle.max_deg);
+    json.put("max_at", std::span<const double>(difference.angle.max_at));
+  });
+  std::size_t i = 0;
+  json.array("bands", difference.judgement.bands, [&](const ErrorBand& band) {
+    json.object([&] {
+      put_band(json, band);
+      const bool known = i < difference.angle.bands.size();
+      json.put("rms_deg", known ? std::optional(difference.angle.bands[i].rms_deg) : std::nullopt);
+      json.put("max_deg", known ? std::optional(difference.angle.bands[i].max_deg) : std::nullopt);
+      ++i;
+    });
+  });
+  json.put("same_to_deg", difference.same_to_deg);
+}
+
+void put_camera(Json& json, const CameraComparison& camera) {
+  json.put("name", camera.reference);
+  json.put("other_name", camera.other);
+  json.put("from_model", camera.reference_model);
+  json.put("to_model", camera.other_model);
+  json.put("image_size_px", std::span<const double>(pair_of(camera.size)));
+  json.put("size_assumed", camera.size_assumed);
+  if (camera.other_size) {
+    json.put("scaled_from_px", std::span<const double>(pair_of(*camera.other_size)));
+  } else {
+    json.null("scaled_from_px");
+  }
+  json.put("identical", camera.identical);
+  put_domain(json, camera.difference.judgement.coverage, camera.scored_to_deg);
+  put_difference(json, camera.difference, camera.identical);
+  if (!camera.rotated) {
+    json.null("rotated");
+    return;
+  }
+  json.object("rotated", [&] {
+    json.put("angle_deg", camera.rotated->angle_rad * kDegreesPerRadian);
+    const auto& vector = camera.rotated->vector_rad;
+    json.put("vector_rad", std::span<const double>(vector));
+    json.put("in_words", rotation_in_words(*camera.rotated));
+    put_difference(json, camera.rotated->difference, false);
+  });
+}
+
+/// Is there nothing that differs, or that only one of them says?
+bool is_identical(const ComparedFile& compared) {
+  return compared.comparison && compared.code <= ExitCode::kJudgedBad && compared.comparison->identical() &&
+         !inverses_differ(compared) && compared.comparison->only_in_reference.empty() &&
+         compared.comparison->only_in_other.empty();
+}
+
+void put_comparison(Json& json, const RigComparison& comparison) {
+  json.array("mistakes", comparison.mistakes, [&](const Mistake& mistake) {
+    json.object([&] {
+      json.put("code", mistake.code);
+      json.put("subject", mistake.subject);
+      json.put("message", sentence(mistake));
+    });
+  });
+  json.array("cameras", comparison.cameras,
+             [&](const CameraComparison& camera) { json.object([&] { put_camera(json, camera); }); });
+  json.array("poses", comparison.poses, [&](const PoseComparison& pose) {
+    json.object([&] {
+      json.put("a", pose.a);
+      json.put("b", pose.b);
+      json.put("rotation_deg", pose.angle_rad * kDegreesPerRadian);
+      json.put("translation_m", pose.distance_m);
+      json.put("reference_length_m", pose.reference_length_m);
+      json.put("length_m", pose.other_length_m);
+      json.put("identical", pose.same_but_for_rounding());
+    });
+  });
+  json.array("numbers", comparison.facts, [&](const FactComparison& fact) {
+    json.object([&] {
+      json.put("owner", fact.owner);
+      json.put("name", fact.name);
+      json.put("unit", fact.unit);
+      json.put("reference", fact.reference);
+      json.put("value", fact.other);
+    });
+  });
+  json.put("only_in_reference", std::span<const std::string>(comparison.only_in_reference));
+  json.put("only_in_file", std::span<const std::string>(comparison.only_in_other));
+}
+
+}  // namespace
+
+std::string compare_json(const ReferenceFile& reference, const std::vector<ComparedFile>& files, const Console& console) {
+  Json json;
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    json.put("reference", reference.file);
+    reference.calibration ? json.put("format", reference.calibration->format->id) : json.null("format");
+    json.array("files", files, [&](const ComparedFile& compared) {
+      json.object([&] {
+        json.put("file", compared.file);
+        compared.calibration ? json.put("format", compared.calibration->format->id) : json.null("format");
+        json.put("exit_code", static_cast<int>(compared.code));
+        json.put("verdict", compared.verdict);
+        json.put("identical", is_identical(compared));
+        json.put("inverse_px", compared.inverse_px);
+        put_comparison(json, compared.comparison.value_or(RigComparison()));
+        put_diagnostics(json, compared.diagnostics, console);
+      });
+    });
+    put_diagnostics(json, reference.diagnostics, console);
+  });
+  return json.document();
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a comparison comes to, in one line.
+#include "compare_command.h"
+#include "shell/words.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fca::cli {
+
+namespace {
+
+/// Rounding is no difference: 1.8e-14 deg reads as 0.
+double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
+std::string in_degrees(double radians) { return text::format_short(without_rounding(radians) * kDegreesPerRadian, 3) + " deg"; }
+std::string in_millimetres(double metres) { return text::format_short(without_rounding(metres) * 1000.0, 3) + " mm"; }
+std::string in_tenths(double degrees) { return fixed(degrees, 1) + " deg"; }
+
+bool same(const CameraComparison& camera) {
+  const Judgement& judgement = camera.difference.judgement;
+  return camera.identical || camera.difference.same_to_deg >= judgement.coverage.max_angle_deg;
+}
+
+/// "the cameras are the same (within 0.12 px)"
+std::string same_cameras(const std::vector<CameraComparison>& cameras) {
+  double worst = 0.0;
+  for (const CameraComparison& camera : cameras) worst = std::max(worst, camera.difference.judgement.error.max);
+  const std::string what = cameras.size() == 1 ? "the same camera" : "the same cameras";
+  return worst == 0.0 ? what : what + ", within " + pixels(worst) + " px";
+}
+
+/// "cam0 is up to 4.2 px off"
+std::string different_camera(const CameraComparison& camera) {
+  const CameraDifference& difference = camera.difference;
+  if (!(difference.judgement.coverage.scored > 0.0)) return camera.other + " shares no ray with the reference's";
+  constexpr double kNoticeable = 1.0;
+  std::string text = camera.other + " ";
+  if (difference.same_to_deg >= kNoticeable) {
+    text += "is the same camera up to " + in_tenths(difference.same_to_deg) + " from the axis, beyond ";
+  } else {
+    text += "is ";
+  }
+  text += "up to " + pixels(difference.judgement.error.max) + " px off";
+  const double lost = difference.judgement.coverage.unrepresentable;
+  if (lost > 0.0005) text += ", and has no pixel for " + percent(lost) + " of the image";
+  if (!camera.rotated) return text;
+  // The best rotation makes the rms smallest; the largest error may grow by it.
+  const double before = difference.judgement.error.rms;
+  const double after = camera.rotated->difference.judgement.error.rms;
+  constexpr double kExplains = 0.5;
+  if (after < kExplains * before) {
+    text += ", rms " + pixels(before) + " (" + pixels(after) + " with a turn of " + in_degrees(camera.rotated->angle_rad) +
+            " undone)";
+  }
+  return text;
+}
+
+/// The poses furthest apart.
+std::string different_poses(const std::vector<PoseComparison>& poses) {
+  const auto angle = std::ranges::max_element(poses, {}, &PoseComparison::angle_rad);
+  const auto distance = std::ranges::max_element(poses, {}, &PoseComparison::distance_m);
+  if (angle == poses.end()) return "";
+  if (std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding)) return "the same poses";
+  const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
+  if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
+    return in_words(distance->distance_m == 0.0 ? *angle : *distance);
+  }
+  return name(*angle) + " differs by " + in_degrees(angle->angle_rad) + ", " + name(*distance) + " by " +
+         in_millimetres(distance->distance_m);
+}
+
+}  // namespace
+
+std::string in_words(const PoseComparison& pose) {
+  return "T_" + pose.a + "_" + pose.b + " differs by " + in_degrees(pose.angle_rad) + " and " + in_millimetres(pose.distance_m);
+}
+
+std::string in_words(const FactComparison& fact) {
+  const std::string what = (fact.owner.empty() ? "" : fact.owner + " ") + fact.name + " ";
+  if (fact.unit == "s")
+    return what + "differs by " + text::format_short(std::abs(fact.other - fact.reference) * 1000.0, 3) + " ms";
+  if (fact.unit == "m") return what + "differs by " + in_millimetres(std::abs(fact.other - fact.reference));
+  return what + "is " + text::format_short(fact.other / fact.reference, 3) + " times the reference's";
+}
+
+namespace {
+
+/// One for each kind: "cam0 has ... (cam1 as well)".
+std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
+  std::vector<std::string> result;
+  for (auto first = mistakes.begin(); first != mistakes.end(); ++first) {
+    const auto like_first = [&first](const Mistake& mistake) { return mistake.message == first->message; };
+    if (std::find_if(mistakes.begin(), first, like_first) != first) continue;
+    std::vector<std::string> others;
+    for (auto other = std::next(first); other != mistakes.end(); ++other) {
+      if (like_first(*other)) others.push_back(other->subject);
+    }
+    result.push_back(sentence(*first) + (others.empty() ? "" : " (" + enumerated(others, "and") + " as well)"));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string sentence(const Mistake& mistake) { return mistake.subject + " " + mistake.message; }
+
+bool inverses_differ(const ComparedFile& compared) {
+  if (!compared.inverse_px || !compared.comparison) return false;
+  double directions = 0.0;
+  for (const CameraComparison& camera : compared.comparison->cameras)
+    directions = std::max(directions, camera.identical ? 0.0 : camera.difference.judgement.error.max + kSamePx);
+  return *compared.inverse_px > directions;
+}
+
+std::string verdict_of(const ComparedFile& compared) {
+  const RigComparison& comparison = *compared.comparison;
+  const bool inverse = inverses_differ(compared);
+  const std::string of_inverse =
+      inverse ? "the inverse polynomials (world2cam) differ by up to " + pixels(*compared.inverse_px) + " px" : "";
+  constexpr std::size_t kMost = 3;
+  std::vector<std::string> parts;
+  if (!comparison.mistakes.empty()) {
+    parts = sentences(comparison.mistakes);
+    if (inverse) parts.push_back(of_inverse);
+  } else if (comparison.identical()) {
+    if (inverse) return "the same directions, but " + of_inverse;
+    const bool all = comparison.only_in_reference.empty() && comparison.only_in_other.empty();
+    return all ? "the same" : "the same in all that both state";
+  } else {
+    const bool all_same = std::ranges::all_of(comparison.cameras, same);
+    if (all_same && !comparison.cameras.empty()) parts.push_back(same_cameras(comparison.cameras));
+    for (const CameraComparison& camera : comparison.cameras) {
+      if (!same(camera)) parts.push_back(different_camera(camera));
+    }
+    if (inverse) parts.push_back(of_inverse);
+    if (const std::string poses = different_poses(comparison.poses); !poses.empty()) parts.push_back(poses);
+    for (const FactComparison& fact : comparison.facts) {
+      if (!fact.same_but_for_rounding()) parts.push_back(in_words(fact));
+    }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kMost, parts.size()); ++i) text += (i == 0 ? "" : "; ") + parts[i];
+  if (parts.size() > kMost) text += "; and " + std::to_string(parts.size() - kMost) + " more";
+  const bool assumed = std::ranges::any_of(
+      comparison.cameras, [](const CameraComparison& camera) { return camera.size_assumed && !camera.identical; });
+  return assumed ? text + " (for an assumed image size)" : text;
+}
+
+std::string rotation_in_words(const BestRotation& rotation) {
+  struct Axis {
+    double radians;
+    const char* positive;
+    const char* negative;
+  };
+  // Ahead is z: about x (right) it goes up, about y (down) to the right; about z, right goes down.
+  const std::array axes = {Axis{rotation.vector_rad[1], "to the right", "to the left"},
+                           Axis{rotation.vector_rad[0], "up", "down"},
+                           Axis{rotation.vector_rad[2], "clockwise", "counter-clockwise"}};
+  std::vector<std::string> parts;
+  for (const Axis& axis : axes) {
+    // A hundredth of the whole says nothing.
+    if (std::abs(axis.radians) < 0.01 * rotation.angle_rad || axis.radians == 0.0) continue;
+    parts.push_back(text::format_short(std::abs(axis.radians) * kDegreesPerRadian, 3) + " " +
+                    (axis.radians > 0.0 ? axis.positive : axis.negative));
+  }
+  return in_degrees(rotation.angle_rad) + (parts.empty() ? "" : ": its rays lie " + enumerated(parts, "and"));
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "batch.h"
+
+#include "shell/progress.h"
+#include "shell/words.h"
+#include "toolkit/at_once.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace fca::cli {
+
+namespace {
+
+/// Inputs that are converted together.
+struct Group {
+  std::vector<std::string> files;
+  bool named = true;  ///< By the user; false: met in a folder or by a pattern.
+};
+
+std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments) {
+  std::vector<Group> groups;
+  for (const FoundFile& file : inputs) {
+    if (groups.empty() || !arguments.reading.join) groups.push_back({{}, file.named});
+    groups.back().files.push_back(file.path);
+  }
+  return groups;
+}
+
+bool holds_no_camera(const ConvertOutcome& outcome) {
+  return std::ranges::any_of(outcome.diagnostics.entries(), [](const Diagnostic& entry) {
+    return entry.code == "unknown-format" || entry.code == "no-camera" || entry.code == "no-calibration";
+  });
+}
+
+/// Of ten thousand conversions only what is still to be written and told is kept.
+void forget(ConvertOutcome& outcome, bool in_full) {
+  for (Written::File& file : outcome.written.files) file.document = text::Document({}, file.document.syntax(), {});
+  if (in_full) return;
+  outcome.written.losses = {};
+  outcome.written.defaults = {};
+  outcome.proofs = {};
+}
+
+std::string models(const ConvertOutcome& outcome) {
+  std::vector<std::string> said;
+  for (const CameraOutcome& camera : outcome.cameras) {
+    const std::string from(model_info(camera.source.model).id);
+    const std::string to(model_info(camera.target.model).id);
+    const std::string one = from == to ? to : from + " -> " + to;
+    if (std::ranges::find(said, one) == said.end()) said.push_back(one);
+  }
+  return enumerated(said);
+}
+
+/// The largest of a figure over the cameras that were judged.
+std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure) {
+  std::optional<double> most;
+  for (const CameraOutcome& camera : outcome.cameras) {
+    if (!camera.report || camera.report->exact) continue;
+    most = std::max(most.value_or(0.0), camera.report->judgement.error.*figure);
+  }
+  return most ? pixels(*most) : "0";
+}
+
+std::string result(const ConvertOutcome& outcome) {
+  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
+    if (entry.severity == Severity::kError) return "error: " + entry.code;
+  }
+  const auto warnings = std::ranges::count(outcome.diagnostics.entries(), Severity::kWarning, &Diagnostic::severity);
+  return warnings == 0 ? "good" : counted(static_cast<std::size_t>(warnings), "warning");
+}
+
+constexpr std::size_t kGap = 2;
+constexpr std::size_t kWidest = 60;  // longer names push their line to the right
+
+struct Line {
+  std::string input;
+  std::string models;
+  std::string rms;
+  std::string max;
+  std::string result;
+};
+
+std::string table(const std::vector<Line>& lines) {
+  const auto width = [&lines](std::string Line::*column) {
+    std::size_t widest = 0;
+    for (const Line& line : lines) widest = std::max(widest, std::min((line.*column).size(), kWidest));
+    return widest + kGap;
+  };
+  const std::size_t input = width(&Line::input);
+  const std::size_t model = width(&Line::models);
+  const std::size_t rms = width(&Line::rms);
+  const std::size_t max = width(&Line::max);
+  // A longer text than its column is wide has its gap, too.
+  const auto cell = [](const std::string& said, std::size_t wide) { return padded(said + std::string(kGap, ' '), wide); };
+  std::string text;
+  for (const Line& line : lines) {
+    text += cell(line.input, input) + cell(line.models, model) + cell(line.rms, rms) + cell(line.max, max) + line.result + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_told_in_full(std::size_t inputs) {
+  constexpr std::size_t kMost = 8;
+  return inputs <= kMost;
+}
+
+Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const HeldInterrupt& interrupt,
+                    Console& console) {
+  struct Job {
+    std::optional<ConvertOutcome> outcome;
+    std::vector<text::Source> sources;  ///< What its diagnostics point into.
+  };
+  const std::vector<Group> groups = groups_of(inputs, arguments);
+  std::vector<Job> jobs(groups.size());
+  const bool in_full = arguments.json || is_told_in_full(groups.size());
+  ConvertArguments each = arguments;
+  if (groups.size() > 1) each.jobs = 1;
+  Progress progress(groups.size());
+  at_once(groups.size(), arguments.jobs, [&](std::size_t i) {
+    if (interrupt.asked()) return;
+    Console own;
+    jobs[i].outcome = convert_inputs(groups[i].files, each, own);
+    const Diagnostics& said = jobs[i].outcome->diagnostics;
+    if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = own.sources();
+    if (groups.size() > 1) forget(*jobs[i].outcome, in_full);
+    progress.step();
+  });
+  Batch batch;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    Job& job = jobs[i];
+    if (!job.outcome) {
+      ++batch.left;
+    } else if (!groups[i].named && holds_no_camera(*job.outcome)) {
+      ++batch.skipped;
+    } else {
+      for (text::Source& source : job.sources) console.remember(std::move(source));
+      batch.outcomes.push_back(*std::move(job.outcome));
+    }
+  }
+  for (ConvertOutcome& outcome : batch.outcomes) outcome.one_of_many = batch.outcomes.size() > 1;
+  return batch;
+}
+
+std::string batch_text(const Batch& batch, bool written) {
+  std::vector<Line> lines = {{"input", "model", "rms px", "max px", "result"}};
+  std::size_t good = 0;
+  std::size_t files = 0;
+  const std::size_t reached = batch.outcomes.size() - batch.unwritten;
+  for (std::size_t i = 0; i < batch.outcomes.size(); ++i) {
+    const ConvertOutcome& outcome = batch.outcomes[i];
+    lines.push_back({outcome.input, models(outcome), outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::rms),
+                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::max),
+                     i < reached ? result(outcome) : "not written"});
+    if (outcome.code != ExitCode::kGood) continue;
+    ++good;
+    const auto is_file = [](const ConvertOutcome::Output& output) { return !output.path.empty(); };
+    if (i < reached) files += static_cast<std::size_t>(std::ranges::count_if(outcome.outputs, is_file));
+  }
+  const std::size_t all = batch.outcomes.size() + batch.left;
+  std::string text = "\n" + table(lines) + "\n" + (reached < all ? "interrupted: " : "") + std::to_string(good) + " of " +
+                     counted(all, "input") + " converted";
+  text += written ? ", " + counted(files, "file") + " written" : ", nothing written (--dry-run)";
+  if (batch.skipped > 0)
+    text += "; " + counted(batch.skipped, "other file") + (batch.skipped == 1 ? " holds" : " hold") + " no camera";
+  return text + "\n";
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conversion_json.h"
+#include "convert_command.h"
+#include "shell/diagnostics_json.h"
+#include "shell/json.h"
+#include "shell/judgement_json.h"
+#include "shell/parameters_json.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+void put_report(Json& json, const ConversionReport& report) {
+  json.put("at_bound", std::span<const std::string>(report.at_bound));
+  put_domain(json, report.judgement.coverage, report.scored_to_deg);
+  put_error(json, report.judgement.error);
+  json.array("bands", report.judgement.bands, [&](const ErrorBand& band) { json.object([&] { put_band(json, band); }); });
+  json.array("reach", report.reach, [&](const ReachRow& row) {
+    json.object([&] {
+      json.put("max_angle_deg", row.max_angle_deg);
+      json.put("scored_to_deg", row.scored_to_deg);
+      json.put("scored_share", row.scored);
+      json.put("unrepresentable_share", row.unrepresentable);
+      json.put("rms_px", row.rms_px);
+      json.put("max_px", row.max_px);
+    });
+  });
+  json.put("objective", report.objective == Objective::kMax ? "max" : "rms");
+  if (report.rms_fit) {
+    json.object("rms_fit", [&] {
+      json.put("rms_px", report.rms_fit->rms_px);
+      json.put("max_px", report.rms_fit->max_px);
+      json.put("kept", report.rms_fit->kept);
+    });
+  } else {
+    json.null("rms_fit");
+  }
+  json.object("fit", [&] {
+    json.put("samples", report.fit.samples);
+    json.put("iterations", report.fit.iterations);
+    json.put("time_us", report.fit.time_us);
+  });
+}
+
+void put_proofs(Json& json, const ConvertOutcome& outcome) {
+  json.array("proof", outcome.proofs, [&](const ProofResult& proof) {
+    json.object([&] {
+      json.put("program", proof.program);
+      json.put("loads", proof.loads);
+      json.put("agrees", proof.understood());
+      json.put("max_diff_px", proof.max_diff_px);
+      json.put("misread_px", proof.misread_px);
+      json.put("compared_share", proof.compared_share);
+      json.put("unanswered_share", proof.unanswered_share);
+      json.put("wrong_ray_share", proof.wrong_ray_share);
+      json.put("wrong_ray_px", proof.wrong_ray_px);
+      json.put("max_diff_pose", proof.max_diff_pose);
+      json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
+      json.put("refusals", std::span<const std::string>(proof.refusals));
+      json.put("warnings", std::span<const std::string>(proof.warnings));
+    });
+  });
+}
+
+void put_defaults(Json& json, const ConvertOutcome& outcome) {
+  json.array("defaults", outcome.written.defaults, [&](const DefaultedValue& value) {
+    json.object([&] {
+      json.put("key", value.key);
+      if (const std::optional<int> whole = text::parse_int(value.value)) {
+        json.put("value", *whole);
+      } else if (const std::optional<double> number = text::parse_real(value.value)) {
+        json.put("value", *number);
+      } else {
+        json.put("value", value.value);
+      }
+      json.put("look_at_it", value.look_at_it);
+    });
+  });
+}
+
+void put_losses(Json& json, const ConvertOutcome& outcome) {
+  json.array("losses", outcome.written.losses, [&](const Loss& loss) {
+    json.object([&] {
+      json.put("code", loss.code);
+      json.put("what", loss.what);
+      json.put("why", loss.why);
+      json.put("do", loss.remedy);
+    });
+  });
+}
+
+/// What the file written calls a camera of the input.
+std::string written_name(const ConvertOutcome& outcome, const std::string& name) {
+  const auto camera =
+      std::ranges::find_if(outcome.cameras, [&name](const CameraOutcome& each) { return each.source.name == name; });
+  return camera == outcome.cameras.end() ? name : camera->name();
+}
+
+}  // namespace
+
+void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
+  json.put("input", outcome.input);
+  if (outcome.from != nullptr) json.put("from", outcome.from->id);
+  if (outcome.to != nullptr) json.put("to", outcome.to->id);
+  if (!outcome.written.headline.empty()) json.put("headline", outcome.written.headline);
+  const std::vector<ConvertOutcome::Output> none;
+  json.array("outputs", outcome.code == ExitCode::kGood ? outcome.outputs : none, [&](const ConvertOutcome::Output& output) {
+    json.object([&] {
+      output.path.empty() ? json.null("path") : json.put("path", output.path);
+      std::vector<std::string> names;
+      for (const std::string& name : output.cameras) names.push_back(written_name(outcome, name));
+      json.put("cameras", std::span<const std::string>(names));
+      if (output.path.empty()) json.put("text", output.bytes);
+    });
+  });
+  json.put("exit_code", static_cast<int>(outcome.code));
+  json.array("cameras", outcome.cameras, [&](const CameraOutcome& camera) {
+    json.object([&] {
+      json.put("name", camera.name());
+      json.put("input_name", camera.source.name);
+      json.put("from_model", model_info(camera.source.model).id);
+      json.put("to_model", model_info(camera.target.model).id);
+      json.put("exact", !camera.report || camera.report->exact);
+      put_parameters(json, camera.target.model);
+      if (camera.report) {
+        put_report(json, *camera.report);
+      } else {
+        for (const char* key : {"domain", "error_px", "bands", "objective", "rms_fit", "fit"}) json.null(key);
+      }
+    });
+  });
+  put_proofs(json, outcome);
+  put_defaults(json, outcome);
+  put_losses(json, outcome);
+  put_diagnostics(json, outcome.diagnostics, console);
+}
+
+std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
+  Json json;
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    if (outcomes.size() == 1) {
+      put_conversion(json, outcomes.front(), console);
+    } else {
+      json.array("conversions", outcomes,
+                 [&](const ConvertOutcome& outcome) { json.object([&] { put_conversion(json, outcome, console); }); });
+    }
+  });
+  return json.document();
+}
+
+}  // namespace fca::cli

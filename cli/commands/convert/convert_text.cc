@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "convert_command.h"
+#include "shell/judgement_text.h"
+#include "shell/words.h"
+#include "toolkit/program_reading.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::cli {
+
+std::string camera_line(const CameraOutcome& camera) {
+  const std::string from(model_info(camera.source.model).id);
+  const std::string to(model_info(camera.target.model).id);
+  if (from == to && camera.source.model == camera.target.model) return from + ", kept";
+  return from + " -> " + to + (camera.report && camera.report->exact ? ", exact" : ", fitted");
+}
+
+namespace {
+
+/// A file cannot tell black corners from glass, and the choice changes the error tenfold.
+std::string reach_text(const std::vector<ReachRow>& rows) {
+  if (rows.empty()) return "";
+  const auto is_same = [&rows](const ReachRow& row) {
+    return row.scored == rows.front().scored && row.rms_px == rows.front().rms_px;
+  };
+  if (rows.size() > 1 && std::ranges::all_of(rows, is_same))
+    return "  if the lens ends earlier, but beyond 90 deg, the fit is the same\n";
+  constexpr double kNoticeable = 0.05;  // deg
+  constexpr std::size_t kWidth = 12;
+  std::string text = "  if the lens ends earlier and the corners are black, --max-angle DEG fits only the lens:\n    " +
+                     padded("DEG", kWidth) + padded("share", kWidth) + padded("rms px", kWidth) + "max px\n";
+  for (const ReachRow& row : rows) {
+    text += "    " + padded(text::format_short(row.max_angle_deg, 4), kWidth) + padded(percent(row.scored), kWidth) +
+            padded(pixels(row.rms_px), kWidth) + pixels(row.max_px) +
+            (row.scored_to_deg < row.max_angle_deg - kNoticeable
+                 ? "  (fitted and scored inside " + text::format_short(row.scored_to_deg, 3) + " deg only)"
+                 : "") +
+            "\n";
+  }
+  return text;
+}
+
+/// The program's reason, where it is the program's range that ends there and not the model's.
+std::string why_at_bound(const ConversionReport& report, const Format& to, const CameraModel& target) {
+  const StoredModel* stored = find_stored_model(to, report.to_model, false);
+  if (stored == nullptr || stored->why.empty()) return "";
+  const bool programs = std::ranges::any_of(stored->ranges, [&](const ParameterRange& range) {
+    const std::span<const Parameter> own = model_info(target).parameters;
+    const auto parameter = std::ranges::find(own, range.parameter, &Parameter::name);
+    const std::optional<double> value = fca::parameter(target, range.parameter);
+    if (parameter == own.end() || !value) return false;
+    return (*value == range.lower && range.lower > parameter->lower) ||
+           (*value == range.upper && range.upper < parameter->upper);
+  });
+  return programs ? " (" + std::string(stored->why) + ")" : "";
+}
+
+/// What the search for a smaller worst pixel gained, and what it cost.
+std::string objective_text(const ConversionReport& report) {
+  if (!report.rms_fit) return "";
+  if (report.rms_fit->kept) return "  objective max: nothing near the rms fit has a smaller worst pixel, so that is kept\n";
+  const ErrorSummary& error = report.judgement.error;
+  return "  objective max: worst pixel " + pixels(report.rms_fit->max_px) + " -> " + pixels(error.max) + " px, rms " +
+         pixels(report.rms_fit->rms_px) + " -> " + pixels(error.rms) + " px\n";
+}
+
+std::string report_text(const ConversionReport& report, const Format& to, const CameraModel& target) {
+  const Judgement& j = report.judgement;
+  std::string text = domain_text(j.coverage);
+  text += "          " + coverage_text(j.coverage, report.scored_to_deg) + "\n";
+  text += "  error:  " + error_text(j) + "\n";
+  if (!report.exact) {
+    text += "          mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) + ", 95 % " + pixels(j.error.p95) +
+            ", 99 % " + pixels(j.error.p99) + "\n";
+  }
+  text += objective_text(report) + band_table(j.bands) + reach_text(report.reach);
+  if (!report.at_bound.empty())
+    text += "  at the edge of its range: " + enumerated(report.at_bound) + why_at_bound(report, to, target) + "\n";
+  return text;
+}
+
+std::string losses_text(const std::vector<Loss>& losses) {
+  if (losses.empty()) return "lost: nothing\n";
+  std::string text = "lost:\n";
+  for (const Loss& loss : losses) {
+    text += "  " + text::printable(loss.what) + ": " + loss.why + "\n";  // a key of the file may hold line breaks
+    if (!loss.remedy.empty()) text += "    do: " + loss.remedy + "\n";
+  }
+  return text;
+}
+
+std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
+  std::string look;
+  std::vector<std::string> rest;
+  for (const DefaultedValue& value : defaults) {
+    if (value.look_at_it) {
+      look += "  " + value.key + " " + value.value + "\n";
+    } else {
+      rest.push_back(value.key + " " + value.value);
+    }
+  }
+  std::string text;
+  if (!look.empty()) text += "not in the input, set them to your camera's:\n" + look;
+  if (!rest.empty()) text += "defaults:\n" + wrapped(rest, "  ");
+  return text;
+}
+
+std::vector<std::string> rightly_read(const ProofResult& proof) {
+  std::vector<std::string> names;
+  for (const CameraProof& camera : proof.cameras) {
+    if (!camera.misread) names.push_back(camera.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+std::string proofs_text(const ConvertOutcome& outcome) {
+  const std::string& remedy = outcome.written.misread_remedy;
+  std::string text;
+  for (const std::string& path : outcome.unproven)
+    text += "proof: none: no program that fca-io knows reads " + (path.empty() ? "such keys" : path) + "\n";
+  for (const ProofResult& proof : outcome.proofs) {
+    text += "proof: " + proof.program + " ";
+    if (!proof.loads) {
+      const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
+      text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") +
+              text::printable(enumerated(proof.refusals)) + "\n";
+    } else if (proof.all_misread) {
+      text += "loads it and misreads it\n";
+    } else if (proof.without_cameras) {
+      text += "loads it\n";
+    } else if (proof.agrees() && proof.compared_share == 0.0) {
+      text += "loads it; no pixels were compared, as nothing states the image's size (--size WxH)\n";
+    } else {
+      text += "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
+              " differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
+    }
+    for (const std::string& warning : misreadings(proof, outcome.lens_given))
+      text += "  warning: " + text::printable(warning) + "\n";
+    if (proof.misread_px > 0.0) {
+      text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
+      if (!remedy.empty()) text += "  do: " + remedy + "\n";
+    }
+  }
+  return text;
+}
+
+std::string convert_text(const ConvertOutcome& outcome, bool written) {
+  std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.written.headline + "\n";
+  for (const CameraOutcome& camera : outcome.cameras) {
+    text += "\n" + camera.name_in_words() + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
+    const bool kept = camera.source.model == camera.target.model;
+    if (camera.report) {
+      text +=
+          kept ? domain_text(camera.report->judgement.coverage) : report_text(*camera.report, *outcome.to, camera.target.model);
+    }
+    if (kept) text += "  error:  none: the same model and parameters\n";
+  }
+  text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome);
+  if (outcome.code == ExitCode::kGood && written) {
+    for (const ConvertOutcome::Output& output : outcome.outputs) {
+      if (!output.path.empty()) text += "wrote " + output.path + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace fca::cli

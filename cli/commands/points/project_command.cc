@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "project_command.h"
+
+#include "options/subcommand.h"
+#include "shell/json.h"
+#include "shell/words.h"
+
+#include <fca/convert/domain.h>
+#include <fca/formats/text/numbers.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <numbers>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+/// 17 significant digits, as scripts compare them.
+std::string digits17(double value) {
+  std::array<char, 40> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 17);
+  return {buffer.data(), result.ptr};
+}
+
+/// Exactly N numbers, separated by blanks, TABs or commas.
+template <std::size_t N>
+std::optional<std::array<double, N>> parse_numbers(std::string_view line) {
+  std::array<double, N> numbers{};
+  std::size_t count = 0;
+  for (std::size_t at = line.find_first_not_of(" \t\r,"); at != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(" \t\r,", at), line.size());
+    const std::string_view word = line.substr(at, end - at);
+    // What `project` itself prints where there is no answer may come back.
+    const std::optional<double> number =
+        word == "nan" || word == "-nan" ? std::numeric_limits<double>::quiet_NaN() : text::parse_real(word);
+    if (!number || count == N) return std::nullopt;
+    numbers[count++] = *number;
+    at = line.find_first_not_of(" \t\r,", end);
+  }
+  return count == N ? std::optional(numbers) : std::nullopt;
+}
+
+/// Where one line goes: ray -> pixel or pixel -> ray; nothing where the model has no answer.
+template <std::size_t In, std::size_t Out>
+using Mapping = std::function<std::optional<std::array<double, Out>>(const std::array<double, In>&)>;
+
+template <std::size_t In, std::size_t Out>
+ExitCode map_lines(const Mapping<In, Out>& mapping, bool as_json, Console& console) {
+  Json json;
+  std::vector<std::optional<std::array<double, Out>>> results;
+  std::string line;
+  for (int number = 1; std::getline(std::cin, line); ++number) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line.starts_with('#')) continue;
+    const std::optional<std::array<double, In>> numbers = parse_numbers<In>(line);
+    if (!numbers) {
+      constexpr std::size_t kLongestQuote = 60;
+      return console.refuse(ExitCode::kBadInput, "standard input, line " + std::to_string(number) + ": " + std::to_string(In) +
+                                                     " numbers are wanted, got '" + line.substr(0, kLongestQuote) + "'");
+    }
+    bool finite = true;
+    for (const double v : *numbers) finite = finite && std::isfinite(v);
+    const std::optional<std::array<double, Out>> result = finite ? mapping(*numbers) : std::nullopt;
+    if (as_json) {
+      results.push_back(result);
+      continue;
+    }
+    std::string text;
+    for (std::size_t i = 0; i < Out; ++i) text += (i > 0 ? " " : "") + (result ? digits17((*result)[i]) : std::string("nan"));
+    console.out(text + "\n");
+    if (console.failed()) break;
+  }
+  if (as_json) {
+    json.object([&] {
+      json.put("fca_io", FCA_VERSION);
+      json.array(Out == 2 ? "pixels" : "rays", results, [&](const auto& result) {
+        json.object([&] {
+          constexpr std::array<const char*, 3> kNames = Out == 2 ? std::array{"u", "v", ""} : std::array{"x", "y", "z"};
+          for (std::size_t i = 0; i < Out; ++i) result ? json.put(kNames[i], (*result)[i]) : json.null(kNames[i]);
+        });
+      });
+    });
+    console.out(json.document());
+  }
+  return ExitCode::kGood;
+}
+
+ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& console) {
+  if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
+  if (arguments.file == "-")
+    return console.refuse(ExitCode::kUsage, "standard input holds the points, so the calibration must be a file");
+  Diagnostics diagnostics;
+  const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
+  if (!calibration) return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), diagnostics);
+  console.show(diagnostics);
+  const std::vector<Camera>& cameras = calibration->rig.cameras;
+  if (cameras.empty()) return console.refuse(ExitCode::kBadInput, "the file holds no camera");
+  if (cameras.size() > 1) {
+    return console.refuse(ExitCode::kUsage,
+                          "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
+  }
+  const CameraModel& model = cameras.front().model;
+  const std::vector<std::string> problems = validate(model);
+  if (!problems.empty()) return console.refuse(ExitCode::kBadInput, cameras.front().name + ": " + enumerated(problems));
+  const double limit_rad = max_angle_rad(arguments.reading).value_or(std::numbers::pi);
+  if (forwards) {
+    const Mapping<3, 2> to_pixel = [&](const Ray& ray) {
+      return angle_from_axis(ray) <= limit_rad ? project(model, ray) : std::nullopt;
+    };
+    return map_lines(to_pixel, arguments.json, console);
+  }
+  const Mapping<2, 3> to_ray = [&](const Pixel& pixel) {
+    const std::optional<Ray> ray = unproject(model, pixel);
+    return ray && angle_from_axis(*ray) <= limit_rad ? ray : std::nullopt;
+  };
+  return map_lines(to_ray, arguments.json, console);
+}
+
+/// One of the two: they differ in the way they go.
+struct Direction {
+  const char* name;
+  const char* what;
+  const char* footer;
+  bool forwards;
+};
+
+constexpr std::array kDirections = {
+    Direction{"project", "Rays 'x y z' per line on standard input -> pixels 'u v'; 'nan nan' where the model has no answer",
+              "Example:\n  echo '0.1 0.2 1' | fca-io project camchain.yaml --camera cam0\n", true},
+    Direction{"unproject",
+              "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
+              "Example:\n  echo '320 240' | fca-io unproject camchain.yaml --camera cam0\n", false}};
+
+void add_options(CLI::App& command, const Direction& direction, ProjectArguments& arguments,
+                 std::function<ExitCode(Console&)>& run) {
+  command.add_option("FILE", arguments.file, "Calibration file")->required();
+  add_reading_options(command, arguments.reading);
+  command.add_flag("--json", arguments.json, "One JSON document on standard output");
+  command.footer(direction.footer);
+  command.callback([&direction, &arguments, &run] {
+    run = [&direction, &arguments](Console& console) { return run_mapping(arguments, direction.forwards, console); };
+  });
+}
+
+}  // namespace
+
+void add_project_commands(CLI::App& app, ProjectArguments& arguments, std::function<ExitCode(Console&)>& run) {
+  for (const Direction& direction : kDirections) {
+    add_subcommand(app, direction.name, direction.what,
+                   [&direction, &arguments, &run](CLI::App& command) { add_options(command, direction, arguments, run); });
+  }
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "remap_images.h"
+
+#include "pictures/image_file.h"
+#include "pictures/image_formats.h"
+#include "pictures/pictures.h"
+#include "shell/held_interrupt.h"
+#include "shell/kept_inputs.h"
+#include "shell/output_file.h"
+#include "shell/output_name.h"
+#include "shell/progress.h"
+#include "shell/words.h"
+#include "toolkit/at_once.h"
+
+#include <array>
+#include <filesystem>
+#include <set>
+
+namespace fca::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kOfImages = {"{stem}", "{extension}", "{folder}", "{camera}"};
+
+bool names_many(const std::string& output) { return output.find('{') != std::string::npos || names_folder(output); }
+
+std::string output_path(const std::string& output, const std::string& input, const std::string& camera) {
+  if (output.find('{') != std::string::npos) return with_names_of(input, camera, output);
+  return names_folder(output) ? (fs::path(output) / fs::path(input).filename()).string() : output;
+}
+
+/// Whose ending says the format: the output's, or the input's where that has none (standard output, a device).
+std::string extension_for(const std::string& output, const std::string& input) {
+  const std::string extension = output == "-" ? "" : fs::path(output).extension().string();
+  return extension.empty() ? fs::path(input).extension().string() : extension;
+}
+
+void remap_image(const RemapArguments& arguments, const Camera& source, const ImageMap& map, const Console& console,
+                 RemappedImage& result) {
+  const auto refuse = [&](ExitCode code, const char* what, const std::string& message) {
+    result.diagnostics.error(what, message, {result.input, 0, 0});
+    result.code = code;
+  };
+  const std::optional<Image> image = read_image(result.input, result.diagnostics);
+  if (!image || !has_size_of(source, changes_images(arguments.reading), *image, result.input, result.diagnostics)) {
+    result.code = code_of(result.diagnostics);
+    return;
+  }
+  const std::string extension = extension_for(result.output, result.input);
+  if (const std::optional<std::string> problem = problem_with_format(*image, extension))
+    return refuse(ExitCode::kUsage, "image-format", *problem);
+  const std::optional<Image> seen =
+      remapped(*image, map, arguments.interpolation == "lanczos" ? Interpolation::kLanczos : Interpolation::kBilinear);
+  const std::optional<std::string> bytes = seen ? encoded(*seen, extension) : std::nullopt;
+  if (!bytes) return refuse(ExitCode::kBadInput, "no-image", "OpenCV could not map it or write it as " + extension);
+  if (result.output == "-") {
+    console.out(*bytes);
+    return;
+  }
+  make_folder_of(result.output, arguments.output);
+  const OutputFile file{result.output, *bytes};
+  if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false))
+    refuse(ExitCode::kIo, "cannot-write", *failure);
+}
+
+}  // namespace
+
+std::optional<std::string> problem_with_output(const RemapArguments& arguments, std::span<const FoundFile> images,
+                                               const std::string& camera) {
+  if (images.empty() && arguments.map.empty() && arguments.mask.empty())
+    return "give images to remap, or --map or --mask to write those alone";
+  if (images.empty() && !arguments.output.empty()) return "-o is for images, and there is none";
+  if (!images.empty() && arguments.output.empty())
+    return "-o is missing: a file, a folder, or a pattern such as 'out/{stem}.png'";
+  if (std::optional<std::string> problem = problem_with_pattern(arguments.output, kOfImages)) return problem;
+  const bool many = images.size() > 1 || (images.size() == 1 && !images.front().named);
+  if (many && !names_many(arguments.output)) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
+  if (arguments.json && arguments.output == "-") return "with --json the image needs a file: -o PATH";
+  std::vector<std::string> files = {arguments.file};
+  for (const FoundFile& image : images) files.push_back(image.path);
+  KeptInputs inputs(arguments.reading);
+  inputs.add(files);
+  for (const std::string& path : {arguments.map, arguments.mask}) {
+    if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
+  }
+  if (!arguments.map.empty() && arguments.map == arguments.mask) return "--map and --mask name the same file";
+  std::set<std::string> taken;
+  for (const FoundFile& image : images) {
+    const std::string path = output_path(arguments.output, image.path, camera);
+    const std::string extension = extension_for(path, image.path);
+    if (!is_image_extension(extension)) {
+      return "'" + path + "' does not end as an image that is written; there are " + image_extensions();
+    }
+    if (path == arguments.map || path == arguments.mask) return path + " is named twice, for an image and for --map or --mask";
+    if (!taken.insert(path).second)
+      return "two outputs would be written to " + path + "; a pattern with {folder}, {stem} and {extension} tells them apart";
+    if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
+  }
+  return std::nullopt;
+}
+
+std::vector<RemappedImage> remap_images(const RemapArguments& arguments, std::span<const FoundFile> images,
+                                        const Camera& source, const ImageMap& map, const Console& console) {
+  std::vector<RemappedImage> results(images.size());
+  const HeldInterrupt interrupt(images.size() > 1);
+  Progress progress(images.size());
+  at_once(images.size(), arguments.jobs, [&](std::size_t i) {
+    results[i].input = images[i].path;
+    results[i].output = output_path(arguments.output, images[i].path, source.name);
+    results[i].left = interrupt.asked();
+    if (!results[i].left) remap_image(arguments, source, map, console, results[i]);
+    progress.step();
+  });
+  return results;
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shell/diagnostics_json.h"
+#include "shell/json.h"
+#include "shell/parameters_json.h"
+#include "shell/pose_words.h"
+#include "shell/words.h"
+#include "show_command.h"
+#include "toolkit/assumptions.h"
+
+#include <fca/rig/fields_of_view.h>
+
+namespace fca::cli {
+
+namespace {
+
+void put_camera(Json& json, const Camera& camera, double limit_deg) {
+  json.put("name", camera.name);
+  json.put("model", model_info(camera.model).id);
+  put_parameters(json, camera.model);
+  json.put("names_elsewhere", std::span<const std::string>(names_elsewhere(model_info(camera.model).id)));
+  if (camera.image_size) {
+    json.put("width_px", camera.image_size->width);
+    json.put("height_px", camera.image_size->height);
+  } else {
+    json.null("width_px");
+    json.null("height_px");
+  }
+  const FieldsOfView view = fields_of_view(camera, limit_deg / kDegreesPerRadian);
+  json.put("horizontal_fov_deg", in_degrees(view.horizontal));
+  json.put("vertical_fov_deg", in_degrees(view.vertical));
+  json.put("diagonal_fov_deg", in_degrees(view.diagonal));
+  json.put("max_angle_deg", in_degrees(view.largest_from_axis));
+  json.put("model_max_angle_deg", max_angle(camera.model) * kDegreesPerRadian);
+  json.put("time_offset_s", camera.time_offset_s);
+  json.put("frame_rate_hz", camera.frame_rate_hz);
+  if (!camera.topic.empty()) json.put("topic", camera.topic);
+}
+
+void put_imu(Json& json, const Imu& imu) {
+  json.put("name", imu.name);
+  json.put("gyroscope_noise_density", imu.gyroscope_noise_density);
+  json.put("gyroscope_random_walk", imu.gyroscope_random_walk);
+  json.put("accelerometer_noise_density", imu.accelerometer_noise_density);
+  json.put("accelerometer_random_walk", imu.accelerometer_random_walk);
+  json.put("rate_hz", imu.rate_hz);
+  if (!imu.topic.empty()) json.put("topic", imu.topic);
+}
+
+void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
+  const ProofResult& proof = mode.proof;
+  json.put("modes", std::span<const std::string>(mode.names));
+  json.put("loads", proof.loads);
+  json.put("refusals", std::span<const std::string>(proof.refusals));
+  json.array("cameras", proof.cameras, [&json](const CameraProof& camera) {
+    json.object([&] {
+      json.put("name", camera.name);
+      json.put("model", camera.model);
+      json.put("width_px", camera.width);
+      json.put("height_px", camera.height);
+      json.put("compared_share", camera.compared_share);
+      json.put("max_diff_px", camera.max_diff_px);
+      json.put("agrees", camera.agrees);
+    });
+  });
+  json.put("poses", std::span<const std::string>(proof.poses));
+  json.put("max_diff_pose", proof.max_diff_pose);
+  json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
+  json.put("warnings", std::span<const std::string>(misreadings(proof, lens_given)));
+}
+
+void put_file(Json& json, const ShownFile& shown, const Console& console) {
+  json.put("file", shown.file);
+  if (shown.calibration) {
+    const Calibration& calibration = *shown.calibration;
+    json.put("format", calibration.format->id);
+    json.put("why", calibration.why);
+    json.array("cameras", calibration.rig.cameras,
+               [&](const Camera& camera) { json.object([&] { put_camera(json, camera, shown.limit_deg); }); });
+    json.array("imus", calibration.rig.imus, [&](const Imu& imu) { json.object([&] { put_imu(json, imu); }); });
+    json.array("poses", calibration.rig.poses, [&](const PoseEdge& edge) {
+      json.object([&] {
+        json.put("a", edge.a);
+        json.put("b", edge.b);
+        json.put("T_a_b", std::span<const double>(edge.T_a_b.values));
+        json.put("in_words", pose_in_words(edge, calibration.rig, !has_assumed_unit(edge, calibration)));
+      });
+    });
+    json.put("baseline_m", calibration.rig.baseline_m);
+    json.array("also_in_file", calibration.rig.as_read, [&](const AsRead& extra) {
+      json.object([&] {
+        json.put("key", extra.key);
+        json.put("value", extra.value);
+      });
+    });
+    json.array("read_by", shown.readers.programs, [&](const Readers::Program& program) {
+      json.object([&] {
+        json.put("program", program.program);
+        json.put("loads", program.loads);
+        json.put("sensors", std::span<const std::string>(program.sensors));
+        json.put("refusals", std::span<const std::string>(program.refusals));
+        json.put("warnings", std::span<const std::string>(program.warnings));
+      });
+    });
+    if (shown.asked) {
+      json.object("for", [&] {
+        json.put("program", shown.asked->program->program);
+        json.put("reads_format", shown.asked->reads_format);
+        constexpr double kWholeSphere = 180.0;
+        json.array("as", shown.asked->modes, [&](const ProgramReading::Mode& mode) {
+          json.object([&] { put_mode(json, mode, shown.limit_deg < kWholeSphere); });
+        });
+      });
+    }
+  }
+  put_diagnostics(json, shown.diagnostics, console);
+}
+
+}  // namespace
+
+std::string show_json(const std::vector<ShownFile>& files, const Console& console) {
+  Json json;
+  json.object([&] {
+    json.put("fca_io", FCA_VERSION);
+    json.array("files", files, [&](const ShownFile& shown) { json.object([&] { put_file(json, shown, console); }); });
+  });
+  return json.document();
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "shell/pose_words.h"
+#include "shell/words.h"
+#include "show_command.h"
+#include "toolkit/assumptions.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+#include <fca/rig/fields_of_view.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::cli {
+
+namespace {
+
+std::string degrees_or(const std::optional<double>& value) {
+  return value ? fixed(*value, 1) + " deg" : std::string("not covered");
+}
+
+/// "+ 0.0021", "- 0.0003"
+std::string signed_in_words(double value) { return (value < 0.0 ? "- " : "+ ") + text::format_short(std::abs(value), 9); }
+
+/// Does what was read beside the representation speak of that camera?
+bool is_of(const AsRead& extra, const Camera& camera) { return extra.key.starts_with(camera.name + " "); }
+
+std::string camera_text(const Camera& camera, std::span<const AsRead> extras, double limit_deg) {
+  const ModelInfo& model = model_info(camera.model);
+  std::string text = "\n" + camera.name + ": " + std::string(model.title) + " (" + std::string(model.id) + ")\n";
+  const std::vector<std::string> elsewhere = names_elsewhere(model.id);
+  if (!elsewhere.empty()) text += "  called   " + enumerated(elsewhere, "and") + "\n";
+  text += parameters_in_words(camera.model, "  ");
+  if (camera.image_size) {
+    text +=
+        "  image    " + std::to_string(camera.image_size->width) + " x " + std::to_string(camera.image_size->height) + " px\n";
+    const FieldsOfView view = fields_of_view(camera, limit_deg / kDegreesPerRadian);
+    text += "  view     horizontal " + degrees_or(in_degrees(view.horizontal)) + ", vertical " +
+            degrees_or(in_degrees(view.vertical)) + ", diagonal " + degrees_or(in_degrees(view.diagonal)) + "\n";
+    if (view.largest_from_axis)
+      text += "           up to " + angle_in_words(*view.largest_from_axis * kDegreesPerRadian) + "\n";
+  } else {
+    text += "  image    size not stated (--size WxH)\n";
+  }
+  text += "  model    " +
+          (validate(camera.model).empty() ? "valid up to " + angle_in_words(max_angle(camera.model) * kDegreesPerRadian)
+                                          : enumerated(validate(camera.model))) +
+          "\n";
+  if (camera.time_offset_s) text += "  time     t_imu = t_cam " + signed_in_words(*camera.time_offset_s) + " s\n";
+  if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
+  if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";
+  for (const AsRead& extra : extras) {
+    if (is_of(extra, camera))
+      text += "  " + extra.key.substr(camera.name.size() + 1) + ": " + text::shortened(extra.value) + "\n";
+  }
+  return text;
+}
+
+/// A density of the IMU, and what it is for one sample: white noise grows with the root of the rate, the step of a random walk
+/// shrinks with it.
+std::string noise_line(std::string_view name, const std::optional<double>& density, std::string_view unit,
+                       const std::optional<double>& per_sample, std::string_view sample_unit) {
+  std::string text = "  " + padded(name, 26);
+  if (!density) return text + "not stated\n";
+  text += text::format_short(*density) + " " + std::string(unit);
+  if (per_sample) text += " (" + text::format_short(*per_sample, 3) + " " + std::string(sample_unit) + " per sample)";
+  return text + "\n";
+}
+
+std::string imu_text(const Imu& imu) {
+  const auto white = [&imu](const std::optional<double>& density) {
+    return density && imu.rate_hz ? std::optional(*density * std::sqrt(*imu.rate_hz)) : std::nullopt;
+  };
+  const auto walk = [&imu](const std::optional<double>& density) {
+    return density && imu.rate_hz ? std::optional(*density / std::sqrt(*imu.rate_hz)) : std::nullopt;
+  };
+  const Imu& i = imu;
+  return "\n" + imu.name + ": noise as continuous-time densities (standard deviations, not variances)\n" +
+         noise_line("gyroscope noise", i.gyroscope_noise_density, "rad/s/sqrt(Hz)", white(i.gyroscope_noise_density), "rad/s") +
+         noise_line("gyroscope random walk", i.gyroscope_random_walk, "rad/s^2/sqrt(Hz)", walk(i.gyroscope_random_walk),
+                    "rad/s") +
+         noise_line("accelerometer noise", i.accelerometer_noise_density, "m/s^2/sqrt(Hz)",
+                    white(i.accelerometer_noise_density), "m/s^2") +
+         noise_line("accelerometer random walk", i.accelerometer_random_walk, "m/s^3/sqrt(Hz)",
+                    walk(i.accelerometer_random_walk), "m/s^2") +
+         "  " + padded("rate", 26) + (imu.rate_hz ? text::format_short(*imu.rate_hz) + " Hz" : "not stated") + "\n" +
+         (imu.topic.empty() ? "" : "  " + padded("topic", 26) + imu.topic + "\n");
+}
+
+/// "T_cam0_imu0: imu0 -> cam0, takes points in imu0 to points in cam0" and what that means.
+std::string pose_text(const PoseEdge& edge, const Calibration& calibration) {
+  std::string text = "  T_" + edge.a + "_" + edge.b + ": " + edge.b + " -> " + edge.a + ", takes points in " + edge.b +
+                     " to points in " + edge.a;
+  const std::string meaning = pose_in_words(edge, calibration.rig, !has_assumed_unit(edge, calibration));
+  if (meaning.empty()) return text + "; its 3 x 3 part is singular\n";
+  text += "\n    " + meaning;
+  const double defect = rotation_defect(edge.T_a_b);
+  constexpr double kPrintedRotation = 1e-3;
+  if (defect > kPrintedRotation || rotation_determinant(edge.T_a_b) < 0.0)
+    text += " (NOT a rotation: off by " + text::format_short(defect, 2) + ")";
+  return text + "\n";
+}
+
+/// What the file says and the representation has no place for, by name.
+std::string others_text(const Rig& rig) {
+  std::vector<std::string> keys;
+  for (const AsRead& extra : rig.as_read) {
+    if (std::ranges::none_of(rig.cameras, [&extra](const Camera& camera) { return is_of(extra, camera); }))
+      keys.push_back(text::printable(extra.key));
+  }
+  return keys.empty() ? "" : "\nalso in the file\n" + wrapped(keys, "  ");
+}
+
+std::string readers_text(const Readers& readers) {
+  std::string text = "\nread by\n";
+  for (const Readers::Program& program : readers.programs) {
+    text += "  " + program.program + ": ";
+    if (program.loads) {
+      text += program.sensors.empty() ? "yes\n" : "yes, as " + enumerated(program.sensors) + "\n";
+      constexpr std::size_t kMostWarnings = 2;
+      for (std::size_t i = 0; i < std::min(kMostWarnings, program.warnings.size()); ++i)
+        text += "    but: " + text::printable(program.warnings[i]) + "\n";
+      if (program.warnings.size() > kMostWarnings)
+        text += "    and " + std::to_string(program.warnings.size() - kMostWarnings) + " more (--json lists them)\n";
+    } else {
+      text += "no: " + (program.refusals.empty() ? "it gives no reason" : text::printable(program.refusals.front()));
+      if (program.refusals.size() > 1) text += " (and " + std::to_string(program.refusals.size() - 1) + " more)";
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+/// What a part without cameras holds: Kalibr's imu.yaml, stereo_calib's extrinsics.yml.
+std::string parts_in_words(const Rig& rig) {
+  if (!rig.cameras.empty()) return "";
+  return rig.imus.empty() ? ", a pose without cameras" : ", an IMU without cameras";
+}
+
+}  // namespace
+
+std::string show_text(const ShownFile& shown) {
+  const Calibration& calibration = *shown.calibration;
+  std::string text = text::printable(shown.file) + ": " + std::string(calibration.format->title) +
+                     parts_in_words(calibration.rig) + " (" + calibration.why + ")\n";
+  for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera, calibration.rig.as_read, shown.limit_deg);
+  for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
+  if (calibration.rig.baseline_m)
+    text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
+  if (!calibration.rig.poses.empty()) text += "\nposes\n";
+  for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge, calibration);
+  text += others_text(calibration.rig);
+  text += readers_text(shown.readers);
+  constexpr double kWholeSphere = 180.0;
+  if (shown.asked) text += program_reading_text(*shown.asked, calibration, shown.file, shown.limit_deg < kWholeSphere);
+  return text;
+}
+
+}  // namespace fca::cli

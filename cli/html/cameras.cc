@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sections.h"
+
+#include "camera_figures.h"
+#include "commands/convert/convert_command.h"
+#include "shell/judgement_text.h"
+#include "shell/words.h"
+#include "table.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/rig/fields_of_view.h>
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+constexpr std::string_view kNotCovered = "not covered";
+
+std::string degrees_of(const Camera& camera, const std::optional<double>& radians) {
+  if (!camera.image_size) return "not stated";
+  return radians ? fixed(*radians * kDegreesPerRadian, 1) + " deg" : std::string(kNotCovered);
+}
+
+/// A camera, and what became of it.
+struct ConvertedCamera {
+  const Camera& source;
+  const CameraOutcome* outcome = nullptr;  ///< Null where nothing was converted.
+
+  [[nodiscard]] const ConversionReport* report() const {
+    return outcome != nullptr && outcome->report ? &*outcome->report : nullptr;
+  }
+  [[nodiscard]] bool kept() const { return outcome == nullptr || outcome->source.model == outcome->target.model; }
+};
+
+void put_parameters(Html& html, const ConvertedCamera& camera) {
+  const auto put = [&html](const char* whose, const CameraModel& model) {
+    html.element("p", {}, [&] {
+      html.element("span", {{"class", "soft"}}, std::string(whose) + std::string(model_info(model).title) + ": ");
+      std::string text = parameters_in_words(model, "");
+      std::ranges::replace(text, '\n', ' ');
+      html.element("code", {}, text);
+    });
+  };
+  put(camera.kept() ? "" : "from ", camera.source.model);
+  if (!camera.kept()) put("to ", camera.outcome->target.model);
+}
+
+void put_judgement(Html& html, const ConvertedCamera& camera) {
+  const auto line = [&html](const char* what, const std::string& text) {
+    html.element("p", {}, [&] {
+      html.element("span", {{"class", "soft"}}, what);
+      html.text(text);
+    });
+  };
+  if (camera.report() == nullptr) {
+    if (camera.source.lens_circle) line("lens: ", circle_in_words(*camera.source.lens_circle));
+    return;
+  }
+  const ConversionReport& report = *camera.report();
+  const Judgement& j = report.judgement;
+  const std::string scored = camera.kept() ? "" : "; " + coverage_text(j.coverage, report.scored_to_deg);
+  line("domain: ", domain_in_words(j.coverage) + scored);
+  if (camera.kept()) {
+    line("error: ", "none: the same model and parameters");
+    return;
+  }
+  line("error: ", error_text(j) + (report.exact ? ""
+                                                : "; mean " + pixels(j.error.mean) + ", median " + pixels(j.error.p50) +
+                                                      ", 95 % " + pixels(j.error.p95) + ", 99 % " + pixels(j.error.p99)));
+  if (report.exact) return;
+  if (!report.at_bound.empty()) line("at the edge of its range: ", enumerated(report.at_bound));
+}
+
+void put_reach(Html& html, const std::vector<ReachRow>& rows) {
+  if (rows.empty()) return;
+  html.element("details", {}, [&] {
+    html.element("summary", {}, "If the lens ends earlier and the corners are black: what --max-angle would reach");
+    Table table{{"--max-angle", "share", "rms px", "max px", "scored to"}, {}, "numbers"};
+    for (const ReachRow& row : rows) {
+      table.rows.push_back({text::format_short(row.max_angle_deg, 4), percent(row.scored), pixels(row.rms_px),
+                            pixels(row.max_px), text::format_short(row.scored_to_deg, 4)});
+    }
+    put_table(html, table);
+  });
+}
+
+void put_camera(Html& html, const ConvertedCamera& camera, std::optional<double> limit_rad) {
+  const std::string name = camera.outcome != nullptr ? camera.outcome->name_in_words() : camera.source.name;
+  const std::string line =
+      camera.outcome != nullptr ? camera_line(*camera.outcome) : std::string(model_info(camera.source.model).title);
+  html.element("h3", {}, name + ": " + line);
+  if (!validate(camera.source.model).empty()) {
+    html.element("p", {{"class", "error"}}, "No camera: " + enumerated(validate(camera.source.model)));
+    return;
+  }
+  put_judgement(html, camera);
+  put_parameters(html, camera);
+  DrawnCamera drawn{camera.source, std::string(model_info(camera.source.model).id)};
+  drawn.limit_rad = limit_rad;
+  if (const ConversionReport* report = camera.report()) {
+    drawn.judgement = &report->judgement;
+    drawn.scored_to_deg = report->scored_to_deg;
+  }
+  if (!camera.kept()) {
+    drawn.target = &camera.outcome->target.model;
+    const std::string id(model_info(*drawn.target).id);
+    drawn.target_label = id == drawn.source_label ? id + " as converted" : id;
+  }
+  put_figures(html, drawn);
+  if (drawn.errs()) put_reach(html, camera.report()->reach);
+}
+
+/// What was written of that camera; a conversion may leave some out.
+const CameraOutcome* outcome_of(const ReportContents& contents, const Camera& camera) {
+  if (!contents.conversion) return nullptr;
+  const auto& cameras = contents.conversion->cameras;
+  const auto found =
+      std::ranges::find_if(cameras, [&camera](const CameraOutcome& outcome) { return outcome.source.name == camera.name; });
+  return found == cameras.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void put_camera_table(Html& html, const ReportContents& contents) {
+  const Rig& rig = contents.shown.calibration->rig;
+  if (rig.cameras.empty()) return;
+  html.element("h2", {}, "Cameras");
+  Table table{{"camera", "model", "image, px", "horizontal", "vertical", "diagonal", "largest from the axis", "time offset"},
+              {},
+              "cards"};
+  for (const Camera& camera : rig.cameras) {
+    const FieldsOfView view = fields_of_view(camera, contents.shown.limit_deg / kDegreesPerRadian);
+    table.rows.push_back({camera.name, std::string(model_info(camera.model).title),
+                          camera.image_size ? size_in_words(*camera.image_size) : "not stated",
+                          degrees_of(camera, view.horizontal), degrees_of(camera, view.vertical),
+                          degrees_of(camera, view.diagonal), degrees_of(camera, view.largest_from_axis),
+                          camera.time_offset_s ? text::format_short(*camera.time_offset_s, 9) + " s" : "not stated"});
+  }
+  put_table(html, table);
+  const auto is_short = [](const std::vector<std::string>& row) { return std::ranges::find(row, kNotCovered) != row.end(); };
+  if (std::ranges::none_of(table.rows, is_short)) return;
+  html.element("p", {{"class", "soft"}}, std::string(kNotCovered) + ": the lens ends before the border of the image there");
+}
+
+void put_cameras(Html& html, const ReportContents& contents) {
+  for (const Camera& camera : contents.shown.calibration->rig.cameras) {
+    const CameraOutcome* outcome = outcome_of(contents, camera);
+    html.element("section", {{"class", "camera"}}, [&] {
+      put_camera(html, {outcome != nullptr ? outcome->source : camera, outcome}, contents.max_angle_rad);
+    });
+  }
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sections.h"
+
+#include "chart.h"
+#include "image_field.h"
+#include "map_figure.h"
+#include "shell/words.h"
+#include "table.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace fca::cli {
+
+namespace {
+
+std::string in_words(const Candidate& candidate) {
+  const ConversionReport& report = candidate.conversion->report;
+  const std::string id(candidate.model->id);
+  if (report.exact) return id + " (exact)";
+  const Judgement& j = report.judgement;
+  std::string text = id + " (rms " + pixels(j.error.rms) + " px, worst pixel " + pixels(j.error.max) + " px";
+  constexpr double kNoticeable = 1e-3;
+  if (j.coverage.unrepresentable > kNoticeable)
+    text += ", up to " + text::format_short(report.scored_to_deg, 3) + " deg from the axis only";
+  return text + ")";
+}
+
+/// Which to take, for a reader and without one.
+std::string recommendation(const std::vector<Candidate>& candidates, const Format* to) {
+  const Candidate* best = recommended(candidates, to);
+  if (best == nullptr) return "No model could be fitted; the table says why.";
+  const bool read_by_some = !best->stored_by.empty();
+  if (to != nullptr) {
+    std::string text = "For " + std::string(to->program) + ": " + in_words(*best) + ".";
+    const Candidate* any = recommended(candidates, nullptr);
+    if (any != best) text += " Best of all is " + in_words(*any) + ", which it does not read.";
+    return text;
+  }
+  std::string text = best->conversion->report.exact && best->conversion->report.from_model == best->conversion->report.to_model
+                         ? "Keep " + std::string(best->model->id) + ": it is exact."
+                         : "Take " + in_words(*best) + ".";
+  if (!read_by_some) text += " No program that fca-io knows reads it.";
+  const Candidate* next = recommended_beside(candidates, *best);
+  if (next != nullptr) text += " For a program that does not read it: " + in_words(*next) + ".";
+  return text;
+}
+
+/// Does check warn of anything in the file?
+bool is_doubted(const ReportContents& contents) {
+  return std::ranges::any_of(contents.checks, [](const CheckedFile& file) {
+    return std::ranges::any_of(file.report.findings, [](const Finding& finding) {
+      return finding.severity != Severity::kNote && !finding.code.starts_with("program-");
+    });
+  });
+}
+
+void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, const Candidate* best) {
+  Table table{{"model", "rms px", "max px", "scored", "unreachable", "stored by"}, {}, "cards"};
+  for (const Candidate& candidate : candidates) {
+    const std::string id = std::string(candidate.model->id) + (&candidate == best ? " \u2190 recommended" : "");
+    if (!candidate.conversion) {
+      const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
+      table.rows.push_back(
+          {id, "", "", "", "", "not fitted: " + (why.empty() ? "it does not describe the lens" : why.back().message)});
+      continue;
+    }
+    const Judgement& j = candidate.conversion->report.judgement;
+    const bool exact = candidate.conversion->report.exact;
+    table.rows.push_back({id, exact ? "exact" : pixels(j.error.rms), exact ? "exact" : pixels(j.error.max),
+                          percent(j.coverage.scored), percent(j.coverage.unrepresentable), enumerated(candidate.stored_by)});
+  }
+  put_table(html, table);
+}
+
+/// The errors of all that err, in one chart.
+void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& candidates) {
+  Chart chart;
+  chart.title = "Error over angle: rms around the axis";
+  chart.what = "Error of each model over the angle from the axis, for " + camera.name;
+  double largest = 0.0;
+  double domain = 0.0;
+  std::size_t colour = 0;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.conversion || candidate.conversion->report.exact) continue;
+    const ConversionReport& report = candidate.conversion->report;
+    domain = std::max(domain, report.judgement.coverage.max_angle_deg);
+    Curve curve{"c" + std::to_string(colour++), std::string(candidate.model->id), {}};
+    for (const ProfilePoint& point :
+         error_profile(camera, candidate.conversion->camera.model, report.scored_to_deg / kDegreesPerRadian)) {
+      curve.points.push_back({point.angle_deg, point.rms_px});
+      largest = std::max(largest, point.rms_px);
+    }
+    chart.curves.push_back(std::move(curve));
+  }
+  if (!(largest > 0.0)) return;
+  constexpr double kDecades = 1e6;
+  const double to = std::pow(10.0, std::ceil(std::log10(std::min(largest, kLargestError))));
+  chart.x = {"deg from the axis", 0.0, domain};
+  chart.y = {"error, px", to / kDecades, to, true};
+  put_chart(html, chart);
+}
+
+}  // namespace
+
+void put_candidates(Html& html, const ReportContents& contents) {
+  const std::vector<Camera>& cameras = contents.shown.calibration->rig.cameras;
+  if (contents.candidates.empty()) return;
+  html.element("h2", {}, "Which model?");
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const std::vector<Candidate>& all = contents.candidates[i];
+    html.element("section", {{"class", "candidates"}}, [&] {
+      html.element("h3", {}, cameras[i].name + " (" + std::string(model_info(cameras[i].model).id) + ")");
+      html.element("p", {{"class", "strong recommendation"}},
+                   recommendation(all, contents.to) + (is_doubted(contents) ? " If the file is right: check doubts it." : ""));
+      put_candidate_table(html, all, recommended(all, contents.to));
+      put_errors(html, cameras[i], all);
+    });
+  }
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sections.h"
+
+#include "said.h"
+#include "shell/diagnostics_json.h"
+#include "shell/words.h"
+
+#include <fca/formats/text/source.h>
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+/// "camchain.yaml, line 7"; nothing where it is about no place.
+std::string place_of(const SourceRange& where, const text::Source& source) {
+  if (where.file.empty()) return "";
+  if (where.file != source.name || where.length == 0) return where.file;
+  return where.file + ", line " + std::to_string(source.position(where.offset).line);
+}
+
+void put_checked(Html& html, const CheckedFile& file) {
+  const CheckReport& report = file.report;
+  html.element("h3", {}, file.source.name);
+  if (report.findings.empty()) html.element("p", {{"class", "good"}}, "Nothing wrong found.");
+  for (const Finding& finding : report.findings) {
+    put_said(html, {finding.severity, finding.code, finding.message, place_of(finding.where, file.source), finding.consequence,
+                    finding.fix});
+  }
+  html.element("details", {}, [&] {
+    html.element("summary", {}, "What was checked, and what could not be decided");
+    if (!report.checked.empty()) html.element("p", {}, "Checked: " + enumerated(report.checked) + ".");
+    html.element("ul", {}, [&] {
+      for (const Undecided& undecided : report.undecided)
+        html.element("li", {}, "Not decidable: " + undecided.question + "; " + undecided.why);
+    });
+  });
+}
+
+}  // namespace
+
+void put_said(Html& html, const Said& said) {
+  const std::string severity(severity_name(said.severity));
+  html.element("div", {{"class", "finding " + severity}}, [&] {
+    html.element("p", {}, [&] {
+      html.element("span", {{"class", "strong " + severity}}, severity + ": ");
+      html.text(said.message + " ");
+      html.element("code", {}, said.code);
+      if (!said.place.empty()) html.element("span", {{"class", "soft"}}, " " + said.place);
+    });
+    if (!said.consequence.empty()) html.element("p", {{"class", "soft"}}, "If used: " + said.consequence);
+    if (!said.fix.empty()) html.element("p", {{"class", "soft"}}, "Fix: " + said.fix);
+  });
+}
+
+void put_findings(Html& html, const ReportContents& contents) {
+  html.element("h2", {}, "Is it sane?");
+  for (const CheckedFile& file : contents.checks) put_checked(html, file);
+  const Diagnostics& said = contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics;
+  if (said.entries().empty()) return;
+  html.element("h3", {}, contents.conversion ? "Said while reading and converting" : "Said while reading");
+  const text::Source& first = contents.shown.calibration->documents.front().source();
+  for (const Diagnostic& entry : said.entries())
+    put_said(html, {entry.severity, entry.code, entry.message, place_of(entry.where, first), "", entry.fix});
+}
+
+}  // namespace fca::cli

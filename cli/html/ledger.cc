@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sections.h"
+
+#include "commands/convert/convert_command.h"
+#include "shell/words.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace fca::cli {
+
+namespace {
+
+void put_losses(Html& html, const ConvertOutcome& outcome) {
+  html.element("h3", {}, "Lost");
+  const auto lacks_pixels = [](const CameraOutcome& camera) { return camera.unrepresented_share() > 0.0; };
+  if (outcome.written.losses.empty() && std::ranges::none_of(outcome.cameras, lacks_pixels))
+    html.element("p", {{"class", "good"}}, "Nothing.");
+  html.element("ul", {{"class", "losses"}}, [&] {
+    for (const CameraOutcome& camera : outcome.cameras) {
+      if (!lacks_pixels(camera)) continue;
+      html.element("li", {}, [&] {
+        html.element("span", {{"class", "strong"}}, percent(camera.unrepresented_share()) + " of the image");
+        html.text(" of " + camera.name_in_words() + ": " + camera.report->to_model + " does not describe the lens there");
+      });
+    }
+    for (const Loss& loss : outcome.written.losses) {
+      html.element("li", {}, [&] {
+        html.element("span", {{"class", "strong"}}, loss.what);
+        html.text(": " + loss.why);
+        if (!loss.remedy.empty()) html.element("div", {{"class", "soft"}}, "Do: " + loss.remedy);
+      });
+    }
+  });
+}
+
+void put_defaults(Html& html, const std::vector<DefaultedValue>& defaults) {
+  const auto put = [&](const char* title, bool look_at_it) {
+    std::vector<std::string> values;
+    for (const DefaultedValue& value : defaults) {
+      if (value.look_at_it == look_at_it) values.push_back(value.key + " " + value.value);
+    }
+    if (values.empty()) return;
+    html.element("h3", {}, title);
+    html.element("ul", {}, [&] {
+      for (const std::string& value : values) html.element("li", {}, value);
+    });
+  };
+  put("Not in the input: set them to your camera's", true);
+  put("Defaults", false);
+}
+
+/// The lines of convert's report; those that belong to the one before are set off there.
+void put_proofs(Html& html, const ConvertOutcome& outcome) {
+  if (outcome.proofs.empty() && outcome.unproven.empty()) return;
+  html.element("h3", {}, "Proof: what the program makes of the written file");
+  constexpr std::string_view kProof = "proof: ";
+  std::istringstream lines(proofs_text(outcome));
+  for (std::string line; std::getline(lines, line);) {
+    const bool first = line.starts_with(kProof);
+    html.element("p", {{"class", first ? "strong" : "soft"}}, first ? line.substr(kProof.size()) : line);
+  }
+}
+
+}  // namespace
+
+void put_ledger(Html& html, const ReportContents& contents) {
+  if (!contents.conversion || contents.to == nullptr) return;
+  html.element("h2", {}, "What convert loses and makes up for " + std::string(contents.to->title));
+  put_losses(html, *contents.conversion);
+  put_defaults(html, contents.conversion->written.defaults);
+  put_proofs(html, *contents.conversion);
+}
+
+}  // namespace fca::cli

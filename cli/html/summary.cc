@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sections.h"
+
+#include "commands/convert/convert_command.h"
+#include "shell/judgement_text.h"
+#include "shell/words.h"
+#include "table.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace fca::cli {
+
+namespace {
+
+void put_tile(Html& html, const std::string& title, const std::string& big, const std::vector<std::string>& small) {
+  html.element("div", {{"class", "tile"}}, [&] {
+    html.element("div", {{"class", "soft"}}, title);
+    html.element("div", {{"class", "big"}}, big);
+    for (const std::string& line : small) html.element("div", {{"class", "soft"}}, line);
+  });
+}
+
+std::string short_model_line(const Camera& camera) {
+  const std::string size = camera.image_size ? ", " + size_in_words(*camera.image_size) + " px" : ", image size not stated";
+  return camera.name + ": " + std::string(model_info(camera.model).id) + size;
+}
+
+void put_rig_tile(Html& html, const Rig& rig) {
+  std::vector<std::string> lines;
+  for (const Camera& camera : rig.cameras) lines.push_back(short_model_line(camera));
+  for (const Imu& imu : rig.imus)
+    lines.push_back(imu.name + (imu.rate_hz ? ": IMU at " + text::format_short(*imu.rate_hz) + " Hz" : ": IMU"));
+  put_tile(html, "In the file", counted(rig.cameras.size(), "camera"), lines);
+}
+
+void put_conversion_tile(Html& html, const CameraOutcome& camera) {
+  const std::string title = camera.name_in_words() + ": " + camera_line(camera);
+  if (!camera.report || camera.source.model == camera.target.model) {
+    put_tile(html, title, "kept", {"the same model and parameters"});
+    return;
+  }
+  const ConversionReport& report = *camera.report;
+  const ErrorSummary& error = report.judgement.error;
+  put_tile(
+      html, title, "rms " + pixels(error.rms) + " px",
+      {"worst pixel " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " + fixed(error.max_at[1], 1) + ")",
+       coverage_text(report.judgement.coverage, report.scored_to_deg)});
+}
+
+void put_findings_tile(Html& html, const ReportContents& contents) {
+  std::size_t errors = 0;
+  std::size_t warnings = 0;
+  std::vector<std::string> lines;
+  for (const CheckedFile& file : contents.checks) {
+    for (const Finding& finding : file.report.findings) {
+      errors += finding.severity == Severity::kError ? 1 : 0;
+      warnings += finding.severity == Severity::kWarning ? 1 : 0;
+      if (finding.severity != Severity::kNote && std::ranges::find(lines, finding.code) == lines.end())
+        lines.push_back(finding.code);
+    }
+  }
+  std::vector<std::string> parts;
+  if (errors > 0) parts.push_back(counted(errors, "error"));
+  if (warnings > 0) parts.push_back(counted(warnings, "warning"));
+  if (lines.empty()) lines.emplace_back("see what was checked below");
+  put_tile(html, "check", parts.empty() ? "nothing wrong found" : enumerated(parts), lines);
+}
+
+void put_losses_tile(Html& html, const ConvertOutcome& outcome) {
+  const auto to_look_at =
+      static_cast<std::size_t>(std::ranges::count(outcome.written.defaults, true, &DefaultedValue::look_at_it));
+  std::vector<std::string> lines;
+  if (to_look_at > 0) lines.push_back(counted(to_look_at, "value") + " to set by hand");
+  for (const ProofResult& proof : outcome.proofs) {
+    lines.push_back(proof.program + (!proof.loads         ? " would refuse it"
+                                     : proof.understood() ? " reads it as meant"
+                                     : proof.agrees()     ? " loads it, and misreads a part"
+                                                          : " loads it, and understands something else"));
+  }
+  std::size_t losses = outcome.written.losses.size();
+  for (const CameraOutcome& camera : outcome.cameras) {
+    const double missing = camera.unrepresented_share();
+    if (missing == 0.0) continue;
+    ++losses;
+    lines.push_back(camera.name_in_words() + ": " + percent(missing) + " of the image");
+  }
+  put_tile(html, "Lost on the way", losses == 0 ? "nothing" : counted(losses, "thing"), lines);
+}
+
+}  // namespace
+
+void put_summary(Html& html, const ReportContents& contents) {
+  const Calibration& calibration = *contents.shown.calibration;
+  html.element("h1", {}, contents.title);
+  html.element("p", {{"class", "soft"}},
+               std::string(calibration.format->title) + " (" + calibration.why + "), as fca-io " FCA_VERSION " reads it");
+  if (contents.conversion && !contents.conversion->written.headline.empty()) {
+    html.element("p", {}, [&] {
+      html.element("span", {{"class", "strong"}}, "The written file: " + contents.conversion->written.headline + ".");
+      if (contents.conversion->code == ExitCode::kJudgedBad)
+        html.element("span", {{"class", "error strong"}}, " convert would refuse to write it.");
+    });
+  }
+  html.element("div", {{"class", "tiles"}}, [&] {
+    put_rig_tile(html, calibration.rig);
+    if (contents.conversion) {
+      for (const CameraOutcome& camera : contents.conversion->cameras) put_conversion_tile(html, camera);
+    }
+    put_findings_tile(html, contents);
+    if (contents.conversion && contents.to != nullptr) put_losses_tile(html, *contents.conversion);
+  });
+}
+
+void put_sources(Html& html, const ReportContents& contents) {
+  html.element("h2", {}, "How this page was made");
+  html.element("pre", {{"class", "command"}}, contents.command);
+  if (!contents.convert.empty()) {
+    html.element("p", {}, "The file itself:");
+    html.element("pre", {{"class", "command"}}, contents.convert);
+  }
+  html.element("details", {}, [&] {
+    html.element("summary", {}, "All that the file says, as fca-io show prints it");
+    html.element("pre", {}, show_text(contents.shown));
+  });
+}
+
+}  // namespace fca::cli
