@@ -4,7 +4,7 @@
 #include "chart.h"
 #include "image_field.h"
 #include "map_figure.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 #include "table.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "camera_figures.h"
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 #include "table.h"
 
 #include <fca/formats/text/numbers.h>
@@ -24,9 +24,9 @@ std::string degrees_of(const Camera& camera, const std::optional<double>& radian
 }
 
 /// A camera, and what became of it.
-struct ConvertedCamera {
+struct ShownCamera {
   const Camera& source;
-  const CameraOutcome* outcome = nullptr;  ///< Null where nothing was converted.
+  const ConvertedCamera* outcome = nullptr;  ///< Null where nothing was converted.
 
   [[nodiscard]] const ConversionReport* report() const {
     return outcome != nullptr && outcome->report ? &*outcome->report : nullptr;
@@ -34,7 +34,7 @@ struct ConvertedCamera {
   [[nodiscard]] bool kept() const { return outcome == nullptr || outcome->source.model == outcome->target.model; }
 };
 
-void put_parameters(Html& html, const ConvertedCamera& camera) {
+void put_parameters(Html& html, const ShownCamera& camera) {
   const auto put = [&html](const char* whose, const CameraModel& model) {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "soft"}}, std::string(whose) + std::string(model_info(model).title) + ": ");
@@ -47,7 +47,7 @@ void put_parameters(Html& html, const ConvertedCamera& camera) {
   if (!camera.kept()) put("to ", camera.outcome->target.model);
 }
 
-void put_judgement(Html& html, const ConvertedCamera& camera) {
+void put_judgement(Html& html, const ShownCamera& camera) {
   const auto line = [&html](const char* what, const std::string& text) {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "soft"}}, what);
@@ -86,7 +86,7 @@ void put_reach(Html& html, const std::vector<ReachRow>& rows) {
   });
 }
 
-void put_camera(Html& html, const ConvertedCamera& camera, std::optional<double> limit_rad) {
+void put_camera(Html& html, const ShownCamera& camera, std::optional<double> limit_rad) {
   const std::string name = camera.outcome != nullptr ? camera.outcome->name_in_words() : camera.source.name;
   const std::string line =
       camera.outcome != nullptr ? camera_line(*camera.outcome) : std::string(model_info(camera.source.model).title);
@@ -113,11 +113,11 @@ void put_camera(Html& html, const ConvertedCamera& camera, std::optional<double>
 }
 
 /// What was written of that camera; a conversion may leave some out.
-const CameraOutcome* outcome_of(const ReportContents& contents, const Camera& camera) {
+const ConvertedCamera* outcome_of(const ReportContents& contents, const Camera& camera) {
   if (!contents.conversion) return nullptr;
   const auto& cameras = contents.conversion->cameras;
   const auto found =
-      std::ranges::find_if(cameras, [&camera](const CameraOutcome& outcome) { return outcome.source.name == camera.name; });
+      std::ranges::find_if(cameras, [&camera](const ConvertedCamera& outcome) { return outcome.source.name == camera.name; });
   return found == cameras.end() ? nullptr : &*found;
 }
 
@@ -146,7 +146,7 @@ void put_camera_table(Html& html, const ReportContents& contents) {
 
 void put_cameras(Html& html, const ReportContents& contents) {
   for (const Camera& camera : contents.shown.calibration->rig.cameras) {
-    const CameraOutcome* outcome = outcome_of(contents, camera);
+    const ConvertedCamera* outcome = outcome_of(contents, camera);
     html.element("section", {{"class", "camera"}}, [&] {
       put_camera(html, {outcome != nullptr ? outcome->source : camera, outcome}, contents.max_angle_rad);
     });

@@ -4,7 +4,7 @@
 #include "chart.h"
 #include "image_field.h"
 #include "map_figure.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 #include "table.h"
 
 #include <fca/formats/text/numbers.h>
@@ -50,7 +50,7 @@ std::string recommendation(const std::vector<Candidate>& candidates, const Forma
 
 /// Does check warn of anything in the file?
 bool is_doubted(const ReportContents& contents) {
-  return std::ranges::any_of(contents.checks, [](const CheckedFile& file) {
+  return std::ranges::any_of(contents.checks, [](const CheckResult& file) {
     return std::ranges::any_of(file.report.findings, [](const Finding& finding) {
       return finding.severity != Severity::kNote && !finding.code.starts_with("program-");
     });
@@ -107,10 +107,10 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
 
 void put_candidates(Html& html, const ReportContents& contents) {
   const std::vector<Camera>& cameras = contents.shown.calibration->rig.cameras;
-  if (contents.candidates.empty()) return;
+  if (contents.models.empty()) return;
   html.element("h2", {}, "Which model?");
   for (std::size_t i = 0; i < cameras.size(); ++i) {
-    const std::vector<Candidate>& all = contents.candidates[i];
+    const std::vector<Candidate>& all = contents.models[i].candidates;
     html.element("section", {{"class", "candidates"}}, [&] {
       html.element("h3", {}, cameras[i].name + " (" + std::string(model_info(cameras[i].model).id) + ")");
       html.element("p", {{"class", "strong recommendation"}},

@@ -6,7 +6,8 @@
 #include "rig_drawing.h"
 #include "said.h"
 #include "shell/judgement_text.h"
-#include "shell/words.h"
+#include "toolkit/compare/difference_words.h"
+#include "toolkit/words.h"
 #include "table.h"
 
 #include <fca/formats/text/numbers.h>
@@ -166,7 +167,7 @@ std::string comparison_page(const ReferenceFile& reference, const ComparedFile& 
     html.element("p", {{"class", "soft"}},
                  std::string(compared.calibration->format->title) + " beside " +
                      std::string(reference.calibration->format->title) + ", as fca-io " FCA_VERSION " reads them");
-    html.element("p", {{"class", "strong verdict"}}, "Verdict: " + compared.verdict);
+    html.element("p", {{"class", "strong verdict"}}, "Verdict: " + verdict_of(compared));
     for (const Mistake& mistake : comparison.mistakes)
       html.element("p", {{"class", "warning"}}, "Explained: " + sentence(mistake));
     put_tiles(html, comparison);

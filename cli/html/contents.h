@@ -2,10 +2,9 @@
 // All that a page tells, before it is laid out.
 #pragma once
 
-#include "commands/check/check_command.h"
 #include "commands/show/show_command.h"
-#include "toolkit/conversion.h"
-#include "toolkit/model_candidates.h"
+
+#include <fca/toolkit/report.h>
 
 #include <optional>
 #include <string>
@@ -16,15 +15,15 @@ namespace fca::cli {
 struct ReportContents {
   std::string title;                ///< The names of the files, without their folders.
   ShownFile shown;                  ///< Has a calibration.
-  std::vector<CheckedFile> checks;  ///< Of its files.
+  std::vector<CheckResult> checks;  ///< Of its files.
   std::optional<double> max_angle_rad;
 
-  /// What `convert` would do; without a format (--model alone) just the cameras.
-  std::optional<ConvertOutcome> conversion;
+  /// What `convert` would do; without a format just the cameras.
+  std::optional<ConvertResult> conversion;
   const Format* to = nullptr;
 
-  /// Under --model all: for each camera of the calibration all models.
-  std::vector<std::vector<Candidate>> candidates;
+  /// All models of each camera; empty where they were not asked for.
+  std::vector<ModelsResult::OfCamera> models;
 
   std::string command;  ///< That made the page.
   std::string convert;  ///< That would write the file; empty: none.

@@ -3,7 +3,7 @@
 
 #include "said.h"
 #include "shell/diagnostics_json.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/source.h>
 
@@ -20,7 +20,7 @@ std::string place_of(const SourceRange& where, const text::Source& source) {
   return where.file + ", line " + std::to_string(source.position(where.offset).line);
 }
 
-void put_checked(Html& html, const CheckedFile& file) {
+void put_checked(Html& html, const CheckResult& file) {
   const CheckReport& report = file.report;
   html.element("h3", {}, file.source.name);
   if (report.findings.empty()) html.element("p", {{"class", "good"}}, "Nothing wrong found.");
@@ -56,7 +56,7 @@ void put_said(Html& html, const Said& said) {
 
 void put_findings(Html& html, const ReportContents& contents) {
   html.element("h2", {}, "Is it sane?");
-  for (const CheckedFile& file : contents.checks) put_checked(html, file);
+  for (const CheckResult& file : contents.checks) put_checked(html, file);
   const Diagnostics& said = contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics;
   if (said.entries().empty()) return;
   html.element("h3", {}, contents.conversion ? "Said while reading and converting" : "Said while reading");

@@ -2,7 +2,7 @@
 #include "sections.h"
 
 #include "commands/convert/convert_command.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 
 #include <algorithm>
 #include <sstream>
@@ -12,20 +12,20 @@ namespace fca::cli {
 
 namespace {
 
-void put_losses(Html& html, const ConvertOutcome& outcome) {
+void put_losses(Html& html, const ConvertResult& outcome) {
   html.element("h3", {}, "Lost");
-  const auto lacks_pixels = [](const CameraOutcome& camera) { return camera.unrepresented_share() > 0.0; };
-  if (outcome.written.losses.empty() && std::ranges::none_of(outcome.cameras, lacks_pixels))
+  const auto lacks_pixels = [](const ConvertedCamera& camera) { return camera.unrepresented_share() > 0.0; };
+  if (outcome.losses.empty() && std::ranges::none_of(outcome.cameras, lacks_pixels))
     html.element("p", {{"class", "good"}}, "Nothing.");
   html.element("ul", {{"class", "losses"}}, [&] {
-    for (const CameraOutcome& camera : outcome.cameras) {
+    for (const ConvertedCamera& camera : outcome.cameras) {
       if (!lacks_pixels(camera)) continue;
       html.element("li", {}, [&] {
         html.element("span", {{"class", "strong"}}, percent(camera.unrepresented_share()) + " of the image");
         html.text(" of " + camera.name_in_words() + ": " + camera.report->to_model + " does not describe the lens there");
       });
     }
-    for (const Loss& loss : outcome.written.losses) {
+    for (const Loss& loss : outcome.losses) {
       html.element("li", {}, [&] {
         html.element("span", {{"class", "strong"}}, loss.what);
         html.text(": " + loss.why);
@@ -52,7 +52,7 @@ void put_defaults(Html& html, const std::vector<DefaultedValue>& defaults) {
 }
 
 /// The lines of convert's report; those that belong to the one before are set off there.
-void put_proofs(Html& html, const ConvertOutcome& outcome) {
+void put_proofs(Html& html, const ConvertResult& outcome) {
   if (outcome.proofs.empty() && outcome.unproven.empty()) return;
   html.element("h3", {}, "Proof: what the program makes of the written file");
   constexpr std::string_view kProof = "proof: ";
@@ -69,7 +69,7 @@ void put_ledger(Html& html, const ReportContents& contents) {
   if (!contents.conversion || contents.to == nullptr) return;
   html.element("h2", {}, "What convert loses and makes up for " + std::string(contents.to->title));
   put_losses(html, *contents.conversion);
-  put_defaults(html, contents.conversion->written.defaults);
+  put_defaults(html, contents.conversion->defaults);
   put_proofs(html, *contents.conversion);
 }
 

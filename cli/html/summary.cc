@@ -3,7 +3,7 @@
 
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 #include "table.h"
 
 #include <fca/formats/text/numbers.h>
@@ -36,7 +36,7 @@ void put_rig_tile(Html& html, const Rig& rig) {
   put_tile(html, "In the file", counted(rig.cameras.size(), "camera"), lines);
 }
 
-void put_conversion_tile(Html& html, const CameraOutcome& camera) {
+void put_conversion_tile(Html& html, const ConvertedCamera& camera) {
   const std::string title = camera.name_in_words() + ": " + camera_line(camera);
   if (!camera.report || camera.source.model == camera.target.model) {
     put_tile(html, title, "kept", {"the same model and parameters"});
@@ -54,7 +54,7 @@ void put_findings_tile(Html& html, const ReportContents& contents) {
   std::size_t errors = 0;
   std::size_t warnings = 0;
   std::vector<std::string> lines;
-  for (const CheckedFile& file : contents.checks) {
+  for (const CheckResult& file : contents.checks) {
     for (const Finding& finding : file.report.findings) {
       errors += finding.severity == Severity::kError ? 1 : 0;
       warnings += finding.severity == Severity::kWarning ? 1 : 0;
@@ -69,9 +69,9 @@ void put_findings_tile(Html& html, const ReportContents& contents) {
   put_tile(html, "check", parts.empty() ? "nothing wrong found" : enumerated(parts), lines);
 }
 
-void put_losses_tile(Html& html, const ConvertOutcome& outcome) {
+void put_losses_tile(Html& html, const ConvertResult& outcome) {
   const auto to_look_at =
-      static_cast<std::size_t>(std::ranges::count(outcome.written.defaults, true, &DefaultedValue::look_at_it));
+      static_cast<std::size_t>(std::ranges::count(outcome.defaults, true, &DefaultedValue::look_at_it));
   std::vector<std::string> lines;
   if (to_look_at > 0) lines.push_back(counted(to_look_at, "value") + " to set by hand");
   for (const ProofResult& proof : outcome.proofs) {
@@ -80,8 +80,8 @@ void put_losses_tile(Html& html, const ConvertOutcome& outcome) {
                                      : proof.agrees()     ? " loads it, and misreads a part"
                                                           : " loads it, and understands something else"));
   }
-  std::size_t losses = outcome.written.losses.size();
-  for (const CameraOutcome& camera : outcome.cameras) {
+  std::size_t losses = outcome.losses.size();
+  for (const ConvertedCamera& camera : outcome.cameras) {
     const double missing = camera.unrepresented_share();
     if (missing == 0.0) continue;
     ++losses;
@@ -97,17 +97,17 @@ void put_summary(Html& html, const ReportContents& contents) {
   html.element("h1", {}, contents.title);
   html.element("p", {{"class", "soft"}},
                std::string(calibration.format->title) + " (" + calibration.why + "), as fca-io " FCA_VERSION " reads it");
-  if (contents.conversion && !contents.conversion->written.headline.empty()) {
+  if (contents.conversion && !contents.conversion->headline.empty()) {
     html.element("p", {}, [&] {
-      html.element("span", {{"class", "strong"}}, "The written file: " + contents.conversion->written.headline + ".");
-      if (contents.conversion->code == ExitCode::kJudgedBad)
+      html.element("span", {{"class", "strong"}}, "The written file: " + contents.conversion->headline + ".");
+      if (contents.conversion->status == Status::kRejected)
         html.element("span", {{"class", "error strong"}}, " convert would refuse to write it.");
     });
   }
   html.element("div", {{"class", "tiles"}}, [&] {
     put_rig_tile(html, calibration.rig);
     if (contents.conversion) {
-      for (const CameraOutcome& camera : contents.conversion->cameras) put_conversion_tile(html, camera);
+      for (const ConvertedCamera& camera : contents.conversion->cameras) put_conversion_tile(html, camera);
     }
     put_findings_tile(html, contents);
     if (contents.conversion && contents.to != nullptr) put_losses_tile(html, *contents.conversion);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "image.h"
-
 #include <fca/diagnostics.h>
-#include <fca/rig/rig.h>
+#include <fca/toolkit/image.h>
 
 #include <optional>
 #include <string>
@@ -12,11 +10,6 @@
 namespace fca::cli {
 
 /// The image of a file; nothing with an error where there is none, or only a part of one.
-[[nodiscard]] std::optional<Image> read_image(const std::string& path, Diagnostics& diagnostics);
-
-/// An error, with how to mend it, unless the image is of the size for which the camera is known. `changed`: that is not the
-/// calibrated one (--crop, --binning, --resize).
-[[nodiscard]] bool has_size_of(const Camera& camera, bool changed, const Image& image, const std::string& path,
-                               Diagnostics& diagnostics);
+[[nodiscard]] std::optional<Image> read_image_file(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace fca::cli

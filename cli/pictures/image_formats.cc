@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_formats.h"
 
-#include "shell/words.h"
+#include "toolkit/words.h"
 
 #include <algorithm>
 #include <array>

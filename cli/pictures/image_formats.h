@@ -2,7 +2,7 @@
 // Which image files are written, and what they can hold: nothing is to be lost silently.
 #pragma once
 
-#include "image.h"
+#include <fca/toolkit/image.h>
 
 #include <optional>
 #include <string>

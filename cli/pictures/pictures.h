@@ -3,7 +3,7 @@
 // which is loaded when a picture is asked for; these functions are its door.
 #pragma once
 
-#include "image.h"
+#include <fca/toolkit/image.h>
 
 #include <fca/remap/image_map.h>
 

@@ -6,35 +6,30 @@
 
 #include <fca/formats/text/render.h>
 
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
-
-#include <unistd.h>
 
 namespace fca::cli {
 
-Console::Console() : colour_(isatty(STDERR_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr) {}
+Console::Console(Streams& streams)
+    : streams_(&streams), files_(streams), colour_(streams.err.is_terminal() && std::getenv("NO_COLOR") == nullptr) {}
 
-void Console::out(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
-void Console::err(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stderr); }
+void Console::out(std::string_view text) const { streams_->out.write(text); }
+void Console::err(std::string_view text) const { streams_->err.write(text); }
 
-bool Console::failed() const { return std::ferror(stdout) != 0; }
+bool Console::failed() const { return streams_->out.failed(); }
 
 void Console::show(const Diagnostics& diagnostics) const {
-  for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources_, colour_));
+  for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources(), colour_));
 }
 
 void Console::show_errors(const Diagnostics& diagnostics) const {
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (entry.severity == Severity::kError) err(text::render(entry, sources_, colour_));
+    if (entry.severity == Severity::kError) err(text::render(entry, sources(), colour_));
   }
 }
 
 void Console::error(const std::string& message, const std::string& fix) const {
-  err(text::render({Severity::kError, "", message, fix, {}}, sources_, colour_));
+  err(text::render({Severity::kError, "", message, fix, {}}, sources(), colour_));
 }
 
 ExitCode Console::refuse(ExitCode code, const std::string& message, const std::string& fix) const {
@@ -63,18 +58,10 @@ void Console::print_refusal(ExitCode code, const Diagnostics& diagnostics) const
 }
 
 ExitCode Console::finish(ExitCode code) const {
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  error(std::string("writing to standard output failed: ") + std::strerror(errno));
+  const std::optional<std::string> problem = streams_->out.flush();
+  if (!problem) return code;
+  error("writing to standard output failed: " + *problem);
   return worse(code, ExitCode::kIo);
-}
-
-ExitCode code_of(const Diagnostics& diagnostics) {
-  if (!diagnostics.has_errors()) return ExitCode::kGood;
-  const auto has = [&diagnostics](std::string_view code) {
-    return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) != diagnostics.entries().end();
-  };
-  if (has("cannot-read")) return ExitCode::kIo;
-  return has("unknown-camera") ? ExitCode::kUsage : ExitCode::kBadInput;
 }
 
 }  // namespace fca::cli

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Everything the command says: results on stdout, diagnostics on stderr.
+// Everything the command says: results on stdout, diagnostics on stderr; and what it reads from standard input.
 #pragma once
 
+#include "command_files.h"
 #include "exit_code.h"
+#include "streams.h"
 
 #include <fca/diagnostics.h>
 #include <fca/formats/text/source.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,10 +19,10 @@ namespace fca::cli {
 
 class Console {
  public:
-  Console();
+  explicit Console(Streams& streams);
 
-  /// Texts diagnostics may point into.
-  void remember(text::Source source) { sources_.push_back(std::move(source)); }
+  /// What the command reads, into which diagnostics point.
+  [[nodiscard]] Files& files() { return files_; }
   /// Renders to stderr, with colour on a terminal unless NO_COLOR is set.
   void show(const Diagnostics& diagnostics) const;
   /// Its errors alone.
@@ -37,23 +40,26 @@ class Console {
   /// Bytes as they are.
   void out(std::string_view text) const;
   void err(std::string_view text) const;
+  /// Standard input.
+  [[nodiscard]] std::istream& in() const { return streams_->in; }
+  [[nodiscard]] Streams& streams() const { return *streams_; }
+  /// Brings what was printed on its way.
+  void flush() const { static_cast<void>(streams_->out.flush()); }
   /// Did writing to stdout fail (its reader is gone, the disk is full)? Then an endless input need not be read to its end.
   [[nodiscard]] bool failed() const;
 
   /// Flushes stdout; kIo (and a message) if what was printed did not arrive.
   [[nodiscard]] ExitCode finish(ExitCode code) const;
 
-  [[nodiscard]] const std::vector<text::Source>& sources() const { return sources_; }
+  [[nodiscard]] const std::vector<text::Source>& sources() const { return files_.sources(); }
 
  private:
   void print_refusal(ExitCode code, const Diagnostics& diagnostics) const;
 
-  std::vector<text::Source> sources_;
+  Streams* streams_;
+  CommandFiles files_;
   bool colour_ = false;
   bool json_promised_ = false;
 };
-
-/// kBadInput if there are errors; kIo if one of them is a file that cannot be read.
-[[nodiscard]] ExitCode code_of(const Diagnostics& diagnostics);
 
 }  // namespace fca::cli

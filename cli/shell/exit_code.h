@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fca/toolkit/status.h>
+
 namespace fca::cli {
 
 /// Part of the command's contract. Of several inputs, the largest is returned.
@@ -14,5 +16,21 @@ enum class ExitCode {
 };
 
 [[nodiscard]] constexpr ExitCode worse(ExitCode a, ExitCode b) { return static_cast<int>(a) > static_cast<int>(b) ? a : b; }
+
+[[nodiscard]] constexpr ExitCode exit_code(Status status) {
+  switch (status) {
+    case Status::kDone:
+      return ExitCode::kGood;
+    case Status::kRejected:
+      return ExitCode::kJudgedBad;
+    case Status::kBadInput:
+      return ExitCode::kBadInput;
+    case Status::kBadRequest:
+      return ExitCode::kUsage;
+    case Status::kUnreadable:
+      return ExitCode::kIo;
+  }
+  return ExitCode::kBug;
+}
 
 }  // namespace fca::cli

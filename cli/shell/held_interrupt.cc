@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "held_interrupt.h"
 
-#include <cstdio>
-
 namespace fca::cli {
 
-HeldInterrupt::HeldInterrupt(bool hold) {
+HeldInterrupt::HeldInterrupt(bool hold, const Console& console) : console_(console) {
   if (!hold) return;
   struct sigaction action {};
   if (sigaction(SIGINT, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
@@ -17,7 +15,7 @@ HeldInterrupt::HeldInterrupt(bool hold) {
 
 HeldInterrupt::~HeldInterrupt() {
   if (!held_) return;
-  std::fflush(stdout);  // it may be the end
+  console_.flush();  // it may be the end
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 

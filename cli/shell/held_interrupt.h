@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "console.h"
+
 #include <csignal>
 
 namespace fca::cli {
 
 /// While it lives and `hold` was asked for, Ctrl-C (SIGINT) waits, also in threads begun meanwhile; when it ends, what waited
-/// ends the command as usual. Where the command was started with SIGINT ignored, it stays so.
+/// ends the command as usual, with what was printed. Where the command was started with SIGINT ignored, it stays so.
 class HeldInterrupt {
  public:
-  explicit HeldInterrupt(bool hold);
+  HeldInterrupt(bool hold, const Console& console);
   ~HeldInterrupt();
   HeldInterrupt(const HeldInterrupt&) = delete;
   HeldInterrupt& operator=(const HeldInterrupt&) = delete;
@@ -18,6 +20,7 @@ class HeldInterrupt {
   [[nodiscard]] bool asked() const;
 
  private:
+  const Console& console_;
   sigset_t before_{};
   bool held_ = false;
 };

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judgement_text.h"
 
-#include "words.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 
 #include <cmath>
 
 namespace fca::cli {
-
-std::string place_in_words(const LensCircle& circle) {
-  return "centre (" + fixed(circle.centre[0], 1) + ", " + fixed(circle.centre[1], 1) + "), radius " +
-         fixed(circle.radius_px, 1) + " px";
-}
 
 std::string circle_in_words(const LensCircle& circle) {
   return circle.why + ": " + place_in_words(circle) + ", " + percent(circle.rim_share) + " of its rim in the image seen, rms " +

@@ -14,15 +14,11 @@ std::filesystem::path place_of(const std::string& file) {
 
 }  // namespace
 
-KeptInputs::KeptInputs(const ReadingOptions& options) {
-  for (const std::string& given : options.lens_circles) {
-    add(given);
-    // "CAMERA=IMAGE", or a name that holds a '='.
-    if (const std::size_t equals = given.find('='); equals != std::string::npos) add(given.substr(equals + 1));
-  }
+KeptInputs::KeptInputs(const Inputs& inputs) {
+  for (const CameraImage& image : inputs.lens_circles) add(image.path);
 }
 
-KeptInputs::KeptInputs(const Console& console, const ReadingOptions& options) : KeptInputs(options) {
+KeptInputs::KeptInputs(const Console& console, const Inputs& inputs) : KeptInputs(inputs) {
   for (const text::Source& source : console.sources()) add(source.name);
 }
 

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "console.h"
-#include "toolkit/reading.h"
+
+#include <fca/toolkit/inputs.h>
 
 #include <filesystem>
 #include <optional>
@@ -17,9 +18,9 @@ namespace fca::cli {
 class KeptInputs {
  public:
   /// The images of --lens-circle.
-  explicit KeptInputs(const ReadingOptions& options);
+  explicit KeptInputs(const Inputs& inputs);
   /// All that was read until now: calibrations with the files they name, and those images.
-  KeptInputs(const Console& console, const ReadingOptions& options);
+  KeptInputs(const Console& console, const Inputs& inputs);
 
   void add(std::span<const std::string> files);
   /// "PATH is an input; name another place" where an output would replace one of them.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_name.h"
 
-#include "words.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/file_name.h>
 
@@ -26,30 +26,6 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : "-") + name;
   return text;
-}
-
-/// What people expect behind a name.
-struct Extension {
-  std::string_view extension;
-  std::string_view syntax;
-};
-
-constexpr std::array kExtensions = {Extension{".yaml", "YAML"}, Extension{".yml", "YAML"}, Extension{".xml", "XML"},
-                                    Extension{".json", "JSON"}, Extension{".txt", "text"}, Extension{".ini", "text"}};
-
-std::string_view name_of(text::Syntax syntax) {
-  switch (syntax) {
-    case text::Syntax::kXml:
-      return "XML";
-    case text::Syntax::kJson:
-      return "JSON";
-    case text::Syntax::kWords:
-      return "text";
-    case text::Syntax::kYaml:
-    case text::Syntax::kOpenCvYaml:
-      break;
-  }
-  return "YAML";
 }
 
 /// The name of the folder that an input lies in.
@@ -91,44 +67,22 @@ bool names_folder(const std::string& output) {
   return !output.empty() && (output.ends_with('/') || fs::is_directory(output, error));
 }
 
-std::string output_path(const std::string& output, const std::string& input, const Format& format, const Written& written,
-                        std::size_t index) {
+std::string output_path(const std::string& output, const std::string& input, const ConvertResult& result, std::size_t index) {
   if (output.empty() || output == "-") return "";
   const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
-  const Written::File& file = written.files[index];
+  const ConvertedFile& file = result.files[index];
   if (file.named && index > 0) {
-    const fs::path main_file = output_path(output, input, format, written, 0);
-    return (main_file.parent_path() / fs::path(file.document.source().name).filename()).string();
+    const fs::path main_file = output_path(output, input, result, 0);
+    return (main_file.parent_path() / fs::path(file.name).filename()).string();
   }
   if (output.find('{') != std::string::npos) {
-    return replaced(with_names_of(input, joined(file.cameras), output), "{format}", format.id);
+    return replaced(with_names_of(input, joined(file.cameras), output), "{format}", result.to->id);
   }
-  const fs::path proposal = file.document.source().name;
+  const fs::path proposal = file.name;
   if (!names_folder(output)) return output;
   if (file.cameras.empty() || file.named) return (fs::path(output) / as_file_name(proposal.filename().string())).string();
-  const std::string camera = camera_files(written) > 1 ? "." + as_file_name(joined(file.cameras)) : "";
-  return (fs::path(output) / (stem + camera + "." + std::string(format.id) + extension_of(file, format))).string();
-}
-
-std::string extension_of(const Written::File& file, const Format& format) {
-  const fs::path proposal = file.document.source().name;
-  return proposal.has_extension() ? proposal.extension().string() : std::string(format.extension);
-}
-
-bool is_calibration_extension(std::string_view extension) {
-  return std::ranges::find(kExtensions, extension, &Extension::extension) != kExtensions.end();
-}
-
-std::string misnamed(const std::string& path, const text::Document& document) {
-  const std::string_view is = name_of(document.syntax());
-  const std::string extension = fs::path(path).extension().string();
-  const auto known = std::ranges::find(kExtensions, extension, &Extension::extension);
-  if (known == kExtensions.end() || known->syntax == is) return "";
-  return path + " holds " + std::string(is) + ", whatever its name says: its readers go by the content";
-}
-
-std::ptrdiff_t camera_files(const Written& written) {
-  return std::ranges::count_if(written.files, [](const Written::File& file) { return !file.cameras.empty() && !file.named; });
+  const std::string camera = camera_files(result.files) > 1 ? "." + as_file_name(joined(file.cameras)) : "";
+  return (fs::path(output) / (stem + camera + "." + std::string(result.to->id) + extension_of(file, *result.to))).string();
 }
 
 }  // namespace fca::cli

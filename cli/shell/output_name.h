@@ -2,7 +2,7 @@
 // Where the files of a conversion go.
 #pragma once
 
-#include <fca/formats/format.h>
+#include <fca/toolkit/convert.h>
 
 #include <array>
 #include <optional>
@@ -29,20 +29,8 @@ void make_folder_of(const std::string& path, const std::string& output);
 /// Is `output` (-o) a folder, which has room for several files?
 [[nodiscard]] bool names_folder(const std::string& output);
 
-/// How many of the files hold cameras and have no name that another one gives them.
-[[nodiscard]] std::ptrdiff_t camera_files(const Written& written);
-
-/// The extension of a file that is to be written, with its point.
-[[nodiscard]] std::string extension_of(const Written::File& file, const Format& format);
-
-/// Is the extension (with its point) one that calibration files have?
-[[nodiscard]] bool is_calibration_extension(std::string_view extension);
-
-/// "x.xml is YAML": what a path's extension promises and the document is not; "" if it promises nothing else.
-[[nodiscard]] std::string misnamed(const std::string& path, const text::Document& document);
-
 /// The path of file number `index` of a conversion of `input`, from -o: a path, a folder or a pattern; empty: standard output.
-[[nodiscard]] std::string output_path(const std::string& output, const std::string& input, const Format& format,
-                                      const Written& written, std::size_t index);
+[[nodiscard]] std::string output_path(const std::string& output, const std::string& input, const ConvertResult& result,
+                                      std::size_t index);
 
 }  // namespace fca::cli

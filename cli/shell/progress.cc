@@ -2,12 +2,9 @@
 #include "progress.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
-
-#include <unistd.h>
 
 namespace fca::cli {
 
@@ -17,17 +14,18 @@ constexpr std::size_t kBarWidth = 40;
 constexpr auto kPause = std::chrono::milliseconds(100);  // between two looks of an eye
 constexpr std::string_view kEraseLine = "\r\x1b[K";
 
-bool is_terminal() {
+bool can_redraw(const Output& output) {
   const char* term = std::getenv("TERM");
-  return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+  return output.is_terminal() && term != nullptr && std::string_view(term) != "dumb";
 }
 
 }  // namespace
 
-Progress::Progress(std::size_t total) : total_(std::max<std::size_t>(total, 1)), on_terminal_(is_terminal()) {}
+Progress::Progress(std::size_t total, Output& err)
+    : err_(err), total_(std::max<std::size_t>(total, 1)), on_terminal_(can_redraw(err)) {}
 
 Progress::~Progress() {
-  if (on_terminal_) std::fprintf(stderr, "%s", std::string(kEraseLine).c_str());
+  if (on_terminal_) err_.write(kEraseLine);
 }
 
 void Progress::step() {
@@ -39,8 +37,8 @@ void Progress::step() {
   shown_ = now;
   const std::size_t filled = kBarWidth * done_ / total_;
   const std::string bar = std::string(filled, '#') + std::string(kBarWidth - filled, '.');
-  std::fprintf(stderr, "%s[%s] %zu of %zu", std::string(kEraseLine).c_str(), bar.c_str(), done_, total_);
-  std::fflush(stderr);
+  err_.write(std::string(kEraseLine) + "[" + bar + "] " + std::to_string(done_) + " of " + std::to_string(total_));
+  static_cast<void>(err_.flush());
 }
 
 }  // namespace fca::cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "streams.h"
+
 #include <chrono>
 #include <cstddef>
 #include <mutex>
@@ -11,7 +13,7 @@ namespace fca::cli {
 /// threads.
 class Progress {
  public:
-  explicit Progress(std::size_t total);
+  Progress(std::size_t total, Output& err);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -19,6 +21,7 @@ class Progress {
   void step();
 
  private:
+  Output& err_;
   std::mutex mutex_;
   std::chrono::steady_clock::time_point shown_;
   std::size_t total_;

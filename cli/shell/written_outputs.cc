@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "written_outputs.h"
 
-#include "output_file.h"
+#include "toolkit/save/output_file.h"
 #include "output_name.h"
 
 #include <filesystem>
@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 /// How outputs that have one path are told apart: by what their inputs' names have of their own.
 std::string apart(const std::vector<ConvertOutcome>& outcomes) {
   const bool several =
-      std::ranges::any_of(outcomes, [](const ConvertOutcome& outcome) { return camera_files(outcome.written) > 1; });
+      std::ranges::any_of(outcomes, [](const ConvertOutcome& outcome) { return camera_files(outcome.files) > 1; });
   const ConvertOutcome& first = outcomes.front();
   const std::string extension =
-      first.written.files.empty() ? std::string(first.to->extension) : extension_of(first.written.files.front(), *first.to);
+      first.files.empty() ? std::string(first.to->extension) : extension_of(first.files.front(), *first.to);
   for (const std::string_view names : {"{stem}", "{stem}.{extension}", "{folder}.{stem}", "{folder}.{stem}.{extension}"}) {
     std::set<std::string> paths;
     for (const ConvertOutcome& outcome : outcomes) paths.insert(with_names_of(outcome.input, "", std::string(names)));
@@ -36,7 +36,7 @@ std::string apart(const std::vector<ConvertOutcome>& outcomes) {
 std::vector<OutputFile> files_of(const ConvertArguments& arguments, const ConvertOutcome& outcome, const Console& console) {
   std::vector<OutputFile> files;
   if (outcome.code != ExitCode::kGood) return files;
-  for (const ConvertOutcome::Output& output : outcome.outputs) {
+  for (const ConvertedFile& output : outcome.files) {
     if (!output.path.empty()) {
       files.push_back({output.path, output.bytes});
     } else if (!arguments.json) {
@@ -52,7 +52,7 @@ std::vector<OutputFile> files_of(const ConvertArguments& arguments, const Conver
 bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console) {
   std::map<std::string, std::string> inputs;  // by the path of their output
   for (const ConvertOutcome& outcome : outcomes) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) {
+    for (const ConvertedFile& output : outcome.files) {
       if (output.path.empty()) continue;
       const auto [first, is_new] = inputs.insert({output.path, outcome.input});
       if (is_new) continue;
@@ -68,7 +68,7 @@ bool collide(const std::vector<ConvertOutcome>& outcomes, const Console& console
 void remove_leftovers_beside(const std::vector<ConvertOutcome>& outcomes) {
   std::set<std::string> folders;
   for (const ConvertOutcome& outcome : outcomes) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) {
+    for (const ConvertedFile& output : outcome.files) {
       if (!output.path.empty()) folders.insert(fs::path(output.path).parent_path().string());
     }
   }
@@ -86,7 +86,7 @@ std::size_t write_outputs(const ConvertArguments& arguments, std::span<ConvertOu
   } while (sets.size() < outcomes.size() && files < kMostFiles);
   const std::vector<std::optional<std::string>> problems =
       write_sets(std::vector<std::span<const OutputFile>>(sets.begin(), sets.end()), arguments.force || arguments.in_place,
-                 arguments.fsync, arguments.jobs);
+                 arguments.fsync, arguments.request.jobs);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (!problems[i]) continue;
     outcomes[i].diagnostics.error("cannot-write", *problems[i]);

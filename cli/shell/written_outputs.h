@@ -3,7 +3,7 @@
 #pragma once
 
 #include "console.h"
-#include "toolkit/conversion.h"
+#include "commands/convert/outcome.h"
 
 #include <cstddef>
 #include <span>

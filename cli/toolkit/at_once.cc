@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace fca::cli {
+namespace fca {
 
 void at_once(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body) {
   const std::size_t most = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
@@ -21,4 +21,4 @@ void at_once(std::size_t count, std::size_t jobs, const std::function<void(std::
   for (std::future<void>& other : others) other.get();
 }
 
-}  // namespace fca::cli
+}  // namespace fca

@@ -135,7 +135,7 @@ class ProgramsCheck {
     const bool file_per_camera =
         calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(to)->many_cameras;
     if (file_per_camera) command += " -o FOLDER/";
-    if (!writing.output.empty()) command += " -o " + std::string(writing.output);
+    if (!writing.file_name.empty()) command += " -o " + std::string(writing.file_name);
     return command;
   }
 

@@ -111,7 +111,7 @@ constexpr std::array kConsumers{
              .format = "tumvi",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_dso>,
-             .writing = {.output = "camera.txt"}},
+             .writing = {.file_name = "camera.txt"}},
 };
 
 }  // namespace

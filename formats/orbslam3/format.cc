@@ -85,6 +85,7 @@ const Format kFormat = {
     .own_facts = kOwnFacts,
     .modes = kModes,
     .layouts = kLayouts,
+    .layouts_in_words = "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else v1)",
     .demands = kDemands,
     .of_the_images = kOfTheImages,
     .of_the_lenses = kOfTheLenses,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/text/read_stream.h>
 
 #include "json.h"
 #include "syntax.h"
@@ -64,12 +65,14 @@ std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& dia
 
 }  // namespace
 
+Source read_stream(std::string name, std::istream& stream) { return {std::move(name), read_limited(stream)}; }
+
 std::optional<Source> read_source(const std::string& path, Diagnostics& diagnostics) {
   const auto cannot_read = [&](const std::string& why) {
     diagnostics.error("cannot-read", "cannot read the file: " + why, {path, 0, 0});
     return std::nullopt;
   };
-  if (path == "-") return Source{kStandardInput, read_limited(std::cin)};
+  if (path == "-") return read_stream(kStandardInput, std::cin);
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) return cannot_read("it does not exist");

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
 
-#include "options/subcommand.h"
+#include "options/inputs.h"
+#include "options/program.h"
 #include "shell/calibration_files.h"
-#include "shell/output_file.h"
-#include "shell/words.h"
-#include "toolkit/conversion_preview.h"
-#include "toolkit/program_reading.h"
-
-#include <fca/formats/text/read_document.h>
+#include "toolkit/save/output_file.h"
+#include "toolkit/words.h"
 
 #include <algorithm>
 #include <filesystem>
-
-#include <CLI/CLI.hpp>
+#include <memory>
 
 namespace fca::cli {
 
@@ -25,19 +21,15 @@ std::vector<std::string> code_names() {
   return names;
 }
 
+std::string unknown_code(const std::string& code) {
+  return unknown_word("code", code, code_names(), "fca-io check --list-codes lists them");
+}
+
 /// What is wrong with the options, in words.
-std::optional<std::string> problem_with(const CheckArguments& arguments) {
-  if (const std::optional<std::string> error = check(arguments.reading)) return error;
-  if (!arguments.program.empty() && find_program(arguments.program) == nullptr)
-    return unknown_word("program", arguments.program, program_ids());
-  for (const std::string& code : arguments.ignored) {
-    if (find_check_code(code) == nullptr)
-      return unknown_word("code", code, code_names(), "fca-io check --list-codes lists them");
-  }
-  if (arguments.fail_on != "error" && arguments.fail_on != "warning")
-    return "--fail-on is error or warning, not '" + arguments.fail_on + "'";
-  if (!arguments.reading.with.empty() || arguments.reading.join || arguments.reading.cameras ||
-      changes_images(arguments.reading)) {
+std::optional<std::string> usage_error(const CheckArguments& arguments) {
+  const Inputs& inputs = arguments.request.inputs;
+  if (const std::optional<std::string> error = problem_with(inputs)) return error;
+  if (!inputs.parts.empty() || inputs.join || inputs.cameras || changes_images(inputs)) {
     return "check looks at every file as it stands: --with, --join, --camera, --crop, --binning and --resize have no use here";
   }
   if (arguments.write && !arguments.fix) return "--write is for --fix";
@@ -49,30 +41,9 @@ std::optional<std::string> problem_with(const CheckArguments& arguments) {
   return std::nullopt;
 }
 
-/// What there is to check a file by, for one with cameras or without.
-CheckOptions options_for(const CheckArguments& arguments, bool with_cameras) {
-  CheckOptions options;
-  options.reading = {parse_size(arguments.reading.size), arguments.reading.opencv_model, false};
-  options.from = arguments.reading.from.empty() ? nullptr : find_format(arguments.reading.from);
-  options.max_angle_rad = max_angle_rad(arguments.reading);
-  options.parts = true;
-  if (!arguments.program.empty()) options.program = &reader_of(*find_program(arguments.program), with_cameras);
-  return options;
-}
-
-CheckReport checked(const text::Source& source, const CheckArguments& arguments) {
-  CheckReport report = check_file(source, options_for(arguments, true));
-  if (report.holds_no_camera && !arguments.program.empty()) report = check_file(source, options_for(arguments, false));
-  std::erase_if(report.findings, [&arguments](const Finding& finding) {
-    return std::ranges::find(arguments.ignored, finding.code) != arguments.ignored.end();
-  });
-  return report;
-}
-
 /// Makes the certain mends: shows them, writes them if asked to, and goes on with the mended text.
 ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& console) {
-  const bool with_cameras = !check_file(source, options_for(arguments, true)).holds_no_camera;
-  const std::optional<text::Source> better = mended(source, options_for(arguments, with_cameras));
+  const std::optional<text::Source> better = with_fixes(arguments.request, source);
   if (!better) return ExitCode::kGood;
   console.say(source.name + ": " + (arguments.write ? "mended" : "would be mended (--write does it)") + "\n" +
               line_diff(source.bytes, better->bytes));
@@ -86,18 +57,9 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
   return ExitCode::kIo;
 }
 
-/// For a program of another format: what it would be given instead.
-std::optional<ConvertOutcome> instead_of(const std::string& file, const CheckReport& report, const CheckArguments& arguments,
-                                         Console& console) {
-  const bool other_format =
-      std::ranges::any_of(report.findings, [](const Finding& finding) { return finding.code == "program-other-format"; });
-  if (!other_format || file == "-") return std::nullopt;
-  return preview_conversion(file, arguments.reading, *find_program(arguments.program), console);
-}
-
 ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
   if (!report.is_calibration) return ExitCode::kBadInput;
-  const bool bad = report.has(Severity::kError) || (arguments.fail_on == "warning" && report.has(Severity::kWarning));
+  const bool bad = report.has(Severity::kError) || (arguments.fail_on_warnings && report.has(Severity::kWarning));
   return bad ? ExitCode::kJudgedBad : ExitCode::kGood;
 }
 
@@ -121,7 +83,7 @@ void add_parts(const std::vector<std::string>& parts, std::size_t index, std::ve
 }
 
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
+  if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.list_codes) {
     for (const CheckCode& code : check_codes()) console.say(padded(code.code, 28) + std::string(code.title) + "\n");
     return ExitCode::kGood;
@@ -129,8 +91,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (!arguments.explain.empty()) {
     const CheckCode* code = find_check_code(arguments.explain);
     if (code == nullptr) {
-      return console.refuse(ExitCode::kUsage,
-                            unknown_word("code", arguments.explain, code_names(), "fca-io check --list-codes lists them"));
+      return console.refuse(ExitCode::kUsage, unknown_code(arguments.explain));
     }
     console.say(explanation(*code));
     return ExitCode::kGood;
@@ -145,7 +106,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   for (std::size_t i = 0; i < files.size(); ++i) {  // the files that one names are checked behind it
     const FoundFile file = files[i];
     Diagnostics diagnostics;
-    std::optional<text::Source> source = text::read_source(file.path, diagnostics);
+    std::optional<text::Source> source = console.files().read(file.path, diagnostics);
     if (!source) {
       if (!file.named) {
         all.skipped.push_back(file.path);
@@ -153,19 +114,18 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
       }
       console.show(diagnostics);
       exit_code = worse(exit_code, ExitCode::kIo);
-      all.files.push_back({{file.path, {}}, unreadable(diagnostics), {}});
+      all.files.push_back({{file.path, {}}, unreadable(diagnostics), std::nullopt});
       continue;
     }
     if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
-    CheckReport report = checked(*source, arguments);
-    if (!report.is_calibration && !file.named) {
+    CheckResult result = check(arguments.request, *source, console.files());
+    if (!result.report.is_calibration && !file.named) {
       all.skipped.push_back(file.path);
       continue;
     }
-    add_parts(report.parts, i, files);
-    exit_code = worse(exit_code, code_of(report, arguments));
-    std::optional<ConvertOutcome> instead = instead_of(file.path, report, arguments, console);
-    all.files.push_back({*std::move(source), std::move(report), std::move(instead)});
+    add_parts(result.report.parts, i, files);
+    exit_code = worse(exit_code, code_of(result.report, arguments));
+    all.files.push_back(std::move(result));
     if (!for_people) continue;
     // A file that is no calibration has no result.
     const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back());
@@ -182,42 +142,52 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
   return exit_code;
 }
 
-void add_options(CLI::App& command, CheckArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  command.add_option("FILE", arguments.files, "Calibration file(s) or folders; '-' is standard input");
-  add_reading_options(command, arguments.reading);
-  add_join_option(command, arguments.reading);
+void add_options(Options& options, CheckArguments& arguments) {
+  CheckRequest& request = arguments.request;
+  options.positional("FILE", "Calibration file(s) or folders; '-' is standard input", arguments.files, false);
+  add_input_options(options, request.inputs);
+  add_join_option(options, request.inputs);
   // Refused: a file is looked at as it stands.
-  for (const char* option : {"--with", "--join", "--camera", "--crop", "--binning", "--resize"})
-    command.get_option(option)->group("");
-  command
-      .add_option("--for", arguments.program,
-                  "The program the file is meant for; if it reads another format, what convert would make of it: " +
-                      enumerated(program_ids(), "or") + " (default: the format's own)")
-      ->type_name("PROGRAM");
-  command.add_option("--explain", arguments.explain, "The story behind a finding's code")->type_name("CODE");
-  command.add_flag("--list-codes", arguments.list_codes, "All codes with what they mean");
-  take_one_each_time(
-      *command.add_option("--ignore", arguments.ignored, "Leave findings of that code out; may be given several times")
-           ->type_name("CODE"));
-  command.add_option("--fail-on", arguments.fail_on, "Exit with 1 from this severity on: error (default) or warning")
-      ->type_name("SEVERITY");
-  command.add_flag("--fix", arguments.fix,
-                   "Show the mends that are certain (a decimal point, quotes, a header, blanks for TABs) as a diff, and check "
-                   "the mended file");
-  command.add_flag("--write", arguments.write, "With --fix: write them into the file");
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.add_flag("--sarif", arguments.sarif, "SARIF 2.1.0 on standard output, for CI services");
-  command.footer(
+  options.hide({"--with", "--join", "--camera", "--crop", "--binning", "--resize"});
+  add_program_option(options,
+                     "The program the file is meant for; if it reads another format, what convert would make of it: " +
+                         enumerated(program_ids(), "or") + " (default: the format's own)",
+                     request.program);
+  options.value("--explain", "CODE", "The story behind a finding's code", arguments.explain);
+  options.flag("--list-codes", "All codes with what they mean", arguments.list_codes);
+  options.each("--ignore", "CODE", "Leave findings of that code out; may be given several times",
+               [&request](const std::string& code) -> std::optional<std::string> {
+                 if (find_check_code(code) == nullptr) return unknown_code(code);
+                 request.ignored.push_back(code);
+                 return std::nullopt;
+               });
+  options.value("--fail-on", "SEVERITY", "Exit with 1 from this severity on: error (default) or warning",
+                [&arguments](const std::string& word) -> std::optional<std::string> {
+                  if (word != "error" && word != "warning") return "--fail-on is error or warning, not '" + word + "'";
+                  arguments.fail_on_warnings = word == "warning";
+                  return std::nullopt;
+                });
+  options.flag("--fix",
+               "Show the mends that are certain (a decimal point, quotes, a header, blanks for TABs) as a diff, and check "
+               "the mended file",
+               arguments.fix);
+  options.flag("--write", "With --fix: write them into the file", arguments.write);
+  options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.flag("--sarif", "SARIF 2.1.0 on standard output, for CI services", arguments.sarif);
+  options.footer(
       "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"
       "Example:\n  fca-io check camchain.yaml\n  fca-io check --explain poses-contradict\n");
-  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_check(arguments, console); }; });
 }
 
 }  // namespace
 
-void add_check_command(CLI::App& app, CheckArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  add_subcommand(app, "check", "What is wrong with a file, what happens if it is used, and how to mend it",
-                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
+void add_check_command(Application& application) {
+  application.add("check", "What is wrong with a file, what happens if it is used, and how to mend it",
+                  [](Options& options) -> RunCommand {
+                    const auto arguments = std::make_shared<CheckArguments>();
+                    add_options(options, *arguments);
+                    return [arguments](const Invocation&, Console& console) { return run_check(*arguments, console); };
+                  });
 }
 
 }  // namespace fca::cli

@@ -25,7 +25,7 @@ void put_finding(Json& json, const Finding& finding, const text::Source& source)
   json.put("fix", finding.fix);
 }
 
-void put_file(Json& json, const CheckedFile& file, const Console& console) {
+void put_file(Json& json, const CheckResult& file, const Console& console) {
   const CheckReport& report = file.report;
   json.put("file", file.source.name);
   report.format != nullptr ? json.put("format", report.format->id) : json.null("format");
@@ -39,7 +39,12 @@ void put_file(Json& json, const CheckedFile& file, const Console& console) {
       json.put("why", undecided.why);
     });
   });
-  if (file.instead) json.object("conversion", [&] { put_conversion(json, *file.instead, console); });
+  if (!file.instead) return;
+  ConvertOutcome outcome;
+  static_cast<ConvertResult&>(outcome) = *file.instead;
+  outcome.input = file.source.name;
+  outcome.code = exit_code(outcome.status);
+  json.object("conversion", [&] { put_conversion(json, outcome, console); });
 }
 
 /// A path as SARIF wants it (RFC 3986): absolute ones as file://, everything but plain letters encoded.
@@ -97,7 +102,7 @@ std::string check_json(const CheckedFiles& checked, const Console& console) {
   Json json;
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
-    json.array("files", checked.files, [&](const CheckedFile& file) { json.object([&] { put_file(json, file, console); }); });
+    json.array("files", checked.files, [&](const CheckResult& file) { json.object([&] { put_file(json, file, console); }); });
     json.put("skipped", std::span<const std::string>(checked.skipped));
   });
   return json.document();
@@ -105,7 +110,7 @@ std::string check_json(const CheckedFiles& checked, const Console& console) {
 
 std::string check_sarif(const CheckedFiles& checked) {
   std::set<std::string_view> codes;
-  for (const CheckedFile& file : checked.files) {
+  for (const CheckResult& file : checked.files) {
     for (const Finding& finding : file.report.findings) codes.insert(finding.code);
   }
   Json json;
@@ -125,7 +130,7 @@ std::string check_sarif(const CheckedFiles& checked) {
         });
         json.put("columnKind", "unicodeCodePoints");
         std::vector<std::pair<const Finding*, const text::Source*>> results;
-        for (const CheckedFile& file : checked.files) {
+        for (const CheckResult& file : checked.files) {
           for (const Finding& finding : file.report.findings) results.emplace_back(&finding, &file.source);
         }
         json.array("results", results,

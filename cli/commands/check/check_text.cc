@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
-#include "shell/words.h"
-#include "toolkit/conversion_preview.h"
+#include "toolkit/words.h"
+#include "preview_text.h"
 
 #include <fca/formats/text/render.h>
 
@@ -45,7 +45,7 @@ std::string readers_line(const Readers& readers) {
 
 }  // namespace
 
-std::string check_text(const CheckedFile& file) {
+std::string check_text(const CheckResult& file) {
   const CheckReport& report = file.report;
   std::string text = text::printable(file.source.name) + ": ";
   text += report.format == nullptr ? "" : std::string(report.format->title) + " (" + report.why + "); ";
@@ -65,7 +65,7 @@ std::string check_summary(const CheckedFiles& checked) {
   std::size_t calibrations = 0;
   std::size_t bad = 0;
   std::size_t doubtful = 0;
-  for (const CheckedFile& file : checked.files) {
+  for (const CheckResult& file : checked.files) {
     if (!file.report.is_calibration) continue;
     ++calibrations;
     const bool error = file.report.has(Severity::kError);

@@ -3,7 +3,8 @@
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
 #include "shell/judgement_json.h"
-#include "shell/words.h"
+#include "toolkit/compare/difference_words.h"
+#include "toolkit/words.h"
 
 namespace fca::cli {
 
@@ -67,7 +68,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
 
 /// Is there nothing that differs, or that only one of them says?
 bool is_identical(const ComparedFile& compared) {
-  return compared.comparison && compared.code <= ExitCode::kJudgedBad && compared.comparison->identical() &&
+  return compared.comparison && exit_code(compared.status) <= ExitCode::kJudgedBad && compared.comparison->identical() &&
          !inverses_differ(compared) && compared.comparison->only_in_reference.empty() &&
          compared.comparison->only_in_other.empty();
 }
@@ -118,8 +119,8 @@ std::string compare_json(const ReferenceFile& reference, const std::vector<Compa
       json.object([&] {
         json.put("file", compared.file);
         compared.calibration ? json.put("format", compared.calibration->format->id) : json.null("format");
-        json.put("exit_code", static_cast<int>(compared.code));
-        json.put("verdict", compared.verdict);
+        json.put("exit_code", static_cast<int>(exit_code(compared.status)));
+        json.put("verdict", verdict_of(compared));
         json.put("identical", is_identical(compared));
         json.put("inverse_px", compared.inverse_px);
         put_comparison(json, compared.comparison.value_or(RigComparison()));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
 #include "shell/judgement_text.h"
-#include "shell/words.h"
+#include "toolkit/compare/difference_words.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -158,7 +159,7 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
   if (comparison.mistakes.size() > kInVerdict) {
     for (const Mistake& mistake : comparison.mistakes) text += paragraph("explained: " + sentence(mistake), "");
   }
-  return text + "verdict: " + name + ": " + compared.verdict + "\n";
+  return text + "verdict: " + name + ": " + verdict_of(compared) + "\n";
 }
 
 }  // namespace fca::cli

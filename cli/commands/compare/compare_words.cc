@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a comparison comes to, in one line.
 #include "compare_command.h"
-#include "shell/words.h"
+#include "toolkit/compare/difference_words.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -13,10 +14,6 @@ namespace fca::cli {
 
 namespace {
 
-/// Rounding is no difference: 1.8e-14 deg reads as 0.
-double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
-std::string in_degrees(double radians) { return text::format_short(without_rounding(radians) * kDegreesPerRadian, 3) + " deg"; }
-std::string in_millimetres(double metres) { return text::format_short(without_rounding(metres) * 1000.0, 3) + " mm"; }
 std::string in_tenths(double degrees) { return fixed(degrees, 1) + " deg"; }
 
 bool same(const CameraComparison& camera) {
@@ -52,7 +49,7 @@ std::string different_camera(const CameraComparison& camera) {
   const double after = camera.rotated->difference.judgement.error.rms;
   constexpr double kExplains = 0.5;
   if (after < kExplains * before) {
-    text += ", rms " + pixels(before) + " (" + pixels(after) + " with a turn of " + in_degrees(camera.rotated->angle_rad) +
+    text += ", rms " + pixels(before) + " (" + pixels(after) + " with a turn of " + angle_text(camera.rotated->angle_rad) +
             " undone)";
   }
   return text;
@@ -68,25 +65,9 @@ std::string different_poses(const std::vector<PoseComparison>& poses) {
   if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
     return in_words(distance->distance_m == 0.0 ? *angle : *distance);
   }
-  return name(*angle) + " differs by " + in_degrees(angle->angle_rad) + ", " + name(*distance) + " by " +
-         in_millimetres(distance->distance_m);
+  return name(*angle) + " differs by " + angle_text(angle->angle_rad) + ", " + name(*distance) + " by " +
+         length_text(distance->distance_m);
 }
-
-}  // namespace
-
-std::string in_words(const PoseComparison& pose) {
-  return "T_" + pose.a + "_" + pose.b + " differs by " + in_degrees(pose.angle_rad) + " and " + in_millimetres(pose.distance_m);
-}
-
-std::string in_words(const FactComparison& fact) {
-  const std::string what = (fact.owner.empty() ? "" : fact.owner + " ") + fact.name + " ";
-  if (fact.unit == "s")
-    return what + "differs by " + text::format_short(std::abs(fact.other - fact.reference) * 1000.0, 3) + " ms";
-  if (fact.unit == "m") return what + "differs by " + in_millimetres(std::abs(fact.other - fact.reference));
-  return what + "is " + text::format_short(fact.other / fact.reference, 3) + " times the reference's";
-}
-
-namespace {
 
 /// One for each kind: "cam0 has ... (cam1 as well)".
 std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
@@ -105,17 +86,11 @@ std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
 
 }  // namespace
 
-std::string sentence(const Mistake& mistake) { return mistake.subject + " " + mistake.message; }
-
-bool inverses_differ(const ComparedFile& compared) {
-  if (!compared.inverse_px || !compared.comparison) return false;
-  double directions = 0.0;
-  for (const CameraComparison& camera : compared.comparison->cameras)
-    directions = std::max(directions, camera.identical ? 0.0 : camera.difference.judgement.error.max + kSamePx);
-  return *compared.inverse_px > directions;
-}
-
 std::string verdict_of(const ComparedFile& compared) {
+  if (compared.status > Status::kRejected) {
+    const auto& entries = compared.diagnostics.entries();
+    return "not compared: " + std::ranges::find(entries, Severity::kError, &Diagnostic::severity)->message;
+  }
   const RigComparison& comparison = *compared.comparison;
   const bool inverse = inverses_differ(compared);
   const std::string of_inverse =
@@ -166,7 +141,7 @@ std::string rotation_in_words(const BestRotation& rotation) {
     parts.push_back(text::format_short(std::abs(axis.radians) * kDegreesPerRadian, 3) + " " +
                     (axis.radians > 0.0 ? axis.positive : axis.negative));
   }
-  return in_degrees(rotation.angle_rad) + (parts.empty() ? "" : ": its rays lie " + enumerated(parts, "and"));
+  return angle_text(rotation.angle_rad) + (parts.empty() ? "" : ": its rays lie " + enumerated(parts, "and"));
 }
 
 }  // namespace fca::cli

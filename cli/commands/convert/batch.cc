@@ -2,7 +2,7 @@
 #include "batch.h"
 
 #include "shell/progress.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 #include "toolkit/at_once.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Group {
 std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments) {
   std::vector<Group> groups;
   for (const FoundFile& file : inputs) {
-    if (groups.empty() || !arguments.reading.join) groups.push_back({{}, file.named});
+    if (groups.empty() || !arguments.request.inputs.join) groups.push_back({{}, file.named});
     groups.back().files.push_back(file.path);
   }
   return groups;
@@ -35,17 +35,15 @@ bool holds_no_camera(const ConvertOutcome& outcome) {
 }
 
 /// Of ten thousand conversions only what is still to be written and told is kept.
-void forget(ConvertOutcome& outcome, bool in_full) {
-  for (Written::File& file : outcome.written.files) file.document = text::Document({}, file.document.syntax(), {});
-  if (in_full) return;
-  outcome.written.losses = {};
-  outcome.written.defaults = {};
+void forget(ConvertOutcome& outcome) {
+  outcome.losses = {};
+  outcome.defaults = {};
   outcome.proofs = {};
 }
 
 std::string models(const ConvertOutcome& outcome) {
   std::vector<std::string> said;
-  for (const CameraOutcome& camera : outcome.cameras) {
+  for (const ConvertedCamera& camera : outcome.cameras) {
     const std::string from(model_info(camera.source.model).id);
     const std::string to(model_info(camera.target.model).id);
     const std::string one = from == to ? to : from + " -> " + to;
@@ -57,7 +55,7 @@ std::string models(const ConvertOutcome& outcome) {
 /// The largest of a figure over the cameras that were judged.
 std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure) {
   std::optional<double> most;
-  for (const CameraOutcome& camera : outcome.cameras) {
+  for (const ConvertedCamera& camera : outcome.cameras) {
     if (!camera.report || camera.report->exact) continue;
     most = std::max(most.value_or(0.0), camera.report->judgement.error.*figure);
   }
@@ -109,8 +107,8 @@ bool is_told_in_full(std::size_t inputs) {
   return inputs <= kMost;
 }
 
-Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const HeldInterrupt& interrupt,
-                    Console& console) {
+Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
+                    const std::vector<std::string>& words, const HeldInterrupt& interrupt, Console& console) {
   struct Job {
     std::optional<ConvertOutcome> outcome;
     std::vector<text::Source> sources;  ///< What its diagnostics point into.
@@ -118,16 +116,17 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
   const std::vector<Group> groups = groups_of(inputs, arguments);
   std::vector<Job> jobs(groups.size());
   const bool in_full = arguments.json || is_told_in_full(groups.size());
-  ConvertArguments each = arguments;
-  if (groups.size() > 1) each.jobs = 1;
-  Progress progress(groups.size());
-  at_once(groups.size(), arguments.jobs, [&](std::size_t i) {
+  Progress progress(groups.size(), console.streams().err);
+  at_once(groups.size(), arguments.request.jobs, [&](std::size_t i) {
     if (interrupt.asked()) return;
-    Console own;
-    jobs[i].outcome = convert_inputs(groups[i].files, each, own);
+    ConvertArguments each = arguments;
+    if (groups.size() > 1) each.request.jobs = 1;
+    each.request.inputs.files = groups[i].files;
+    CommandFiles files(console.streams());
+    jobs[i].outcome = convert_input(each, words, files);
     const Diagnostics& said = jobs[i].outcome->diagnostics;
-    if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = own.sources();
-    if (groups.size() > 1) forget(*jobs[i].outcome, in_full);
+    if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = files.sources();
+    if (groups.size() > 1 && !in_full) forget(*jobs[i].outcome);
     progress.step();
   });
   Batch batch;
@@ -138,7 +137,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     } else if (!groups[i].named && holds_no_camera(*job.outcome)) {
       ++batch.skipped;
     } else {
-      for (text::Source& source : job.sources) console.remember(std::move(source));
+      for (text::Source& source : job.sources) console.files().remember(std::move(source));
       batch.outcomes.push_back(*std::move(job.outcome));
     }
   }
@@ -158,8 +157,8 @@ std::string batch_text(const Batch& batch, bool written) {
                      i < reached ? result(outcome) : "not written"});
     if (outcome.code != ExitCode::kGood) continue;
     ++good;
-    const auto is_file = [](const ConvertOutcome::Output& output) { return !output.path.empty(); };
-    if (i < reached) files += static_cast<std::size_t>(std::ranges::count_if(outcome.outputs, is_file));
+    const auto is_file = [](const ConvertedFile& file) { return !file.path.empty(); };
+    if (i < reached) files += static_cast<std::size_t>(std::ranges::count_if(outcome.files, is_file));
   }
   const std::size_t all = batch.outcomes.size() + batch.left;
   std::string text = "\n" + table(lines) + "\n" + (reached < all ? "interrupted: " : "") + std::to_string(good) + " of " +

@@ -2,9 +2,9 @@
 // Several inputs converted at the same time, and what came of them in a few lines.
 #pragma once
 
+#include "outcome.h"
 #include "shell/calibration_files.h"
 #include "shell/held_interrupt.h"
-#include "toolkit/conversion.h"
 
 #include <cstddef>
 #include <string>
@@ -24,7 +24,7 @@ struct Batch {
 
 /// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt.
 [[nodiscard]] Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
-                                  const HeldInterrupt& interrupt, Console& console);
+                                  const std::vector<std::string>& words, const HeldInterrupt& interrupt, Console& console);
 
 /// One line for each of several inputs, and one for all. `written`: what was converted was to be written (no --dry-run).
 [[nodiscard]] std::string batch_text(const Batch& batch, bool written);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "outcome.h"
+#include "shell/console.h"
 #include "shell/json.h"
-#include "toolkit/conversion.h"
 
 namespace fca::cli {
 

@@ -2,18 +2,17 @@
 #include "convert_command.h"
 
 #include "batch.h"
-#include "options/option_use.h"
-#include "options/subcommand.h"
+#include "options/inputs.h"
+#include "options/target.h"
+#include "options/words.h"
 #include "shell/calibration_files.h"
 #include "shell/output_name.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 #include "shell/written_outputs.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-
-#include <CLI/CLI.hpp>
+#include <memory>
 
 namespace fca::cli {
 
@@ -22,19 +21,18 @@ namespace {
 namespace fs = std::filesystem;
 
 std::optional<std::string> usage_error(const ConvertArguments& arguments, const std::vector<FoundFile>& files) {
-  if (const std::optional<std::string> error = check(arguments.reading)) return error;
-  if (arguments.in_place && arguments.into.empty()) {
+  const ConvertRequest& request = arguments.request;
+  if (const std::optional<std::string> error = problem_with(request.inputs)) return error;
+  if (arguments.in_place && request.into.empty()) {
     const std::string input = shell_word(arguments.inputs.front());
     return "--in-place is for --into BASE; to change the input itself: fca-io convert " + input + " --into " + input +
            " --in-place";
   }
-  if (arguments.into.empty() && arguments.to.empty()) return "--to FORMAT is missing: " + format_names();
-  if (const std::optional<std::string> error = problem_with(arguments)) return error;
-  if (arguments.provenance && arguments.no_provenance) return "--provenance and --no-provenance contradict each other";
+  if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + format_names();
+  if (const std::optional<std::string> error = problem_with(request)) return error;
   if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
-  if (arguments.max_error_px && !(*arguments.max_error_px >= 0.0)) return "--max-error wants a number of pixels";
-  const bool many = !arguments.reading.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
-  if (many && !arguments.into.empty()) return "--into wants one input, or several that are one rig (--join)";
+  const bool many = !request.inputs.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
+  if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";
   const bool one_path =
       !arguments.output.empty() && arguments.output.find('{') == std::string::npos && !names_folder(arguments.output);
   constexpr std::string_view kOneRig = "; parts of one calibration go behind --with, cameras of one rig want --join";
@@ -51,19 +49,27 @@ bool is_regular(const FoundFile& file) {
   return fs::is_regular_file(file.path, ignored);
 }
 
-ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
+/// --opencv-model without a file that it could be about.
+std::optional<std::string> opencv_model_problem(const ConvertArguments& arguments, const std::vector<ConvertOutcome>& outcomes) {
+  const std::vector<ConvertResult> results(outcomes.begin(), outcomes.end());
+  Inputs inputs = arguments.request.inputs;
+  inputs.files = {outcomes.empty() ? "" : outcomes.front().input};
+  return opencv_model_without_use(inputs, results);
+}
+
+ExitCode run_convert(const ConvertArguments& arguments, const Invocation& invocation, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.inputs))
     return console.refuse(ExitCode::kIo, *problem);
   const std::vector<FoundFile> files = walk(arguments.inputs);
   if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
-  const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular));
-  Batch batch = convert_batch(files, arguments, interrupt, console);
+  const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular), console);
+  Batch batch = convert_batch(files, arguments, invocation.words, interrupt, console);
   std::vector<ConvertOutcome>& outcomes = batch.outcomes;
   if (outcomes.empty() && batch.left == 0) {
     return console.refuse(ExitCode::kBadInput, "no calibration with a camera in " + enumerated(arguments.inputs) + " (" +
                                                    counted(batch.skipped, "file") + " looked at)");
   }
-  if (const std::optional<std::string> error = opencv_model_without_use(arguments, outcomes))
+  if (const std::optional<std::string> error = opencv_model_problem(arguments, outcomes))
     return console.refuse(ExitCode::kUsage, *error);
   if (collide(outcomes, console)) return ExitCode::kUsage;
 
@@ -82,7 +88,7 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
       tried += arguments.dry_run ? 1 : write_outputs(arguments, std::span(outcomes).subspan(i), console);
     }
     if (!arguments.json) {
-      if (!outcome.outputs.empty() && in_full) {
+      if (!outcome.files.empty() && outcome.status <= Status::kRejected && in_full) {
         const std::string report = convert_text(outcome, !arguments.dry_run);
         file_on_stdout && !arguments.dry_run ? console.say_aside(report) : console.say(report);
       }
@@ -99,64 +105,66 @@ ExitCode run_convert(const ConvertArguments& arguments, Console& console) {
   return code;
 }
 
-void add_options(CLI::App& command, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  command
-      .add_option("INPUT", arguments.inputs, "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input")
-      ->required();
-  command.add_option("--to", arguments.to, "The format to write")->type_name("FORMAT");
-  command
-      .add_option("--model", arguments.model,
-                  "The camera model to write (default: kept, else the best that the stock program reads)")
-      ->type_name("MODEL");
-  command
-      .add_option(
-          "-o,--output", arguments.output,
-          "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (default: standard output)")
-      ->type_name("PATH");
-  add_reading_options(command, arguments.reading);
-  add_lens_circle_option(command, arguments.reading);
-  add_join_option(command, arguments.reading);
-  add_imu_option(command, arguments.reading);
-  add_writing_options(command, arguments);
-  command.add_flag("--in-place", arguments.in_place, "With --into: change BASE itself");
-  command.add_flag("--provenance", arguments.provenance,
-                   "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)");
-  command.add_flag("--no-provenance", arguments.no_provenance, "Leave out that comment");
-  command
-      .add_option(
-          "--max-error", arguments.max_error_px,
-          "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
-          "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if --max-angle or "
-          "--lens-circle says where it ends), more than a thousandth of it or what the fit had to give up, has no pixel in the "
-          "new model")
-      ->type_name("PX")
-      ->check(decimal_number());
-  command.add_flag("--strict", arguments.strict, "Fail if anything of the input cannot be carried");
-  CLI::Option* verify = command.add_flag_function(
-      "--verify", [](std::int64_t) {},
-      "Ask the real program's reader about the bytes before they are put in place (the default)");
-  command.add_flag("--no-verify", arguments.no_verify, "Do not ask it")->excludes(verify);
-  command
-      .add_option("--jobs", arguments.jobs,
-                  "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("--dry-run", arguments.dry_run, "Report, write nothing");
-  command.add_flag("--force", arguments.force, "Overwrite existing files");
-  command.add_flag("--fsync", arguments.fsync, "Force the files to disk before they replace old ones (all of a batch at once)");
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.footer(
+void add_options(Options& options, ConvertArguments& arguments) {
+  ConvertRequest& request = arguments.request;
+  options.positional("INPUT", "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input",
+                     arguments.inputs);
+  options.value("--to", "FORMAT", "The format to write",
+                [&request](const std::string& word) { return take_format(word, request.to); });
+  options.value("--model", "MODEL", "The camera model to write (default: kept, else the best that the stock program reads)",
+                [&request](const std::string& word) { return take_model(word, request.model); });
+  options.value(
+      "-o,--output", "PATH",
+      "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (default: standard output)",
+      arguments.output);
+  add_input_options(options, request.inputs);
+  add_lens_circle_option(options, request.inputs);
+  add_join_option(options, request.inputs);
+  add_imu_option(options, request.inputs);
+  add_target_options(options, request);
+  options.flag("--in-place", "With --into: change BASE itself", arguments.in_place);
+  options.exclusive_flags(
+      {{"--provenance", "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)",
+        [&request] { request.provenance = ProvenanceComment::kInAllFiles; }},
+       {"--no-provenance", "Leave out that comment", [&request] { request.provenance = ProvenanceComment::kNone; }}},
+      "--provenance and --no-provenance contradict each other");
+  options.number("--max-error", "PX",
+                 "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
+                 "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if "
+                 "--max-angle or --lens-circle says where it ends), more than a thousandth of it or what the fit had to give "
+                 "up, has no pixel in the new model",
+                 [&request](double limit) -> std::optional<std::string> {
+                   if (!(limit >= 0.0)) return "--max-error wants a number of pixels";
+                   request.max_error_px = limit;
+                   return std::nullopt;
+                 });
+  options.flag("--strict", "Fail if anything of the input cannot be carried", request.strict);
+  options.flag_pair("--verify", "Ask the real program's reader about the bytes before they are put in place (the default)",
+                    "--no-verify", "Do not ask it", request.verify);
+  options.count("--jobs", "N", "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)",
+                request.jobs, 1, 1024);
+  options.flag("--dry-run", "Report, write nothing", arguments.dry_run);
+  options.flag("--force", "Overwrite existing files", arguments.force);
+  options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
+  options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.footer(
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"
       "  fca-io convert camchain.yaml --to orbslam3 --model eucm --max-angle 97.5 -o eucm.yaml\n");
-  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_convert(arguments, console); }; });
 }
 
 }  // namespace
 
-void add_convert_command(CLI::App& app, ConvertArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  add_subcommand(app, "convert", "Convert a calibration to another format, and to another camera model if need be",
-                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
+void add_convert_command(Application& application) {
+  application.add("convert", "Convert a calibration to another format, and to another camera model if need be",
+                  [](Options& options) -> RunCommand {
+                    const auto arguments = std::make_shared<ConvertArguments>();
+                    add_options(options, *arguments);
+                    return [arguments](const Invocation& invocation, Console& console) {
+                      arguments->request.extension = std::filesystem::path(arguments->output).extension().string();
+                      return run_convert(*arguments, invocation, console);
+                    };
+                  });
 }
 
 }  // namespace fca::cli

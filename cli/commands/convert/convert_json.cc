@@ -67,7 +67,7 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
 }
 
 void put_defaults(Json& json, const ConvertOutcome& outcome) {
-  json.array("defaults", outcome.written.defaults, [&](const DefaultedValue& value) {
+  json.array("defaults", outcome.defaults, [&](const DefaultedValue& value) {
     json.object([&] {
       json.put("key", value.key);
       if (const std::optional<int> whole = text::parse_int(value.value)) {
@@ -83,7 +83,7 @@ void put_defaults(Json& json, const ConvertOutcome& outcome) {
 }
 
 void put_losses(Json& json, const ConvertOutcome& outcome) {
-  json.array("losses", outcome.written.losses, [&](const Loss& loss) {
+  json.array("losses", outcome.losses, [&](const Loss& loss) {
     json.object([&] {
       json.put("code", loss.code);
       json.put("what", loss.what);
@@ -96,7 +96,7 @@ void put_losses(Json& json, const ConvertOutcome& outcome) {
 /// What the file written calls a camera of the input.
 std::string written_name(const ConvertOutcome& outcome, const std::string& name) {
   const auto camera =
-      std::ranges::find_if(outcome.cameras, [&name](const CameraOutcome& each) { return each.source.name == name; });
+      std::ranges::find_if(outcome.cameras, [&name](const ConvertedCamera& each) { return each.source.name == name; });
   return camera == outcome.cameras.end() ? name : camera->name();
 }
 
@@ -106,9 +106,9 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
   json.put("input", outcome.input);
   if (outcome.from != nullptr) json.put("from", outcome.from->id);
   if (outcome.to != nullptr) json.put("to", outcome.to->id);
-  if (!outcome.written.headline.empty()) json.put("headline", outcome.written.headline);
-  const std::vector<ConvertOutcome::Output> none;
-  json.array("outputs", outcome.code == ExitCode::kGood ? outcome.outputs : none, [&](const ConvertOutcome::Output& output) {
+  if (!outcome.headline.empty()) json.put("headline", outcome.headline);
+  const std::vector<ConvertedFile> none;
+  json.array("outputs", outcome.code == ExitCode::kGood ? outcome.files : none, [&](const ConvertedFile& output) {
     json.object([&] {
       output.path.empty() ? json.null("path") : json.put("path", output.path);
       std::vector<std::string> names;
@@ -118,7 +118,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
     });
   });
   json.put("exit_code", static_cast<int>(outcome.code));
-  json.array("cameras", outcome.cameras, [&](const CameraOutcome& camera) {
+  json.array("cameras", outcome.cameras, [&](const ConvertedCamera& camera) {
     json.object([&] {
       json.put("name", camera.name());
       json.put("input_name", camera.source.name);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
 #include "shell/judgement_text.h"
-#include "shell/words.h"
-#include "toolkit/program_reading.h"
+#include "toolkit/words.h"
+#include "shell/program_words.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -11,7 +11,7 @@
 
 namespace fca::cli {
 
-std::string camera_line(const CameraOutcome& camera) {
+std::string camera_line(const ConvertedCamera& camera) {
   const std::string from(model_info(camera.source.model).id);
   const std::string to(model_info(camera.target.model).id);
   if (from == to && camera.source.model == camera.target.model) return from + ", kept";
@@ -118,8 +118,8 @@ std::vector<std::string> rightly_read(const ProofResult& proof) {
 
 }  // namespace
 
-std::string proofs_text(const ConvertOutcome& outcome) {
-  const std::string& remedy = outcome.written.misread_remedy;
+std::string proofs_text(const ConvertResult& outcome) {
+  const std::string& remedy = outcome.misread_remedy;
   std::string text;
   for (const std::string& path : outcome.unproven)
     text += "proof: none: no program that fca-io knows reads " + (path.empty() ? "such keys" : path) + "\n";
@@ -150,8 +150,8 @@ std::string proofs_text(const ConvertOutcome& outcome) {
 }
 
 std::string convert_text(const ConvertOutcome& outcome, bool written) {
-  std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.written.headline + "\n";
-  for (const CameraOutcome& camera : outcome.cameras) {
+  std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.headline + "\n";
+  for (const ConvertedCamera& camera : outcome.cameras) {
     text += "\n" + camera.name_in_words() + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report) {
@@ -160,9 +160,9 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
     }
     if (kept) text += "  error:  none: the same model and parameters\n";
   }
-  text += "\n" + losses_text(outcome.written.losses) + defaults_text(outcome.written.defaults) + proofs_text(outcome);
+  text += "\n" + losses_text(outcome.losses) + defaults_text(outcome.defaults) + proofs_text(outcome);
   if (outcome.code == ExitCode::kGood && written) {
-    for (const ConvertOutcome::Output& output : outcome.outputs) {
+    for (const ConvertedFile& output : outcome.files) {
       if (!output.path.empty()) text += "wrote " + output.path + "\n";
     }
   }

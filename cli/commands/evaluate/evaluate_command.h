@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "shell/console.h"
-#include "toolkit/evaluation.h"
+#include "options/application.h"
 
-#include <functional>
+#include <fca/toolkit/evaluate.h>
+
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace fca::cli {
 
-struct EvaluateArguments {
-  std::string image;  ///< A path; empty: tables without images.
-  bool json = false;
-};
-
 /// `evaluate`: the tables of the paper, recomputed.
-void add_evaluate_command(CLI::App& app, EvaluateArguments& arguments, std::function<ExitCode(Console&)>& run);
+void add_evaluate_command(Application& application);
 
 /// The tables for people (evaluate_text.cc) and for scripts (evaluate_json.cc).
 [[nodiscard]] std::string evaluate_text(const Evaluation& evaluation);

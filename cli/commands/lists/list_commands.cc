@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "list_commands.h"
 
-#include "commands/show/show_command.h"
-#include "options/subcommand.h"
+#include "options/inputs.h"
 #include "shell/json.h"
-#include "shell/words.h"
-#include "toolkit/ledger.h"
-#include "toolkit/model_candidates.h"
+#include "toolkit/words.h"
 
-#include <fca/convert/domain.h>
+#include <fca/formats/consumers/consumer.h>
+#include <fca/toolkit/ledger.h>
+#include <fca/toolkit/models.h>
+#include <fca/toolkit/read.h>
 
 #include <algorithm>
-
-#include <CLI/CLI.hpp>
+#include <memory>
 
 namespace fca::cli {
 
 namespace {
+
+struct ListArguments {
+  Inputs inputs;  ///< `models FILE`
+  std::string file;
+  bool json = false;
+  bool markdown = false;
+  bool ledger = false;
+};
 
 std::vector<std::string> model_names(const Format& format, bool stock) {
   std::vector<std::string> names;
@@ -140,7 +147,7 @@ ExitCode list_models(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-std::string candidates_json(const std::string& file, const std::vector<Camera>& cameras, const ReadingOptions& reading) {
+std::string candidates_json(const std::string& file, const std::vector<ModelsResult::OfCamera>& cameras) {
   Json json;
   const auto put_candidate = [&json](const Candidate& candidate) {
     json.put("model", candidate.model->id);
@@ -160,11 +167,11 @@ std::string candidates_json(const std::string& file, const std::vector<Camera>& 
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
     json.put("file", file);
-    json.array("cameras", cameras, [&](const Camera& camera) {
+    json.array("cameras", cameras, [&](const ModelsResult::OfCamera& of_camera) {
       json.object([&] {
-        json.put("name", camera.name);
-        json.put("model", model_info(camera.model).id);
-        json.array("targets", candidates(camera, max_angle_rad(reading)),
+        json.put("name", of_camera.camera.name);
+        json.put("model", model_info(of_camera.camera.model).id);
+        json.array("targets", of_camera.candidates,
                    [&](const Candidate& candidate) { json.object([&] { put_candidate(candidate); }); });
       });
     });
@@ -195,23 +202,16 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
 }
 
 /// `models FILE`: every model its cameras could be written as.
-ExitCode compare_models(const ListArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
-  Diagnostics diagnostics;
-  const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
-  if (!calibration) return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), diagnostics);
-  const std::vector<Camera>& cameras = calibration->rig.cameras;
-  if (cameras.empty()) return console.refuse(ExitCode::kBadInput, arguments.file + " holds no camera");
-  // What no model could mend is said once, not once per model.
-  for (const Camera& camera : cameras) static_cast<void>(domain_of(camera, max_angle_rad(arguments.reading), diagnostics));
-  if (diagnostics.has_errors()) return console.refuse(ExitCode::kBadInput, diagnostics);
-  console.show(diagnostics);
+ExitCode compare_file(const ListArguments& arguments, Console& console) {
+  if (const std::optional<std::string> error = problem_with(arguments.inputs)) return console.refuse(ExitCode::kUsage, *error);
+  const ModelsResult result = compare_models(arguments.inputs, console.files());
+  if (result.status != Status::kDone) return console.refuse(exit_code(result.status), result.diagnostics);
+  console.show(result.diagnostics);
   if (arguments.json) {
-    console.out(candidates_json(arguments.file, cameras, arguments.reading));
+    console.out(candidates_json(arguments.file, result.cameras));
     return ExitCode::kGood;
   }
-  for (const Camera& camera : cameras)
-    console.say(candidates_text(camera, candidates(camera, max_angle_rad(arguments.reading))));
+  for (const auto& [camera, candidates] : result.cameras) console.say(candidates_text(camera, candidates));
   return ExitCode::kGood;
 }
 
@@ -238,41 +238,51 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
-void add_formats_options(CLI::App& command, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.add_flag("--markdown", arguments.markdown, "The table of the README");
-  command.add_flag("--ledger", arguments.ledger, "For every pair of formats: what is exact, fitted, dropped and defaulted");
-  command.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");
-  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return list_formats(arguments, console); }; });
+void add_formats_options(Options& options, ListArguments& arguments) {
+  options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.flag("--markdown", "The table of the README", arguments.markdown);
+  options.flag("--ledger", "For every pair of formats: what is exact, fitted, dropped and defaulted", arguments.ledger);
+  options.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");
 }
 
-void add_models_options(CLI::App& command, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  command.add_option("FILE", arguments.file, "Calibration file");
-  add_reading_options(command, arguments.reading);
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
-  command.callback([&arguments, &run] {
-    run = [&arguments](Console& console) {
-      return arguments.file.empty() ? list_models(arguments, console) : compare_models(arguments, console);
-    };
-  });
+void add_models_options(Options& options, ListArguments& arguments) {
+  options.positional("FILE", "Calibration file", arguments.file, false);
+  add_input_options(options, arguments.inputs);
+  options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
 }
 
-void add_programs_options(CLI::App& command, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.footer("Example:\n  fca-io programs\n");
-  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return list_programs(arguments, console); }; });
+void add_programs_options(Options& options, ListArguments& arguments) {
+  options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.footer("Example:\n  fca-io programs\n");
+}
+
+ExitCode run_models(ListArguments& arguments, Console& console) {
+  if (arguments.file.empty()) return list_models(arguments, console);
+  arguments.inputs.files = {arguments.file};
+  return compare_file(arguments, console);
 }
 
 }  // namespace
 
-void add_list_commands(CLI::App& app, ListArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  add_subcommand(app, "formats", "The formats, and which camera models each can hold",
-                 [&arguments, &run](CLI::App& command) { add_formats_options(command, arguments, run); });
-  add_subcommand(app, "models", "The camera models; with a FILE, how well each would describe its cameras",
-                 [&arguments, &run](CLI::App& command) { add_models_options(command, arguments, run); });
-  add_subcommand(app, "programs", "The programs whose readers fca-io imitates to prove what it writes",
-                 [&arguments, &run](CLI::App& command) { add_programs_options(command, arguments, run); });
+void add_list_commands(Application& application) {
+  application.add("formats", "The formats, and which camera models each can hold", [](Options& options) -> RunCommand {
+    const auto arguments = std::make_shared<ListArguments>();
+    add_formats_options(options, *arguments);
+    return [arguments](const Invocation&, Console& console) { return list_formats(*arguments, console); };
+  });
+  application.add("models", "The camera models; with a FILE, how well each would describe its cameras",
+                  [](Options& options) -> RunCommand {
+                    const auto arguments = std::make_shared<ListArguments>();
+                    add_models_options(options, *arguments);
+                    return [arguments](const Invocation&, Console& console) { return run_models(*arguments, console); };
+                  });
+  application.add("programs", "The programs whose readers fca-io imitates to prove what it writes",
+                  [](Options& options) -> RunCommand {
+                    const auto arguments = std::make_shared<ListArguments>();
+                    add_programs_options(options, *arguments);
+                    return [arguments](const Invocation&, Console& console) { return list_programs(*arguments, console); };
+                  });
 }
 
 }  // namespace fca::cli

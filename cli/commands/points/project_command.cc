@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "project_command.h"
 
-#include "options/subcommand.h"
+#include "options/inputs.h"
 #include "shell/json.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 
 #include <fca/convert/domain.h>
 #include <fca/formats/text/numbers.h>
@@ -11,15 +11,21 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iostream>
+#include <istream>
+#include <functional>
 #include <limits>
+#include <memory>
 #include <numbers>
-
-#include <CLI/CLI.hpp>
 
 namespace fca::cli {
 
 namespace {
+
+struct ProjectArguments {
+  Inputs inputs;
+  std::string file;
+  bool json = false;
+};
 
 /// 17 significant digits, as scripts compare them.
 std::string digits17(double value) {
@@ -55,7 +61,7 @@ ExitCode map_lines(const Mapping<In, Out>& mapping, bool as_json, Console& conso
   Json json;
   std::vector<std::optional<std::array<double, Out>>> results;
   std::string line;
-  for (int number = 1; std::getline(std::cin, line); ++number) {
+  for (int number = 1; std::getline(console.in(), line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos || line.starts_with('#')) continue;
     const std::optional<std::array<double, In>> numbers = parse_numbers<In>(line);
     if (!numbers) {
@@ -91,12 +97,12 @@ ExitCode map_lines(const Mapping<In, Out>& mapping, bool as_json, Console& conso
 }
 
 ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& console) {
-  if (const std::optional<std::string> error = check(arguments.reading)) return console.refuse(ExitCode::kUsage, *error);
+  if (const std::optional<std::string> error = problem_with(arguments.inputs)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.file == "-")
     return console.refuse(ExitCode::kUsage, "standard input holds the points, so the calibration must be a file");
   Diagnostics diagnostics;
-  const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
-  if (!calibration) return console.refuse(worse(code_of(diagnostics), ExitCode::kBadInput), diagnostics);
+  const std::optional<Calibration> calibration = read_calibration(arguments.inputs, console.files(), diagnostics);
+  if (!calibration) return console.refuse(worse(exit_code(status_of(diagnostics)), ExitCode::kBadInput), diagnostics);
   console.show(diagnostics);
   const std::vector<Camera>& cameras = calibration->rig.cameras;
   if (cameras.empty()) return console.refuse(ExitCode::kBadInput, "the file holds no camera");
@@ -107,7 +113,7 @@ ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& 
   const CameraModel& model = cameras.front().model;
   const std::vector<std::string> problems = validate(model);
   if (!problems.empty()) return console.refuse(ExitCode::kBadInput, cameras.front().name + ": " + enumerated(problems));
-  const double limit_rad = max_angle_rad(arguments.reading).value_or(std::numbers::pi);
+  const double limit_rad = arguments.inputs.max_angle_rad.value_or(std::numbers::pi);
   if (forwards) {
     const Mapping<3, 2> to_pixel = [&](const Ray& ray) {
       return angle_from_axis(ray) <= limit_rad ? project(model, ray) : std::nullopt;
@@ -136,23 +142,25 @@ constexpr std::array kDirections = {
               "Pixels 'u v' per line on standard input -> unit rays 'x y z'; 'nan nan nan' where the model has no answer",
               "Example:\n  echo '320 240' | fca-io unproject camchain.yaml --camera cam0\n", false}};
 
-void add_options(CLI::App& command, const Direction& direction, ProjectArguments& arguments,
-                 std::function<ExitCode(Console&)>& run) {
-  command.add_option("FILE", arguments.file, "Calibration file")->required();
-  add_reading_options(command, arguments.reading);
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.footer(direction.footer);
-  command.callback([&direction, &arguments, &run] {
-    run = [&direction, &arguments](Console& console) { return run_mapping(arguments, direction.forwards, console); };
-  });
+void add_options(Options& options, const Direction& direction, ProjectArguments& arguments) {
+  options.positional("FILE", "Calibration file", arguments.file);
+  add_input_options(options, arguments.inputs);
+  options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.footer(direction.footer);
 }
 
 }  // namespace
 
-void add_project_commands(CLI::App& app, ProjectArguments& arguments, std::function<ExitCode(Console&)>& run) {
+void add_project_commands(Application& application) {
   for (const Direction& direction : kDirections) {
-    add_subcommand(app, direction.name, direction.what,
-                   [&direction, &arguments, &run](CLI::App& command) { add_options(command, direction, arguments, run); });
+    application.add(direction.name, direction.what, [&direction](Options& options) -> RunCommand {
+      const auto arguments = std::make_shared<ProjectArguments>();
+      add_options(options, direction, *arguments);
+      return [arguments, &direction](const Invocation&, Console& console) {
+        arguments->inputs.files = {arguments->file};
+        return run_mapping(*arguments, direction.forwards, console);
+      };
+    });
   }
 }
 

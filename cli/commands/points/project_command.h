@@ -1,25 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "shell/console.h"
-#include "toolkit/reading.h"
-
-#include <functional>
-#include <string>
-
-namespace CLI {
-class App;
-}
+#include "options/application.h"
 
 namespace fca::cli {
 
-struct ProjectArguments {
-  std::string file;
-  ReadingOptions reading;
-  bool json = false;
-};
-
-/// `project` and `unproject`: numbers per line on standard input, results per line on standard output.
-void add_project_commands(CLI::App& app, ProjectArguments& arguments, std::function<ExitCode(Console&)>& run);
+/// `project` and `unproject`.
+void add_project_commands(Application& application);
 
 }  // namespace fca::cli

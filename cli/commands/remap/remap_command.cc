@@ -3,92 +3,68 @@
 
 #include "commands/convert/batch.h"
 #include "npy.h"
-#include "options/subcommand.h"
+#include "options/inputs.h"
+#include "options/words.h"
 #include "pictures/image_formats.h"
 #include "pictures/pictures.h"
 #include "remap_images.h"
 #include "shell/diagnostics_json.h"
-#include "shell/output_file.h"
 #include "shell/parameters_json.h"
-#include "shell/words.h"
-#include "toolkit/at_once.h"
-#include "toolkit/remap_view.h"
+#include "toolkit/save/output_file.h"
+#include "toolkit/words.h"
 
-#include <fca/remap/image_map.h>
+#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <array>
+#include <cmath>
 #include <filesystem>
-
-#include <CLI/CLI.hpp>
+#include <memory>
 
 namespace fca::cli {
 
 namespace {
 
-std::optional<std::string> problem_with(const RemapArguments& arguments) {
-  if (const std::optional<std::string> error = check(arguments.reading)) return error;
-  if (const std::optional<std::string> error = problem_with_view(arguments)) return error;
-  if (arguments.interpolation != "bilinear" && arguments.interpolation != "lanczos")
-    return "unknown interpolation '" + arguments.interpolation + "'; there are bilinear and lanczos";
+/// "yaw,pitch,roll" in degrees.
+std::optional<std::string> take_turn(const std::string& word, std::optional<Turn>& target) {
+  const std::vector<std::string> words = split(word);
+  std::array<double, 3> angles{};
+  bool good = words.size() == angles.size();
+  for (std::size_t i = 0; good && i < angles.size(); ++i) {
+    constexpr double kFullTurn = 360.0;
+    const std::optional<double> angle = text::parse_real(words[i]);
+    good = angle && std::abs(*angle) <= kFullTurn;
+    if (good) angles.at(i) = *angle / kDegreesPerRadian;
+  }
+  if (!good) return "--rotate wants YAW,PITCH,ROLL in degrees, each from -360 to 360, such as 30,0,0; got '" + word + "'";
+  target = Turn{angles[0], angles[1], angles[2]};
+  return std::nullopt;
+}
+
+/// Takes one of the views, of which one may be given. (The others are told of in usage_error().)
+template <class View>
+std::optional<std::string> take_view(View view, RemapArguments& arguments) {
+  arguments.request.view = std::move(view);
+  ++arguments.views;
+  return std::nullopt;
+}
+
+std::optional<std::string> usage_error(const RemapArguments& arguments) {
+  const RemapRequest& request = arguments.request;
+  if (const std::optional<std::string> error = problem_with(request.inputs)) return error;
+  if (arguments.views > 1) return "--model, --like and --pinhole each say what the image is to look like; give one of them";
+  if (arguments.views == 0 && !request.turn)
+    return "say what the image is to look like: --pinhole FULL_FOV_DEG, --model MODEL, --like FILE or --rotate YAW,PITCH,ROLL";
+  if (arguments.pinhole_size && !std::holds_alternative<PinholeView>(request.view)) return "--out-size is for --pinhole";
   const std::string mask_extension = std::filesystem::path(arguments.mask).extension().string();
   if (!arguments.mask.empty() && mask_extension != ".png") return "--mask wants a .png file";
   if (!arguments.map.empty() && !arguments.map.ends_with(".npy")) return "--map wants a .npy file, which NumPy reads";
   return std::nullopt;
 }
 
-/// The camera whose images they are; nothing with an error where the file has none, or several.
-std::optional<Camera> source_of(const RemapArguments& arguments, Console& console, Diagnostics& diagnostics) {
-  const std::optional<Calibration> calibration = read_input(arguments.file, arguments.reading, console, diagnostics);
-  if (!calibration) return std::nullopt;
-  const std::vector<Camera>& cameras = calibration->rig.cameras;
-  const auto refuse = [&](const char* code, const std::string& message, const std::string& fix = {}) {
-    diagnostics.error(code, message, {arguments.file, 0, 0}, fix);
-    return std::nullopt;
-  };
-  if (cameras.empty()) return refuse("no-camera", "the file holds no camera");
-  if (cameras.size() > 1) {
-    return refuse("unknown-camera", "the file holds " + std::to_string(cameras.size()) + " cameras; whose images are these?",
-                  "choose one with --camera");
-  }
-  if (!cameras.front().image_size) return refuse("no-size", "the file states no image size", "say it with --size WxH");
-  return cameras.front();
-}
-
-bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
-  constexpr int kLongest = 32766;  // cv::remap counts in 16 bits
-  if (!camera.image_size) {
-    diagnostics.error("no-size", camera.name + " has no image size", {}, "--like wants a file that states one");
-    return false;
-  }
-  const auto& [width, height] = *camera.image_size;
-  if (std::max(width, height) <= kLongest && std::int64_t{width} * height <= kMostPixels) return true;
-  diagnostics.error("image-size", "images of " + size_in_words(*camera.image_size) + " px are too large to be remapped", {},
-                    "sides up to " + std::to_string(kLongest) + " px, and 134 megapixels");
-  return false;
-}
-
-/// Rows at the same time.
-ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
-  const ImageSize size = mapper.size();
-  const auto stride = 2 * static_cast<std::size_t>(size.width);
-  const auto rows = static_cast<std::size_t>(size.height);
-  ImageMap map{size, std::vector<float>(stride * rows)};
-  constexpr std::size_t kRows = 16;  // of one piece of work
-  at_once((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
-    for (std::size_t row = piece * kRows; row < std::min(rows, (piece + 1) * kRows); ++row)
-      mapper.row(static_cast<int>(row), std::span(map.uv).subspan(row * stride, stride));
-  });
-  return map;
-}
-
 struct Remapping {
-  Camera source;
-  RemapView view;
-  ImageMap map;
-  double seen_share = 0.0;
+  RemapResult result;
   std::vector<RemappedImage> images;
-  Diagnostics diagnostics;
 };
 
 /// --map and --mask
@@ -105,12 +81,12 @@ std::optional<std::string> write_parts(const RemapArguments& arguments, const Im
 }
 
 std::string view_text(const RemapArguments& arguments, const Remapping& done) {
-  const Camera& view = done.view.camera;
-  std::string text = done.source.name + ", " + std::string(model_info(done.source.model).id) + ", " +
-                     size_in_words(*done.source.image_size) + " px, as " + std::string(model_info(view.model).id) + ", " +
+  const Camera& view = done.result.view;
+  std::string text = done.result.source.name + ", " + std::string(model_info(done.result.source.model).id) + ", " +
+                     size_in_words(*done.result.source.image_size) + " px, as " + std::string(model_info(view.model).id) + ", " +
                      size_in_words(*view.image_size) + " px";
   if (!arguments.rotate.empty()) text += ", turned by " + arguments.rotate + " deg (yaw, pitch, roll)";
-  return text + "\n" + parameters_in_words(view.model, "  ") + "  the source sees " + percent(done.seen_share) + " of it\n";
+  return text + "\n" + parameters_in_words(view.model, "  ") + "  the source sees " + percent(done.result.seen_share) + " of it\n";
 }
 
 bool is_written(const RemappedImage& image) { return !image.left && image.code == ExitCode::kGood; }
@@ -140,16 +116,16 @@ std::string json_of(const RemapArguments& arguments, const Remapping& done, Exit
   json.object([&] {
     json.put("fca_io", FCA_VERSION);
     json.put("file", arguments.file);
-    json.put("camera", done.source.name);
+    json.put("camera", done.result.source.name);
     json.put("exit_code", static_cast<int>(code));
     json.object("view", [&] {
-      json.put("model", model_info(done.view.camera.model).id);
-      put_parameters(json, done.view.camera.model);
-      json.put("width", done.view.camera.image_size->width);
-      json.put("height", done.view.camera.image_size->height);
-      json.put("T_source_view", std::span<const double>(done.view.T_source_view.values));
+      json.put("model", model_info(done.result.view.model).id);
+      put_parameters(json, done.result.view.model);
+      json.put("width", done.result.view.image_size->width);
+      json.put("height", done.result.view.image_size->height);
+      json.put("T_source_view", std::span<const double>(done.result.T_source_view.values));
     });
-    json.put("seen_share", done.seen_share);
+    json.put("seen_share", done.result.seen_share);
     arguments.map.empty() ? json.null("map") : json.put("map", arguments.map);
     arguments.mask.empty() ? json.null("mask") : json.put("mask", arguments.mask);
     json.array("images", done.images, [&](const RemappedImage& image) {
@@ -159,32 +135,9 @@ std::string json_of(const RemapArguments& arguments, const Remapping& done, Exit
         put_diagnostics(json, image.diagnostics, console);
       });
     });
-    put_diagnostics(json, done.diagnostics, console);
+    put_diagnostics(json, done.result.diagnostics, console);
   });
   return json.document();
-}
-
-/// Whose images they are, what they are to look like, and the map from the one to the other: into `done`. A code where that
-/// cannot be, which is said.
-std::optional<ExitCode> make_map(const RemapArguments& arguments, std::span<const FoundFile> images, Console& console,
-                                 Remapping& done) {
-  const auto refuse = [&] { return console.refuse(worse(code_of(done.diagnostics), ExitCode::kBadInput), done.diagnostics); };
-  const std::optional<Camera> source = source_of(arguments, console, done.diagnostics);
-  if (!source) return refuse();
-  done.source = *source;
-  if (images.empty() && !arguments.images.empty())
-    return console.refuse(ExitCode::kBadInput, "no image in " + enumerated(arguments.images));
-  if (const std::optional<std::string> error = problem_with_output(arguments, images, source->name))
-    return console.refuse(ExitCode::kUsage, *error);
-  std::optional<RemapView> view = view_of(arguments, *source, console, done.diagnostics);
-  if (!view || !sides_are_mapped(*source, done.diagnostics) || !sides_are_mapped(view->camera, done.diagnostics))
-    return refuse();
-  done.view = *std::move(view);
-  const std::optional<ImageMapper> mapper = ImageMapper::between(*source, done.view.camera, done.view.T_source_view,
-                                                                 max_angle_rad(arguments.reading), done.diagnostics);
-  if (!mapper) return refuse();
-  done.map = map_of(*mapper, arguments.jobs);
-  return std::nullopt;
 }
 
 /// What was done, at the end.
@@ -206,79 +159,100 @@ ExitCode tell(const RemapArguments& arguments, const Remapping& done, const Cons
 }
 
 ExitCode run_remap(const RemapArguments& arguments, Console& console) {
-  if (const std::optional<std::string> error = problem_with(arguments)) return console.refuse(ExitCode::kUsage, *error);
+  if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.images))
     return console.refuse(ExitCode::kIo, *problem);
   const std::vector<FoundFile> images =
       arguments.images.empty() ? std::vector<FoundFile>() : walk(arguments.images, &is_image_extension);
+  if (images.empty() && !arguments.images.empty())
+    return console.refuse(ExitCode::kBadInput, "no image in " + enumerated(arguments.images));
   Remapping done;
-  if (const std::optional<ExitCode> refused = make_map(arguments, images, console, done)) return *refused;
-  const std::vector<std::uint8_t> mask = seen(done.map, *done.source.image_size);
-  done.seen_share = static_cast<double>(std::ranges::count(mask, 255)) / static_cast<double>(mask.size());
-  if (!(done.seen_share > 0.0))
-    return console.refuse(ExitCode::kJudgedBad, done.source.name + " sees nothing of that view; nothing is written");
-  console.show(done.diagnostics);
-  if (const std::optional<std::string> failure = write_parts(arguments, done.map, mask))
+  done.result = remap(arguments.request, console.files());
+  const RemapResult& result = done.result;
+  if (result.status > Status::kRejected) return console.refuse(exit_code(result.status), result.diagnostics);
+  if (const std::optional<std::string> error = problem_with_output(arguments, images, result.source.name))
+    return console.refuse(ExitCode::kUsage, *error);
+  if (result.status == Status::kRejected)
+    return console.refuse(ExitCode::kJudgedBad, result.source.name + " sees nothing of that view; nothing is written");
+  console.show(result.diagnostics);
+  if (const std::optional<std::string> failure = write_parts(arguments, result.map, result.mask))
     return console.refuse(ExitCode::kIo, *failure);
-  done.images = remap_images(arguments, images, done.source, done.map, console);
+  done.images = remap_images(arguments, images, result.source, result.map, console);
   return tell(arguments, done, console);
 }
 
-void add_options(CLI::App& command, RemapArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  command.add_option("FILE", arguments.file, "Calibration file of the camera that took the images")->required();
-  command.add_option("IMAGE", arguments.images, "Images of the calibrated size, folders of them or patterns ('left/*.png')");
-  command
-      .add_option(
-          "-o,--output", arguments.output,
-          "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format")
-      ->type_name("PATH");
-  command
-      .add_option("--pinhole", arguments.pinhole_deg,
-                  "As a pinhole camera: straight lines are straight. Full field of view across the width, in degrees")
-      ->type_name("FULL_FOV_DEG")
-      ->check(decimal_number());
-  command.add_option("--out-size", arguments.out_size, "With --pinhole: size of the image (default: the input's)")
-      ->type_name("WxH");
-  command.add_option("--model", arguments.model, "As this camera model, fitted as convert does it")->type_name("MODEL");
-  command
-      .add_option("--like", arguments.like, "As the camera of this calibration file: its only one, or that of the same name")
-      ->type_name("FILE");
-  command
-      .add_option("--rotate", arguments.rotate,
-                  "Turn the camera, in degrees: first yaw (about y: positive to the right), then pitch (about its x: positive "
-                  "up), then roll (about its z: positive clockwise)")
-      ->type_name("YAW,PITCH,ROLL");
-  command.add_option("--interpolation", arguments.interpolation, "bilinear (default) or lanczos, as OpenCV does them")
-      ->type_name("KIND");
-  command.add_option("--mask", arguments.mask, "Also write an image that is 255 where the source sees, and 0 elsewhere")
-      ->type_name("PNG");
-  command
-      .add_option("--map", arguments.map,
-                  "Also write the map: float32 of shape (height, width, 2), u and v in the source image, nan where it has "
-                  "none; for numpy.load and cv2.remap")
-      ->type_name("NPY");
-  add_reading_options(command, arguments.reading);
-  add_lens_circle_option(command, arguments.reading);
-  command.add_option("--jobs", arguments.jobs, "Images at the same time (default: as many as there are processors)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("--force", arguments.force, "Overwrite existing files");
-  command.add_flag("--json", arguments.json, "One JSON document on standard output");
-  command.footer(
+void add_options(Options& options, RemapArguments& arguments) {
+  RemapRequest& request = arguments.request;
+  options.positional("FILE", "Calibration file of the camera that took the images", arguments.file);
+  options.positional("IMAGE", "Images of the calibrated size, folders of them or patterns ('left/*.png')", arguments.images,
+                     false);
+  options.value("-o,--output", "PATH",
+                "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
+                arguments.output);
+  options.number("--pinhole", "FULL_FOV_DEG",
+                 "As a pinhole camera: straight lines are straight. Full field of view across the width, in degrees",
+                 [&arguments](double degrees) -> std::optional<std::string> {
+                   if (!(degrees > 0.0 && degrees < 180.0))
+                     return "--pinhole wants the full field of view in degrees, more than 0 and less than 180";
+                   return take_view(PinholeView{degrees / kDegreesPerRadian}, arguments);
+                 });
+  options.value("--out-size", "WxH", "With --pinhole: size of the image (default: the input's)",
+                [&arguments](const std::string& word) { return take_size("--out-size", word, arguments.pinhole_size); });
+  options.value("--model", "MODEL", "As this camera model, fitted as convert does it",
+                [&arguments](const std::string& word) -> std::optional<std::string> {
+                  AsModel view;
+                  if (std::optional<std::string> problem = take_model(word, view.model)) return problem;
+                  return take_view(view, arguments);
+                });
+  options.value("--like", "FILE", "As the camera of this calibration file: its only one, or that of the same name",
+                [&arguments](const std::string& word) { return take_view(CameraOfFile{word}, arguments); });
+  options.value("--rotate", "YAW,PITCH,ROLL",
+                "Turn the camera, in degrees: first yaw (about y: positive to the right), then pitch (about its x: positive "
+                "up), then roll (about its z: positive clockwise)",
+                [&arguments](const std::string& word) {
+                  arguments.rotate = word;
+                  return take_turn(word, arguments.request.turn);
+                });
+  options.value("--interpolation", "KIND", "bilinear (default) or lanczos, as OpenCV does them",
+                [&arguments](const std::string& word) -> std::optional<std::string> {
+                  if (word != "bilinear" && word != "lanczos")
+                    return "unknown interpolation '" + word + "'; there are bilinear and lanczos";
+                  arguments.interpolation = word == "lanczos" ? Interpolation::kLanczos : Interpolation::kBilinear;
+                  return std::nullopt;
+                });
+  options.value("--mask", "PNG", "Also write an image that is 255 where the source sees, and 0 elsewhere", arguments.mask);
+  options.value("--map", "NPY",
+                "Also write the map: float32 of shape (height, width, 2), u and v in the source image, nan where it has "
+                "none; for numpy.load and cv2.remap",
+                arguments.map);
+  add_input_options(options, request.inputs);
+  add_lens_circle_option(options, request.inputs);
+  options.count("--jobs", "N", "Images at the same time (default: as many as there are processors)", request.jobs, 1, 1024);
+  options.flag("--force", "Overwrite existing files", arguments.force);
+  options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.footer(
       "Axes: x right, y down, z forward; R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, takes the new camera's rays to the old\n"
       "one's. Grey, colour, 16 bits and opacity stay as they are. What the source does not see becomes 0.\n\n"
       "Example:\n"
       "  fca-io remap camchain.yaml --camera cam0 image.png --pinhole 100 -o undistorted.png\n"
       "  fca-io remap camchain.yaml --camera cam0 'left/*.png' --pinhole 90 --rotate 45,0,0 -o 'right/{stem}.png'\n"
       "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask seen.png\n");
-  command.callback([&arguments, &run] { run = [&arguments](Console& console) { return run_remap(arguments, console); }; });
 }
 
 }  // namespace
 
-void add_remap_command(CLI::App& app, RemapArguments& arguments, std::function<ExitCode(Console&)>& run) {
-  add_subcommand(app, "remap", "Images as another camera would have taken them: undistorted, as another model, turned",
-                 [&arguments, &run](CLI::App& command) { add_options(command, arguments, run); });
+void add_remap_command(Application& application) {
+  application.add("remap", "Images as another camera would have taken them: undistorted, as another model, turned",
+                  [](Options& options) -> RunCommand {
+                    const auto arguments = std::make_shared<RemapArguments>();
+                    add_options(options, *arguments);
+                    return [arguments](const Invocation&, Console& console) {
+                      arguments->request.inputs.files = {arguments->file};
+                      if (auto* pinhole = std::get_if<PinholeView>(&arguments->request.view))
+                        pinhole->size = arguments->pinhole_size;
+                      return run_remap(*arguments, console);
+                    };
+                  });
 }
 
 }  // namespace fca::cli

@@ -1,39 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "shell/console.h"
-#include "toolkit/reading.h"
+#include "options/application.h"
 
-#include <cstddef>
-#include <functional>
-#include <optional>
+#include <fca/toolkit/remap.h>
+
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace fca::cli {
 
 struct RemapArguments {
-  std::string file;
+  RemapRequest request;
+  std::string file;  ///< The calibration's.
   std::vector<std::string> images;
-  ReadingOptions reading;
-  std::string model;
-  std::string like;
-  std::optional<double> pinhole_deg;  ///< The full field of view, from the left border to the right one.
-  std::string out_size;               ///< "640x480"
-  std::string rotate;                 ///< "yaw,pitch,roll", degrees
-  std::string interpolation = "bilinear";
+  Interpolation interpolation = Interpolation::kBilinear;
+  std::string rotate;  ///< As typed, for the text.
   std::string output;
   std::string mask;
   std::string map;
-  std::size_t jobs = 0;  ///< 0: as many as there are processors
   bool force = false;
   bool json = false;
+  int views = 0;                           ///< How many of --model, --like and --pinhole were given; one is allowed.
+  std::optional<ImageSize> pinhole_size;  ///< --out-size
 };
 
-void add_remap_command(CLI::App& app, RemapArguments& arguments, std::function<ExitCode(Console&)>& run);
+void add_remap_command(Application& application);
 
 }  // namespace fca::cli

@@ -6,10 +6,10 @@
 #include "pictures/pictures.h"
 #include "shell/held_interrupt.h"
 #include "shell/kept_inputs.h"
-#include "shell/output_file.h"
+#include "toolkit/save/output_file.h"
 #include "shell/output_name.h"
 #include "shell/progress.h"
-#include "shell/words.h"
+#include "toolkit/words.h"
 #include "toolkit/at_once.h"
 
 #include <array>
@@ -43,16 +43,16 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
     result.diagnostics.error(what, message, {result.input, 0, 0});
     result.code = code;
   };
-  const std::optional<Image> image = read_image(result.input, result.diagnostics);
-  if (!image || !has_size_of(source, changes_images(arguments.reading), *image, result.input, result.diagnostics)) {
-    result.code = code_of(result.diagnostics);
+  const std::optional<Image> image = read_image_file(result.input, result.diagnostics);
+  if (!image || !has_size_of(source, !arguments.request.inputs.change.changes_nothing(), *image, result.input, result.diagnostics)) {
+    result.code = exit_code(status_of(result.diagnostics));
     return;
   }
   const std::string extension = extension_for(result.output, result.input);
   if (const std::optional<std::string> problem = problem_with_format(*image, extension))
     return refuse(ExitCode::kUsage, "image-format", *problem);
   const std::optional<Image> seen =
-      remapped(*image, map, arguments.interpolation == "lanczos" ? Interpolation::kLanczos : Interpolation::kBilinear);
+      cli::remapped(*image, map, arguments.interpolation);
   const std::optional<std::string> bytes = seen ? encoded(*seen, extension) : std::nullopt;
   if (!bytes) return refuse(ExitCode::kBadInput, "no-image", "OpenCV could not map it or write it as " + extension);
   if (result.output == "-") {
@@ -80,7 +80,7 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
   if (arguments.json && arguments.output == "-") return "with --json the image needs a file: -o PATH";
   std::vector<std::string> files = {arguments.file};
   for (const FoundFile& image : images) files.push_back(image.path);
-  KeptInputs inputs(arguments.reading);
+  KeptInputs inputs(arguments.request.inputs);
   inputs.add(files);
   for (const std::string& path : {arguments.map, arguments.mask}) {
     if (std::optional<std::string> problem = inputs.problem_with(path)) return problem;
@@ -104,9 +104,9 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
 std::vector<RemappedImage> remap_images(const RemapArguments& arguments, std::span<const FoundFile> images,
                                         const Camera& source, const ImageMap& map, const Console& console) {
   std::vector<RemappedImage> results(images.size());
-  const HeldInterrupt interrupt(images.size() > 1);
-  Progress progress(images.size());
-  at_once(images.size(), arguments.jobs, [&](std::size_t i) {
+  const HeldInterrupt interrupt(images.size() > 1, console);
+  Progress progress(images.size(), console.streams().err);
+  at_once(images.size(), arguments.request.jobs, [&](std::size_t i) {
     results[i].input = images[i].path;
     results[i].output = output_path(arguments.output, images[i].path, source.name);
     results[i].left = interrupt.asked();

@@ -3,9 +3,9 @@
 #include "shell/json.h"
 #include "shell/parameters_json.h"
 #include "shell/pose_words.h"
-#include "shell/words.h"
+#include "shell/program_words.h"
+#include "toolkit/words.h"
 #include "show_command.h"
-#include "toolkit/assumptions.h"
 
 #include <fca/rig/fields_of_view.h>
 

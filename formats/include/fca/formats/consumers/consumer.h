@@ -79,11 +79,11 @@ struct LoadOptions {
   std::string opencv_model = {};
 };
 
-/// What `convert` is told so that a program reads the result, beside the format.
+/// How a file is written so that a program reads the result, beside the format.
 struct Writing {
-  std::string_view model = {};   ///< --model
-  std::string_view layout = {};  ///< --FORMAT-layout
-  std::string_view output = {};  ///< -o, where the name decides the syntax
+  std::string_view model = {};      ///< Empty: the best that the program reads.
+  std::string_view layout = {};     ///< One of Format::layouts; empty: the usual one.
+  std::string_view file_name = {};  ///< Of the file, where that decides the syntax.
 };
 
 /// A row of the table of consumers.

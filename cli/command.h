@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "shell/streams.h"
+
+#include <span>
+#include <string>
+
+namespace fca::cli {
+
+/// The command: words behind "fca-io" in, exit code out (shell/exit_code.h). Throws nothing; an error is written to
+/// streams.err. Who calls it decides what a closed pipe does (SIGPIPE).
+[[nodiscard]] int run(std::span<const std::string> words, Streams& streams);
+
+}  // namespace fca::cli

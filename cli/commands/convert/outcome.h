@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "shell/exit_code.h"
+
+#include <fca/toolkit/convert.h>
+
+#include <string>
+#include <vector>
+
+namespace fca::cli {
+
+/// What `convert` was asked for.
+struct ConvertArguments {
+  ConvertRequest request;           ///< Its inputs' files are one conversion's.
+  std::vector<std::string> inputs;  ///< As typed: files, folders, patterns.
+  std::string output;
+  bool in_place = false;
+  bool force = false;
+  bool fsync = false;
+  bool dry_run = false;
+  bool json = false;
+};
+
+/// What came of one input.
+struct ConvertOutcome : ConvertResult {
+  std::string input;
+  bool one_of_many = false;  ///< Then its report names it.
+  ExitCode code = ExitCode::kGood;
+};
+
+/// One conversion, of one input or several that are one rig (request.inputs.files). `words`: the command line.
+[[nodiscard]] ConvertOutcome convert_input(const ConvertArguments& arguments, const std::vector<std::string>& words, Files& files);
+
+}  // namespace fca::cli

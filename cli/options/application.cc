@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "application.h"
+
+#include "toolkit/words.h"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+struct Application::Parser {
+  CLI::App app{
+      "fca-io makes camera calibration files interoperable: reads them, says what they mean, converts them to other formats\n"
+      "and camera models, and proves that the program that reads the result understands it as meant."};
+  RunCommand chosen;
+  std::optional<Options> options;  ///< Of the subcommand that was chosen.
+
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> result;
+    for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+      result.push_back(subcommand->get_name());
+    return result;
+  }
+};
+
+Application::Application() : parser_(std::make_unique<Parser>()) {
+  CLI::App& app = parser_->app;
+  app.name("fca-io");
+  app.set_version_flag("--version", "fca-io " FCA_VERSION);
+  app.require_subcommand(0, 1);
+  app.footer(
+      "fca-io FILE is short for fca-io show FILE.\n\n"
+      "Example:\n"
+      "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n\n"
+      "Exit codes: 0 good; 1 done but judged bad, nothing written; 2 bad input; 3 usage; 4 input/output; 70 a bug.");
+}
+
+Application::~Application() = default;
+
+void Application::add(const std::string& name, const std::string& description,
+                      std::function<RunCommand(Options& options)> define) {
+  CLI::App* const subcommand = parser_->app.add_subcommand(name, description);
+  subcommand->preparse_callback([subcommand, parser = parser_.get(), define = std::move(define)](std::size_t /*words*/) {
+    parser->options.emplace(*subcommand);
+    parser->chosen = define(*parser->options);
+    parser->options->refuse_empty_values();
+  });
+}
+
+namespace {
+
+/// `fca-io FILE` is `fca-io show FILE`: is the first word anything like a path, and no command?
+bool is_path(const std::string& word) {
+  return word == "-" || word.find_first_of("./") != std::string::npos ||
+         CLI::detail::check_path(word.c_str()) != CLI::detail::path_type::nonexistent;
+}
+
+}  // namespace
+
+ExitCode Application::run(std::span<const std::string> given, Console& console) {
+  Invocation invocation{{given.begin(), given.end()}, {}};
+  std::vector<std::string> words = invocation.words;
+  const std::vector<std::string> names = parser_->names();
+  const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
+  if (!words.empty() && (!words.front().starts_with('-') || words.front() == "-") && !is_name(words.front())) {
+    if (!is_path(words.front()))
+      return console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names));
+    words.insert(words.begin(), "show");
+  }
+  try {
+    std::vector<std::string> reversed(words.rbegin(), words.rend());  // as CLI11 wants it
+    parser_->app.parse(reversed);
+  } catch (const UsageProblem& problem) {
+    return console.refuse(ExitCode::kUsage, problem.sentence);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {
+      std::ostringstream text;
+      parser_->app.exit(error, text, text);
+      console.out(text.str());
+      return ExitCode::kGood;
+    }
+    const bool named = !words.empty() && is_name(words.front());
+    return console.refuse(ExitCode::kUsage, named ? words.front() + ": " + error.what() : error.what(),
+                          (named ? "fca-io " + words.front() : "fca-io") + std::string(" --help"));
+  }
+  if (!parser_->chosen) {
+    console.err(parser_->app.help());
+    return ExitCode::kUsage;
+  }
+  invocation.options = parser_->options->typed();
+  return parser_->chosen(invocation, console);
+}
+
+}  // namespace fca::cli

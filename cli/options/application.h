@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line: subcommands, and which of them was asked for.
+#pragma once
+
+#include "options.h"
+#include "shell/console.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::cli {
+
+/// What was typed.
+struct Invocation {
+  std::vector<std::string> words;    ///< The command line, without the program's name.
+  std::vector<TypedOption> options;  ///< Of the subcommand.
+};
+
+/// Does what a subcommand was asked for.
+using RunCommand = std::function<ExitCode(const Invocation& invocation, Console& console)>;
+
+class Application {
+ public:
+  Application();
+  ~Application();
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
+
+  /// Adds a subcommand. `define` is called when words of the command line are its own (to define the options of all subcommands
+  /// takes as long as an empty program's start); what it returns is run when they have been parsed.
+  void add(const std::string& name, const std::string& description, std::function<RunCommand(Options& options)> define);
+
+  /// Parses the words, and runs what they ask for.
+  [[nodiscard]] ExitCode run(std::span<const std::string> words, Console& console);
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace fca::cli

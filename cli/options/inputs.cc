@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "inputs.h"
+
+#include "toolkit/words.h"
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <array>
+#include <filesystem>
+
+namespace fca::cli {
+
+namespace {
+
+/// "64,0,512,512"
+std::optional<ImageRegion> parse_region(const std::string& text) {
+  std::vector<int> numbers;
+  for (const std::string& item : split(text)) {
+    const std::optional<int> number = text::parse_int(item);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  if (numbers.size() != 4) return std::nullopt;
+  return ImageRegion{numbers[0], numbers[1], {numbers[2], numbers[3]}};
+}
+
+std::optional<std::string> take_region(const std::string& word, std::optional<ImageRegion>& target) {
+  target = parse_region(word);
+  if (target) return std::nullopt;
+  return "--crop wants X,Y,WIDTH,HEIGHT in whole pixels, such as 64,0,512,512; got '" + word + "'";
+}
+
+/// "1,0" or "cam1"
+std::vector<CameraChoice> parse_cameras(const std::string& list) {
+  std::vector<CameraChoice> cameras;
+  for (const std::string& item : split(list)) {
+    const std::optional<int> number = text::parse_int(item);
+    cameras.push_back({item, number && *number >= 0 ? std::optional(static_cast<std::size_t>(*number)) : std::nullopt});
+  }
+  return cameras;
+}
+
+std::optional<std::string> take_opencv_model(const std::string& word, std::optional<OpenCvModel>& target) {
+  for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
+    if (word == name_of(std::optional(model))) target = model;
+  }
+  return target ? std::nullopt : std::optional("--opencv-model is pinhole or fisheye, not '" + word + "'");
+}
+
+std::optional<std::string> take_noise(const std::string& word, std::optional<NoiseKind>& target) {
+  for (const NoiseKind kind :
+       {NoiseKind::kContinuous, NoiseKind::kDiscrete, NoiseKind::kVariance, NoiseKind::kDiscreteVariance}) {
+    if (word == name_of(kind)) target = kind;
+  }
+  if (target) return std::nullopt;
+  return "--imu-noise is continuous, discrete, variance or discrete-variance, not '" + word + "'";
+}
+
+/// "IMAGE" or "CAMERA=IMAGE". The name of a file may hold a '=', too.
+CameraImage parse_camera_image(const std::string& word) {
+  const std::size_t equals = word.find('=');
+  std::error_code error;
+  if (equals == std::string::npos || std::filesystem::exists(word, error)) return {"", word};
+  return {word.substr(0, equals), word.substr(equals + 1)};
+}
+
+}  // namespace
+
+void add_input_options(Options& options, Inputs& inputs) {
+  options.value("--from", "FORMAT", "The input's format (default: found by its content)",
+                [&inputs](const std::string& word) { return take_format(word, inputs.format); });
+  options.each("--with", "FILE", "A further part of the same calibration, e.g. imu.yaml; may be given several times",
+               inputs.parts);
+  options.value("--camera", "LIST", "Only these cameras, in this order: 1,0 or cam1", [&inputs](const std::string& word) {
+    inputs.cameras = parse_cameras(word);
+    return std::nullopt;
+  });
+  options.value("--size", "WxH", "Image size of an input that does not state one: 640x480",
+                [&inputs](const std::string& word) { return take_size("--size", word, inputs.image_size); });
+  options.value("--crop", "X,Y,W,H", "The images are this part of the calibrated ones; before --binning and --resize",
+                [&inputs](const std::string& word) { return take_region(word, inputs.change.crop); });
+  options.whole_number("--binning", "N", "N x N pixels of the calibrated images are one; before --resize",
+                       [&inputs](int number) -> std::optional<std::string> {
+                         inputs.change.binning = number;
+                         return number < 1 ? std::optional("--binning wants a whole number from 1") : std::nullopt;
+                       });
+  options.value("--resize", "WxH", "The images are the calibrated ones, scaled to this size",
+                [&inputs](const std::string& word) { return take_size("--resize", word, inputs.change.resize); });
+  options.value("--opencv-model", "MODEL", "pinhole or fisheye, for OpenCV files whose four coefficients could be either",
+                [&inputs](const std::string& word) { return take_opencv_model(word, inputs.opencv_model); });
+  options.number("--max-angle", "DEG", "What counts as lens, in degrees from the axis (default: the whole image)",
+                 [&inputs](double degrees) -> std::optional<std::string> {
+                   if (!(degrees > 0.0 && degrees <= 180.0)) return "--max-angle wants degrees from the axis in (0, 180]";
+                   inputs.max_angle_rad = degrees / kDegreesPerRadian;
+                   return std::nullopt;
+                 });
+}
+
+void add_lens_circle_option(Options& options, Inputs& inputs) {
+  options.each("--lens-circle", "[CAMERA=]IMAGE",
+               "What counts as lens: the lit circle in this image, taken by the camera (of several: "
+               "cam0=IMAGE); may be given several times, for dark scenes",
+               [&inputs](const std::string& word) {
+                 inputs.lens_circles.push_back(parse_camera_image(word));
+                 return std::nullopt;
+               });
+}
+
+void add_join_option(Options& options, Inputs& inputs) {
+  options.flag("--join", "All inputs are the cameras of one rig, in the order given", inputs.join);
+}
+
+void add_imu_option(Options& options, Inputs& inputs) {
+  options.value("--imu-noise", "KIND",
+                "What the input's IMU noise is: continuous (densities, the default), discrete (standard deviations of single "
+                "samples, converted with the rate), variance or discrete-variance (squares of those)",
+                [&inputs](const std::string& word) { return take_noise(word, inputs.imu_noise); });
+}
+
+std::optional<std::string> problem_with(const Inputs& inputs) {
+  if (inputs.max_angle_rad && !inputs.lens_circles.empty())
+    return "--max-angle and --lens-circle both say where the lens ends; give one of them";
+  return std::nullopt;
+}
+
+std::vector<Inputs> grouped(const Inputs& inputs) {
+  if (inputs.join) return {inputs};
+  std::vector<Inputs> groups;
+  for (const std::string& file : inputs.files) {
+    groups.push_back(inputs);
+    groups.back().files = {file};
+  }
+  return groups;
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options that say what is read, the same for every subcommand that reads a calibration.
+#pragma once
+
+#include "options.h"
+
+#include <fca/toolkit/inputs.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca::cli {
+
+/// --from, --with, --camera, --size, --crop, --binning, --resize, --opencv-model, --max-angle
+void add_input_options(Options& options, Inputs& inputs);
+
+/// --lens-circle, for commands that measure over the lens.
+void add_lens_circle_option(Options& options, Inputs& inputs);
+
+/// --join, for commands that take several files.
+void add_join_option(Options& options, Inputs& inputs);
+
+/// --imu-noise, for commands that say or write what an IMU is like.
+void add_imu_option(Options& options, Inputs& inputs);
+
+/// A usage error among these options together, in words.
+[[nodiscard]] std::optional<std::string> problem_with(const Inputs& inputs);
+
+/// The files as calibrations are read from them: each by itself, or all together under --join. The other members are those of
+/// `inputs`.
+[[nodiscard]] std::vector<Inputs> grouped(const Inputs& inputs);
+
+/// Are the images others than those that were calibrated (--crop, --binning, --resize)?
+[[nodiscard]] inline bool changes_images(const Inputs& inputs) { return !inputs.change.changes_nothing(); }
+
+}  // namespace fca::cli

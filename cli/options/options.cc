@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <cstdint>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+CLI::Validator decimal_number() {
+  const auto problem = [](const std::string& value) {
+    return value.empty() || text::parse_real(value) ? std::string() : "'" + value + "' is no decimal number";
+  };
+  return {problem, ""};
+}
+
+void check(const std::optional<std::string>& problem) {
+  if (problem) throw UsageProblem{*problem};
+}
+
+/// One value each time, so that what follows is no further one.
+void take_one_each_time(CLI::Option& option) { option.expected(1)->allow_extra_args(false)->take_all(); }
+
+}  // namespace
+
+void Options::positional(const std::string& name, const std::string& help, std::vector<std::string>& target, bool required) {
+  command_.add_option(name, target, help)->required(required);
+}
+
+void Options::positional(const std::string& name, const std::string& help, std::string& target, bool required) {
+  command_.add_option(name, target, help)->required(required);
+}
+
+void Options::value(const std::string& name, const std::string& type, const std::string& help, TakeWord take) {
+  command_
+      .add_option_function<std::string>(
+          name, [take = std::move(take)](const std::string& word) { check(take(word)); }, help)
+      ->type_name(type);
+}
+
+void Options::value(const std::string& name, const std::string& type, const std::string& help, std::string& target) {
+  command_.add_option(name, target, help)->type_name(type);
+}
+
+void Options::number(const std::string& name, const std::string& type, const std::string& help, std::optional<double>& target) {
+  command_.add_option(name, target, help)->type_name(type)->check(decimal_number());
+}
+
+void Options::number(const std::string& name, const std::string& type, const std::string& help,
+                     std::function<std::optional<std::string>(double)> take) {
+  command_
+      .add_option_function<double>(
+          name, [take = std::move(take)](double number) { check(take(number)); }, help)
+      ->type_name(type)
+      ->check(decimal_number());
+}
+
+void Options::whole_number(const std::string& name, const std::string& type, const std::string& help,
+                           std::function<std::optional<std::string>(int)> take) {
+  command_
+      .add_option_function<int>(
+          name, [take = std::move(take)](int number) { check(take(number)); }, help)
+      ->type_name(type)
+      ->check(decimal_number());
+}
+
+void Options::count(const std::string& name, const std::string& type, const std::string& help, std::size_t& target, int least,
+                    int most) {
+  command_.add_option(name, target, help)->type_name(type)->check(CLI::Range(least, most));
+}
+
+void Options::each(const std::string& name, const std::string& type, const std::string& help, TakeWord take) {
+  take_one_each_time(*command_
+                          .add_option_function<std::vector<std::string>>(
+                              name,
+                              [take = std::move(take)](const std::vector<std::string>& words) {
+                                for (const std::string& word : words) check(take(word));
+                              },
+                              help)
+                          ->type_name(type));
+}
+
+void Options::each(const std::string& name, const std::string& type, const std::string& help, std::vector<std::string>& target) {
+  take_one_each_time(*command_.add_option(name, target, help)->type_name(type));
+}
+
+void Options::flag(const std::string& name, const std::string& help, bool& target) { command_.add_flag(name, target, help); }
+
+void Options::flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
+                        bool& target) {
+  CLI::Option* const first = command_.add_flag_function(on, [](std::int64_t) {}, on_help);
+  command_.add_flag_function(off, [&target](std::int64_t) { target = false; }, off_help)->excludes(first);
+}
+
+void Options::exclusive_flags(const std::vector<Flag>& flags, const std::string& problem) {
+  const auto given = std::make_shared<int>(0);
+  for (const Flag& flag : flags) {
+    command_.add_flag_function(
+        flag.name,
+        [given, problem, take = flag.take](std::int64_t) {
+          if (++*given > 1) throw UsageProblem{problem};
+          take();
+        },
+        flag.help);
+  }
+}
+
+void Options::hide(const std::vector<std::string>& names) {
+  for (const std::string& name : names) command_.get_option(name)->group("");
+}
+
+void Options::footer(const std::string& text) { command_.footer(text); }
+
+void Options::refuse_empty_values() {
+  const CLI::Validator not_empty([](const std::string& value) { return value.empty() ? "an empty value" : std::string(); }, "");
+  for (CLI::Option* option : command_.get_options()) {
+    if (option->get_items_expected_max() > 0) option->check(not_empty);
+  }
+}
+
+std::vector<TypedOption> Options::typed() const {
+  std::vector<TypedOption> result;
+  for (const CLI::Option* option : command_.get_options()) {
+    if (option->count() == 0) continue;
+    const bool takes_value = option->get_items_expected_max() > 0;
+    result.push_back({option->get_name(), takes_value ? option->reduced_results() : std::vector<std::string>(),
+                      option->get_positional()});
+  }
+  return result;
+}
+
+}  // namespace fca::cli

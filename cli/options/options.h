@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The options of one command. Each is defined once: its name, its help, and what it sets in the command's request.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace fca::cli {
+
+/// Takes a typed word over into a request. Returns what is wrong with it, in a sentence; nothing if it is taken.
+using TakeWord = std::function<std::optional<std::string>(const std::string& word)>;
+
+/// A word that cannot be taken, as TakeWord explains it.
+struct UsageProblem {
+  std::string sentence;
+};
+
+/// An option as it was typed.
+struct TypedOption {
+  std::string name;                 ///< "--to"; of positional words "FILE".
+  std::vector<std::string> values;  ///< None: a flag.
+  bool positional = false;
+};
+
+class Options {
+ public:
+  explicit Options(CLI::App& command) : command_(command) {}
+
+  /// Words without a name in front, such as files.
+  void positional(const std::string& name, const std::string& help, std::vector<std::string>& target, bool required = true);
+  void positional(const std::string& name, const std::string& help, std::string& target, bool required = true);
+
+  /// An option with one value.
+  void value(const std::string& name, const std::string& type, const std::string& help, TakeWord take);
+  void value(const std::string& name, const std::string& type, const std::string& help, std::string& target);
+  /// A plain decimal number ("0x61" is none).
+  void number(const std::string& name, const std::string& type, const std::string& help, std::optional<double>& target);
+  void number(const std::string& name, const std::string& type, const std::string& help,
+              std::function<std::optional<std::string>(double)> take);
+  void whole_number(const std::string& name, const std::string& type, const std::string& help,
+                    std::function<std::optional<std::string>(int)> take);
+  void count(const std::string& name, const std::string& type, const std::string& help, std::size_t& target, int least, int most);
+  /// An option that may come several times, with one value each time.
+  void each(const std::string& name, const std::string& type, const std::string& help, TakeWord take);
+  void each(const std::string& name, const std::string& type, const std::string& help, std::vector<std::string>& target);
+
+  void flag(const std::string& name, const std::string& help, bool& target);
+  /// A flag that sets `target` to false, beside its opposite, which is the default.
+  void flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
+                 bool& target);
+
+  struct Flag {
+    std::string name;
+    std::string help;
+    std::function<void()> take;
+  };
+  /// Flags of which one can be given; else that is a usage error, in those words.
+  void exclusive_flags(const std::vector<Flag>& flags, const std::string& problem);
+
+  /// Options that are understood, for a better refusal, and not shown.
+  void hide(const std::vector<std::string>& names);
+  /// After the list of options: examples.
+  void footer(const std::string& text);
+
+  /// No option takes an empty value, a script's unset variable. To be called after the last definition.
+  void refuse_empty_values();
+  /// Those that were given, in the order of their definitions.
+  [[nodiscard]] std::vector<TypedOption> typed() const;
+
+ private:
+  CLI::App& command_;
+};
+
+}  // namespace fca::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "target.h"
+
+#include "toolkit/words.h"
+#include "words.h"
+
+#include <fca/rig/limits.h>
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+/// One of the modes of any format.
+std::optional<std::string> take_mode(const std::string& word, std::string& target) {
+  std::vector<std::string> known;
+  for (const Format& format : all_formats()) known.insert(known.end(), format.modes.begin(), format.modes.end());
+  if (std::ranges::find(known, word) == known.end()) return unknown_word("sensor mode", word, known);
+  target = word;
+  return std::nullopt;
+}
+
+std::optional<std::string> take_layout(const std::string& word, const Format& format, FormatLayout& target) {
+  if (std::ranges::find(format.layouts, word) == format.layouts.end())
+    return unknown_word("layout", word, std::vector<std::string>(format.layouts.begin(), format.layouts.end()));
+  target = {&format, word};
+  return std::nullopt;
+}
+
+std::optional<std::string> take_setting(const std::string& word, std::vector<KeyValue>& settings) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos || equals == 0)
+    return "--set wants KEY=VALUE, such as Viewer.PointSize=3.0; got '" + word + "'";
+  const std::string key = word.substr(0, equals);
+  if (std::ranges::find(settings, key, &KeyValue::key) != settings.end())
+    return "--set " + key + " comes twice; one value can stand there";
+  settings.push_back({key, word.substr(equals + 1)});
+  return std::nullopt;
+}
+
+std::optional<std::string> take_objective(const std::string& word, Objective& target) {
+  if (word != "rms" && word != "max") return "unknown objective '" + word + "'; there are rms and max";
+  target = word == "max" ? Objective::kMax : Objective::kRms;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_target_options(Options& options, ConvertRequest& request) {
+  options.value("--sensor", "MODE",
+                "orbslam3: mono, stereo, rgbd, mono-inertial, stereo-inertial or rgbd-inertial (default: the richest the input "
+                "serves)",
+                [&request](const std::string& word) { return take_mode(word, request.mode); });
+  for (const Format& format : all_formats()) {
+    if (format.layouts.empty()) continue;
+    options.value("--" + std::string(format.id) + "-layout", "LAYOUT", std::string(format.layouts_in_words),
+                  [&request, &format](const std::string& word) { return take_layout(word, format, request.layout); });
+  }
+  options.value("--into", "BASE", "Write what the input says into this file's text; its format is --to", request.into);
+  options.value("--objective", "rms|max",
+                "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
+                [&request](const std::string& word) { return take_objective(word, request.objective); });
+  options.flag("--every-pixel", "Judge by every pixel, not by a lattice of about 5,000 points", request.every_pixel);
+  options.flag("--anew", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
+  options.number("--fps", "HZ", "Frame rate, for formats that state it", [&request](double rate) -> std::optional<std::string> {
+    if (!(rate > 0.0 && rate < 1e6)) return "--fps wants a rate in Hz, more than 0 and below 1e6";
+    request.frame_rate_hz = rate;
+    return std::nullopt;
+  });
+  options.number("--baseline", "METRES", "Baseline of a rectified pair or depth sensor",
+                 [&request](double metres) -> std::optional<std::string> {
+                   if (problem_with_baseline(metres)) return "--baseline wants a positive number of metres";
+                   request.baseline_m = metres;
+                   return std::nullopt;
+                 });
+  options.each("--set", "KEY=VALUE",
+               "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable",
+               [&request](const std::string& word) { return take_setting(word, request.settings); });
+}
+
+std::optional<std::string> problem_with(const ConvertRequest& request) {
+  return request.to != nullptr ? without_use(request, *request.to) : std::nullopt;
+}
+
+std::optional<std::string> target_without_file(const ConvertRequest& request) {
+  if (request.to != nullptr || !request.into.empty()) return std::nullopt;
+  struct Given {
+    bool given;
+    std::string option;
+  };
+  const std::string layout =
+      request.layout.format != nullptr ? "--" + std::string(request.layout.format->id) + "-layout" : "";
+  for (const Given& each : {Given{!request.mode.empty(), "--sensor"}, Given{!layout.empty(), layout},
+                            Given{request.frame_rate_hz.has_value(), "--fps"}, Given{request.baseline_m.has_value(), "--baseline"},
+                            Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--anew"}}) {
+    if (each.given) return each.option + " says something about a written file; say with --to FORMAT which one";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> opencv_model_without_use(const Inputs& inputs, std::span<const ConvertResult> results) {
+  if (!inputs.opencv_model || !inputs.parts.empty() || results.empty()) return std::nullopt;
+  const auto has_use = [](const Format* format) { return format == nullptr || format->leaves_model_open; };
+  if (std::ranges::any_of(results, [&](const ConvertResult& result) {
+        return has_use(result.from) || has_use(result.to) || !result.one_format;
+      }))
+    return std::nullopt;
+  return "--opencv-model is for OpenCV files, and " + inputs.files.front() + " is " + std::string(results.front().from->title);
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is to be written: the options of `convert` that `report` has, too, because its page shows what they do.
+#pragma once
+
+#include "options.h"
+
+#include <fca/toolkit/convert.h>
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace fca::cli {
+
+/// All of them but --to and --model, whose words are each command's own.
+void add_target_options(Options& options, ConvertRequest& request);
+
+/// A usage error among them together, in words.
+[[nodiscard]] std::optional<std::string> problem_with(const ConvertRequest& request);
+
+/// Why one of them is without use where nothing is written; nothing where none was given.
+[[nodiscard]] std::optional<std::string> target_without_file(const ConvertRequest& request);
+
+/// --opencv-model was given, and neither the input nor what is written is of the format that has use for it.
+[[nodiscard]] std::optional<std::string> opencv_model_without_use(const Inputs& inputs, std::span<const ConvertResult> results);
+
+}  // namespace fca::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Typed words that name things or hold numbers, and what is wrong with those that do not.
+#pragma once
+
+#include <fca/formats/format.h>
+#include <fca/rig/rig.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::cli {
+
+/// "kalibr, opencv and ..."
+[[nodiscard]] std::string format_names();
+/// "unknown format 'orb'; did you mean orbslam3?", with the list when nothing is near.
+[[nodiscard]] std::string unknown_format(std::string_view typed);
+[[nodiscard]] std::string unknown_model(std::string_view typed);
+
+/// "a,b" in its parts.
+[[nodiscard]] std::vector<std::string> split(std::string_view list);
+
+/// Takes a format, or a camera model, of that name. Returns why it cannot, in a sentence.
+[[nodiscard]] std::optional<std::string> take_format(const std::string& word, const Format*& target);
+[[nodiscard]] std::optional<std::string> take_model(const std::string& word, const ModelInfo*& target);
+/// Takes "640x480". `option` is named where it cannot.
+[[nodiscard]] std::optional<std::string> take_size(const std::string& option, const std::string& word,
+                                                   std::optional<ImageSize>& target);
+
+}  // namespace fca::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/formats/consumers/consumer.h>
+#include <fca/toolkit/convert.h>
+
+#include <string>
+
+namespace fca {
+
+/// What converting a file gives for a program that does not read its format, without the files themselves.
+[[nodiscard]] ConvertResult preview_conversion(const std::string& file, const Inputs& inputs, const consumers::Consumer& program,
+                                               Files& files);
+
+}  // namespace fca

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/difference_words.h"
+#include "compare/inverses.h"
+#include "words.h"
+
+#include <fca/compare/compare.h>
+#include <fca/formats/stated_as.h>
+#include <fca/toolkit/compare.h>
+
+#include <algorithm>
+
+namespace fca {
+
+namespace {
+
+/// The other files are read as the reference, but for what is its alone.
+Inputs inputs_of(const CompareRequest& request, const std::string& file) {
+  Inputs inputs = request.reference;
+  inputs.files = {file};
+  inputs.parts = request.parts;
+  inputs.change = {};
+  inputs.lens_circles.clear();
+  return inputs;
+}
+
+/// A file with one camera needs no choice, which then names one of the reference's cameras.
+bool has_one_camera(Inputs inputs, Files& files) {
+  Diagnostics discarded;
+  inputs.cameras.reset();
+  const std::optional<Calibration> calibration = read_calibration(inputs, files, discarded);
+  return calibration && calibration->rig.cameras.size() == 1;
+}
+
+std::optional<Calibration> read_file(const CompareRequest& request, const std::string& file, Files& files,
+                                     Diagnostics& diagnostics) {
+  Inputs inputs = inputs_of(request, file);
+  const bool one_chosen = inputs.cameras && inputs.cameras->size() == 1;
+  if (one_chosen && file != "-" && has_one_camera(inputs, files)) inputs.cameras.reset();
+  return read_calibration(inputs, files, diagnostics);
+}
+
+/// Poses by the names under which the file states them.
+void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& mistakes) {
+  for (Mistake& mistake : mistakes) {
+    if (!mistake.pose) continue;
+    const std::string key = key_of_pose(calibration, *mistake.pose);
+    if (!key.empty()) mistake.subject = key;
+  }
+}
+
+void exceed(ComparedFile& compared, const std::string& message, const std::string& fix = {}) {
+  compared.diagnostics.error("error-limit", message, {}, fix);
+  compared.status = worse(compared.status, Status::kRejected);
+}
+
+/// A pixel that is not there is off by more than any limit.
+void judge_pixels(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
+  const double limit_px = request.max_error_px.value_or(kSamePx);
+  for (const CameraComparison& camera : compared.comparison->cameras) {
+    if (camera.identical) continue;
+    const Judgement& judgement = camera.difference.judgement;
+    constexpr double kNoticeable = 1e-3;
+    const double missing = judgement.coverage.unrepresentable;
+    if (!(judgement.coverage.scored > 0.0)) {
+      exceed(compared, camera.other + ": no pixel could be compared");
+      continue;
+    }
+    if (judgement.error.max > limit_px) {
+      exceed(compared, camera.other + ": the worst pixel is off by " + pixels(judgement.error.max) +
+                           " px, more than --max-error " + pixels(limit_px));
+    }
+    if (missing > kNoticeable) {
+      exceed(compared, camera.other + " has no pixel for " + percent(missing) + " of the image",
+             std::string("if the lens ends before, --max-angle DEG ") +
+                 (request.reference.lens_circles.empty() ? "" : "in place of --lens-circle ") + "says where");
+    }
+  }
+  if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size())
+    exceed(compared, "not every camera of the reference is there", "--camera chooses those to compare");
+  if (inverses_differ(compared) && *compared.inverse_px > limit_px) {
+    exceed(compared, "the inverse polynomials differ by up to " + pixels(*compared.inverse_px) + " px, more than --max-error " +
+                         pixels(limit_px));
+  }
+}
+
+/// What is no camera: poses, time offsets, IMU.
+void judge_rest(ComparedFile& compared) {
+  const RigComparison& comparison = *compared.comparison;
+  for (const PoseComparison& pose : comparison.poses) {
+    if (!pose.alike())
+      exceed(compared, in_words(pose) + ", more than --strict allows (0.5 deg, and 5 mm or 5 % of the distance)");
+  }
+  for (const FactComparison& fact : comparison.facts) {
+    if (!fact.alike()) exceed(compared, in_words(fact) + ", more than --strict allows (1 ms for times, else 5 %)");
+  }
+  if (!comparison.only_in_reference.empty())
+    exceed(compared, "it does not say what the reference does: " + enumerated(comparison.only_in_reference, "and"));
+}
+
+void apply_limits(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
+  if (!request.max_error_px && !request.strict) return;
+  for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, sentence(mistake));
+  judge_pixels(request, reference, compared);
+  if (request.strict) judge_rest(compared);
+}
+
+}  // namespace
+
+ReferenceFile read_reference(const CompareRequest& request, Files& files) {
+  ReferenceFile reference{request.reference.files.front(), {}, {}};
+  reference.calibration = read_calibration(request.reference, files, reference.diagnostics);
+  return reference;
+}
+
+ComparedFile compare(const CompareRequest& request, const ReferenceFile& reference, const std::string& file, Files& files) {
+  ComparedFile compared;
+  compared.file = file;
+  compared.calibration = read_file(request, file, files, compared.diagnostics);
+  if (compared.calibration) {
+    const CompareOptions options = {.max_angle_rad = request.reference.max_angle_rad,
+                                    .every_pixel = request.every_pixel,
+                                    .by_order = request.reference.cameras.has_value()};
+    compared.comparison = compare(reference.calibration->rig, compared.calibration->rig, options, compared.diagnostics);
+    name_poses_as_stated(*compared.calibration, compared.comparison->mistakes);
+    if (request.reference.change.changes_nothing())
+      compared.inverse_px = inverses_apart_px(*reference.calibration, *compared.calibration);
+  }
+  compared.status = status_of(compared.diagnostics);
+  if (compared.status == Status::kDone) apply_limits(request, reference, compared);
+  return compared;
+}
+
+CompareResult compare(const CompareRequest& request, Files& files) {
+  CompareResult result;
+  result.reference = read_reference(request, files);
+  result.status = status_of(result.reference.diagnostics);
+  if (!result.reference.calibration) {
+    result.status = worse(result.status, Status::kBadInput);
+    return result;
+  }
+  for (const std::string& file : request.files) {
+    result.files.push_back(compare(request, result.reference, file, files));
+    result.status = worse(result.status, result.files.back().status);
+  }
+  return result;
+}
+
+bool inverses_differ(const ComparedFile& compared) {
+  if (!compared.inverse_px || !compared.comparison) return false;
+  double directions = 0.0;
+  for (const CameraComparison& camera : compared.comparison->cameras)
+    directions = std::max(directions, camera.identical ? 0.0 : camera.difference.judgement.error.max + kSamePx);
+  return *compared.inverse_px > directions;
+}
+
+}  // namespace fca

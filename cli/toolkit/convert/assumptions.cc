@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "assumptions.h"
+
+#include <algorithm>
+
+namespace fca {
+
+void list_assumed_units(const Calibration& calibration, const Format& to, Written& written) {
+  if (to.any_length_unit || !to.extrinsics) return;
+  const Rig& rig = calibration.rig;
+  const bool posed = std::ranges::any_of(rig.cameras, [&rig](const Camera& camera) {
+    return camera.name != rig.cameras.front().name && rig.resolve(camera.name, rig.cameras.front().name);
+  });
+  if (posed && !calibration.poses_without_unit.empty())
+    written.defaults.push_back({"translation unit", "taken as metres", true});
+}
+
+}  // namespace fca

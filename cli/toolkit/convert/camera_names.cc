@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_names.h"
+
+#include <fca/formats/read_back.h>
+#include <fca/formats/text/dialect.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace fca {
+
+namespace {
+
+/// Does the file say the name, or does its reader make it up?
+bool is_stated(const Written::File& file, const std::string& name) {
+  const std::optional<text::Document> document = text::as_edited(file.document);
+  return document && text::find_entry(document->root(), name, text::Dialect::kPyYaml) != nullptr;
+}
+
+}  // namespace
+
+void name_as_written(const Format& format, const Written& written, std::vector<ConvertedCamera>& cameras) {
+  if (!format.many_cameras) return;
+  for (const Written::File& file : written.files) {
+    const std::optional<Rig> rig = read_back(format, file, {std::nullopt, written.opencv_model, false});
+    if (!rig || rig->cameras.size() != file.cameras.size()) continue;
+    for (std::size_t i = 0; i < file.cameras.size(); ++i) {
+      const std::string& name = rig->cameras[i].name;
+      const auto camera =
+          std::ranges::find_if(cameras, [&](const ConvertedCamera& each) { return each.source.name == file.cameras[i]; });
+      if (camera != cameras.end() && (file.cameras.size() > 1 || is_stated(file, name))) camera->name_in_file = name;
+    }
+  }
+}
+
+std::string with_names_of_file(const std::string& text, std::span<const ConvertedCamera> cameras) {
+  // '/' and '.': a topic or a file that is called after its camera is not the camera.
+  const auto is_of_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/' || c == '.';
+  };
+  std::string result;
+  for (auto at = text.begin(); at != text.end();) {
+    const auto end = std::find_if_not(at, text.end(), is_of_word);
+    const std::string word(at, end);
+    const auto camera = std::ranges::find_if(cameras, [&word](const ConvertedCamera& each) { return each.source.name == word; });
+    const bool is_option = result.ends_with("--camera ");
+    result += camera != cameras.end() && !is_option ? camera->name_in_words() : word;
+    at = end;
+    if (at != text.end()) result += *at++;
+  }
+  return result;
+}
+
+}  // namespace fca

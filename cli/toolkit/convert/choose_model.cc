@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "choose_model.h"
+
+#include "at_once.h"
+#include "models/model_advice.h"
+#include "words.h"
+
+#include <fca/convert/reach.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace fca {
+
+ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice) {
+  ConvertOptions options;
+  options.model = stored.model;
+  options.max_angle_rad = choice.max_angle_rad;
+  options.every_pixel = choice.every_pixel;
+  options.objective = choice.objective;
+  options.ranges.assign(stored.ranges.begin(), stored.ranges.end());
+  return options;
+}
+
+namespace {
+
+bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
+  if (choice.among.empty()) return stored.stock;
+  return std::ranges::find(choice.among, stored.model) != choice.among.end();
+}
+
+bool keeps(const Camera& camera, const StoredModel& stored) {
+  return model_info(camera.model).id == stored.model && within(camera.model, stored.ranges);
+}
+
+std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredModel& stored, const ModelChoice& choice,
+                                         Diagnostics& diagnostics) {
+  if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty())
+    return ConvertedCamera{camera, camera, std::nullopt};
+  std::optional<Conversion> conversion = convert(camera, options_for(stored, choice), diagnostics);
+  if (!conversion) return std::nullopt;
+  return ConvertedCamera{camera, std::move(conversion->camera), std::move(conversion->report)};
+}
+
+std::optional<std::vector<ConvertedCamera>> convert_all(const std::vector<Camera>& cameras, const StoredModel& stored,
+                                                      const ModelChoice& choice, Diagnostics& diagnostics) {
+  std::vector<Diagnostics> found(cameras.size());
+  std::vector<std::optional<ConvertedCamera>> converted(cameras.size());
+  at_once(cameras.size(), choice.jobs,
+          [&](std::size_t i) { converted[i] = convert_one(cameras[i], stored, choice, found[i]); });
+  std::vector<ConvertedCamera> outcomes;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    if (!converted[i]) {
+      for (const Diagnostic& entry : found[i].entries()) diagnostics.add(entry);
+      return std::nullopt;
+    }
+    outcomes.push_back(*std::move(converted[i]));
+    outcomes.back().found = std::move(found[i]);
+  }
+  return outcomes;
+}
+
+/// Coverage first, then the error that the objective makes small, both over all cameras.
+struct Merit {
+  double unrepresentable = 0.0;
+  double square_sum = 0.0;
+};
+
+Merit merit_of(const std::vector<ConvertedCamera>& outcomes, Objective objective) {
+  Merit merit;
+  for (const ConvertedCamera& outcome : outcomes) {
+    if (!outcome.report) continue;
+    merit.unrepresentable += outcome.report->judgement.coverage.unrepresentable;
+    const ErrorSummary& error = outcome.report->judgement.error;
+    merit.square_sum += std::pow(objective == Objective::kMax ? error.max : error.rms, 2);
+  }
+  return merit;
+}
+
+constexpr double kSameCoverage = 1e-3;  // a share of the image finer than the lattice can tell
+
+bool better(const Merit& a, const Merit& b) {
+  if (std::abs(a.unrepresentable - b.unrepresentable) > kSameCoverage) return a.unrepresentable < b.unrepresentable;
+  // Nobody sees such a difference: then the order of the format's table, its usual models first, decides.
+  constexpr double kSameError = 0.96;       // within 2 %
+  constexpr double kNoError = 1e-6 * 1e-6;  // px^2
+  return a.square_sum < kSameError * b.square_sum && b.square_sum > kNoError;
+}
+
+std::vector<std::string> storable(const Format& format) {
+  std::vector<std::string> names;
+  for (const StoredModel& row : format.models) names.emplace_back(row.model);
+  return names;
+}
+
+/// The row under which a camera keeps its model: the stock program's; any, where the camera comes from a file of that very
+/// format.
+std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, const ModelChoice& choice) {
+  for (const StoredModel& stored : format.models) {
+    if ((may_be_chosen(stored, choice) || choice.same_format) && keeps(camera, stored)) return stored;
+  }
+  const std::string_view model = model_info(camera.model).id;
+  if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
+  StoredModel as_read;
+  as_read.model = model;
+  return as_read;
+}
+
+/// The share of the images, summed over them, that lies 90 degrees and more from the axis.
+double share_behind(const std::vector<ConvertedCamera>& outcomes) {
+  constexpr double kAheadDeg = 90.0;
+  double share = 0.0;
+  for (const ConvertedCamera& outcome : outcomes) {
+    if (!outcome.report) continue;
+    for (const ErrorBand& band : outcome.report->judgement.bands) share += band.from_deg >= kAheadDeg ? band.share : 0.0;
+  }
+  return share;
+}
+
+/// All cameras in the best of the models that may be chosen. One that sees only ahead is not tried where another
+/// covers what lies behind: its fit to a cone is the slowest of all.
+std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
+                                                     const ModelChoice& choice, Diagnostics& diagnostics) {
+  struct Candidate {
+    const StoredModel* stored = nullptr;
+    bool tried = false;
+    std::optional<std::vector<ConvertedCamera>> outcomes = {};
+    Diagnostics diagnostics = {};
+  };
+  std::vector<Candidate> candidates;
+  for (const StoredModel& stored : format.models) {
+    if (may_be_chosen(stored, choice)) candidates.push_back({&stored});
+  }
+  double uncovered = std::numeric_limits<double>::infinity();
+  double behind = 0.0;
+  const auto try_out = [&](Candidate& candidate) {
+    candidate.tried = true;
+    candidate.outcomes = convert_all(cameras, *candidate.stored, choice, candidate.diagnostics);
+    if (!candidate.outcomes) return;
+    uncovered = std::min(uncovered, merit_of(*candidate.outcomes, choice.objective).unrepresentable);
+    behind = std::max(behind, share_behind(*candidate.outcomes));
+  };
+  for (Candidate& candidate : candidates) {
+    if (!sees_ahead_only(candidate.stored->model)) try_out(candidate);
+  }
+  for (Candidate& candidate : candidates) {
+    if (!candidate.tried && !(behind > uncovered + kSameCoverage)) try_out(candidate);
+  }
+  const Candidate* best = nullptr;
+  const Candidate* failed = nullptr;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.tried) continue;
+    if (!candidate.outcomes) {
+      failed = &candidate;
+    } else if (best == nullptr ||
+               better(merit_of(*candidate.outcomes, choice.objective), merit_of(*best->outcomes, choice.objective))) {
+      best = &candidate;
+    }
+  }
+  if (best != nullptr) return best->outcomes;
+  if (failed == nullptr) return std::nullopt;
+  for (const Diagnostic& entry : failed->diagnostics.entries()) diagnostics.add(entry);
+  return std::nullopt;
+}
+
+/// All cameras in one model: theirs, if the stock program reads it and all have it, else the best that it reads.
+std::optional<std::vector<ConvertedCamera>> common_model(const std::vector<Camera>& cameras, const Format& format,
+                                                       const ModelChoice& choice, Diagnostics& diagnostics) {
+  for (const StoredModel& stored : format.models) {
+    const bool all_keep = may_be_chosen(stored, choice) &&
+                          std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
+    if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
+  }
+  return best_model(cameras, format, choice, diagnostics);
+}
+
+std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera>& cameras, const Format& format,
+                                                      const ModelChoice& choice, Diagnostics& diagnostics) {
+  if (choice.model != nullptr) {
+    const ModelInfo& model = *choice.model;
+    const StoredModel* stored = find_stored_model(format, model.id, false);
+    if (stored == nullptr) {
+      diagnostics.error("model-not-storable", std::string(format.title) + " cannot hold " + std::string(model.id) +
+                                                  "; it holds " + enumerated(storable(format)));
+      return std::nullopt;
+    }
+    const std::size_t used = std::min(cameras.size(), format.most_cameras);
+    std::optional<std::vector<ConvertedCamera>> outcomes =
+        convert_all({cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(used)}, *stored, choice, diagnostics);
+    // A format that uses no more drops the others, and says so.
+    for (std::size_t i = used; outcomes && i < cameras.size(); ++i) outcomes->push_back({cameras[i], cameras[i], std::nullopt});
+    return outcomes;
+  }
+
+  // What a program holds in one type for all cameras is chosen for all; else each that can keeps its own, and the others take
+  // one.
+  std::vector<Camera> to_fit;
+  const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), format.most_cameras));
+  for (const Camera& camera : used) {
+    if (format.one_model || !kept_row(camera, format, choice)) to_fit.push_back(camera);
+  }
+  std::optional<std::vector<ConvertedCamera>> fitted = std::vector<ConvertedCamera>();
+  if (!to_fit.empty()) fitted = common_model(to_fit, format, choice, diagnostics);
+  if (!fitted) return std::nullopt;
+  std::vector<ConvertedCamera> outcomes;
+  auto next = fitted->begin();
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const Camera& camera = cameras[i];
+    if (i >= used.size()) {
+      outcomes.push_back({camera, camera, std::nullopt});
+    } else if (next != fitted->end() && next->source.name == camera.name) {
+      outcomes.push_back(*next++);
+    } else {
+      std::optional<std::vector<ConvertedCamera>> kept =
+          convert_all({camera}, *kept_row(camera, format, choice), choice, diagnostics);
+      if (!kept) return std::nullopt;
+      outcomes.push_back(kept->front());
+    }
+  }
+  return outcomes;
+}
+
+}  // namespace
+
+std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Camera>& cameras, const Format& format,
+                                                          const ModelChoice& choice, Diagnostics& diagnostics) {
+  std::optional<std::vector<ConvertedCamera>> outcomes = all_cameras(cameras, format, choice, diagnostics);
+  if (!outcomes) return std::nullopt;
+  for (const ConvertedCamera& camera : *outcomes) {
+    for (Diagnostic entry : camera.found.entries()) {
+      // The library does not know which models the program reads.
+      if (entry.code == "target-cannot-reach" && camera.report)
+        entry.fix = better_models(camera.source, *camera.report, format, choice) + "; fca-io models FILE compares all models";
+      diagnostics.add(std::move(entry));
+    }
+  }
+  return outcomes;
+}
+
+}  // namespace fca

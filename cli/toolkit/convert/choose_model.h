@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/convert/convert.h>
+#include <fca/formats/format.h>
+#include <fca/toolkit/convert.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+struct ModelChoice {
+  const ModelInfo* model = nullptr;  ///< As asked for; null: chosen for the stock program.
+  std::optional<double> max_angle_rad;
+  bool every_pixel = false;  ///< Judge by every pixel instead of the lattice.
+  Objective objective = Objective::kRms;
+  std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
+  std::size_t jobs = 0;                 ///< Cameras fitted at the same time; 0: as many as there are processors.
+  bool same_format = false;             ///< The cameras come from a file of the format they are written to.
+};
+
+/// What lib/convert is to be asked for, to fit a camera to what `stored` can hold.
+[[nodiscard]] ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice);
+
+/// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it
+/// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best by
+/// the objective.
+[[nodiscard]] std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Camera>& cameras,
+                                                                        const Format& format, const ModelChoice& choice,
+                                                                        Diagnostics& diagnostics);
+
+}  // namespace fca

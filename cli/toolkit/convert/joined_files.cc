@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "joined_files.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fca {
+
+namespace {
+
+/// An input of the format to be written, with what it holds.
+struct Part {
+  const text::Document* document = nullptr;
+  Rig rig;
+};
+
+/// The inputs of that format with one camera each. Of one whose files hold several, those of bare words (DSO's camera.txt).
+std::vector<Part> parts_of(const Calibration& source, const Format& format) {
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < source.documents.size(); ++i) {
+    const text::Document& document = source.documents[i];
+    if (source.formats[i] != &format) continue;
+    if (format.many_cameras && document.syntax() != text::Syntax::kWords) continue;
+    Diagnostics said_before;
+    const std::optional<Rig> rig = format.read(std::span(&document, 1), {}, said_before);
+    if (rig && rig->cameras.size() == 1) parts.push_back({&document, *rig});
+  }
+  return parts;
+}
+
+/// The part that states the camera. Joined rigs rename cameras of one name, so the numbers tell.
+std::vector<Part>::iterator part_with(std::vector<Part>& parts, const Camera& camera) {
+  return std::ranges::find_if(parts, [&camera](const Part& part) {
+    const Camera& own = part.rig.cameras.front();
+    return own.model == camera.model && own.image_size == camera.image_size;
+  });
+}
+
+/// What is read beside the camera, under its name in the joined rig.
+std::vector<AsRead> extras_of(const Part& part, const Camera& camera) {
+  std::vector<AsRead> extras = part.rig.as_read;
+  const std::string& own = part.rig.cameras.front().name;
+  for (AsRead& extra : extras) {
+    if (extra.key.starts_with(own + " ")) extra.key.replace(0, own.size(), camera.name);
+  }
+  return extras;
+}
+
+/// Takes a camera that its own file says, and what else that says, out of the rig.
+void take_out(const Part& part, const Camera& camera, Rig& rig) {
+  for (const AsRead& extra : extras_of(part, camera)) {
+    const auto found = std::ranges::find(rig.as_read, extra);
+    if (found != rig.as_read.end()) rig.as_read.erase(found);
+  }
+  std::erase_if(rig.poses, [&camera](const PoseEdge& edge) { return edge.a == camera.name || edge.b == camera.name; });
+  std::erase_if(rig.cameras, [&camera](const Camera& other) { return other.name == camera.name; });
+}
+
+/// What the rig says of one camera, under the name that its file gives it.
+Rig alone(const Rig& rig, const Camera& camera, const Part& part) {
+  const std::string& name = part.rig.cameras.front().name;
+  Rig result = part.rig;
+  result.cameras = {camera};
+  result.cameras.front().name = name;
+  result.poses.clear();
+  for (PoseEdge edge : rig.poses) {
+    if (edge.a != camera.name && edge.b != camera.name) continue;
+    (edge.a == camera.name ? edge.a : edge.b) = name;
+    result.poses.push_back(std::move(edge));
+  }
+  return result;
+}
+
+void append(Written part, Written& all) {
+  for (Written::File& file : part.files) all.files.push_back(std::move(file));
+  if (all.headline.empty()) all.headline = std::move(part.headline);
+  all.losses.insert(all.losses.end(), part.losses.begin(), part.losses.end());
+  all.defaults.insert(all.defaults.end(), part.defaults.begin(), part.defaults.end());
+  for (PoseEdge& edge : part.restated) all.restated.push_back(std::move(edge));
+}
+
+/// Files in the order of the rig's cameras.
+void sort_files(const Rig& rig, std::vector<Written::File>& files) {
+  std::ranges::stable_sort(files, {}, [&rig](const Written::File& file) {
+    return file.cameras.empty() ? rig.cameras.end() : std::ranges::find(rig.cameras, file.cameras.front(), &Camera::name);
+  });
+}
+
+}  // namespace
+
+std::optional<Written> write_each_into_its_own(const Calibration& source, const Rig& rig, const Format& format,
+                                               const WriteOptions& options, Diagnostics& diagnostics) {
+  if (format.many_cameras && options.extension != ".txt") return std::nullopt;
+  std::vector<Part> parts = parts_of(source, format);
+  std::vector<std::pair<Camera, Part>> own;
+  Rig rest = rig;
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const auto part = part_with(parts, source.rig.cameras[i]);
+    if (part == parts.end() && source.one_format) return std::nullopt;
+    if (part == parts.end()) continue;
+    take_out(*part, rig.cameras[i], rest);
+    own.emplace_back(rig.cameras[i], std::move(*part));
+    parts.erase(part);
+  }
+  if (own.empty()) return std::nullopt;
+  Written all;
+  for (const auto& [camera, part] : own) {
+    Rig said = alone(rig, camera, part);
+    // What is no camera's (an IMU of --with) is told once.
+    if (rest.cameras.empty()) {
+      said.imus = std::exchange(rest.imus, {});
+      said.as_read.insert(said.as_read.end(), rest.as_read.begin(), rest.as_read.end());
+      rest.as_read.clear();
+    }
+    std::optional<Written> written = write_calibration(format, part.document, said, options, diagnostics);
+    if (!written) return std::nullopt;
+    for (Written::File& file : written->files) {
+      if (!file.cameras.empty()) file.cameras = {camera.name};
+    }
+    append(*std::move(written), all);
+  }
+  if (!rest.cameras.empty()) {
+    std::optional<Written> written = write_calibration(format, nullptr, rest, options, diagnostics);
+    if (!written) return std::nullopt;
+    append(*std::move(written), all);
+  }
+  sort_files(rig, all.files);
+  return all;
+}
+
+}  // namespace fca

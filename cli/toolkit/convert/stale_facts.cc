@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "stale_facts.h"
+
+#include "words.h"
+
+#include <fca/formats/read_back.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+namespace {
+
+bool is_among(const AsRead& extra, std::span<const std::string_view> keys) {
+  return std::ranges::any_of(
+      keys, [&extra](std::string_view key) { return extra.key == key || extra.key.ends_with(" " + std::string(key)); });
+}
+
+void list_stale(const Rig& rig, std::span<const std::string_view> of, const std::string& why, const std::string& remedy,
+                Written& written, Diagnostics& diagnostics) {
+  std::vector<std::string> stale;
+  for (const AsRead& extra : rig.as_read) {
+    const bool lost =
+        std::ranges::any_of(written.losses, [&extra](const Loss& loss) { return loss.what.starts_with(extra.key); });
+    if (is_among(extra, of) && !lost) stale.push_back(extra.key);
+  }
+  if (stale.empty()) return;
+  const std::string keys = enumerated(stale, "and");
+  diagnostics.warning("stale-derived", keys + ": " + why, {}, remedy);
+  written.losses.push_back({"stale-derived", keys, why, remedy});
+}
+
+}  // namespace
+
+void list_facts_of_other_images(const Rig& rig, const Format& format, Written& written, Diagnostics& diagnostics) {
+  list_stale(rig, format.of_the_images, "of the images as they were calibrated, and kept unchanged",
+             "compute it for the new images, or --anew leaves it out", written, diagnostics);
+}
+
+void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& format, Written& written,
+                                Diagnostics& diagnostics) {
+  const bool same = std::ranges::equal(base.cameras, rig.cameras, {}, &Camera::model, &Camera::model) &&
+                    base.poses == rig.poses && base.baseline_m == rig.baseline_m;
+  if (same || format.of_the_lenses.empty()) return;
+  // What the writer knew to follow is no longer as the base had it.
+  const std::optional<Rig> now = read_back(format, written.files.front());
+  Rig kept = base;
+  std::erase_if(kept.as_read,
+                [&now](const AsRead& extra) { return now && std::ranges::find(now->as_read, extra) == now->as_read.end(); });
+  list_stale(kept, format.of_the_lenses, "of the base's cameras, and kept unchanged",
+             "compute it for the new cameras (cv::stereoRectify), or --anew leaves it out", written, diagnostics);
+}
+
+}  // namespace fca

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "write_rig.h"
+
+#include "joined_files.h"
+#include "proving.h"
+
+#include <span>
+
+namespace fca {
+
+namespace {
+
+WriteOptions write_options(const ConvertRequest& request, const Base& base, std::vector<std::string> replaced) {
+  WriteOptions options;
+  options.keeps_layout = keeps_text(request, base);
+  options.replaced = std::move(replaced);
+  options.sensor = request.mode;
+  options.layout = request.layout.name;
+  options.frame_rate_hz = request.frame_rate_hz;
+  options.max_angle_rad = request.inputs.max_angle_rad;
+  options.anew = request.rewrite;
+  options.adopted = base.adopted;
+  options.extension = request.extension;
+  return options;
+}
+
+}  // namespace
+
+std::optional<Written> write_rig(const Calibration& source, const Rig& rig, const Base& base, const ConvertRequest& request,
+                                 std::vector<std::string> replaced, ConvertResult& result) {
+  WriteOptions options = write_options(request, base, std::move(replaced));
+  if (source.documents.size() > 1 && base.into == nullptr && !request.rewrite && request.inputs.join) {
+    std::optional<Written> each;
+    if (request.inputs.change.changes_nothing())
+      each = write_each_into_its_own(source, rig, *result.to, options, result.diagnostics);
+    if (each || result.diagnostics.has_errors()) return each;
+    // The first file may be edited; the others' text is gone in any case.
+    if (source.format == result.to) options.joined = std::span(source.documents).subspan(base.document != nullptr ? 1 : 0);
+  }
+  std::optional<Written> written = write_calibration(*result.to, base.document, rig, options, result.diagnostics);
+  if (!written || base.document == nullptr || !request.verify || request.rewrite) return written;
+  const bool edited = written->files.front().document.edited();
+  const bool loads = (edited || base.into != nullptr) && mend_kept_text(*written, result.diagnostics);
+  if (loads || keeps_text(request, base)) return written;
+  const bool asked_for = !options.layout.empty() || edited;
+  // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
+  // is written into is its owner's, who has another program for it.
+  const text::Document* owners = base.into != nullptr ? base.document : nullptr;
+  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners) : std::nullopt;
+  if (!refusal) return written;
+  options.anew = true;
+  result.diagnostics.note("layout-not-kept",
+                           "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
+  return write_calibration(*result.to, base.document, rig, options, result.diagnostics);
+}
+
+}  // namespace fca

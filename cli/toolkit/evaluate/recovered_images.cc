@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read/image_planes.h"
+#include "words.h"
+
+#include <fca/compare/image_similarity.h>
+#include <fca/remap/lanczos.h>
+#include <fca/toolkit/evaluate.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace fca {
+
+namespace {
+
+/// The place in the source's image that a pixel of the target's shows; nothing where a model has none, or beyond the limit.
+std::optional<Pixel> looked_up(const EvaluatedRow& row, std::optional<double> limit_rad, const Pixel& pixel) {
+  const std::optional<Ray> ray = unproject(row.conversion.camera.model, pixel);
+  if (!ray || (limit_rad && angle_from_axis(*ray) > *limit_rad)) return std::nullopt;
+  return project(row.source, *ray);
+}
+
+/// An image's colours as the target would have taken them, and where it is known (255, else 0).
+struct Recovered {
+  std::vector<GreyImage> colours;
+  std::vector<std::uint8_t> mask;
+};
+
+Recovered recovered(const std::vector<GreyImage>& original, const EvaluatedTable& table, const EvaluatedRow& row) {
+  const ImageSize& size = table.published.size;
+  std::optional<double> limit_rad;
+  if (table.published.max_angle_deg) limit_rad = *table.published.max_angle_deg / kDegreesPerRadian;
+  Recovered result{original, {}};
+  result.mask.reserve(original.front().samples.size());
+  for (int v = 0; v < size.height; ++v) {
+    for (int u = 0; u < size.width; ++u) {
+      const std::optional<Pixel> place = looked_up(row, limit_rad, {static_cast<double>(u), static_cast<double>(v)});
+      const std::optional<LanczosWindow> window = place ? LanczosWindow::about(*place, size) : std::nullopt;
+      const std::size_t pixel = result.mask.size();
+      result.mask.push_back(window ? 255 : 0);
+      if (!window) continue;
+      for (std::size_t colour = 0; colour < original.size(); ++colour)
+        result.colours[colour].samples[pixel] = static_cast<float>(window->value(original[colour]));
+    }
+  }
+  return result;
+}
+
+/// The mean over the colours.
+RecoveredImage compared(const std::vector<GreyImage>& before, const Recovered& after) {
+  const auto colours = static_cast<double>(before.size());
+  RecoveredImage result;
+  double mean_square = 0.0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const ImageSimilarity colour = similarity(before[i], after.colours[i], after.mask);
+    mean_square += colour.mean_square / colours;
+    result.ssim += colour.ssim / colours;
+    result.compared = colour.compared;
+  }
+  result.psnr_db = psnr_db(mean_square, before.front().full_scale);
+  return result;
+}
+
+}  // namespace
+
+bool add_recovered_images(const std::string& path, Evaluation& evaluation, Files& files, Diagnostics& diagnostics) {
+  const std::optional<Image> image = files.read_image(path, diagnostics);
+  if (!image) return false;
+  const ImageSize size = {image->width, image->height};
+  const std::vector<GreyImage> colours = planes(*image);
+  std::vector<std::string> sizes;
+  bool fits = false;
+  for (EvaluatedTable& table : evaluation.conversions) {
+    const std::string needed = size_in_words(table.published.size);
+    if (std::ranges::find(sizes, needed) == sizes.end()) sizes.push_back(needed);
+    if (!(table.published.size == size)) continue;
+    fits = true;
+    for (EvaluatedRow& row : table.rows) row.recovered = compared(colours, recovered(colours, table, row));
+  }
+  if (!fits) {
+    diagnostics.error("image-size",
+                      "the image is " + size_in_words(size) + " px, and the paper's cameras are of " + enumerated(sizes, "or"),
+                      {path, 0, 0}, "examples/cpp/render_image.cc makes one");
+  }
+  return fits;
+}
+
+}  // namespace fca

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is wrong with a calibration file, and what a program would be given instead of it.
+#pragma once
+
+#include <fca/formats/check.h>
+#include <fca/toolkit/convert.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// Of the inputs what says how a file is to be understood counts: format, image size, OpenCV model, largest angle. Every file is
+/// looked at as it stands.
+struct CheckRequest {
+  Inputs inputs;
+  const consumers::Consumer* program = nullptr;  ///< The program that the file is meant for; null: the format's own.
+  std::vector<std::string> ignored;              ///< Codes of findings that are left out.
+};
+
+struct CheckResult {
+  text::Source source;
+  CheckReport report;
+  std::optional<ConvertResult> instead;  ///< What converting it gives, for a program that does not read its format.
+};
+
+/// Checks one file. Files that it names as parts of it (CheckReport::parts) are checked by requests of their own.
+[[nodiscard]] CheckResult check(const CheckRequest& request, const text::Source& source, Files& files);
+
+/// The file with every fix that is certain (fca::mended); nothing if there is none.
+[[nodiscard]] std::optional<text::Source> with_fixes(const CheckRequest& request, const text::Source& source);
+
+}  // namespace fca

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A calibration converted to another format, and to another camera model if need be: read, fitted, written in memory, proven.
+#pragma once
+
+#include <fca/convert/report.h>
+#include <fca/formats/format.h>
+#include <fca/formats/proof.h>
+#include <fca/formats/set_value.h>
+#include <fca/toolkit/files.h>
+#include <fca/toolkit/inputs.h>
+#include <fca/toolkit/status.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// One camera before and after. No report where nothing was computed (the model is kept and the image size unknown).
+struct ConvertedCamera {
+  Camera source;
+  Camera target;
+  std::optional<ConversionReport> report;
+  std::string name_in_file = {};  ///< What the file written calls it; empty: as the input does.
+  Diagnostics found = {};         ///< Of its conversion.
+
+  /// The written name.
+  [[nodiscard]] const std::string& name() const { return name_in_file.empty() ? source.name : name_in_file; }
+  /// The same for people: "cam0 (input's cam1)" where the two differ.
+  [[nodiscard]] std::string name_in_words() const {
+    return name() == source.name ? name() : name() + " (input's " + source.name + ")";
+  }
+  /// The share of the image that the target does not reach; 0 where nobody notices.
+  [[nodiscard]] double unrepresented_share() const {
+    constexpr double kNoticeable = 5e-4;
+    const double share = report ? report->judgement.coverage.unrepresentable : 0.0;
+    return share > kNoticeable ? share : 0.0;
+  }
+};
+
+/// A file that was made. Nothing is on the disk yet.
+struct ConvertedFile {
+  std::string name;                   ///< A proposal: "imu.yaml".
+  std::string path;                   ///< Where it goes, as the request has it; empty: nowhere in particular.
+  std::string bytes;
+  text::Syntax syntax = text::Syntax::kYaml;
+  std::vector<std::string> cameras;   ///< Names of the cameras in it, as in the input.
+  std::vector<std::string> programs;  ///< Ids of the consumers that are meant to read it.
+  bool named = false;                 ///< Another of the files names it: it lies beside that one.
+};
+
+/// A comment in the written file: its inputs, the conversion, its errors.
+enum class ProvenanceComment : std::uint8_t { kInFreshFiles, kInAllFiles, kNone };
+
+struct ConvertResult;
+
+/// One of a format's layouts.
+struct FormatLayout {
+  const Format* format = nullptr;
+  std::string name = {};  ///< One of its Format::layouts; empty: none is asked for.
+};
+
+/// What there is a place for.
+struct OutputRoom {
+  bool camera_files = true;   ///< Several files with cameras; else more than one is an error.
+  bool named_files = true;    ///< Files that another one names; else they are an error.
+  bool further_files = true;  ///< Files without cameras (Kalibr's imu.yaml); else they are left out, as a loss.
+};
+
+struct ConvertRequest {
+  Inputs inputs;
+  const Format* to = nullptr;        ///< Null: that of `into`.
+  const ModelInfo* model = nullptr;  ///< Null: the input's, else the best that the format's own program reads.
+  std::string mode;                  ///< One of Format::modes ("stereo-inertial"); empty: the richest that the input serves.
+  FormatLayout layout;               ///< Empty: the base's, else the stock program's.
+  std::string into;                  ///< Path of the file whose text is edited; empty: none.
+  bool rewrite = false;              ///< A fresh file even where a text could be edited.
+  std::string extension;             ///< Of the file to be written, with its point, for formats with several syntaxes.
+  Objective objective = Objective::kRms;
+  bool every_pixel = false;                 ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
+  std::optional<double> frame_rate_hz;      ///< For formats that state it.
+  std::optional<double> baseline_m;         ///< Of a rectified pair or depth sensor.
+  std::vector<KeyValue> settings;           ///< Values of the written file that no calibration states.
+  std::optional<double> max_error_px;       ///< kRejected if a camera's largest error is more.
+  bool strict = false;                      ///< kRejected if anything of the input is lost.
+  bool verify = true;                       ///< The programs that read the files are asked about their bytes.
+  ProvenanceComment provenance = ProvenanceComment::kInFreshFiles;
+  std::string made_by;                      ///< For that comment: the command or program that asks; empty: none.
+  std::size_t jobs = 0;                     ///< Cameras at the same time; 0: as many as there are processors.
+  OutputRoom room;
+  /// The path of a file of the result, for messages and for the file's `path`; null: files have none.
+  std::function<std::string(const ConvertResult& result, std::size_t file)> path_of;
+};
+
+/// What came of it. Where `status` is neither kDone nor kRejected, only what was reached is set.
+struct ConvertResult {
+  Status status = Status::kDone;
+  const Format* from = nullptr;
+  bool one_format = true;   ///< False: `from` is the first file's, and others joined to it have another.
+  const Format* to = nullptr;
+  bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
+  std::vector<ConvertedCamera> cameras;
+  std::vector<ConvertedFile> files;
+  std::string headline;  ///< Mode, who reads it, who does not.
+  std::string mode;      ///< That was written for.
+  std::string misread_remedy;            ///< What to do where the program is known to misread such a file; may be empty.
+  std::vector<Loss> losses;
+  std::vector<DefaultedValue> defaults;
+  std::vector<ProofResult> proofs;
+  std::vector<std::string> unproven;        ///< Paths of files that no known program reads; "" is a file without one.
+  std::vector<std::string> refused_before;  ///< Programs that refuse the file as they did before it was edited.
+  std::vector<CameraChoice> better_order;   ///< Of the cameras, where the first two are exchanged; empty: they are not.
+  Diagnostics diagnostics;
+};
+
+/// The extension of a file that is to be written, with its point.
+[[nodiscard]] std::string extension_of(const ConvertedFile& file, const Format& format);
+/// Is the extension (with its point) one that calibration files have?
+[[nodiscard]] bool is_calibration_extension(std::string_view extension);
+/// How many of the files hold cameras and have no name that another one gives them.
+[[nodiscard]] std::size_t camera_files(const std::vector<ConvertedFile>& files);
+
+/// Why a request cannot be one for files of a format that has no such thing as what it states (a frame rate, a mode, a layout
+/// of another format): "option-without-use". Nothing if it can.
+[[nodiscard]] std::optional<std::string> without_use(const ConvertRequest& request, const Format& to);
+
+/// Never throws for bad input: the result's status and diagnostics tell.
+[[nodiscard]] ConvertResult convert(const ConvertRequest& request, Files& files);
+
+}  // namespace fca

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The paper's tables, recomputed: every row converted by the library and judged on every pixel.
+#pragma once
+
+#include <fca/toolkit/paper_tables.h>
+
+#include <fca/convert/convert.h>
+#include <fca/diagnostics.h>
+#include <fca/toolkit/files.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// What the paper's RE would be: the mean distance over its own samples.
+struct SampleError {
+  int count = 0;
+  double mean_px = 0.0;
+};
+
+/// An image shown as the converted camera would have taken it, beside the image itself.
+struct RecoveredImage {
+  double psnr_db = 0.0;  ///< Infinite: the same.
+  double ssim = 0.0;
+  double compared = 0.0;  ///< Share of the pixels that both cameras see.
+};
+
+struct EvaluatedRow {
+  paper::Row published;
+  CameraModel source;
+  Conversion conversion;
+  double time_us = 0.0;  ///< Sampling and fit, the median of some runs.
+  SampleError on_samples;
+  double parameter_error = 0.0;
+  std::optional<RecoveredImage> recovered = {};  ///< With an image.
+};
+
+struct EvaluatedTable {
+  paper::ConversionTable published;
+  std::vector<EvaluatedRow> rows;
+};
+
+/// A polynomial for Table 3's camera, published or ours.
+struct EvaluatedPolynomial {
+  std::string method;
+  paper::Polynomial polynomial;
+  double rmse = 0.0;  ///< Of a0, a1, a2 against the toolbox's, as the paper has it.
+  Intrinsics<Ocamcalib> model;
+  std::optional<FitSummary> fit;  ///< Nothing where it is published.
+  double time_us = 0.0;
+  Judgement judgement;  ///< Against the source.
+};
+
+/// a2 of UCM's ray height a(r) on the axis, and what the authors' unprojection makes of it.
+struct SignError {
+  double right_a2 = 0.0;
+  double wrong_a2 = 0.0;
+};
+
+struct EvaluatedPolynomials {
+  paper::PolynomialTable published;
+  std::vector<EvaluatedPolynomial> rows;
+  SignError sign;
+};
+
+struct Evaluation {
+  std::vector<EvaluatedTable> conversions;  ///< Tables 1 and 2.
+  EvaluatedPolynomials polynomials;         ///< Table 3.
+};
+
+/// Adds to each row of the tables how alike an image and the one recovered from it by that row's conversion are: each pixel of
+/// the recovered one is the original's where the source camera sees the converted one's ray (Lanczos, at exactly that place,
+/// not rounded to grey levels). Places near the border, whose window reaches beyond the image, are left out. With models that
+/// agree the two are the same. False with an error where there is no such image, or none of that size among the tables.
+[[nodiscard]] bool add_recovered_images(const std::string& path, Evaluation& evaluation, Files& files, Diagnostics& diagnostics);
+
+/// Nothing if one of the cameras cannot be converted, which would be a bug.
+[[nodiscard]] std::optional<Evaluation> evaluate(Diagnostics& diagnostics);
+
+}  // namespace fca

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a request's files come from.
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/formats/text/source.h>
+#include <fca/toolkit/image.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// The files of one request, from the disk or, where the two virtual functions are overridden, from elsewhere. It keeps what was read: diagnostics point into
+/// it. Not to be used by two threads at once.
+class Files {
+ public:
+  Files() = default;
+  virtual ~Files() = default;
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+
+  /// A calibration file; "-" is standard input, which is read once, however often it is asked for. Nothing with an error
+  /// "cannot-read".
+  [[nodiscard]] std::optional<text::Source> read(const std::string& path, Diagnostics& diagnostics);
+  /// An image, decoded. Nothing with an error.
+  [[nodiscard]] virtual std::optional<Image> read_image(const std::string& path, Diagnostics& diagnostics);
+
+  /// A text that was read otherwise, and into which diagnostics point, too.
+  void remember(text::Source source) { sources_.push_back(std::move(source)); }
+  /// All that was read, in its order.
+  [[nodiscard]] const std::vector<text::Source>& sources() const { return sources_; }
+
+ protected:
+  /// The bytes of a file. By default those on the disk.
+  [[nodiscard]] virtual std::optional<text::Source> fetch(const std::string& path, Diagnostics& diagnostics) const;
+
+ private:
+  std::vector<text::Source> sources_;
+};
+
+}  // namespace fca

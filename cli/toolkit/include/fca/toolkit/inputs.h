@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a request reads: the files of one calibration, and how they are to be understood.
+#pragma once
+
+#include <fca/formats/calibration.h>
+#include <fca/rig/image_change.h>
+#include <fca/toolkit/files.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// A camera of a calibration: the one of that name or, if there is none, the one at that place, counted from 0.
+struct CameraChoice {
+  std::string name;
+  std::optional<std::size_t> place = {};
+};
+
+/// An image that a camera took. No camera: the calibration's only one.
+struct CameraImage {
+  std::string camera;
+  std::string path;
+};
+
+/// What four coefficients of an OpenCV file belong to, where the file does not show it.
+enum class OpenCvModel : std::uint8_t { kPinhole, kFisheye };
+
+/// What the numbers of an IMU's noise are, where they are no continuous-time densities.
+enum class NoiseKind : std::uint8_t {
+  kContinuous,
+  kDiscrete,          ///< Standard deviations of single samples.
+  kVariance,          ///< Squares of densities.
+  kDiscreteVariance,  ///< Squares of standard deviations of single samples.
+};
+
+struct Inputs {
+  std::vector<std::string> files;                           ///< Paths; several are the cameras of one rig, in this order.
+  std::vector<std::string> parts;                           ///< Paths of further parts of the calibration (imu.yaml).
+  const Format* format = nullptr;                           ///< Of the files; null: found by their content.
+  std::optional<std::vector<CameraChoice>> cameras;         ///< These alone, in this order; nothing: all.
+  std::optional<ImageSize> image_size;                      ///< For files that do not state one.
+  std::optional<OpenCvModel> opencv_model;                  ///< For files that could be either.
+  ImageChange change;                                       ///< From the calibrated images to those that the cameras are for.
+  std::optional<double> max_angle_rad;                      ///< What counts as lens, from the axis; nothing: the whole image.
+  std::vector<CameraImage> lens_circles;                    ///< What counts as lens: the image circle that these images show.
+  std::optional<NoiseKind> imu_noise;                       ///< Of the input.
+  bool join = false;                                        ///< Several files, or one that is written as one of several.
+};
+
+/// Reads one calibration: its files and their parts, reduced to the chosen cameras, for the changed images. Nothing with errors.
+[[nodiscard]] std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
+
+/// As the readers of formats take them.
+[[nodiscard]] ReadOptions read_options(const Inputs& inputs);
+
+/// "pinhole" or "fisheye"; empty without one.
+[[nodiscard]] std::string_view name_of(const std::optional<OpenCvModel>& model);
+/// "continuous", "discrete", "variance", "discrete-variance".
+[[nodiscard]] std::string_view name_of(NoiseKind kind);
+
+}  // namespace fca

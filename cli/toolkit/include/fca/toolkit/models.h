@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every model that a camera could be written as, what that costs, and who reads it.
+#pragma once
+
+#include <fca/convert/convert.h>
+#include <fca/formats/format.h>
+#include <fca/toolkit/inputs.h>
+#include <fca/toolkit/status.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca {
+
+/// One model as a camera's target. No conversion: it cannot describe the camera, `diagnostics` say why.
+struct Candidate {
+  const ModelInfo* model = nullptr;
+  std::optional<Conversion> conversion;
+  std::vector<std::string> stored_by;
+  Diagnostics diagnostics;
+};
+
+/// All models, in the order of the list.
+[[nodiscard]] std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad);
+
+/// The candidate to take: the camera's own model if it is exact, else the one that covers most and errs least. Of those that
+/// the stock program of `format` reads, if one is given. Null where there is none.
+[[nodiscard]] const Candidate* recommended(const std::vector<Candidate>& candidates, const Format* format);
+
+/// The same among all but `other`.
+[[nodiscard]] const Candidate* recommended_beside(const std::vector<Candidate>& candidates, const Candidate& other);
+
+/// Every model beside the others, for each camera of a calibration.
+struct ModelsResult {
+  struct OfCamera {
+    Camera camera;
+    std::vector<Candidate> candidates;
+  };
+  Status status = Status::kDone;
+  std::vector<OfCamera> cameras;
+  Diagnostics diagnostics;
+};
+
+/// What each camera of a calibration would be as every model.
+[[nodiscard]] ModelsResult compare_models(const Inputs& inputs, Files& files);
+
+/// The same of cameras that were read. Nothing with errors where one has no part of its image to compare over.
+[[nodiscard]] std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras, std::optional<double> max_angle_rad, Diagnostics& diagnostics);
+
+}  // namespace fca

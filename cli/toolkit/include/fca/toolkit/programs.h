@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What one program makes of a file: would it load it, which cameras does it see, and how far are they from what the file means?
+#pragma once
+
+#include <fca/formats/calibration.h>
+#include <fca/formats/proof.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// The ids of all programs, as --for takes them.
+[[nodiscard]] std::vector<std::string> program_ids();
+/// The program of that id, in any case; null if there is none.
+[[nodiscard]] const consumers::Consumer* find_program(std::string_view typed);
+/// The same program's reader of files with cameras, or of those without: Kalibr and OpenVINS have two.
+[[nodiscard]] const consumers::Consumer& reader_of(const consumers::Consumer& program, bool with_cameras);
+
+struct ProgramReading {
+  /// The program's modes that come to the same, and what they come to.
+  struct Mode {
+    std::vector<std::string> names;  ///< Empty: the program has none.
+    ProofResult proof;
+  };
+  const consumers::Consumer* program = nullptr;
+  bool reads_format = true;
+  std::vector<Mode> modes;  ///< Empty where it does not read the format.
+};
+
+/// Asks a program, in each of its modes, about the file of the calibration that states the cameras (else the first).
+/// `max_angle_rad`: what counts as lens; `opencv_model`: as consumers::LoadOptions takes it.
+[[nodiscard]] ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration,
+                                         std::optional<double> max_angle_rad, const std::string& opencv_model);
+
+}  // namespace fca

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a calibration file means, and who reads it.
+#pragma once
+
+#include <fca/formats/proof.h>
+#include <fca/toolkit/inputs.h>
+#include <fca/toolkit/programs.h>
+#include <fca/toolkit/status.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+struct ReadRequest {
+  Inputs inputs;
+  const consumers::Consumer* program = nullptr;  ///< What it makes of the file is asked, too; null: none.
+};
+
+struct Reading {
+  Status status = Status::kDone;
+  std::optional<Calibration> calibration;  ///< Nothing where it could not be read.
+  Readers readers;                         ///< The programs of its format.
+  std::optional<ProgramReading> asked;     ///< The request's.
+  Diagnostics diagnostics;
+};
+
+[[nodiscard]] Reading read(const ReadRequest& request, Files& files);
+
+/// "Kalibr pinhole-equidistant": what a format calls a model, after its program.
+[[nodiscard]] std::string name_in(const Format& format, const StoredModel& row);
+/// The same of all formats.
+[[nodiscard]] std::vector<std::string> names_elsewhere(std::string_view model);
+
+/// Is the pose from a file that does not state the unit of its translation?
+[[nodiscard]] bool has_assumed_unit(const PoseEdge& edge, const Calibration& calibration);
+
+}  // namespace fca

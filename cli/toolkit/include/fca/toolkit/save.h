@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fca/toolkit/convert.h>
+
+#include <string>
+
+namespace fca {
+
+/// Writes the files of a result that is kDone into a folder, which is made if it is not there, under their names. A file is
+/// whole or not there; an existing one is replaced. False with an error where that fails, or the result is another.
+[[nodiscard]] bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics);
+
+}  // namespace fca

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "models/model_advice.h"
+
+#include <fca/convert/domain.h>
+#include <fca/toolkit/models.h>
+#include <fca/toolkit/read.h>
+
+#include <algorithm>
+
+namespace fca {
+
+namespace {
+
+/// Who stores these very numbers, and who demands others.
+std::vector<std::string> stored_by(const CameraModel& model) {
+  std::vector<std::string> names;
+  for (const Format& format : all_formats()) {
+    const StoredModel* row = find_stored_model(format, model_info(model).id, false);
+    if (row == nullptr) continue;
+    const std::string anew = within(model, row->ranges) ? "" : " (fitted anew: " + std::string(row->why) + ")";
+    const std::string name = name_in(format, *row) + anew;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// An exact one that is the camera's own before one that contains it.
+bool is_better_choice(const Candidate& a, const Candidate& b) {
+  const ConversionReport& of_a = a.conversion->report;
+  const ConversionReport& of_b = b.conversion->report;
+  if (of_a.exact != of_b.exact) return of_a.exact;
+  if (of_a.exact) return of_a.from_model == of_a.to_model;
+  return is_better(of_a, of_b);
+}
+
+template <class Admits>
+const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits) {
+  const Candidate* result = nullptr;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.conversion || !admits(candidate)) continue;
+    if (result == nullptr || is_better_choice(candidate, *result)) result = &candidate;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad) {
+  std::vector<Candidate> result;
+  for (const ModelInfo& model : all_models()) {
+    Candidate candidate;
+    candidate.model = &model;
+    ConvertOptions options;
+    options.model = model.id;
+    options.max_angle_rad = max_angle_rad;
+    candidate.conversion = convert(camera, options, candidate.diagnostics);
+    if (candidate.conversion) candidate.stored_by = stored_by(candidate.conversion->camera.model);
+    result.push_back(std::move(candidate));
+  }
+  return result;
+}
+
+const Candidate* recommended(const std::vector<Candidate>& candidates, const Format* format) {
+  return best(candidates, [format](const Candidate& candidate) {
+    return format == nullptr || find_stored_model(*format, candidate.model->id, true) != nullptr;
+  });
+}
+
+const Candidate* recommended_beside(const std::vector<Candidate>& candidates, const Candidate& other) {
+  return best(candidates, [&other](const Candidate& candidate) { return &candidate != &other; });
+}
+
+std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras, std::optional<double> max_angle_rad,
+                                                                  Diagnostics& diagnostics) {
+  // What no model could help is told once, not once per model.
+  bool all_have_domains = true;
+  for (const Camera& camera : cameras) all_have_domains = domain_of(camera, max_angle_rad, diagnostics).has_value() && all_have_domains;
+  if (!all_have_domains) return std::nullopt;
+  std::vector<ModelsResult::OfCamera> result;
+  for (const Camera& camera : cameras) result.push_back({camera, candidates(camera, max_angle_rad)});
+  return result;
+}
+
+ModelsResult compare_models(const Inputs& inputs, Files& files) {
+  ModelsResult result;
+  const std::optional<Calibration> calibration = read_calibration(inputs, files, result.diagnostics);
+  if (calibration && calibration->rig.cameras.empty())
+    result.diagnostics.error("no-camera", inputs.files.front() + " holds no camera");
+  if (calibration && !result.diagnostics.has_errors()) {
+    auto cameras = compare_models(calibration->rig.cameras, inputs.max_angle_rad, result.diagnostics);
+    if (cameras) result.cameras = *std::move(cameras);
+  }
+  result.status = status_of(result.diagnostics);
+  if (result.cameras.empty() && result.status == Status::kDone) result.status = Status::kBadInput;
+  return result;
+}
+
+}  // namespace fca

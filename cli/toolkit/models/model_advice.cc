@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model_advice.h"
+
+#include "words.h"
+
+#include <fca/convert/reach.h>
+#include <fca/formats/text/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace fca {
+
+namespace {
+
+constexpr double kSameCoverage = 1e-3;  // of the image
+
+}  // namespace
+
+bool is_better(const ConversionReport& a, const ConversionReport& b) {
+  const double more = b.judgement.coverage.unrepresentable - a.judgement.coverage.unrepresentable;
+  if (std::abs(more) > kSameCoverage) return more > 0.0;
+  return a.judgement.error.rms < b.judgement.error.rms;
+}
+
+namespace {
+
+bool is_much_better(const ConversionReport& a, const ConversionReport& b) {
+  constexpr double kMuchMore = 0.02;  // of the image
+  constexpr double kMuchLess = 0.25;
+  constexpr double kSeen = 0.1;  // px
+  const double more = b.judgement.coverage.unrepresentable - a.judgement.coverage.unrepresentable;
+  if (std::abs(more) > kMuchMore) return more > 0.0;
+  return b.judgement.error.rms > kSeen && a.judgement.error.rms < kMuchLess * b.judgement.error.rms;
+}
+
+std::string in_words(const ConversionReport& report) {
+  const std::string model = report.to_model;
+  if (report.exact) return model + " (exact)";
+  const std::string rms = "rms " + pixels(report.judgement.error.rms) + " px)";
+  if (report.judgement.coverage.unrepresentable <= kSameCoverage) return model + " (" + rms;
+  return model + " (up to " + text::format_short(report.scored_to_deg, 3) + " deg, " + rms;
+}
+
+/// Of the camera as those models, what is better than `than`; the best first.
+std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
+                                          const std::vector<StoredModel>& models) {
+  std::vector<ConversionReport> result;
+  for (const StoredModel& stored : models) {
+    ConvertOptions options = options_for(stored, choice);
+    options.every_pixel = false;
+    options.bound = false;
+    options.objective = Objective::kRms;
+    Diagnostics unheard;
+    std::optional<Conversion> conversion = convert(camera, options, unheard);
+    if (conversion && is_better(conversion->report, than)) result.push_back(std::move(conversion->report));
+  }
+  std::ranges::stable_sort(result, is_better);
+  return result;
+}
+
+}  // namespace
+
+std::string better_models(const Camera& camera, const ConversionReport& report, const Format& format,
+                          const ModelChoice& choice) {
+  constexpr std::size_t kMost = 3;
+  std::vector<StoredModel> read;
+  std::vector<StoredModel> elsewhere;
+  for (const ModelInfo& model : all_models()) {
+    const StoredModel* stored = find_stored_model(format, model.id, true);
+    if (model.id == report.to_model) continue;
+    if (stored != nullptr) {
+      read.push_back(*stored);
+    } else if (!sees_ahead_only(model.id)) {
+      elsewhere.emplace_back().model = model.id;
+    }
+  }
+  const std::string program(format.program);
+  const std::vector<ConversionReport> better = better_ones(camera, report, choice, read);
+  std::vector<std::string> names;
+  for (const ConversionReport& one : better) {
+    if (names.size() < kMost) names.push_back(in_words(one));
+  }
+  std::string text =
+      names.empty() ? "no model that " + program + " reads is better" : program + " reads " + enumerated(names, "and");
+  const std::vector<ConversionReport> others = better_ones(camera, report, choice, elsewhere);
+  if (!others.empty() && is_much_better(others.front(), better.empty() ? report : better.front()))
+    text += "; " + in_words(others.front()) + " would be better still, for a program that reads it";
+  return text;
+}
+
+}  // namespace fca

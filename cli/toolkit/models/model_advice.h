@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which models would describe a lens better than one that cannot reach all of it.
+#pragma once
+
+#include "convert/choose_model.h"
+
+#include <string>
+
+namespace fca {
+
+/// Coverage first, then the error.
+[[nodiscard]] bool is_better(const ConversionReport& a, const ConversionReport& b);
+
+/// "OpenCV reads kb4 (exact) and rational (up to 88 deg, rms 0.218 px)": the best three of the models that the format's program
+/// reads and that cover more of the image than `report` says, or as much with less error; and what other programs read, where
+/// that is much better. All of them are fitted for this.
+[[nodiscard]] std::string better_models(const Camera& camera, const ConversionReport& report, const Format& format,
+                                        const ModelChoice& choice);
+
+}  // namespace fca

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/folded_name.h>
+#include <fca/toolkit/programs.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace fca {
+
+namespace {
+
+bool same_cameras(const std::vector<CameraProof>& a, const std::vector<CameraProof>& b) {
+  return std::ranges::equal(a, b, [](const CameraProof& x, const CameraProof& y) {
+    return x.name == y.name && x.model == y.model && x.width == y.width && x.height == y.height && x.misread == y.misread &&
+           x.agrees == y.agrees && x.max_diff_px == y.max_diff_px;
+  });
+}
+
+bool come_to_the_same(const ProofResult& a, const ProofResult& b) {
+  return a.loads == b.loads && a.refusals == b.refusals && a.warnings == b.warnings && a.poses == b.poses &&
+         same_cameras(a.cameras, b.cameras);
+}
+
+}  // namespace
+
+std::vector<std::string> program_ids() {
+  std::vector<std::string> ids;
+  for (const consumers::Consumer& program : consumers::all_consumers()) ids.emplace_back(program.id);
+  return ids;
+}
+
+const consumers::Consumer* find_program(std::string_view typed) {
+  const auto all = consumers::all_consumers();
+  const auto found =
+      std::ranges::find_if(all, [typed](const consumers::Consumer& each) { return folded(each.id) == folded(typed); });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const consumers::Consumer& reader_of(const consumers::Consumer& program, bool with_cameras) {
+  if (!program.cameras || with_cameras) return program;  // its reader of files without cameras was asked for by name
+  const auto all = consumers::all_consumers();
+  const auto other = std::ranges::find_if(all, [&](const consumers::Consumer& each) {
+    return each.format == program.format && each.other_syntax == program.other_syntax && each.cameras == with_cameras;
+  });
+  return other == all.end() ? program : *other;
+}
+
+ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration,
+                           std::optional<double> max_angle_rad, const std::string& opencv_model) {
+  ProgramReading reading;
+  reading.program = &reader_of(program, !calibration.rig.cameras.empty());
+  const Format& format = *calibration.format;
+  reading.reads_format = reading.program->reads(format.id);
+  if (!reading.reads_format) return reading;
+  constexpr std::array<std::string_view, 1> kNoModes = {""};
+  const std::span<const std::string_view> modes =
+      format.modes.empty() ? std::span<const std::string_view>(kNoModes) : format.modes;
+  const std::string& bytes = calibration.documents[calibration.with_cameras].source().bytes;
+  for (const std::string_view mode : modes) {
+    const consumers::LoadOptions options = {std::string(mode), opencv_model};
+    ProofResult proof = prove(*reading.program, bytes, options, calibration.rig, max_angle_rad.value_or(std::numbers::pi));
+    const auto same = std::ranges::find_if(
+        reading.modes, [&proof](const ProgramReading::Mode& each) { return come_to_the_same(each.proof, proof); });
+    ProgramReading::Mode& found = same != reading.modes.end() ? *same : reading.modes.emplace_back();
+    if (!mode.empty()) found.names.emplace_back(mode);
+    found.proof = std::move(proof);
+  }
+  return reading;
+}
+
+}  // namespace fca

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "imu_noise.h"
+
+#include <fca/formats/text/numbers.h>
+
+#include <array>
+#include <cmath>
+
+namespace fca {
+
+namespace {
+
+bool is_discrete(NoiseKind kind) { return kind == NoiseKind::kDiscrete || kind == NoiseKind::kDiscreteVariance; }
+bool is_variance(NoiseKind kind) { return kind == NoiseKind::kVariance || kind == NoiseKind::kDiscreteVariance; }
+
+constexpr std::array kWhite = {&Imu::gyroscope_noise_density, &Imu::accelerometer_noise_density};
+constexpr std::array kWalks = {&Imu::gyroscope_random_walk, &Imu::accelerometer_random_walk};
+
+template <class Numbers, class Change>
+void change(Imu& imu, const Numbers& numbers, const Change& how) {
+  for (const auto member : numbers) {
+    if (imu.*member) imu.*member = how(*(imu.*member));
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(NoiseKind kind) {
+  constexpr std::array<std::string_view, 4> kNames = {"continuous", "discrete", "variance", "discrete-variance"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
+  if (kind == NoiseKind::kContinuous) return true;
+  const std::string option = "--imu-noise " + std::string(name_of(kind));
+  if (rig.imus.empty()) {
+    diagnostics.error("imu-missing", "--imu-noise is about an IMU, and the input has none", {input, 0, 0}, "--with imu.yaml");
+    return false;
+  }
+  for (Imu& imu : rig.imus) {
+    if (is_discrete(kind) && !imu.rate_hz) {
+      diagnostics.error("imu-rate-missing", option + " needs the rate of " + imu.name + ", and nothing states it",
+                        {input, 0, 0}, "add update_rate to the IMU's file");
+      return false;
+    }
+    std::string how;
+    if (is_variance(kind)) {
+      const auto root = [](double variance) { return std::sqrt(variance); };
+      change(imu, kWhite, root);
+      change(imu, kWalks, root);
+      how = "square roots of the variances";
+    }
+    // White noise is sigma / sqrt(rate), a random walk's step sigma * sqrt(rate) (Kalibr's wiki, "IMU Noise Model":
+    // sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
+    if (is_discrete(kind)) {
+      const double root = std::sqrt(*imu.rate_hz);
+      change(imu, kWhite, [root](double sigma) { return sigma / root; });
+      change(imu, kWalks, [root](double sigma) { return sigma * root; });
+      how += std::string(how.empty() ? "" : ", then ") + "white noise / sqrt(rate), random walks * sqrt(rate), rate " +
+             text::format_short(*imu.rate_hz) + " Hz";
+    }
+    diagnostics.note("imu-noise-converted", imu.name + ": made densities (" + how + ")");
+  }
+  return true;
+}
+
+}  // namespace fca

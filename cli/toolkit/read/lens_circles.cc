@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lens_circles.h"
+
+#include "image_planes.h"
+#include "words.h"
+
+#include <fca/formats/text/source.h>
+#include <fca/rig/lit_circle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+namespace fca {
+
+namespace {
+
+struct SampleImages {
+  Camera* camera = nullptr;
+  std::vector<std::string> paths;
+};
+
+/// "IMAGE" or "CAMERA=IMAGE"
+std::string in_words(const CameraImage& image) { return image.camera.empty() ? image.path : image.camera + "=" + image.path; }
+
+void refuse(const CameraImage& image, const Rig& rig, Diagnostics& diagnostics) {
+  const std::string given = in_words(image);
+  if (image.path.empty()) {
+    diagnostics.error("no-image", "--lens-circle " + given + " names no image", {}, "--lens-circle " + given + "IMAGE");
+    return;
+  }
+  std::vector<std::string> names;
+  for (const Camera& camera : rig.cameras) names.push_back(camera.name);
+  const std::string there = names.empty() ? "none" : enumerated(names, "and");
+  diagnostics.error("lens-circle-of-none",
+                    "--lens-circle " + given +
+                        (image.camera.empty() ? " does not say of which camera the image is"
+                                              : ": there is no camera '" + image.camera + "'"),
+                    {}, "cameras: " + there + "; --lens-circle " + (names.empty() ? "CAMERA" : names.front()) + "=IMAGE");
+}
+
+/// The camera that took it; null if there is none.
+Camera* camera_of(const CameraImage& image, Rig& rig) {
+  if (image.camera.empty()) return rig.cameras.size() == 1 ? rig.cameras.data() : nullptr;
+  const auto camera = std::ranges::find(rig.cameras, image.camera, &Camera::name);
+  return camera != rig.cameras.end() ? &*camera : nullptr;
+}
+
+/// Whose images they are; nothing with an error.
+std::optional<std::vector<SampleImages>> by_camera(const std::vector<CameraImage>& images, Rig& rig, Diagnostics& diagnostics) {
+  std::vector<SampleImages> result;
+  for (const CameraImage& image : images) {
+    Camera* camera = camera_of(image, rig);
+    if (camera == nullptr || image.path.empty()) {
+      refuse(image, rig, diagnostics);
+      return std::nullopt;
+    }
+    auto found = std::ranges::find(result, camera, &SampleImages::camera);
+    if (found == result.end()) found = result.insert(result.end(), {camera, {}});
+    if (std::ranges::find(found->paths, image.path) == found->paths.end()) found->paths.push_back(image.path);
+  }
+  return result;
+}
+
+std::string named(const std::vector<std::string>& paths) {
+  std::vector<std::string> names;
+  names.reserve(paths.size());
+  for (const std::string& path : paths) names.push_back(text::printable(std::filesystem::path(path).filename().string()));
+  constexpr std::size_t kFew = 3;
+  return names.size() <= kFew ? enumerated(names, "and") : counted(names.size(), "image");
+}
+
+/// Of several images those that show the circle alone, else all.
+std::vector<std::string> witnesses(const LitCircleSearch& search, const LensCircle& circle,
+                                   const std::vector<std::string>& paths) {
+  std::vector<std::string> result;
+  for (const std::size_t image : search.showing(circle)) result.push_back(paths.at(image));
+  return result.empty() ? paths : result;
+}
+
+/// What speaks against the circle that was found: a lamp in a dark room is lit, too, and so is the glow around a lens.
+void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& diagnostics) {
+  constexpr double kOffCentre = 0.1;  // of the radius
+  constexpr double kHalf = 0.5;
+  constexpr double kSmall = 0.2;  // of the image's area
+  const LensCircle& circle = *camera.lens_circle;
+  const Pixel axis = principal_point(camera.model);
+  const double off = std::hypot(circle.centre[0] - axis[0], circle.centre[1] - axis[1]);
+  if (off > kOffCentre * circle.radius_px) {
+    diagnostics.warning("lens-circle-off-centre",
+                        camera.name + ": the lit circle's centre is " + fixed(off, 1) + " px from the principal point",
+                        {path, 0, 0}, "is it this camera's lens, and not a lamp? fca-io report draws it");
+  }
+  const double covered = std::numbers::pi * circle.radius_px * circle.radius_px /
+                         (static_cast<double>(camera.image_size->width) * camera.image_size->height);
+  if (covered < kSmall) {
+    diagnostics.warning("lens-circle-small", camera.name + ": the lit circle covers only " + percent(covered) + " of the image",
+                        {path, 0, 0},
+                        "is it this camera's lens, and not something bright in front of it? fca-io report draws it");
+  }
+  if (circle.rim_share < kHalf) {
+    diagnostics.warning(
+        "lens-circle-uncertain",
+        camera.name + ": only " + percent(circle.rim_share) + " of the lit circle's rim in the image is seen", {path, 0, 0},
+        "is it a lens's edge at all? fca-io report draws it; further images of brighter scenes, each as --lens-circle, "
+        "show more of it");
+  }
+}
+
+/// Images whose own circle is another one: of another camera, or of something else than the lens.
+void warn_of_others(const LitCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
+                    const std::vector<std::string>& witnesses, Diagnostics& diagnostics) {
+  for (const std::size_t image : search.contradicting(*camera.lens_circle)) {
+    diagnostics.warning("lens-circles-differ",
+                        camera.name + ": this image shows another lit circle (" + place_in_words(*search.alone(image)) +
+                            ") than " + named(witnesses),
+                        {paths.at(image), 0, 0}, "is it of this camera? It is left out");
+  }
+}
+
+/// The change of the camera's images; nothing where it cannot be, which is said elsewhere.
+std::optional<ChangedImage> changed_image_of(const Camera& camera, const ImageChange& change) {
+  Diagnostics said_later;
+  return changed_image(*camera.image_size, change, said_later);
+}
+
+/// The camera before or after the change, as the size of its image tells.
+Camera as_taken(const Camera& camera, const ImageChange& change, const Image& image) {
+  const std::optional<ChangedImage> changed = changed_image_of(camera, change);
+  const ImageSize size = {image.width, image.height};
+  Camera result = camera;
+  if (!changed || size == *camera.image_size || size != changed->size) return result;
+  result.model = with_pixels(camera.model, changed->map);
+  result.image_size = size;
+  return result;
+}
+
+/// The circle that was seen, in the camera's image before the change; nothing where it is none there.
+std::optional<LensCircle> in_image_of(const Camera& camera, const ImageChange& change, const Camera& seen) {
+  if (seen.image_size == camera.image_size) return seen.lens_circle;
+  return with_pixels(*seen.lens_circle, changed_image_of(camera, change)->map.inverse());
+}
+
+/// A camera as its sample images have it, and what they show.
+struct Seen {
+  Camera camera;
+  LitCircleSearch search;
+};
+
+/// Nothing with an error where an image is none of the camera's.
+std::optional<Seen> look_at(const Camera& camera, const std::vector<std::string>& paths, const ImageChange& change,
+                            Files& files, Diagnostics& diagnostics) {
+  std::optional<Seen> seen;
+  for (const std::string& path : paths) {
+    const std::optional<Image> image = files.read_image(path, diagnostics);
+    if (!image) return std::nullopt;
+    if (!seen) {
+      const Camera taken = as_taken(camera, change, *image);
+      seen = Seen{taken, LitCircleSearch(principal_point(taken.model))};
+    }
+    if (!has_size_of(seen->camera, !change.changes_nothing(), *image, path, diagnostics)) return std::nullopt;
+    seen->search.add(brightest(planes(*image)));  // a blue light is light, too
+  }
+  if (seen) seen->camera.lens_circle = seen->search.best();
+  return seen;
+}
+
+/// Tells of the images that show another circle than most, and looks at the others alone.
+bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, const ImageChange& change, Files& files, Seen& seen,
+                      Diagnostics& diagnostics) {
+  const std::vector<std::size_t> others = seen.search.contradicting(*seen.camera.lens_circle);
+  if (others.empty()) return true;
+  warn_of_others(seen.search, seen.camera, paths, witnesses(seen.search, *seen.camera.lens_circle, paths), diagnostics);
+  std::vector<std::string> rest;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (std::ranges::find(others, i) == others.end()) rest.push_back(paths[i]);
+  }
+  std::optional<Seen> again = look_at(camera, rest, change, files, diagnostics);
+  if (!again) return false;
+  paths = std::move(rest);
+  if (again->camera.lens_circle) seen = *std::move(again);
+  return true;
+}
+
+bool add_circle(const SampleImages& sample, const ImageChange& change, Files& files, Diagnostics& diagnostics) {
+  Camera& camera = *sample.camera;
+  if (!camera.image_size) {
+    diagnostics.error("image-size-missing", camera.name + ": the image size is not known", {}, "give it: --size WIDTHxHEIGHT");
+    return false;
+  }
+  std::vector<std::string> paths = sample.paths;
+  std::optional<Seen> seen = look_at(camera, paths, change, files, diagnostics);
+  if (!seen) return false;
+  if (!seen->camera.lens_circle) {
+    diagnostics.warning("no-lens-circle",
+                        camera.name + ": " + (paths.size() == 1 ? "the image shows" : "the images show") +
+                            " no dark border around a lit circle about the principal point; the whole image counts as lens",
+                        {paths.front(), 0, 0},
+                        "images of a bright scene show it best, several together if need be; --max-angle DEG says it by hand");
+    return true;
+  }
+  if (!leave_out_others(camera, paths, change, files, *seen, diagnostics)) return false;
+  LensCircle& circle = *seen->camera.lens_circle;
+  const std::vector<std::string> shown_by = witnesses(seen->search, circle, paths);
+  circle.why = "the lit circle of " + named(shown_by);
+  warn_of_doubts(seen->camera, shown_by.front(), diagnostics);
+  camera.lens_circle = in_image_of(camera, change, seen->camera);
+  if (!camera.lens_circle) {
+    diagnostics.warning("lens-circle-stretched",
+                        camera.name + ": images stretched along one side say nothing of a circle; the whole image counts",
+                        {paths.front(), 0, 0}, "give images of the calibrated size");
+  }
+  return true;
+}
+
+}  // namespace
+
+bool add_lens_circles(const std::vector<CameraImage>& images, const ImageChange& change, Files& files, Rig& rig,
+                      Diagnostics& diagnostics) {
+  const std::optional<std::vector<SampleImages>> samples = by_camera(images, rig, diagnostics);
+  return samples &&
+         std::ranges::all_of(*samples, [&](const SampleImages& each) { return add_circle(each, change, files, diagnostics); });
+}
+
+}  // namespace fca

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read/imu_noise.h"
+#include "read/lens_circles.h"
+#include "words.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/read_document.h>
+#include <fca/rig/image_change.h>
+#include <fca/rig/leave_out.h>
+#include <fca/toolkit/inputs.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace fca {
+
+namespace {
+
+/// "crop 512 x 512 px at (64, 0), binning 2, resize to 640 x 480 px"
+std::string in_words(const ImageChange& change) {
+  std::vector<std::string> steps;
+  if (change.crop) {
+    steps.push_back("crop " + size_in_words(change.crop->size) + " px at (" + std::to_string(change.crop->x) + ", " +
+                    std::to_string(change.crop->y) + ")");
+  }
+  if (change.binning != 1) steps.push_back("binning " + std::to_string(change.binning));
+  if (change.resize) steps.push_back("resize to " + size_in_words(*change.resize) + " px");
+  return enumerated(steps, "then");
+}
+
+/// "u' = 0.5 u - 0.25"
+std::string in_words(const PixelMap& map, std::size_t axis) {
+  const std::string name = axis == 0 ? "u" : "v";
+  const double shift = map.shift.at(axis);
+  return name + "' = " + text::format_short(map.scale.at(axis)) + " " + name + (shift < 0.0 ? " - " : " + ") +
+         text::format_short(std::abs(shift));
+}
+
+/// The cameras of the images that were made from the calibrated ones.
+bool change_images(const ImageChange& change, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
+  if (change.changes_nothing()) return true;
+  for (Camera& camera : rig.cameras) {
+    Diagnostics found;
+    const std::optional<Camera> changed = with_changed_images(camera, change, found);
+    for (Diagnostic diagnostic : found.entries()) {
+      diagnostic.where = {input, 0, 0};
+      diagnostics.add(diagnostic);
+    }
+    if (!changed) return false;
+    const PixelMap map = changed_image(*camera.image_size, change, found)->map;
+    diagnostics.note("images-changed", camera.name + ": " + in_words(change) + ", from " + size_in_words(*camera.image_size) +
+                                           " px: " + in_words(map, 0) + ", " + in_words(map, 1));
+    camera = *changed;
+  }
+  return true;
+}
+
+/// Indices into the rig; nothing with an error for a camera that is not there.
+std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice>& choices, const Rig& rig, Diagnostics& diagnostics) {
+  std::vector<std::size_t> indices;
+  for (const CameraChoice& choice : choices) {
+    const auto by_name = std::ranges::find(rig.cameras, choice.name, &Camera::name);
+    auto index = static_cast<std::size_t>(by_name - rig.cameras.begin());
+    if (by_name == rig.cameras.end()) index = choice.place.value_or(index);
+    if (index >= rig.cameras.size()) {
+      std::vector<std::string> names;
+      for (const Camera& camera : rig.cameras) names.push_back(camera.name);
+      diagnostics.error("unknown-camera", "there is no camera '" + choice.name + "'; the calibration has " +
+                                              (names.empty() ? "none" : enumerated(names)));
+      return std::nullopt;
+    }
+    if (std::ranges::find(indices, index) != indices.end()) {
+      diagnostics.error("unknown-camera", "camera '" + choice.name + "' is chosen twice");
+      return std::nullopt;
+    }
+    indices.push_back(index);
+  }
+  return indices;
+}
+
+/// The rig with these cameras alone. What only one left out says is not asked for, either; poses by way of it stay.
+void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
+  std::vector<Camera> cameras;
+  cameras.reserve(indices.size());
+  for (const std::size_t index : indices) cameras.push_back(rig.cameras[index]);
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    if (std::ranges::find(indices, i) != indices.end()) continue;
+    const std::string& name = rig.cameras[i].name;
+    std::erase_if(rig.as_read, [&name](const AsRead& extra) { return extra.key.starts_with(name + " "); });
+    leave_out(name, rig);
+  }
+  rig.cameras = std::move(cameras);
+}
+
+/// Reads the files that the last of the documents names as parts of it. One that is not there is a warning: what the others say
+/// may be all that is wanted. False with errors.
+bool add_parts(const Format* format, Files& files, std::vector<text::Document>& documents, Diagnostics& diagnostics) {
+  Diagnostics told_later;
+  const std::optional<DetectedFormat> detected =
+      format == nullptr ? detect_format(documents.back(), told_later) : DetectedFormat{format, ""};
+  if (!detected) return true;
+  std::vector<text::Document> parts;
+  bool all_there = true;
+  for (const NamedFile& named : named_parts(*detected->format, documents.back())) {
+    std::optional<text::Source> source = read_part(named);
+    if (!source) {
+      diagnostics.warning("part-missing", "it names " + named.path + ", which cannot be read: its cameras are not known",
+                          named.where, "put that file there; --into needs it only for cameras that stay");
+      all_there = false;
+      continue;
+    }
+    files.remember(*source);
+    std::optional<text::Document> part = text::parse_document(*std::move(source), diagnostics);
+    if (!part) return false;
+    parts.push_back(*std::move(part));
+  }
+  if (all_there) std::ranges::move(parts, std::back_inserter(documents));
+  return true;
+}
+
+/// False with an error where a file states another size than the one that was given for files that state none.
+bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagnostics& diagnostics) {
+  const std::optional<ImageSize>& size = inputs.image_size;
+  if (!size) return true;
+  // Of several files those that state a size may state another one.
+  const bool of_one_of_many =
+      inputs.join && std::ranges::find(calibration.rig.cameras, size, &Camera::image_size) != calibration.rig.cameras.end();
+  for (const Camera& camera : calibration.rig.cameras) {
+    if (camera.image_size == size || of_one_of_many) continue;
+    diagnostics.error("size-contradicts",
+                      camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " +
+                          size_in_words(*size),
+                      {inputs.files.front(), 0, 0}, "--size is for files that state no size");
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+
+std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
+  std::vector<std::string> paths = inputs.files;
+  paths.insert(paths.end(), inputs.parts.begin(), inputs.parts.end());
+  std::vector<text::Document> documents;
+  for (const std::string& path : paths) {
+    std::optional<text::Source> source = files.read(path, diagnostics);
+    if (!source) return std::nullopt;
+    std::optional<text::Document> document = text::parse_document(*std::move(source), diagnostics);
+    if (!document) return std::nullopt;
+    documents.push_back(*std::move(document));
+    if (!add_parts(inputs.format, files, documents, diagnostics)) return std::nullopt;
+  }
+  std::optional<Calibration> calibration =
+      read_calibration(std::move(documents), inputs.format, read_options(inputs), diagnostics);
+  if (!calibration || !has_given_size(inputs, *calibration, diagnostics)) return std::nullopt;
+  if (inputs.cameras) {
+    const std::optional<std::vector<std::size_t>> places = places_of(*inputs.cameras, calibration->rig, diagnostics);
+    if (!places) return std::nullopt;
+    keep_only(*places, calibration->rig);
+  }
+  if (!add_lens_circles(inputs.lens_circles, inputs.change, files, calibration->rig, diagnostics)) return std::nullopt;
+  const std::string& input = inputs.files.front();
+  if (!change_images(inputs.change, input, calibration->rig, diagnostics)) return std::nullopt;
+  if (inputs.imu_noise && !make_densities(*inputs.imu_noise, input, calibration->rig, diagnostics)) return std::nullopt;
+  return calibration;
+}
+
+ReadOptions read_options(const Inputs& inputs) {
+  return {inputs.image_size, std::string(name_of(inputs.opencv_model)), inputs.join};
+}
+
+std::string_view name_of(const std::optional<OpenCvModel>& model) {
+  if (!model) return "";
+  return *model == OpenCvModel::kPinhole ? "pinhole" : "fisheye";
+}
+
+}  // namespace fca

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "at_once.h"
+#include "words.h"
+
+#include <fca/convert/convert.h>
+#include <fca/remap/view.h>
+#include <fca/toolkit/remap.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace fca {
+
+namespace {
+
+/// The camera whose images they are; nothing with an error where the file has none, or several.
+std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagnostics& diagnostics) {
+  const std::optional<Calibration> calibration = read_calibration(request.inputs, files, diagnostics);
+  if (!calibration) return std::nullopt;
+  const std::vector<Camera>& cameras = calibration->rig.cameras;
+  const auto refuse = [&](const char* code, const std::string& message, const std::string& fix = {}) {
+    diagnostics.error(code, message, {request.inputs.files.front(), 0, 0}, fix);
+    return std::nullopt;
+  };
+  if (cameras.empty()) return refuse("no-camera", "the file holds no camera");
+  if (cameras.size() > 1) {
+    return refuse("unknown-camera", "the file holds " + std::to_string(cameras.size()) + " cameras; whose images are these?",
+                  "choose one with --camera");
+  }
+  if (!cameras.front().image_size) return refuse("no-size", "the file states no image size", "say it with --size WxH");
+  return cameras.front();
+}
+
+bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
+  constexpr int kLongest = 32766;  // cv::remap counts in 16 bits
+  if (!camera.image_size) {
+    diagnostics.error("no-size", camera.name + " has no image size", {}, "--like wants a file that states one");
+    return false;
+  }
+  const auto& [width, height] = *camera.image_size;
+  if (std::max(width, height) <= kLongest && std::int64_t{width} * height <= kMostPixels) return true;
+  diagnostics.error("image-size", "images of " + size_in_words(*camera.image_size) + " px are too large to be remapped", {},
+                    "sides up to " + std::to_string(kLongest) + " px, and 134 megapixels");
+  return false;
+}
+
+/// Rows at the same time.
+ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
+  const ImageSize size = mapper.size();
+  const auto stride = 2 * static_cast<std::size_t>(size.width);
+  const auto rows = static_cast<std::size_t>(size.height);
+  ImageMap map{size, std::vector<float>(stride * rows)};
+  constexpr std::size_t kRows = 16;  // of one piece of work
+  at_once((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
+    for (std::size_t row = piece * kRows; row < std::min(rows, (piece + 1) * kRows); ++row)
+      mapper.row(static_cast<int>(row), std::span(map.uv).subspan(row * stride, stride));
+  });
+  return map;
+}
+
+/// The camera of a file: that of the same name, or the only one.
+std::optional<Camera> like(const std::string& file, const std::string& name, Files& files, Diagnostics& diagnostics) {
+  Inputs inputs;
+  inputs.files = {file};
+  const std::optional<Calibration> calibration = read_calibration(inputs, files, diagnostics);
+  if (!calibration) return std::nullopt;
+  const std::vector<Camera>& cameras = calibration->rig.cameras;
+  const auto same = std::ranges::find(cameras, name, &Camera::name);
+  if (cameras.size() == 1) return cameras.front();
+  if (same != cameras.end()) return *same;
+  std::vector<std::string> names;
+  names.reserve(cameras.size());
+  for (const Camera& camera : cameras) names.push_back(camera.name);
+  diagnostics.error("unknown-camera",
+                    "--like wants a file with one camera, or with one named " + name + "; this one has " +
+                        (names.empty() ? "none" : enumerated(names)),
+                    {file, 0, 0});
+  return std::nullopt;
+}
+
+std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& model, const Camera& source, Diagnostics& diagnostics) {
+  ConvertOptions options;
+  options.model = model.id;
+  options.max_angle_rad = request.inputs.max_angle_rad;
+  options.bound = false;
+  std::optional<Conversion> conversion = convert(source, options, diagnostics);
+  if (!conversion) return std::nullopt;
+  return std::move(conversion->camera);
+}
+
+/// Its size and model; nothing with errors.
+std::optional<Camera> view_camera(const RemapRequest& request, const Camera& source, Files& files, Diagnostics& diagnostics) {
+  if (const auto* file = std::get_if<CameraOfFile>(&request.view)) return like(file->path, source.name, files, diagnostics);
+  if (const auto* as = std::get_if<AsModel>(&request.view)) return as_model(request, *as->model, source, diagnostics);
+  Camera camera = source;
+  if (const auto* pinhole = std::get_if<PinholeView>(&request.view)) {
+    if (pinhole->size) camera.image_size = pinhole->size;
+    camera.model = pinhole_of_view(*camera.image_size, pinhole->full_fov_rad);
+  }
+  return camera;
+}
+
+/// False with errors.
+bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
+  const std::optional<Camera> source = source_of(request, files, result.diagnostics);
+  if (!source) return false;
+  result.source = *source;
+  std::optional<Camera> view = view_camera(request, *source, files, result.diagnostics);
+  if (!view || !sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(*view, result.diagnostics)) return false;
+  result.view = *std::move(view);
+  if (request.turn) result.T_source_view = turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
+  const std::optional<ImageMapper> mapper =
+      ImageMapper::between(*source, result.view, result.T_source_view, request.inputs.max_angle_rad, result.diagnostics);
+  if (!mapper) return false;
+  result.map = map_of(*mapper, request.jobs);
+  return true;
+}
+
+}  // namespace
+
+RemapResult remap(const RemapRequest& request, Files& files) {
+  RemapResult result;
+  if (!make_map(request, files, result)) {
+    result.status = worse(status_of(result.diagnostics), Status::kBadInput);
+    return result;
+  }
+  result.mask = seen(result.map, *result.source.image_size);
+  result.seen_share =
+      static_cast<double>(std::ranges::count(result.mask, 255)) / static_cast<double>(result.mask.size());
+  if (!(result.seen_share > 0.0)) result.status = Status::kRejected;
+  return result;
+}
+
+}  // namespace fca

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/convert/convert.h>
+#include <fca/toolkit/report.h>
+
+#include <string>
+
+namespace fca {
+
+namespace {
+
+/// The cameras as another model, for no format.
+ConvertResult fitted(const ReportRequest& request, const Reading& reading) {
+  ConvertResult result;
+  result.from = reading.calibration->format;
+  result.diagnostics = reading.diagnostics;
+  ConvertOptions options;
+  options.model = request.model->id;
+  options.max_angle_rad = request.inputs.max_angle_rad;
+  options.every_pixel = request.every_pixel;
+  options.objective = request.objective;
+  options.reach = true;
+  for (const Camera& camera : reading.calibration->rig.cameras) {
+    std::optional<Conversion> conversion = convert(camera, options, result.diagnostics);
+    if (!conversion) {
+      result.status = Status::kBadInput;
+      continue;
+    }
+    result.cameras.push_back({camera, std::move(conversion->camera), std::move(conversion->report)});
+  }
+  return result;
+}
+
+std::vector<CheckResult> checked(const ReportRequest& request, const Calibration& calibration, Files& files) {
+  std::vector<CheckResult> results;
+  for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
+    CheckRequest check_request;
+    check_request.inputs.format = i < calibration.formats.size() ? calibration.formats[i] : nullptr;
+    check_request.inputs.image_size = request.inputs.image_size;
+    check_request.inputs.opencv_model = request.inputs.opencv_model;
+    check_request.inputs.max_angle_rad = request.inputs.max_angle_rad;
+    results.push_back(check(check_request, calibration.documents[i].source(), files));
+  }
+  return results;
+}
+
+/// False where there is nothing to report on.
+bool converted(const ReportRequest& request, Files& files, ReportResult& result) {
+  if (request.conversion) {
+    ConvertRequest conversion = *request.conversion;
+    conversion.inputs = request.inputs;
+    result.conversion = convert(conversion, files);
+  } else if (request.model != nullptr) {
+    result.conversion = fitted(request, result.reading);
+  }
+  if (result.conversion) result.status = result.conversion->status;
+  // A conversion that is rejected is what a report is for; one that cannot be made leaves nothing to show.
+  return result.status <= Status::kRejected;
+}
+
+}  // namespace
+
+ReportResult report(const ReportRequest& request, Files& files) {
+  ReportResult result;
+  result.reading = read({request.inputs, nullptr}, files);
+  if (!result.reading.calibration) {
+    result.status = worse(result.reading.status, Status::kBadInput);
+    return result;
+  }
+  const std::vector<Camera>& cameras = result.reading.calibration->rig.cameras;
+  if ((request.model != nullptr || request.every_model) && cameras.empty()) {
+    result.reading.diagnostics.error("no-camera", request.inputs.files.front() + " holds no camera");
+    result.status = Status::kBadInput;
+    return result;
+  }
+  if (!converted(request, files, result)) return result;
+  if (request.every_model) {
+    auto models = compare_models(cameras, request.inputs.max_angle_rad, result.reading.diagnostics);
+    if (!models) {
+      result.conversion.reset();
+      result.status = Status::kBadInput;
+      return result;
+    }
+    result.models = *std::move(models);
+  }
+  result.checks = checked(request, *result.reading.calibration, files);
+  return result;
+}
+
+}  // namespace fca

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "save/output_file.h"
+
+#include <fca/toolkit/save.h>
+
+#include <filesystem>
+#include <vector>
+
+namespace fca {
+
+bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics) {
+  if (result.status != Status::kDone) {
+    diagnostics.error("nothing-to-save", "the conversion was not done: there are no files to write");
+    return false;
+  }
+  namespace fs = std::filesystem;
+  std::error_code error;  // what is wrong with the folder, writing into it shows
+  fs::create_directories(folder, error);
+  std::vector<OutputFile> files;
+  for (const ConvertedFile& file : result.files)
+    files.push_back({(fs::path(folder) / fs::path(file.name).filename()).string(), file.bytes});
+  const std::optional<std::string> problem = write_files(files, true, false);
+  if (problem) diagnostics.error("cannot-write", *problem);
+  return !problem;
+}
+
+}  // namespace fca
