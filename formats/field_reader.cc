@@ -225,20 +225,21 @@ std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t c
   return values;
 }
 
-bool Reader::parameter(const Node& node, std::string_view what, std::string_view name, CameraModel& model) {
+bool Reader::parameter(const Node& node, std::string_view what, ParameterId id, CameraModel& model) {
+  const std::string_view name = id.name();
   const std::string label = what.ends_with(name) ? std::string(what) : std::string(what) + " (" + std::string(name) + ")";
   const std::optional<double> value = real(node, label);
-  return value && parameter(node, what, name, *value, model);
+  return value && parameter(node, what, id, *value, model);
 }
 
-bool Reader::parameter(const Node& node, std::string_view what, std::string_view name, double value, CameraModel& model) {
+bool Reader::parameter(const Node& node, std::string_view what, ParameterId id, double value, CameraModel& model) {
   const auto& parameters = model_info(model).parameters;
-  const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
+  const auto parameter = std::ranges::find(parameters, id.name(), &Parameter::name);
   if (const std::optional<std::string> problem = problem_with(*parameter, value)) {
     error(node, "not-a-camera", std::string(what) + ": " + *problem);
     return false;
   }
-  return set_parameter(model, name, value);
+  return set_parameter(model, id, value);
 }
 
 std::optional<ImageSize> Reader::image_size(const Node& width, const Node& height, std::string_view owner) {

@@ -43,10 +43,9 @@ class Reader {
   /// A sequence of finite numbers; any length if `count` is 0.
   [[nodiscard]] std::optional<std::vector<double>> reals(const text::Node& node, std::size_t count, std::string_view what);
   /// Sets a parameter of the model to the node's number; an error at the node if that cannot be.
-  [[nodiscard]] bool parameter(const text::Node& node, std::string_view what, std::string_view name, CameraModel& model);
+  [[nodiscard]] bool parameter(const text::Node& node, std::string_view what, ParameterId id, CameraModel& model);
   /// The same of a value that was computed from the node's.
-  [[nodiscard]] bool parameter(const text::Node& node, std::string_view what, std::string_view name, double value,
-                               CameraModel& model);
+  [[nodiscard]] bool parameter(const text::Node& node, std::string_view what, ParameterId id, double value, CameraModel& model);
   /// Width and height; an error at `width` if no image can have that size.
   [[nodiscard]] std::optional<ImageSize> image_size(const text::Node& width, const text::Node& height, std::string_view owner);
   /// 4 x 4 as nested rows or as 16 numbers.

@@ -75,14 +75,14 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
   return first != nullptr ? document_->range(*first) : nowhere;
 }
 
-SourceRange Places::parameter(const Camera& camera, std::string_view name) const {
+SourceRange Places::parameter(const Camera& camera, ParameterId id) const {
   return of(
       [&](Rig& rig) {
         const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
         if (same == rig.cameras.end()) return;
-        set_parameter(same->model, name, nudged(fca::parameter(same->model, name).value_or(0.0)));
+        if (const std::optional<double> value = fca::parameter(same->model, id)) set_parameter(same->model, id, nudged(*value));
       },
-      fca::parameter(camera.model, name));
+      fca::parameter(camera.model, id));
 }
 
 SourceRange Places::image_width(const Camera& camera) const {

@@ -22,7 +22,7 @@ class Places {
   /// file without a place.
   [[nodiscard]] SourceRange of(const std::function<void(Rig&)>& change, std::optional<double> value) const;
 
-  [[nodiscard]] SourceRange parameter(const Camera& camera, std::string_view name) const;
+  [[nodiscard]] SourceRange parameter(const Camera& camera, ParameterId id) const;
   [[nodiscard]] SourceRange image_width(const Camera& camera) const;
   [[nodiscard]] SourceRange time_offset(const Camera& camera) const;
   /// An element of the pose that is rig.poses[index].

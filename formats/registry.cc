@@ -61,10 +61,10 @@ bool can_store(const Format& format, const Camera& camera, Diagnostics& diagnost
   }
   if (within(camera.model, stored->ranges)) return true;
   for (const ParameterRange& range : stored->ranges) {
-    const double value = parameter(camera.model, range.parameter).value_or(range.lower);
-    if (value >= range.lower && value <= range.upper) continue;
+    const std::optional<double> value = parameter(camera.model, range.parameter);
+    if (!value || (*value >= range.lower && *value <= range.upper)) continue;
     diagnostics.error("parameter-not-storable",
-                      camera.name + ": " + std::string(range.parameter) + " = " + text::format_short(value) +
+                      camera.name + ": " + std::string(range.parameter.name()) + " = " + text::format_short(*value) +
                           " cannot be stored as " + std::string(stored->file_name) + " (" + std::string(format.title) +
                           "); it must lie in [" + text::format_short(range.lower) + ", " + text::format_short(range.upper) +
                           "]",

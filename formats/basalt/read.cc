@@ -118,7 +118,7 @@ class CalibrationReader {
     for (const Parameter& parameter : model_info(camera.model).parameters) {
       known.insert(parameter.name);
       const Node* number = reader_.require(*parameters, parameter.name, camera.name + " intrinsics");
-      good = number != nullptr && reader_.parameter(*number, camera.name, parameter.name, camera.model) && good;
+      good = number != nullptr && reader_.parameter(*number, camera.name, ParameterId(parameter), camera.model) && good;
     }
     if (const Node* radius = reader_.find(*parameters, kMaxRadius); radius != nullptr && text::parse_real(radius->value) > 0.0)
       rig.as_read.push_back({camera.name + " " + std::string(kMaxRadius), radius->value});

@@ -24,7 +24,7 @@ namespace {
 std::vector<Field> parameter_fields(const Camera& camera) {
   std::vector<Field> result;
   for (const Parameter& parameter : model_info(camera.model).parameters)
-    result.push_back(fields::real(std::string(parameter.name), fca::parameter(camera.model, parameter.name).value_or(0.0)));
+    result.push_back(fields::real(std::string(parameter.name), fca::parameter(camera.model, ParameterId(parameter)).value()));
   return result;
 }
 

@@ -16,19 +16,19 @@ namespace {
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-double value(const Camera& camera, std::string_view name) { return parameter(camera.model, name).value_or(0.0); }
+double value(const Camera& camera, ParameterId id) { return parameter(camera.model, id).value(); }
 
 /// Lenses are centred to a small fraction of a degree: tangential terms above this are another model's third and fourth number.
 void check_tangential(const Subject& subject, const Camera& camera, Findings& findings) {
   constexpr double kLargest = 0.02;
-  for (const std::string_view name : {"p1", "p2"}) {
-    if (std::abs(value(camera, name)) <= kLargest) continue;
+  for (const ParameterId id : ParameterIds{"p1", "p2"}) {
+    if (std::abs(value(camera, id)) <= kLargest) continue;
     findings.add({Severity::kWarning, "wrong-family",
-                  camera.name + ": " + std::string(name) + " = " + text::format_short(value(camera, name), 4) +
+                  camera.name + ": " + std::string(id.name()) + " = " + text::format_short(value(camera, id), 4) +
                       " is no tangential distortion of a real lens (below 0.01); k3 and k4 of an equidistant (Kannala-Brandt) "
                       "model often stand there",
                   "Straight lines bend sideways and pixels far from the centre are off by tens of pixels.",
-                  "if the four numbers are k1 k2 k3 k4 of a fisheye, name that model", subject.places.parameter(camera, name)});
+                  "if the four numbers are k1 k2 k3 k4 of a fisheye, name that model", subject.places.parameter(camera, id)});
     return;
   }
 }

@@ -79,7 +79,7 @@ class ImageCheck {
             size_of(size_) + " image",
         outside ? "a crop moves it by the crop's corner; an exchange of numbers or another resolution is more likely"
                 : "right for a cropped image; else another resolution's numbers, or a poor calibration",
-        subject_.places.parameter(camera_, by_column ? "cx" : "cy"));
+        subject_.places.parameter(camera_, by_column ? ParameterId("cx") : ParameterId("cy")));
   }
 
   void check_focal_lengths() {

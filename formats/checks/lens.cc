@@ -46,8 +46,8 @@ Uncovered uncovered_part(const CameraModel& model, const ImageSize& size) {
 
 /// The parameter that bends the lens first: where to look.
 SourceRange place_of_lens(const Subject& subject, const Camera& camera) {
-  for (const std::string_view name : {"k1", "alpha", "xi", "w", "a2"}) {
-    if (parameter(camera.model, name)) return subject.places.parameter(camera, name);
+  for (const ParameterId id : ParameterIds{"k1", "alpha", "xi", "w", "a2"}) {
+    if (parameter(camera.model, id)) return subject.places.parameter(camera, id);
   }
   return subject.places.parameter(camera, "fx");
 }

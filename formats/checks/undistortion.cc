@@ -23,11 +23,12 @@ struct OpenCvCamera {
 std::optional<OpenCvCamera> as_opencv(const CameraModel& model) {
   const std::string_view id = model_info(model).id;
   if (id != "radtan" && id != "rational") return std::nullopt;
-  const auto value = [&model](std::string_view name) { return parameter(model, name).value_or(0.0); };
+  const auto value = [&model](ParameterId coefficient) { return parameter(model, coefficient).value(); };
   OpenCvCamera camera;
   camera.K = {value("fx"), value("fy"), value("cx"), value("cy"), 0.0};
-  constexpr std::array<std::string_view, 8> kNames = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
-  for (std::size_t i = 0; i < kNames.size(); ++i) camera.k.at(i) = value(kNames.at(i));
+  constexpr std::array<ParameterId, 8> kOrder = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  const std::size_t count = id == "rational" ? kOrder.size() : 5;  // radtan ends with k3
+  for (std::size_t i = 0; i < count; ++i) camera.k.at(i) = value(kOrder.at(i));
   return camera;
 }
 

@@ -14,7 +14,7 @@ namespace {
 std::vector<double> slot_values(const CameraModel& model, std::span<const Slot> slots) {
   std::vector<double> values;
   for (const Slot& slot : slots) {
-    values.push_back(slot.parameter.empty() ? slot.constant : parameter(model, slot.parameter).value_or(0.0));
+    values.push_back(slot.parameter ? parameter(model, *slot.parameter).value() : slot.constant);
   }
   return values;
 }

@@ -13,13 +13,13 @@ const std::vector<Layout>& layouts() {
       {"kb4", "pinhole", "equidistant", kFocalAndCentre, {{"k1"}, {"k2"}, {"k3"}, {"k4"}}},
       {"fov", "pinhole", "fov", kFocalAndCentre, {{"w"}}},
       // Written with four zeros: Kalibr reads pinhole-none, but its camera object then lacks a geometry (ConfigReader.py).
-      {"pinhole", "pinhole", "radtan", kFocalAndCentre, {{""}, {""}, {""}, {""}}},
+      {"pinhole", "pinhole", "radtan", kFocalAndCentre, {{0.0}, {0.0}, {0.0}, {0.0}}},
       {"pinhole", "pinhole", "none", kFocalAndCentre, {}},
       {"mei", "omni", "radtan", {{"xi"}, {"fx"}, {"fy"}, {"cx"}, {"cy"}}, {{"k1"}, {"k2"}, {"p1"}, {"p2"}}},
       {"mei", "omni", "none", {{"xi"}, {"fx"}, {"fy"}, {"cx"}, {"cy"}}, {}},
       {"eucm", "eucm", "none", {{"alpha"}, {"beta"}, {"fx"}, {"fy"}, {"cx"}, {"cy"}}, {}},
       {"ds", "ds", "none", {{"xi"}, {"alpha"}, {"fx"}, {"fy"}, {"cx"}, {"cy"}}, {}},
-      {"ucm", "eucm", "none", {{"alpha"}, {"", 1.0}, {"fx"}, {"fy"}, {"cx"}, {"cy"}}, {}},
+      {"ucm", "eucm", "none", {{"alpha"}, {1.0}, {"fx"}, {"fy"}, {"cx"}, {"cy"}}, {}},
   };
   return kLayouts;
 }

@@ -16,7 +16,9 @@ namespace fca::kalibr {
 
 /// One number of intrinsics or distortion_coeffs: a parameter of our model, or a constant the layout demands.
 struct Slot {
-  std::string_view parameter;
+  constexpr Slot(ParameterId id) : parameter(id) {}
+  constexpr Slot(double value) : constant(value) {}
+  std::optional<ParameterId> parameter;
   double constant = 0.0;
 };
 

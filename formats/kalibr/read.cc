@@ -130,8 +130,9 @@ class ChainReader {
     for (const ParameterRange& range : stored->ranges) {
       if (within(camera.model, std::span(&range, 1))) continue;
       reader_.warning(*reader_.find(node, "intrinsics"), "program-refuses",
-                      name + ": " + std::string(range.parameter) + " = " +
-                          text::format_short(*parameter(camera.model, range.parameter)) + ": " + std::string(stored->why));
+                      name + ": " + std::string(range.parameter.name()) + " = " +
+                          text::format_short(parameter(camera.model, range.parameter).value()) + ": " +
+                          std::string(stored->why));
     }
     return true;
   }
@@ -154,7 +155,7 @@ class ChainReader {
     }
     bool good = true;
     for (std::size_t i = 0; i < slots.size(); ++i) {
-      if (!slots[i].parameter.empty()) good = reader_.parameter(list->items[i], what, slots[i].parameter, camera.model) && good;
+      if (slots[i].parameter) good = reader_.parameter(list->items[i], what, *slots[i].parameter, camera.model) && good;
     }
     return good;
   }

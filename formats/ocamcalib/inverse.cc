@@ -15,7 +15,7 @@ namespace {
 class Lens {
  public:
   explicit Lens(const Camera& camera) : camera_(camera.model) {
-    const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+    const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
     const double c = value("c");
     const double d = value("d");
     const double e = value("e");
@@ -34,7 +34,7 @@ class Lens {
       }
     }
     // The same lens around (0, 0), without the affine part: u is then the radius.
-    for (const char* name : {"cx", "cy", "d", "e"}) set_parameter(camera_, name, 0.0);
+    for (const ParameterId id : ParameterIds{"cx", "cy", "d", "e"}) set_parameter(camera_, id, 0.0);
     set_parameter(camera_, "c", 1.0);
     constexpr double kSmallest = 1.0;  // px: of an image of one pixel, too, there is a curve
     farthest = std::max(farthest, kSmallest);

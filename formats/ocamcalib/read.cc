@@ -6,6 +6,7 @@
 #include "../fields.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/models/ocamcalib_parameters.h>
 
 #include <cmath>
 
@@ -71,7 +72,7 @@ class ResultsReader {
     }
     bool good = true;
     for (std::size_t i = 0; i < nodes.coefficients.size(); ++i) {
-      good = reader_.parameter(*nodes.coefficients[i], "direct polynomial", "a" + std::to_string(i), camera.model) && good;
+      good = reader_.parameter(*nodes.coefficients[i], "direct polynomial", kOcamcalibCoefficients.at(i), camera.model) && good;
     }
     return good;
   }
@@ -89,10 +90,10 @@ class ResultsReader {
   bool read_rest(const Blocks& blocks, Camera& camera) {
     bool good = reader_.parameter(*blocks.centre[0], "row of the centre", "cy", camera.model);
     good = reader_.parameter(*blocks.centre[1], "column of the centre", "cx", camera.model) && good;
-    const std::array<std::string_view, 3> names = {"c", "d", "e"};
-    for (std::size_t i = 0; i < names.size(); ++i)
-      good = reader_.parameter(*blocks.affine[i], "affine parameter", names[i], camera.model) && good;
-    const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+    constexpr std::array<ParameterId, 3> kAffine = {"c", "d", "e"};
+    for (std::size_t i = 0; i < kAffine.size(); ++i)
+      good = reader_.parameter(*blocks.affine[i], "affine parameter", kAffine.at(i), camera.model) && good;
+    const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
     if (good && !(value("c") - value("d") * value("e") > 0.0)) {
       reader_.error(*blocks.affine[0], "not-a-camera", "c - d e is not positive: [c d; e 1] mirrors the image or is singular");
       good = false;
@@ -103,8 +104,8 @@ class ResultsReader {
 
   /// A centre a whole image away from the image is no lens's: one of the two is not what it seems.
   bool check_centre(const Blocks& blocks, const Camera& camera) {
-    const double row = *parameter(camera.model, "cy");
-    const double column = *parameter(camera.model, "cx");
+    const double row = parameter(camera.model, "cy").value();
+    const double column = parameter(camera.model, "cx").value();
     const auto near = [](double at, int side) { return at > -1.0 * side && at < 2.0 * side; };
     const ImageSize size = *camera.image_size;
     const bool straight = near(row, size.height) && near(column, size.width);
@@ -122,8 +123,8 @@ class ResultsReader {
   /// Some exporters write column before row (MATLAB's DistortionCenter is so). On an image that is almost square nobody can
   /// tell.
   bool warn_if_swapped(const Blocks& blocks, const Camera& camera) {
-    const double row = *parameter(camera.model, "cy");
-    const double column = *parameter(camera.model, "cx");
+    const double row = parameter(camera.model, "cy").value();
+    const double column = parameter(camera.model, "cx").value();
     const ImageSize size = *camera.image_size;
     const double straight = std::hypot(row - 0.5 * size.height, column - 0.5 * size.width);
     const double swapped = std::hypot(row - 0.5 * size.width, column - 0.5 * size.height);

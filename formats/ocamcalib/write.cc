@@ -44,7 +44,7 @@ std::string block(std::string_view comment, std::span<const double> values, bool
 }
 
 std::string compose(const Camera& camera, const InversePolynomial& inverse) {
-  const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+  const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
   const std::array<double, 2> centre = {value("cy"), value("cx")};
   const std::array<double, 3> affine = {value("c"), value("d"), value("e")};
   return block(kDirectComment, direct_polynomial(camera.model), true) + block(kInverseComment, inverse.coefficients, true) +
@@ -120,8 +120,8 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
   text::Document document = base;
   Diagnostics ignored;
   const Blocks blocks = find_blocks(document, ignored).value();
-  const auto set = [&](const text::Node* node, std::string_view name) {
-    set_real(document, *node, parameter(camera.model, name).value_or(0.0));
+  const auto set = [&](const text::Node* node, ParameterId id) {
+    set_real(document, *node, parameter(camera.model, id).value());
   };
   set(blocks.centre[0], "cy");
   set(blocks.centre[1], "cx");

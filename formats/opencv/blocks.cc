@@ -74,11 +74,11 @@ Field vector_as(const std::string& key, std::span<const double> values, bool row
   return matrix_as(key, values, row ? static_cast<int>(values.size()) : 1, node);
 }
 
-double value_of(const CameraModel& model, std::string_view name) { return parameter(model, name).value_or(0.0); }
+double value_of(const CameraModel& model, ParameterId id) { return parameter(model, id).value(); }
 
-std::vector<double> values_of(const CameraModel& model, std::initializer_list<std::string_view> names) {
+std::vector<double> values_of(const CameraModel& model, ParameterIds ids) {
   std::vector<double> values;
-  for (const std::string_view name : names) values.push_back(value_of(model, name));
+  for (const ParameterId id : ids) values.push_back(value_of(model, id));
   return values;
 }
 
@@ -87,6 +87,7 @@ std::vector<double> coefficients(const CameraModel& model, std::size_t there) {
   const std::string_view id = model_info(model).id;
   if (id == "kb4") return values_of(model, {"k1", "k2", "k3", "k4"});
   if (id == "mei") return values_of(model, {"k1", "k2", "p1", "p2"});
+  if (id == "pinhole") return std::vector<double>(there > 5 ? there : 5, 0.0);
   std::vector<double> values = values_of(model, {"k1", "k2", "p1", "p2", "k3"});
   if (id == "rational") {
     values = values_of(model, {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"});
@@ -95,8 +96,6 @@ std::vector<double> coefficients(const CameraModel& model, std::size_t there) {
   } else if (id == "radtan") {
     if (there == 4 && values[4] == 0.0) values.resize(4);
     if (there > 8) values.resize(there, 0.0);
-  } else if (there > 5) {
-    values.resize(there, 0.0);
   }
   return values;
 }
@@ -153,12 +152,13 @@ void FieldMaker::add_lens(const Camera& camera, const CameraKeys& keys, bool kep
   fields.push_back(matrix_as(keys.matrix, K, 3, K_there));
   if (!keys.radial.empty()) {
     const Node* radial = there(mapping, keys.radial);
-    std::vector<double> k = values_of(camera.model, {"k1", "k2", "k3"});
+    const bool straight = model_info(camera.model).id == "pinhole";
+    std::vector<double> k = straight ? std::vector<double>(3, 0.0) : values_of(camera.model, {"k1", "k2", "k3"});
     if (k[2] == 0.0 && count_in(radial) == 2) k.resize(2);
     fields.push_back(vector_as(keys.radial, k, true, radial));
     if (!keys.tangential.empty()) {
-      fields.push_back(
-          vector_as(keys.tangential, values_of(camera.model, {"p1", "p2"}), true, there(mapping, keys.tangential)));
+      const std::vector<double> p = straight ? std::vector<double>(2, 0.0) : values_of(camera.model, {"p1", "p2"});
+      fields.push_back(vector_as(keys.tangential, p, true, there(mapping, keys.tangential)));
     }
     return;
   }

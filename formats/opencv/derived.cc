@@ -82,8 +82,10 @@ const Origin* stale_origin(const std::string& key, const Changes& changes) {
 bool same_lens(const CameraModel& a, const CameraModel& b) {
   if (kind_of(a) != kind_of(b)) return false;
   const auto covers = [](const CameraModel& from, const CameraModel& to) {
-    return std::ranges::all_of(model_info(from).parameters, [&](const auto& row) {
-      return parameter(from, row.name).value_or(0.0) == parameter(to, row.name).value_or(0.0);
+    return std::ranges::all_of(model_info(from).parameters, [&](const Parameter& row) {
+      const double value = parameter(from, ParameterId(row)).value();
+      const std::optional<double> there = parameter(to, ParameterId(row));
+      return there ? value == *there : value == 0.0;
     });
   };
   return covers(a, b) && covers(b, a);

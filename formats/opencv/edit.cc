@@ -49,8 +49,7 @@ bool adapt_keys(const Base& base, const Camera& before, const Camera& after, Cam
   const std::string_view id = model_info(after.model).id;
   if (!keys.radial.empty()) {
     if (id != "radtan" && id != "pinhole") return false;
-    const bool tangential =
-        parameter(after.model, "p1").value_or(0.0) != 0.0 || parameter(after.model, "p2").value_or(0.0) != 0.0;
+    const bool tangential = id == "radtan" && (parameter(after.model, "p1") != 0.0 || parameter(after.model, "p2") != 0.0);
     return !tangential || !keys.tangential.empty();
   }
   if (keys.distortion.empty() && id != "pinhole")

@@ -74,12 +74,11 @@ class LensReader {
                     why + ": --opencv-model fisheye, which is about four coefficients, has no effect on this camera");
   }
 
-  std::optional<CameraModel> with(std::string_view id, std::initializer_list<std::string_view> names, const Numbers& D,
-                                  const std::string& what) {
+  std::optional<CameraModel> with(std::string_view id, ParameterIds parameters, const Numbers& D, const std::string& what) {
     std::optional<CameraModel> model = make_model(id);
     std::size_t place = 0;
-    for (const std::string_view name : names) {
-      if (place < D.values.size() && !set(D, place++, what, name, *model, reader_)) return std::nullopt;
+    for (const ParameterId each : parameters) {
+      if (place < D.values.size() && !set(D, place++, what, each, *model, reader_)) return std::nullopt;
     }
     return model;
   }

@@ -62,10 +62,10 @@ std::optional<Numbers> read_numbers(const Node& node, const std::string& what, f
   return result;
 }
 
-bool set(const Numbers& from, std::size_t place, const std::string& what, std::string_view name, CameraModel& model,
+bool set(const Numbers& from, std::size_t place, const std::string& what, ParameterId id, CameraModel& model,
          fields::Reader& reader) {
-  if (!reader.parameter(*from.nodes[place], what, name, model)) return false;
-  return !from.is_float || set_parameter(model, name, from.values[place]);
+  if (!reader.parameter(*from.nodes[place], what, id, model)) return false;
+  return !from.is_float || set_parameter(model, id, from.values[place]);
 }
 
 }  // namespace fca::opencv

@@ -28,7 +28,7 @@ struct Numbers {
 [[nodiscard]] std::optional<Numbers> read_numbers(const text::Node& node, const std::string& what, fields::Reader& reader);
 
 /// Sets a parameter of the model to the number at `place`; an error there if that cannot be.
-[[nodiscard]] bool set(const Numbers& from, std::size_t place, const std::string& what, std::string_view name,
-                       CameraModel& model, fields::Reader& reader);
+[[nodiscard]] bool set(const Numbers& from, std::size_t place, const std::string& what, ParameterId id, CameraModel& model,
+                       fields::Reader& reader);
 
 }  // namespace fca::opencv

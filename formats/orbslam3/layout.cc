@@ -20,7 +20,7 @@ const std::vector<Layout>& layouts() {
         with({{"k1", "k1", false}, {"k2", "k2", false}, {"p1", "p1", false}, {"p2", "p2", false}, {"k3", "k3", false}});
     const std::vector<Slot> kb4 = with({{"k1", "k1"}, {"k2", "k2"}, {"k3", "k3"}, {"k4", "k4"}});
     const std::vector<Slot> kb4_in_radtan_keys = with({{"k1", "k1"}, {"k2", "k2"}, {"p1", "k3"}, {"p2", "k4"}});
-    const std::vector<Slot> eucm = with({{"k1", "alpha"}, {"k2", "beta"}, {"p1", "", false}, {"p2", "", false}});
+    const std::vector<Slot> eucm = with({{"k1", "alpha"}, {"k2", "beta"}, {"p1", std::nullopt}, {"p2", std::nullopt}});
     const std::vector<Slot> ds = with({{"xi", "xi"}, {"alpha", "alpha"}});
     return std::vector<Layout>{
         {Style::kV1, "PinHole", "radtan", radtan},
@@ -28,11 +28,13 @@ const std::vector<Layout>& layouts() {
         {Style::kV1, "Rectified", "pinhole", pinhole},
         {Style::kV1, "KannalaBrandt8", "kb4", kb4},
         {Style::kOld, "PinHole", "radtan", radtan_or_zero},
-        {Style::kOld, "PinHole", "pinhole", with({{"k1", "", false}, {"k2", "", false}, {"p1", "", false}, {"p2", "", false}})},
+        {Style::kOld, "PinHole", "pinhole",
+         with({{"k1", std::nullopt}, {"k2", std::nullopt}, {"p1", std::nullopt}, {"p2", std::nullopt}})},
         {Style::kOld, "KannalaBrandt8", "kb4", kb4},
         {Style::kOld, "DoubleSphere", "ds", ds},
         {Style::kOrbSlam2, "", "radtan", radtan_or_zero},
-        {Style::kOrbSlam2, "", "pinhole", with({{"k1", "", false}, {"k2", "", false}, {"p1", "", false}, {"p2", "", false}})},
+        {Style::kOrbSlam2, "", "pinhole",
+         with({{"k1", std::nullopt}, {"k2", std::nullopt}, {"p1", std::nullopt}, {"p2", std::nullopt}})},
         {Style::kSlamNoOpt, "EUCM", "eucm", eucm},
         {Style::kSlamNoOpt, "KB", "kb4", kb4_in_radtan_keys},
         {Style::kSlamNoOpt, "KannalaBrandt8", "kb4", kb4_in_radtan_keys},

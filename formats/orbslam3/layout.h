@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/formats/text/document.h>
+#include <fca/models/camera_model.h>
 
 #include <array>
 #include <optional>
@@ -31,9 +32,11 @@ inline constexpr std::array kStyleNames = {StyleName{"v1", Style::kV1}, StyleNam
 
 /// One key of a camera, behind its prefix "Camera1.", and the parameter of our model it holds (or the constant it must be).
 struct Slot {
+  constexpr Slot(std::string_view name, ParameterId id, bool needed = true) : key(name), parameter(id), required(needed) {}
+  constexpr Slot(std::string_view name, std::nullopt_t) : key(name), required(false) {}
   std::string_view key;
-  std::string_view parameter;
-  bool required = true;  ///< false: absent means 0
+  std::optional<ParameterId> parameter;  ///< Nothing: 0.
+  bool required = true;                  ///< false: absent means 0
 };
 
 /// How one style writes one of our models.

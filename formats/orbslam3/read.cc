@@ -134,10 +134,10 @@ class SettingsReader {
         reader_.error(document_.root().entries.front().key, "missing-key", "there is no " + key);
         good = false;
       }
-      if (node != nullptr && slot.parameter.empty() && text::parse_real(node->value) != 0.0)
+      if (node != nullptr && !slot.parameter && text::parse_real(node->value) != 0.0)
         rig.as_read.push_back({key, fields::value_text(*node)});
-      if (node == nullptr || slot.parameter.empty()) continue;
-      good = reader_.parameter(*node, key, slot.parameter, camera.model) && good;
+      if (node == nullptr || !slot.parameter) continue;
+      good = reader_.parameter(*node, key, *slot.parameter, camera.model) && good;
     }
     camera.image_size = read_size();
     if (const Node* fps = find("Camera.fps")) {
@@ -182,8 +182,8 @@ class SettingsReader {
 
   /// ORB-SLAM2's layout says nothing of the model; fisheye-ORB-SLAM reads the same keys as EUCM.
   void warn_if_eucm_without_type(const Camera& camera) {
-    if (style_ != Style::kOrbSlam2) return;
-    const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+    if (style_ != Style::kOrbSlam2 || model_info(camera.model).id != "radtan") return;
+    const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
     const bool plausible_alpha_beta = value("k1") > 0.3 && value("k1") <= 1.0 && value("k2") > 0.5 && value("k2") < 3.0;
     if (!plausible_alpha_beta || value("p1") != 0.0 || value("p2") != 0.0 || value("k3") != 0.0) return;
     reader_.warning(
@@ -271,8 +271,8 @@ class SettingsReader {
     bool good = true;
     for (std::size_t i = 0; i < layout.slots.size(); ++i) {
       const Node& node = i < focal_and_centre.size() ? *focal_and_centre[i] : d_data.items[i - focal_and_centre.size()];
-      const std::string_view parameter = layout.slots[i].parameter;
-      if (!parameter.empty()) good = reader_.parameter(node, i < 4 ? "RIGHT.K" : "RIGHT.D", parameter, camera.model) && good;
+      const std::optional<ParameterId> id = layout.slots[i].parameter;
+      if (id) good = reader_.parameter(node, i < 4 ? "RIGHT.K" : "RIGHT.D", *id, camera.model) && good;
     }
     if (!good) return;
     rig.cameras.push_back(std::move(camera));

@@ -35,9 +35,9 @@ constexpr std::size_t kFocalAndCentre = 4;
 void add_camera(const Camera& camera, const Layout& layout, std::string_view prefix, bool with_lens,
                 std::vector<Field>& fields) {
   for (const Slot& slot : std::span(layout.slots).first(with_lens ? layout.slots.size() : kFocalAndCentre)) {
-    const double value = slot.parameter.empty() ? 0.0 : parameter(camera.model, slot.parameter).value_or(0.0);
+    const double value = slot.parameter ? parameter(camera.model, *slot.parameter).value() : 0.0;
     // k3 of a file with four coefficients: never said, never written.
-    if (!slot.required && !slot.parameter.empty() && value == 0.0 && slot.key == "k3") continue;
+    if (!slot.required && slot.parameter && value == 0.0 && slot.key == "k3") continue;
     fields.push_back(fields::real(std::string(prefix) + std::string(slot.key), value));
   }
 }
@@ -45,15 +45,14 @@ void add_camera(const Camera& camera, const Layout& layout, std::string_view pre
 /// slam_no_opt's RIGHT.K, RIGHT.D, CAMERA.R, CAMERA.T (p_right = R p_left + T), and LEFT.* beside them.
 void add_right_camera(const Rig& rig, const Layout& layout, std::vector<Field>& fields) {
   const auto add_side = [&](std::string_view side, const Camera& camera) {
-    const auto value = [&camera](std::string_view name) {
-      return name.empty() ? 0.0 : parameter(camera.model, name).value_or(0.0);
-    };
+    const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
     if (camera.image_size) {
       fields.push_back(fields::integer(std::string(side) + ".height", camera.image_size->height));
       fields.push_back(fields::integer(std::string(side) + ".width", camera.image_size->width));
     }
     std::vector<double> d;
-    for (const Slot& slot : std::span(layout.slots).subspan(kFocalAndCentre)) d.push_back(value(slot.parameter));
+    for (const Slot& slot : std::span(layout.slots).subspan(kFocalAndCentre))
+      d.push_back(slot.parameter ? value(*slot.parameter) : 0.0);
     d.push_back(0.0);
     const std::array<double, 9> k = {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
     fields.push_back(fields::matrix(std::string(side) + ".D", d, static_cast<int>(d.size()), "d"));
@@ -104,8 +103,7 @@ void add_depth(const Rig& rig, const Target& target, std::vector<Field>& fields)
   const bool states_baseline = target.sensor.depth || is_rectified_pair(rig);
   if (v1 && states_baseline) fields.push_back(fields::real("Stereo.b", baseline(rig, target.sensor)));
   if (!v1) {
-    fields.push_back(
-        fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value_or(0.0)));
+    fields.push_back(fields::real("Camera.bf", baseline(rig, target.sensor) * parameter(rig.cameras[0].model, "fx").value()));
   }
   fields.push_back(target.tuning.field(tuning_key::kThDepth, target.style));
   if (target.sensor.depth) fields.push_back(target.tuning.field(tuning_key::kDepthMapFactor, target.style));

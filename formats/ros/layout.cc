@@ -33,13 +33,14 @@ std::string_view name_of(const CameraModel& model) {
 
 std::vector<double> coefficients_of(const CameraModel& model) {
   constexpr std::size_t kPlumbBob = 5;
-  constexpr std::array<std::string_view, 8> kOpenCv = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
-  constexpr std::array<std::string_view, 4> kFisheye = {"k1", "k2", "k3", "k4"};
+  constexpr std::array<ParameterId, 8> kOpenCv = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+  constexpr std::array<ParameterId, 4> kFisheye = {"k1", "k2", "k3", "k4"};
   std::vector<double> values;
-  const auto add = [&](std::span<const std::string_view> names) {
-    for (const std::string_view name : names) values.push_back(parameter(model, name).value_or(0.0));
+  const auto add = [&](std::span<const ParameterId> coefficients) {
+    for (const ParameterId coefficient : coefficients) values.push_back(parameter(model, coefficient).value());
   };
   const std::string_view id = model_info(model).id;
+  if (id == "pinhole") return std::vector<double>(kPlumbBob, 0.0);
   if (id == "kb4") {
     add(kFisheye);
   } else {
@@ -49,7 +50,7 @@ std::vector<double> coefficients_of(const CameraModel& model) {
 }
 
 Matrix3 camera_matrix_of(const CameraModel& model) {
-  const auto value = [&model](std::string_view name) { return parameter(model, name).value_or(0.0); };
+  const auto value = [&model](ParameterId id) { return parameter(model, id).value(); };
   return {value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0};
 }
 

@@ -70,8 +70,8 @@ class CameraReader {
 
   bool read_camera_matrix(CameraModel& model) {
     bool good = true;
-    const auto take = [&](std::size_t place, std::string_view name) {
-      good = reader_.parameter(*info_.K->nodes[place], kMatrix, name, info_.K->values[place], model) && good;
+    const auto take = [&](std::size_t place, ParameterId id) {
+      good = reader_.parameter(*info_.K->nodes[place], kMatrix, id, info_.K->values[place], model) && good;
     };
     take(0, "fx");
     take(4, "fy");
@@ -170,12 +170,12 @@ class CameraReader {
 
   /// The coefficients under their names; those that the file leaves out are 0.
   std::optional<CameraModel> with_coefficients(CameraModel model, std::size_t count) {
-    constexpr std::array<std::string_view, 8> kOpenCv = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
-    constexpr std::array<std::string_view, 4> kFisheye = {"k1", "k2", "k3", "k4"};
+    constexpr std::array<ParameterId, 8> kOpenCv = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+    constexpr std::array<ParameterId, 4> kFisheye = {"k1", "k2", "k3", "k4"};
     const bool fisheye = model_info(model).id == "kb4";
     for (std::size_t i = 0; i < std::min(count, info_.D->values.size()); ++i) {
-      const std::string_view name = fisheye ? kFisheye.at(i) : kOpenCv.at(i);
-      if (!reader_.parameter(*info_.D->nodes[i], kCoefficients, name, info_.D->values[i], model)) return std::nullopt;
+      const ParameterId id = fisheye ? kFisheye.at(i) : kOpenCv.at(i);
+      if (!reader_.parameter(*info_.D->nodes[i], kCoefficients, id, info_.D->values[i], model)) return std::nullopt;
     }
     return model;
   }

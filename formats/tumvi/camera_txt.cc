@@ -20,13 +20,13 @@ namespace {
 struct Lens {
   std::string_view name;
   std::string_view model;
-  std::span<const std::string_view> coefficients;  ///< Our parameters, behind fx fy cx cy.
-  std::size_t numbers;                             ///< That DSO demands.
+  std::span<const ParameterId> coefficients;  ///< Our parameters, behind fx fy cx cy.
+  std::size_t numbers;                        ///< That DSO demands.
 };
 
-constexpr std::array<std::string_view, 4> kKannalaBrandt = {"k1", "k2", "k3", "k4"};
-constexpr std::array<std::string_view, 4> kRadTan = {"k1", "k2", "p1", "p2"};
-constexpr std::array<std::string_view, 1> kOmega = {"w"};
+constexpr std::array<ParameterId, 4> kKannalaBrandt = {"k1", "k2", "k3", "k4"};
+constexpr std::array<ParameterId, 4> kRadTan = {"k1", "k2", "p1", "p2"};
+constexpr std::array<ParameterId, 1> kOmega = {"w"};
 constexpr std::array kLenses = {Lens{"EquiDistant", "kb4", kKannalaBrandt, 8},
                                 Lens{"KannalaBrandt", "kb4", kKannalaBrandt, 8},
                                 Lens{"RadTan", "radtan", kRadTan, 8},
@@ -114,15 +114,15 @@ void set_real(text::Document& document, const Node& word, double value) {
   if (text::parse_real(word.value) != value) document.replace(word.span, text::format_real(value));
 }
 
-constexpr std::array<std::string_view, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
+constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
 
-double value_of(const Camera& camera, std::string_view name) { return parameter(camera.model, name).value_or(0.0); }
+double value_of(const Camera& camera, ParameterId id) { return parameter(camera.model, id).value(); }
 
 /// Line 1 with the lens's name; `numbers`: fx fy cx cy as they are to stand there.
 std::string spelled(const Lens& lens, const Camera& camera, const std::array<double, 4>& numbers) {
   std::string line(lens.name);
   for (const double number : numbers) line += " " + text::format_real(number);
-  for (const std::string_view name : lens.coefficients) line += " " + text::format_real(value_of(camera, name));
+  for (const ParameterId id : lens.coefficients) line += " " + text::format_real(value_of(camera, id));
   for (std::size_t i = numbers.size() + lens.coefficients.size(); i < lens.numbers; ++i) line += " 0";
   return line;
 }
@@ -189,7 +189,7 @@ class CameraTxtReader {
   bool read_numbers(const FirstLine& first, const ImageSize& size, Camera& camera) {
     std::array<double, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const std::optional<double> value = reader_.real(*first.numbers[i], kFocalAndCentre[i]);
+      const std::optional<double> value = reader_.real(*first.numbers[i], kFocalAndCentre[i].name());
       if (!value) return false;
       numbers[i] = *value;
     }
@@ -299,7 +299,7 @@ std::optional<text::Document> edited_camera_txt(const text::Document& base, cons
   const FirstLine first = first_line(lines.front());
   const std::string_view model = model_info(camera.model).id;
   if (first.lens == nullptr || lens_of(model) == nullptr || !camera.image_size) return std::nullopt;
-  const auto value = [&camera](std::string_view name) { return value_of(camera, name); };
+  const auto value = [&camera](ParameterId id) { return value_of(camera, id); };
   if (model == "radtan" && value("k3") != 0.0) return std::nullopt;
   std::array<double, 4> old{};
   for (std::size_t i = 0; i < old.size(); ++i) old[i] = text::parse_real(first.numbers[i]->value).value_or(0.0);

@@ -8,6 +8,7 @@
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/models/ocamcalib_parameters.h>
 
 #include <algorithm>
 #include <set>
@@ -178,21 +179,20 @@ class CameraReader {
         keys.emplace_back(slot.key);
         const Node* value = reader_.find(*node, slot.key);
         const std::string what = std::string(slot.section) + " " + std::string(slot.key);
-        good = value != nullptr && reader_.parameter(*value, what, slot.parameter, camera.model) && good;
+        good = value != nullptr && good;
+        if (value != nullptr && slot.parameter) good = reader_.parameter(*value, what, *slot.parameter, camera.model) && good;
       }
       good = has_all(*node, first.section, keys) && good;
       warn_of_others(*node, first.section, known, layout.type);
     }
     if (!good) return false;
-    const auto is_zero = [&camera](std::string_view name) { return *parameter(camera.model, name) == 0.0; };
-    const auto are_zero = [&is_zero](std::initializer_list<std::string_view> names) {
-      return std::ranges::all_of(names, is_zero);
-    };
+    const auto is_zero = [&camera](ParameterId id) { return parameter(camera.model, id).value() == 0.0; };
+    const auto are_zero = [&is_zero](ParameterIds ids) { return std::ranges::all_of(ids, is_zero); };
     const bool none_of_four = layout.model != "kb4" && are_zero({"k1", "k2", "p1", "p2"});
     if (layout.model == "radtan" && none_of_four) {
       CameraModel straight = *make_model("pinhole");
-      for (const std::string_view name : {"fx", "fy", "cx", "cy"})
-        set_parameter(straight, name, *parameter(camera.model, name));
+      for (const ParameterId id : ParameterIds{"fx", "fy", "cx", "cy"})
+        set_parameter(straight, id, parameter(camera.model, id).value());
       camera.model = straight;
     }
     if (layout.model == "rational" && none_of_four && !are_zero({"k3", "k4", "k5", "k6"})) {
@@ -204,10 +204,8 @@ class CameraReader {
   }
 
   /// Sets a computed parameter, with errors at the number it was computed from; false without a number.
-  bool set(const Node* node, std::string_view section, std::string_view key, std::string_view name, double value,
-           Camera& camera) {
-    return node != nullptr &&
-           reader_.parameter(*node, std::string(section) + " " + std::string(key), name, value, camera.model);
+  bool set(const Node* node, std::string_view section, std::string_view key, ParameterId id, double value, Camera& camera) {
+    return node != nullptr && reader_.parameter(*node, std::string(section) + " " + std::string(key), id, value, camera.model);
   }
 
   bool read_scaramuzza(Camera& camera, Rig& rig) {
@@ -242,12 +240,17 @@ class CameraReader {
     warn_of_others(*affine, kAffine, {"ac", "ad", "ae", "cx", "cy"}, kScaramuzza);
     if (!good || !check(*direct, *affine, numbers)) return false;
     const CameraModel model = ocamcalib_of(numbers);
-    for (const auto& [key, name] :
-         {std::pair("ac", "c"), std::pair("ad", "e"), std::pair("ae", "d"), std::pair("cx", "cx"), std::pair("cy", "cy")})
-      good = set(reader_.find(*affine, key), kAffine, key, name, *parameter(model, name), camera) && good;
+    const auto set_affine = [&](std::string_view key, ParameterId id) {
+      good = set(reader_.find(*affine, key), kAffine, key, id, parameter(model, id).value(), camera) && good;
+    };
+    set_affine("ac", "c");
+    set_affine("ad", "e");
+    set_affine("ae", "d");
+    set_affine("cx", "cx");
+    set_affine("cy", "cy");
     for (std::size_t i = 0; i < kDirectCount; ++i) {
-      const std::string name = "a" + std::to_string(i);
-      good = set(reader_.find(*direct, keys[i]), kDirect, keys[i], name, *parameter(model, name), camera) && good;
+      const ParameterId id = kOcamcalibCoefficients.at(i);
+      good = set(reader_.find(*direct, keys[i]), kDirect, keys[i], id, parameter(model, id).value(), camera) && good;
     }
     return good && read_inverse(camera, rig);
   }

@@ -17,6 +17,10 @@ constexpr std::string_view kProjection = "projection_parameters";
 constexpr std::array kPinhole = {Slot{kDistortion, "k1", "k1"}, Slot{kDistortion, "k2", "k2"}, Slot{kDistortion, "p1", "p1"},
                                  Slot{kDistortion, "p2", "p2"}, Slot{kProjection, "fx", "fx"}, Slot{kProjection, "fy", "fy"},
                                  Slot{kProjection, "cx", "cx"}, Slot{kProjection, "cy", "cy"}};
+constexpr std::array kWithoutDistortion = {Slot{kDistortion, "k1", std::nullopt}, Slot{kDistortion, "k2", std::nullopt},
+                                           Slot{kDistortion, "p1", std::nullopt}, Slot{kDistortion, "p2", std::nullopt},
+                                           Slot{kProjection, "fx", "fx"},         Slot{kProjection, "fy", "fy"},
+                                           Slot{kProjection, "cx", "cx"},         Slot{kProjection, "cy", "cy"}};
 constexpr std::array kPinholeFull = {
     Slot{kDistortion, "k1", "k1"}, Slot{kDistortion, "k2", "k2"}, Slot{kDistortion, "k3", "k3"}, Slot{kDistortion, "k4", "k4"},
     Slot{kDistortion, "k5", "k5"}, Slot{kDistortion, "k6", "k6"}, Slot{kDistortion, "p1", "p1"}, Slot{kDistortion, "p2", "p2"},
@@ -33,7 +37,7 @@ constexpr std::array kLayouts = {Layout{"PINHOLE", "radtan", kPinhole}, Layout{"
                                  Layout{"MEI", "mei", kMei}, Layout{"KANNALA_BRANDT", "kb4", kKannalaBrandt},
                                  Layout{kScaramuzza, "ocamcalib", {}},
                                  // Without distortion; such files are read so.
-                                 Layout{"PINHOLE", "pinhole", kPinhole}};
+                                 Layout{"PINHOLE", "pinhole", kWithoutDistortion}};
 
 }  // namespace
 
@@ -56,7 +60,7 @@ std::vector<Section> sections_of(const Camera& camera, std::span<const double> i
   for (const Slot& slot : layout.slots) {
     if (sections.empty() || sections.back().name != slot.section) sections.push_back({std::string(slot.section), {}});
     sections.back().fields.push_back(
-        fields::real(std::string(slot.key), parameter(camera.model, slot.parameter).value_or(0.0)));
+        fields::real(std::string(slot.key), slot.parameter ? parameter(camera.model, *slot.parameter).value() : 0.0));
   }
   return sections;
 }

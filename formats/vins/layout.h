@@ -7,6 +7,7 @@
 #include <fca/formats/text/dialect.h>
 #include <fca/rig/rig.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,9 +19,11 @@ inline constexpr text::Dialect kDialect = text::Dialect::kOpenCv;
 
 /// A number in a camera file.
 struct Slot {
+  constexpr Slot(std::string_view of, std::string_view name, ParameterId id) : section(of), key(name), parameter(id) {}
+  constexpr Slot(std::string_view of, std::string_view name, std::nullopt_t) : section(of), key(name) {}
   std::string_view section;
   std::string_view key;
-  std::string_view parameter;  ///< Of our model.
+  std::optional<ParameterId> parameter;  ///< Of our model; nothing: 0.
 };
 
 /// What a file of one model_type holds, in camodocal's order. Those of scaramuzza are computed (scaramuzza.h): no slots.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scaramuzza.h"
 
+#include <fca/models/ocamcalib_parameters.h>
+
 #include <algorithm>
 
 namespace fca::vins {
@@ -8,12 +10,12 @@ namespace fca::vins {
 namespace {
 
 Scaramuzza camodocals(const CameraModel& model, std::span<const double> inverse) {
-  const auto value = [&model](const std::string& name) { return parameter(model, name).value_or(0.0); };
+  const auto value = [&model](ParameterId id) { return parameter(model, id).value(); };
   const double c = value("c");
   Scaramuzza result;
   double factor = c;
   for (std::size_t i = 0; i < result.direct.size(); ++i) {
-    result.direct.at(i) = factor * value("a" + std::to_string(i));
+    result.direct.at(i) = factor * value(kOcamcalibCoefficients.at(i));
     factor /= c;
   }
   for (std::size_t i = 0; i < std::min(inverse.size(), result.inverse.size()); ++i) result.inverse.at(i) = c * inverse[i];
@@ -44,7 +46,7 @@ CameraModel ocamcalib_of(const Scaramuzza& numbers) {
   set_parameter(model, "cy", numbers.cy);
   double factor = numbers.ac;
   for (std::size_t i = 0; i < numbers.direct.size(); ++i) {
-    set_parameter(model, "a" + std::to_string(i), factor * numbers.direct.at(i));
+    set_parameter(model, kOcamcalibCoefficients.at(i), factor * numbers.direct.at(i));
     factor /= numbers.ac;
   }
   return model;

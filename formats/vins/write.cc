@@ -31,7 +31,7 @@ bool same_keys(const Section& a, const Section& b) {
 /// Does one inverse polynomial serve both? It knows neither centre nor size.
 bool same_lens(const Camera& before, const Camera& after) {
   Camera moved = before;
-  for (const char* name : {"cx", "cy"}) set_parameter(moved.model, name, parameter(after.model, name).value_or(0.0));
+  for (const ParameterId id : ParameterIds{"cx", "cy"}) set_parameter(moved.model, id, parameter(after.model, id).value());
   return moved.model == after.model;
 }
 

@@ -103,7 +103,7 @@ class CameraReader {
   /// k1 is the radius per radian near the axis, in pixels: 200 to 600 for the dataset's cameras.
   bool check_scale(const Node& k1, const CameraModel& model) {
     constexpr double kFewestPixels = 20.0;  // 10.3 are a dataset camera's pixels per degree
-    const double value = *parameter(model, "k1");
+    const double value = parameter(model, "k1").value();
     if (value >= kFewestPixels) return true;
     const double per_radian = value * 180.0 / std::numbers::pi;
     std::string guess = "normalised Kannala-Brandt coefficients (theta + k1 theta^3 + ...) under WoodScape's names";
@@ -120,10 +120,10 @@ class CameraReader {
 
   bool read_intrinsic(const Node& intrinsic, Camera& camera) {
     bool good = check_model(intrinsic);
-    for (const std::string_view key : kParameterKeys) {
-      const Node* node = require(intrinsic, key);
-      good = node != nullptr && reader_.parameter(*node, "intrinsic", key, camera.model) && good;
-      if (good && key == "k1") good = check_scale(*node, camera.model);
+    for (const ParameterId id : kParameterKeys) {
+      const Node* node = require(intrinsic, id.name());
+      good = node != nullptr && reader_.parameter(*node, "intrinsic", id, camera.model) && good;
+      if (good && id == ParameterId("k1")) good = check_scale(*node, camera.model);
     }
     const Node* width = require(intrinsic, "width");
     const Node* height = require(intrinsic, "height");
@@ -140,10 +140,10 @@ class CameraReader {
     return good;
   }
 
-  bool read_centre(const Node& intrinsic, std::string_view key, std::string_view name, int size, CameraModel& model) {
+  bool read_centre(const Node& intrinsic, std::string_view key, ParameterId id, int size, CameraModel& model) {
     const Node* node = require(intrinsic, key);
     const std::optional<double> offset = node != nullptr ? reader_.real(*node, key) : std::nullopt;
-    return offset && reader_.parameter(*node, key, name, centre_of(*offset, size), model);
+    return offset && reader_.parameter(*node, key, id, centre_of(*offset, size), model);
   }
 
   /// False with an error if what stands there is no pose; a missing one is a warning.

@@ -23,7 +23,7 @@ namespace {
 
 /// The keys of intrinsic in their order, which omnidet depends on.
 std::vector<Field> intrinsic_fields(const Camera& camera) {
-  const auto value = [&camera](std::string_view name) { return parameter(camera.model, name).value_or(0.0); };
+  const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
   return {fields::real("aspect_ratio", value("aspect_ratio")),
           fields::real("cx_offset", offset_of(value("cx"), camera.image_size->width)),
           fields::real("cy_offset", offset_of(value("cy"), camera.image_size->height)),

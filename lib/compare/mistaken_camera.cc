@@ -75,7 +75,7 @@ void add_scales(const CameraModel& other, double scale, Candidates& candidates) 
 }
 
 /// The model with the value of `parameters[i]` where `parameters[i + 1]` is, and the last one's where the first is.
-std::optional<CameraModel> cycled(const CameraModel& model, std::span<const std::string_view> parameters) {
+std::optional<CameraModel> cycled(const CameraModel& model, std::span<const ParameterId> parameters) {
   CameraModel result = model;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::optional<double> value = parameter(model, parameters[i]);
@@ -86,7 +86,7 @@ std::optional<CameraModel> cycled(const CameraModel& model, std::span<const std:
 
 void add_other_orders(const CameraModel& other, Candidates& candidates) {
   struct Order {
-    std::vector<std::string_view> cycle;
+    std::vector<ParameterId> cycle;
     const char* message;
   };
   static const std::vector<Order> kOrders = {

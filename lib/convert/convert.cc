@@ -156,13 +156,13 @@ bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics&
     return false;
   }
   for (const ParameterRange& range : options.ranges) {
-    if (std::ranges::find(target.parameters, range.parameter, &Parameter::name) == target.parameters.end()) {
+    if (std::ranges::find(target.parameters, range.parameter.name(), &Parameter::name) == target.parameters.end()) {
       diagnostics.error("unknown-parameter",
-                        std::string(target.id) + " has no parameter '" + std::string(range.parameter) + "'");
+                        std::string(target.id) + " has no parameter '" + std::string(range.parameter.name()) + "'");
       return false;
     }
     if (!(range.lower <= range.upper)) {
-      diagnostics.error("range-empty", "the range of " + std::string(range.parameter) + " holds no number");
+      diagnostics.error("range-empty", "the range of " + std::string(range.parameter.name()) + " holds no number");
       return false;
     }
   }

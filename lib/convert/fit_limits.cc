@@ -16,7 +16,7 @@ FitLimits::FitLimits(const FitTarget& target, std::span<const ParameterRange> ra
     upper[i] = std::min(p.upper - (p.open ? kHair : 0.0), furthest);
     held[i] = target.held(i);
     for (const ParameterRange& range : ranges) {
-      if (range.parameter != p.name) continue;
+      if (range.parameter.name() != p.name) continue;
       held[i] = false;
       lower[i] = std::max(lower[i], range.lower);
       upper[i] = std::min(upper[i], range.upper);

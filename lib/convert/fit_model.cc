@@ -33,12 +33,12 @@ std::optional<FittedModel> fit_from_own_starts(std::string_view id, std::span<co
   return result;
 }
 
-/// The coefficient of a model that a wide lens may be better off without (model_traits.h); "" if it has none.
-std::string_view bends_back(std::string_view id) {
-  std::string_view result;
+/// The coefficient of a model that a wide lens may be better off without (model_traits.h); nothing if it has none.
+std::optional<ParameterId> bends_back(std::string_view id) {
+  std::optional<ParameterId> result;
   ModelList::for_each([&]<CameraModelType M>() {
     if constexpr (requires { M::kBendsBack; }) {
-      if (M::kId == id) result = M::kBendsBack;
+      if (M::kId == id) result = ParameterId::of<M>(M::kBendsBack);
     }
   });
   return result;
@@ -112,12 +112,12 @@ void improve_from(const CameraModel& start, std::span<const Correspondence> samp
 /// A radius that turns back may do so within a hair of the edge, where samples have no weight: then the fit does not reach
 /// them.
 void ask_every_sample(std::span<const Correspondence> samples, std::optional<FittedModel>& fitted) {
-  if (!fitted || bends_back(model_info(fitted->model).id).empty()) return;
+  if (!fitted || !bends_back(model_info(fitted->model).id)) return;
   const double last = max_angle(fitted->model);
   fitted->reaches_all = std::ranges::all_of(samples, [last](const Correspondence& s) { return angle_from_axis(s.ray) < last; });
 }
 
-bool allows_none(std::string_view coefficient, std::span<const ParameterRange> ranges) {
+bool allows_none(ParameterId coefficient, std::span<const ParameterRange> ranges) {
   return std::ranges::all_of(ranges, [coefficient](const ParameterRange& range) {
     return range.parameter != coefficient || (range.lower <= 0.0 && range.upper >= 0.0);
   });
@@ -125,9 +125,9 @@ bool allows_none(std::string_view coefficient, std::span<const ParameterRange> r
 
 /// Where the radius of the optimum, `turning`, turns back before the last sample, or there is none: the best of what has no
 /// more of a coefficient than lets it grow; nothing if even without it the radius turns back.
-std::optional<FittedModel> bend_less(std::string_view id, std::string_view coefficient,
-                                     const std::optional<FittedModel>& turning, std::span<const Correspondence> samples,
-                                     const LensCentre& centre, std::span<const ParameterRange> ranges) {
+std::optional<FittedModel> bend_less(std::string_view id, ParameterId coefficient, const std::optional<FittedModel>& turning,
+                                     std::span<const Correspondence> samples, const LensCentre& centre,
+                                     std::span<const ParameterRange> ranges) {
   constexpr int kHalvings = 10;  // of the coefficient, to a thousandth
   if (!allows_none(coefficient, ranges)) return std::nullopt;
   std::vector<ParameterRange> fixed(ranges.begin(), ranges.end());
@@ -136,7 +136,7 @@ std::optional<FittedModel> bend_less(std::string_view id, std::string_view coeff
   ask_every_sample(samples, grows);
   if (!grows || !grows->reaches_all || !turning) return grows;
   double there = 0.0;
-  double too_far = parameter(turning->model, coefficient).value_or(0.0);
+  double too_far = parameter(turning->model, coefficient).value();
   for (int i = 0; i < kHalvings && too_far != there; ++i) {
     const double between = 0.5 * (there + too_far);
     fixed.back() = {coefficient, between, between};
@@ -171,14 +171,14 @@ bool has_poles(std::string_view id) {
   return result;
 }
 
-bool may_end_early(std::string_view id) { return has_poles(id) || !bends_back(id).empty(); }
+bool may_end_early(std::string_view id) { return has_poles(id) || bends_back(id); }
 
 std::optional<FittedModel> fit_model(std::string_view id, std::span<const Correspondence> samples, const LensCentre& centre,
                                      std::span<const ParameterRange> ranges, Reach reach) {
   std::optional<FittedModel> best = fit_from_own_starts(id, samples, centre, ranges);
   if (reach == Reach::kEverySample) ask_every_sample(samples, best);
-  if (const std::string_view bends = bends_back(id); !bends.empty() && (!best || !best->reaches_all)) {
-    std::optional<FittedModel> grows = bend_less(id, bends, best, samples, centre, ranges);
+  if (const std::optional<ParameterId> bends = bends_back(id); bends && (!best || !best->reaches_all)) {
+    std::optional<FittedModel> grows = bend_less(id, *bends, best, samples, centre, ranges);
     if (grows && better(*grows, best)) best = std::move(grows);
   }
   const std::string_view inner = contained_model(id);

@@ -64,6 +64,12 @@ const ModelInfo* find_model(std::string_view name) {
   return found == kModels.end() ? nullptr : found;
 }
 
+std::optional<ParameterId> ParameterId::find(std::string_view name) {
+  const std::string_view found = internal::name_among(name, ModelList{});
+  if (found.empty()) return std::nullopt;
+  return ParameterId(found);
+}
+
 std::optional<CameraModel> make_model(std::string_view id) {
   std::optional<CameraModel> result;
   ModelList::for_each([&]<CameraModelType M>() {
@@ -84,24 +90,24 @@ std::span<double> parameter_values(CameraModel& model) {
 
 namespace {
 
-std::optional<std::size_t> index_of(const CameraModel& model, std::string_view name) {
+std::optional<std::size_t> index_of(const CameraModel& model, ParameterId id) {
   const std::span<const Parameter> parameters = model_info(model).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].name == name) return i;
+    if (parameters[i].name == id.name()) return i;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<double> parameter(const CameraModel& model, std::string_view name) {
-  const std::optional<std::size_t> index = index_of(model, name);
+std::optional<double> parameter(const CameraModel& model, ParameterId id) {
+  const std::optional<std::size_t> index = index_of(model, id);
   if (!index) return std::nullopt;
   return parameter_values(model)[*index];
 }
 
-bool set_parameter(CameraModel& model, std::string_view name, double value) {
-  const std::optional<std::size_t> index = index_of(model, name);
+bool set_parameter(CameraModel& model, ParameterId id, double value) {
+  const std::optional<std::size_t> index = index_of(model, id);
   if (!index) return false;
   parameter_values(model)[*index] = value;
   return true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/rig/image_change.h>
 
+#include <fca/models/ocamcalib_parameters.h>
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -28,8 +30,8 @@ Values<M> mapped(std::type_identity<M> /*model*/, Values<M> p, const PixelMap& m
 Values<Ocamcalib> mapped(std::type_identity<Ocamcalib> /*model*/, const Values<Ocamcalib>& before, const PixelMap& map) {
   Intrinsics<Ocamcalib> intrinsics{before};
   CameraModel model = intrinsics;
-  const auto scale_parameter = [&model](std::string_view name, double factor) {
-    set_parameter(model, name, factor * *parameter(model, name));
+  const auto scale_parameter = [&model](ParameterId id, double factor) {
+    set_parameter(model, id, factor * parameter(model, id).value());
   };
   const auto [scale_u, scale_v] = map.scale;
   const Pixel centre = map(principal_point(model));
@@ -38,8 +40,8 @@ Values<Ocamcalib> mapped(std::type_identity<Ocamcalib> /*model*/, const Values<O
   scale_parameter("c", scale_v / scale_u);
   scale_parameter("d", scale_v / scale_u);
   double factor = scale_u;
-  for (const std::string_view name : {"a0", "a1", "a2", "a3", "a4", "a5", "a6", "a7", "a8"}) {
-    scale_parameter(name, factor);
+  for (const ParameterId coefficient : kOcamcalibCoefficients) {
+    scale_parameter(coefficient, factor);
     factor /= scale_u;
   }
   return std::get<Intrinsics<Ocamcalib>>(model).values;
@@ -49,9 +51,9 @@ Values<Ocamcalib> mapped(std::type_identity<Ocamcalib> /*model*/, const Values<O
 Values<Woodscape> mapped(std::type_identity<Woodscape> /*model*/, const Values<Woodscape>& before, const PixelMap& map) {
   CameraModel model = Intrinsics<Woodscape>{before};
   const Pixel centre = map(principal_point(model));
-  for (const std::string_view name : {"k1", "k2", "k3", "k4"})
-    set_parameter(model, name, map.scale[0] * *parameter(model, name));
-  set_parameter(model, "aspect_ratio", map.scale[1] / map.scale[0] * *parameter(model, "aspect_ratio"));
+  for (const ParameterId id : ParameterIds{"k1", "k2", "k3", "k4"})
+    set_parameter(model, id, map.scale[0] * parameter(model, id).value());
+  set_parameter(model, "aspect_ratio", map.scale[1] / map.scale[0] * parameter(model, "aspect_ratio").value());
   set_parameter(model, "cx", centre[0]);
   set_parameter(model, "cy", centre[1]);
   return std::get<Intrinsics<Woodscape>>(model).values;

@@ -12,7 +12,7 @@ TEST(Places, HoldTheNumberOfTheFact) {
     const text::Document& document = good.calibration.documents.front();
     const Places places(document, good.calibration);
     for (const Camera& camera : good.calibration.rig.cameras) {
-      for (const std::string_view name : {"fx", "cy"}) {
+      for (const ParameterId name : ParameterIds{"fx", "cy"}) {
         const std::optional<double> value = parameter(camera.model, name);
         if (!value) continue;
         const SourceRange where = places.parameter(camera, name);
@@ -25,7 +25,7 @@ TEST(Places, HoldTheNumberOfTheFact) {
         ASSERT_TRUE(reread) << good.name;
         const std::optional<Rig> rig = good.calibration.format->read(std::span(&*reread, 1), {}, diagnostics);
         if (!rig || rig->find_camera(camera.name) == nullptr) continue;
-        EXPECT_NE(parameter(rig->find_camera(camera.name)->model, name), value) << good.name << " " << name;
+        EXPECT_NE(parameter(rig->find_camera(camera.name)->model, name), value) << good.name << " " << name.name();
         ++checked_places;
       }
     }

@@ -9,7 +9,7 @@
 
 namespace fca::test {
 
-std::optional<text::Span> number_of(const Good& good, std::string_view name) {
+std::optional<text::Span> number_of(const Good& good, ParameterId name) {
   if (good.calibration.rig.cameras.empty()) return std::nullopt;
   const Places places(document_of(good), good.calibration);
   const Camera& camera = good.calibration.rig.cameras.front();
@@ -19,7 +19,7 @@ std::optional<text::Span> number_of(const Good& good, std::string_view name) {
   return text::Span{where.offset, where.length};
 }
 
-Edit spelled(std::string_view name, std::function<std::string(const std::string&)> change) {
+Edit spelled(ParameterId name, std::function<std::string(const std::string&)> change) {
   return [name, change = std::move(change)](const Good& good) -> std::optional<SpanEdit> {
     const std::optional<text::Span> span = number_of(good, name);
     if (!span) return std::nullopt;

@@ -26,10 +26,10 @@ struct TextDefect {
 SeededDefect seeded(const TextDefect& defect);
 
 /// Where the first camera's parameter stands.
-std::optional<text::Span> number_of(const Good& good, std::string_view name);
+std::optional<text::Span> number_of(const Good& good, ParameterId name);
 
 /// Another spelling of a parameter of the first camera.
-Edit spelled(std::string_view name, std::function<std::string(const std::string&)> change);
+Edit spelled(ParameterId name, std::function<std::string(const std::string&)> change);
 
 /// The first line that begins so (behind blanks), replaced by a function of it.
 Edit line_starting(std::string_view start, std::function<std::optional<std::string>(const std::string&)> change);

@@ -27,7 +27,7 @@ bool is_centred(const Rig& rig) {
   return std::abs(2.0 * centre[0] / size.width - 1.0) < 0.08 && std::abs(2.0 * centre[1] / size.height - 1.0) < 0.08;
 }
 
-bool scale_parameter(Rig& rig, std::string_view name, double factor) {
+bool scale_parameter(Rig& rig, ParameterId name, double factor) {
   if (rig.cameras.empty()) return false;
   const std::optional<double> value = parameter(rig.cameras.front().model, name);
   return value && set_parameter(rig.cameras.front().model, name, *value * factor);

@@ -67,7 +67,7 @@ struct Mistake {
   bool (*make)(Rig& rig);
 };
 
-bool swap_parameters(Rig& rig, const char* a, const char* b) {
+bool swap_parameters(Rig& rig, ParameterId a, ParameterId b) {
   bool done = false;
   for (Camera& camera : rig.cameras) {
     const std::optional<double> value_a = parameter(camera.model, a);
@@ -80,7 +80,7 @@ bool swap_parameters(Rig& rig, const char* a, const char* b) {
   return done;
 }
 
-bool shift_centre(Rig& rig, const char* name) {
+bool shift_centre(Rig& rig, ParameterId name) {
   for (Camera& camera : rig.cameras) {
     if (!set_parameter(camera.model, name, *parameter(camera.model, name) + 0.5)) return false;
   }

@@ -211,7 +211,7 @@ bool shift_centre(Rig& rig, double px) {
   return !rig.cameras.empty();
 }
 
-bool exchange(Rig& rig, std::string_view first, std::string_view second) {
+bool exchange(Rig& rig, ParameterId first, ParameterId second) {
   for (Camera& camera : rig.cameras) {
     const std::optional<double> a = parameter(camera.model, first);
     const std::optional<double> b = parameter(camera.model, second);

@@ -22,7 +22,7 @@ struct Case {
   const char* file;
   const char* spelling;  ///< The number as the file spells it; must stand there once.
   std::size_t camera;
-  const char* parameter;
+  ParameterId parameter;
 };
 
 constexpr Case kCases[] = {
@@ -50,7 +50,7 @@ constexpr Case kCases[] = {
 
 TEST(Edit, OneIntrinsicChangesItsOwnBytesOnly) {
   for (const Case& row : kCases) {
-    SCOPED_TRACE(std::string(row.file) + " " + row.parameter);
+    SCOPED_TRACE(std::string(row.file) + " " + std::string(row.parameter.name()));
     const std::string bytes = read_file(testdata_dir() / row.file);
     const Calibration calibration = calibration_of(bytes);
     Rig rig = calibration.rig;
@@ -100,7 +100,8 @@ const Change kChanges[] = {
          for (const Parameter& each : model_info(camera.model).parameters) {
            const bool stored =
                each.name != "k3" || model_info(camera.model).id != "radtan";  // Kalibr has none (FORMATS.md 1.1)
-           if (stored) set_parameter(camera.model, each.name, parameter(camera.model, each.name).value() + 0.015625);
+           if (stored)
+             set_parameter(camera.model, ParameterId(each), parameter(camera.model, ParameterId(each)).value() + 0.015625);
          }
        }
      }},
@@ -166,7 +167,7 @@ TEST(Edit, OrbSlam3FilesSayWhatTheyWereAskedToSay) {
       SCOPED_TRACE(path.filename());
       Rig rig = calibration.rig;
       for (Camera& camera : rig.cameras) {
-        for (const char* name : {"fx", "fy", "cx", "cy"})
+        for (const ParameterId name : ParameterIds{"fx", "fy", "cx", "cy"})
           set_parameter(camera.model, name, parameter(camera.model, name).value() * scale);
         camera.image_size =
             ImageSize{static_cast<int>(camera.image_size->width * scale), static_cast<int>(camera.image_size->height * scale)};

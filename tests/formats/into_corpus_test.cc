@@ -11,9 +11,9 @@ namespace {
 /// Every number of the cameras another one, of the same lens.
 Rig with_other_cameras(Rig rig) {
   for (Camera& camera : rig.cameras) {
-    for (const std::string_view focal : {"fx", "fy"})
+    for (const ParameterId focal : ParameterIds{"fx", "fy"})
       EXPECT_TRUE(set_parameter(camera.model, focal, 1.03125 * *parameter(camera.model, focal)));
-    for (const std::string_view centre : {"cx", "cy"})
+    for (const ParameterId centre : ParameterIds{"cx", "cy"})
       EXPECT_TRUE(set_parameter(camera.model, centre, *parameter(camera.model, centre) + 1.5));
     if (const std::optional<double> k1 = parameter(camera.model, "k1")) set_parameter(camera.model, "k1", 0.9375 * *k1);
   }

@@ -29,7 +29,7 @@ struct Counts {
 
 /// theta (1 + k1 theta^2 + ... + k4 theta^8) written out here: right at any angle.
 Pixel kannala_brandt(const CameraModel& model, const Ray& ray) {
-  const auto p = [&model](const char* name) { return parameter(model, name).value(); };
+  const auto p = [&model](ParameterId id) { return parameter(model, id).value(); };
   const double r = std::hypot(ray[0], ray[1]);
   const double theta = std::atan2(r, ray[2]);
   const double distorted = theta * (1.0 + p("k1") * std::pow(theta, 2) + p("k2") * std::pow(theta, 4) +

@@ -141,7 +141,7 @@ TEST(OCamCalibWrite, ALensThatFoldsInsideTheImageIsSaid) {
 struct Case {
   const char* file;
   const char* spelling;
-  const char* parameter;
+  ParameterId parameter;
 };
 
 // The centre and the affine part are no part of rho(theta): the file's own inverse stays.
@@ -154,7 +154,7 @@ TEST(OCamCalibEdit, OneNumberChangesItsOwnBytesOnly) {
                           {"crlf.txt", "483.25", "cx"},
                           {"free-layout.txt", "297.625", "cy"},
                           {"free-layout.txt", " .00034", "e"}}) {
-    SCOPED_TRACE(std::string(row.file) + " " + row.parameter);
+    SCOPED_TRACE(std::string(row.file) + " " + std::string(row.parameter.name()));
     const std::string bytes = read_file(testdata_dir() / "ocamcalib" / "good" / row.file);
     const Calibration calibration = calibration_of(bytes, row.file);
     Rig rig = calibration.rig;
@@ -172,10 +172,10 @@ TEST(OCamCalibEdit, AnotherDirectPolynomialGetsItsInverse) {
     SCOPED_TRACE(file);
     const std::string bytes = read_file(testdata_dir() / "ocamcalib" / "good" / file);
     const Calibration calibration = calibration_of(bytes, file);
-    for (const char* name : {"a0", "a2", "a4", "a6"}) {
-      SCOPED_TRACE(name);
+    for (const ParameterId name : ParameterIds{"a0", "a2", "a4", "a6"}) {
+      SCOPED_TRACE(name.name());
       Rig rig = calibration.rig;
-      const double scale = std::pow(310.0, 1.0 - (name[1] - '0'));
+      const double scale = std::pow(310.0, 1.0 - (name.name()[1] - '0'));
       ASSERT_TRUE(set_parameter(rig.cameras[0].model, name, parameter(rig.cameras[0].model, name).value() + 0.001 * scale));
       const Written written = written_by(ocamcalib_format(), &calibration.documents.front(), rig);
       ASSERT_EQ(written.defaults.size(), 1U);

@@ -50,7 +50,7 @@ struct Case {
   const char* file;
   const char* spelling;  ///< The number as the file spells it; must stand there once.
   std::size_t camera;
-  const char* parameter;
+  ParameterId parameter;
 };
 
 constexpr Case kCases[] = {
@@ -74,7 +74,7 @@ constexpr Case kCases[] = {
 
 TEST(OpenCvEdit, OneIntrinsicChangesItsOwnBytesOnly) {
   for (const Case& row : kCases) {
-    SCOPED_TRACE(std::string(row.file) + " " + row.parameter);
+    SCOPED_TRACE(std::string(row.file) + " " + std::string(row.parameter.name()));
     const Base base = good(row.file);
     Rig rig = base.rig();
     const double changed = parameter(rig.cameras.at(row.camera).model, row.parameter).value() + 0.125;
@@ -318,7 +318,7 @@ Rig as_rational(Rig rig) {
   for (Camera& camera : rig.cameras) {
     CameraModel rational = *make_model("rational");
     for (const Parameter& row : model_info(camera.model).parameters)
-      EXPECT_TRUE(set_parameter(rational, row.name, parameter(camera.model, row.name).value()));
+      EXPECT_TRUE(set_parameter(rational, ParameterId(row), parameter(camera.model, ParameterId(row)).value()));
     EXPECT_TRUE(set_parameter(rational, "k6", 0.0625));
     camera.model = rational;
   }
@@ -456,7 +456,7 @@ TEST(OpenCvEdit, ValuesThatDoNotFollowAreSaid) {
   Rig more = single.rig();
   CameraModel rational = *make_model("rational");
   for (const Parameter& row : model_info(more.cameras[0].model).parameters)
-    ASSERT_TRUE(set_parameter(rational, row.name, parameter(more.cameras[0].model, row.name).value()));
+    ASSERT_TRUE(set_parameter(rational, ParameterId(row), parameter(more.cameras[0].model, ParameterId(row)).value()));
   more.cameras[0].model = rational;
   EXPECT_EQ(stale_in(single, more), "");
   more.cameras[0].model = sample_model("kb4");

@@ -72,7 +72,8 @@ CameraModel any_model(const std::string& id) {
   CameraModel model = *make_model(id);
   const std::span<double> values = parameter_values(model);
   for (double& value : values) value = any_real(2.0);
-  for (const char* name : {"fx", "fy", "cx", "cy"}) set_parameter(model, name, 200.0 + std::abs(any_real(900.0)));
+  for (const ParameterId name : ParameterIds{"fx", "fy", "cx", "cy"})
+    set_parameter(model, name, 200.0 + std::abs(any_real(900.0)));
   if (id == "mei") set_parameter(model, "xi", std::abs(any_real(3.0)));
   // Were all zero, the file would say a pinhole.
   if (id != "pinhole") values[id == "mei" ? 5 : 4] += 0.0078125;

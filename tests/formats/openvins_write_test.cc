@@ -59,9 +59,8 @@ TEST(OpenVinsFormat, WhatIsWrittenTheProgramReads) {
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(back.rig.cameras[i].image_size, rig.cameras[i].image_size);
       EXPECT_EQ(back.rig.cameras[i].topic, rig.cameras[i].topic);
-      for (const std::string_view name : {"fx", "cy", "k1", "p2"})
-        EXPECT_EQ(parameter(back.rig.cameras[i].model, name).value_or(0.0),
-                  parameter(rig.cameras[i].model, name).value_or(0.0));
+      for (const ParameterId name : ParameterIds{"fx", "cy", "k1", "p2"})
+        EXPECT_EQ(parameter(back.rig.cameras[i].model, name).value(), parameter(rig.cameras[i].model, name).value());
     }
     const Calibration imu = calibration_of(written.files.back().document.bytes());
     EXPECT_EQ(imu.format->id, "openvins");

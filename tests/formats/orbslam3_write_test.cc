@@ -91,9 +91,9 @@ Keys keys_of_v1(const std::string& type, const std::string& sensor) {
 /// Whole numbers everywhere, the hardest case for "float": 200 must become 200.0.
 Rig whole_numbers(Rig rig) {
   for (Camera& camera : rig.cameras) {
-    for (const char* name : {"fx", "fy", "cx", "cy"})
+    for (const ParameterId name : ParameterIds{"fx", "fy", "cx", "cy"})
       set_parameter(camera.model, name, std::round(parameter(camera.model, name).value()));
-    for (const char* name : {"k1", "p1"}) set_parameter(camera.model, name, 0.0);
+    for (const ParameterId name : ParameterIds{"k1", "p1"}) set_parameter(camera.model, name, 0.0);
   }
   for (Imu& imu : rig.imus) imu.gyroscope_noise_density = 1.0;
   if (rig.baseline_m) rig.baseline_m = 1.0;

@@ -13,7 +13,7 @@ namespace {
 /// Two kb4 cameras of one image size; `focal_length` [px] is the second one's.
 Rig pair_of(double focal_length) {
   Rig rig = sample_rig("kb4", {true, false});
-  for (const char* name : {"fx", "fy"}) EXPECT_TRUE(set_parameter(rig.cameras[1].model, name, focal_length));
+  for (const ParameterId name : ParameterIds{"fx", "fy"}) EXPECT_TRUE(set_parameter(rig.cameras[1].model, name, focal_length));
   return rig;
 }
 

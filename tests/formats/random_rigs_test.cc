@@ -54,7 +54,7 @@ CameraModel random_model(const std::string& id) {
     if (name == "xi") value = id == "mei" ? random_in(0.1, 2.0) : random_in(-0.3, 0.3);
     if (name == "w") value = random_in(0.6, 1.3);
     if (name == "k3" && id == "radtan") value = 0.0;
-    RC_ASSERT(set_parameter(model, name, value));
+    RC_ASSERT(set_parameter(model, ParameterId(p), value));
   }
   return model;
 }

@@ -22,6 +22,11 @@ inline CameraModel model_of(const std::string& id, std::initializer_list<double>
   return *model;
 }
 
+struct ParameterValue {
+  ParameterId id;
+  double value;
+};
+
 /// Two cameras of every model Kalibr can hold, the parameters in our order (fx fy cx cy first).
 inline CameraModel sample_model(const std::string& id, int camera = 0) {
   const bool first = camera == 0;
@@ -29,12 +34,12 @@ inline CameraModel sample_model(const std::string& id, int camera = 0) {
     return first ? model_of(id, {458.654, 457.296, 367.215, 248.375}) : model_of(id, {457.587, 456.134, 379.999, 255.238});
   if (id == "radtan") {
     CameraModel model = *make_model(id);
-    const std::vector<std::pair<const char*, double>> left = {{"fx", 458.654},    {"fy", 457.296},       {"cx", 367.215},
-                                                              {"cy", 248.375},    {"k1", -0.28340811},   {"k2", 0.07395907},
-                                                              {"p1", 0.00019359}, {"p2", 1.76187114e-05}};
-    const std::vector<std::pair<const char*, double>> right = {{"fx", 457.587},     {"fy", 456.134},        {"cx", 379.999},
-                                                               {"cy", 255.238},     {"k1", -0.28368365},    {"k2", 0.07451284},
-                                                               {"p1", -0.00010473}, {"p2", -3.55590700e-05}};
+    const std::vector<ParameterValue> left = {{"fx", 458.654},    {"fy", 457.296},       {"cx", 367.215},
+                                              {"cy", 248.375},    {"k1", -0.28340811},   {"k2", 0.07395907},
+                                              {"p1", 0.00019359}, {"p2", 1.76187114e-05}};
+    const std::vector<ParameterValue> right = {{"fx", 457.587},     {"fy", 456.134},        {"cx", 379.999},
+                                               {"cy", 255.238},     {"k1", -0.28368365},    {"k2", 0.07451284},
+                                               {"p1", -0.00010473}, {"p2", -3.55590700e-05}};
     for (const auto& [name, value] : first ? left : right) EXPECT_TRUE(set_parameter(model, name, value));
     return model;
   }
@@ -45,8 +50,8 @@ inline CameraModel sample_model(const std::string& id, int camera = 0) {
                                  0.0034003170790442797, 0.001766278153469831, -0.00266312569781606, 0.0003299517423931039});
   }
   CameraModel model = *make_model(id);
-  const auto set = [&model, &id](std::initializer_list<std::pair<const char*, double>> values) {
-    for (const auto& [name, value] : values) EXPECT_TRUE(set_parameter(model, name, value)) << id << " " << name;
+  const auto set = [&model, &id](std::initializer_list<ParameterValue> values) {
+    for (const auto& [name, value] : values) EXPECT_TRUE(set_parameter(model, name, value)) << id << " " << name.name();
   };
   if (id == "eucm")
     first ? set({{"fx", 191.14799836282189},

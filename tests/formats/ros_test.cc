@@ -241,7 +241,8 @@ TEST(Ros, APairKeepsItsRectification) {
 // cv::projectPoints bends nothing where all coefficients are 0, and image_geometry does not even call it.
 TEST(Ros, AnEquidistantCameraOfZerosIsMisread) {
   Rig rig = sample_rig("kb4", {});
-  for (const char* k : {"k1", "k2", "k3", "k4"}) ASSERT_TRUE(set_parameter(rig.cameras.front().model, k, 0.0));
+  for (const ParameterId k : ParameterIds{"k1", "k2", "k3", "k4"})
+    ASSERT_TRUE(set_parameter(rig.cameras.front().model, k, 0.0));
   const std::string bytes = written_by(ros(), nullptr, rig).files.front().document.bytes();
   const ProofResult proof = prove(program(), bytes, {}, rig);
   EXPECT_GT(proof.misread_px, 10.0);

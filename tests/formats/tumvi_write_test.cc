@@ -188,10 +188,10 @@ RC_GTEST_PROP(CameraTxt, AnyOtherCameraOfTheModelReadsBack, ()) {
   Camera& camera = rig.cameras.front();
   camera.image_size = ImageSize{*rc::gen::inRange(64, 3000), *rc::gen::inRange(64, 3000)};
   const double focal = random_in(100.0, 900.0);
-  for (const char* name : {"fx", "fy"}) set_parameter(camera.model, name, focal * random_in(0.98, 1.02));
+  for (const ParameterId name : ParameterIds{"fx", "fy"}) set_parameter(camera.model, name, focal * random_in(0.98, 1.02));
   set_parameter(camera.model, "cx", random_in(0.4, 0.6) * camera.image_size->width);
   set_parameter(camera.model, "cy", random_in(0.4, 0.6) * camera.image_size->height);
-  for (const char* name : {"k1", "k2", "p1", "p2"}) set_parameter(camera.model, name, random_in(-0.01, 0.01));
+  for (const ParameterId name : ParameterIds{"k1", "k2", "p1", "p2"}) set_parameter(camera.model, name, random_in(-0.01, 0.01));
   const std::string edited = bytes_of(written_by(tumvi_format(), &calibration.documents.front(), rig));
   RC_ASSERT(calibration_of(edited, file).rig.cameras == rig.cameras);
   RC_ASSERT(consumers::find_consumer("dso")->load(edited, {}).cameras.size() == 1U);
@@ -202,7 +202,8 @@ RC_GTEST_PROP(CameraTxt, RelativeNumbersReadBackToRounding, ()) {
   const Calibration calibration = calibration_of(read_file(testdata_dir() / "tumvi/good/fov-relative.txt"), "camera.txt");
   Rig rig = calibration.rig;
   Camera& camera = rig.cameras.front();
-  for (const char* name : {"fx", "fy", "cx", "cy"}) set_parameter(camera.model, name, random_in(300.0, 700.0));
+  for (const ParameterId name : ParameterIds{"fx", "fy", "cx", "cy"})
+    set_parameter(camera.model, name, random_in(300.0, 700.0));
   const Calibration back =
       calibration_of(bytes_of(written_by(tumvi_format(), &calibration.documents.front(), rig)), "camera.txt");
   for (std::size_t i = 0; i < 5; ++i)
@@ -220,7 +221,7 @@ TEST(CameraTxt, AnotherLensIsAnotherFirstLine) {
       Rig rig = calibration.rig;
       rig.cameras[0].model = sample_model(model);
       if (std::string_view(model) == "radtan") set_parameter(rig.cameras[0].model, "k3", 0.0);
-      for (const char* name : {"fx", "fy", "cx", "cy"})
+      for (const ParameterId name : ParameterIds{"fx", "fy", "cx", "cy"})
         set_parameter(rig.cameras[0].model, name, *parameter(calibration.rig.cameras[0].model, name));
       const Written written = written_by(tumvi_format(), &calibration.documents.front(), rig);
       EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"dso"}) << file << " " << model;

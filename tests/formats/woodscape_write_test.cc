@@ -163,7 +163,7 @@ TEST(WoodScapeWrite, ThePoseIsResolved) {
 }
 
 struct Case {
-  const char* parameter;
+  ParameterId parameter;
   const char* spelling;
 };
 
@@ -178,7 +178,7 @@ TEST(WoodScapeEdit, OneNumberChangesItsOwnBytesOnly) {
                             {"aspect_ratio", "1.0025"},
                             {"cx", "3.9375"},
                             {"cy", "-2.75"}}) {
-      SCOPED_TRACE(std::string(file) + " " + row.parameter);
+      SCOPED_TRACE(std::string(file) + " " + std::string(row.parameter.name()));
       Rig rig = calibration.rig;
       ASSERT_TRUE(
           set_parameter(rig.cameras[0].model, row.parameter, parameter(rig.cameras[0].model, row.parameter).value() + 0.125));

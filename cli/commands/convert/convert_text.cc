@@ -49,7 +49,7 @@ std::string why_at_bound(const ConversionReport& report, const Format& to, const
   if (stored == nullptr || stored->why.empty()) return "";
   const bool programs = std::ranges::any_of(stored->ranges, [&](const ParameterRange& range) {
     const std::span<const Parameter> own = model_info(target).parameters;
-    const auto parameter = std::ranges::find(own, range.parameter, &Parameter::name);
+    const auto parameter = std::ranges::find(own, range.parameter.name(), &Parameter::name);
     const std::optional<double> value = fca::parameter(target, range.parameter);
     if (parameter == own.end() || !value) return false;
     return (*value == range.lower && range.lower > parameter->lower) ||

@@ -128,8 +128,8 @@ std::vector<PolynomialFit> polynomial_fits() {
 /// (k m, k - xi), its height over r is a(r) = gamma (1 - xi / k), and its curvature on the axis follows from
 /// k = (1 + xi) (1 - (1 + xi) m^2 / 2 + ...). With 1 - m^2 below, k = (1 + xi) (1 + (3 - xi) m^2 / 2 + ...).
 SignError sign_error(const Intrinsics<Ucm>& ucm) {
-  const double alpha = parameter(ucm, "alpha").value_or(0.0);
-  const double focal = 0.5 * (parameter(ucm, "fx").value_or(0.0) + parameter(ucm, "fy").value_or(0.0));
+  const double alpha = parameter(ucm, "alpha").value();
+  const double focal = 0.5 * (parameter(ucm, "fx").value() + parameter(ucm, "fy").value());
   const double gamma = focal / (1.0 - alpha);
   const double xi = alpha / (1.0 - alpha);
   return {-xi / (2.0 * gamma), xi * (3.0 - xi) / (2.0 * gamma * (1.0 + xi))};

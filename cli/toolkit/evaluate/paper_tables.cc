@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/toolkit/paper_tables.h>
 
+#include <fca/models/ocamcalib_parameters.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,12 +38,12 @@ Intrinsics<Ocamcalib> toolbox_form(const OccParameters& occ) {
   set_parameter(model, "d", occ.e / occ.c);
   set_parameter(model, "e", occ.d / occ.c);
   for (std::size_t k = 0; k < OccParameters::kTerms; ++k)
-    set_parameter(model, "a" + std::to_string(k), 0.0 - occ.a[k] * std::pow(occ.c, 1.0 - static_cast<double>(k)));
+    set_parameter(model, kOcamcalibCoefficients.at(k), 0.0 - occ.a[k] * std::pow(occ.c, 1.0 - static_cast<double>(k)));
   return std::get<Intrinsics<Ocamcalib>>(model);
 }
 
 OccParameters paper_form(const CameraModel& model) {
-  const auto value = [&model](std::string_view name) { return parameter(model, name).value_or(0.0); };
+  const auto value = [&model](ParameterId id) { return parameter(model, id).value(); };
   OccParameters occ;
   occ.cx = value("cx");
   occ.cy = value("cy");
@@ -49,7 +51,7 @@ OccParameters paper_form(const CameraModel& model) {
   occ.d = value("e") / value("c");
   occ.e = value("d") / value("c");
   for (std::size_t k = 0; k < OccParameters::kTerms; ++k)
-    occ.a[k] = 0.0 - value("a" + std::to_string(k)) * std::pow(value("c"), 1.0 - static_cast<double>(k));
+    occ.a[k] = 0.0 - value(kOcamcalibCoefficients.at(k)) * std::pow(value("c"), 1.0 - static_cast<double>(k));
   return occ;
 }
 
@@ -155,7 +157,7 @@ std::vector<double> parameters_as_published(const CameraModel& model) {
 }
 
 Polynomial polynomial_of(const Intrinsics<Ocamcalib>& model) {
-  const auto ahead = [&model](std::string_view name) { return 0.0 - parameter(model, name).value_or(0.0); };
+  const auto ahead = [&model](ParameterId id) { return 0.0 - parameter(model, id).value(); };
   return {ahead("a0"), ahead("a1"), ahead("a2")};
 }
 

@@ -50,7 +50,7 @@ std::vector<ParameterRange> limits(const StoredModel& from, const StoredModel& t
 
 /// "k3 = 0", "alpha in [0, 1)"
 std::string within_in_words(const ParameterRange& range) {
-  const std::string name(range.parameter);
+  const std::string name(range.parameter.name());
   if (range.lower == range.upper) return name + " = " + text::format_short(range.lower);
   const std::string upper = text::format_short(range.upper);
   const bool up_to = text::parse_real(upper) == range.upper;  // else the last number below it

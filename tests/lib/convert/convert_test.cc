@@ -329,7 +329,8 @@ TEST(Convert, OcamcalibHoldsItsHigherCoefficientsUnlessAsked) {
   Diagnostics diagnostics;
   const std::optional<Conversion> degree_4 = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(degree_4);
-  for (const char* held : {"a1", "a5", "a6", "a7", "a8"}) EXPECT_EQ(parameter(degree_4->camera.model, held), 0.0) << held;
+  for (const ParameterId held : ParameterIds{"a1", "a5", "a6", "a7", "a8"})
+    EXPECT_EQ(parameter(degree_4->camera.model, held), 0.0) << held.name();
   EXPECT_TRUE(degree_4->report.at_bound.empty());
   options.ranges = {{"a5", -1.0, 1.0}, {"a6", -1.0, 1.0}};
   const std::optional<Conversion> degree_6 = convert(test::euroc(), options, diagnostics);

@@ -72,7 +72,7 @@ TEST(Initialise, RationalStartsNearItsOwnPixels) { expect_pixels_found<Rational>
 TEST(Initialise, OcamcalibOfDegree4FindsItsOwnPolynomial) {
   for (TestCamera<Ocamcalib> camera : cameras_of<Ocamcalib>()) {
     SCOPED_TRACE(camera.name);
-    for (const char* not_found : {"d", "e", "a1", "a5", "a6", "a7", "a8"}) {
+    for (const ParameterId not_found : ParameterIds{"d", "e", "a1", "a5", "a6", "a7", "a8"}) {
       CameraModel model = camera.intrinsics;
       set_parameter(model, not_found, 0.0);
       camera.intrinsics = std::get<Intrinsics<Ocamcalib>>(model);

@@ -4,6 +4,9 @@
 
 #include <cctype>
 #include <set>
+#include <type_traits>
+
+#include <rapidcheck/gtest.h>
 
 namespace fca::test {
 namespace {
@@ -77,16 +80,69 @@ TEST(ModelLookup, ParametersByName) {
   for (const ModelInfo& info : all_models()) {
     CameraModel model = *make_model(info.id);
     double next = 1.0;
-    for (const Parameter& p : info.parameters) EXPECT_TRUE(set_parameter(model, p.name, next++)) << p.name;
+    for (const Parameter& p : info.parameters) EXPECT_TRUE(set_parameter(model, ParameterId(p), next++)) << p.name;
     next = 1.0;
-    for (const Parameter& p : info.parameters) EXPECT_EQ(parameter(model, p.name), next++) << p.name;
-    const CameraModel copy = model;
-    EXPECT_FALSE(set_parameter(model, "no_such_parameter", 7.0));
-    EXPECT_EQ(model, copy);
-    EXPECT_FALSE(parameter(model, "no_such_parameter"));
-    EXPECT_FALSE(parameter(model, ""));
+    for (const Parameter& p : info.parameters) EXPECT_EQ(parameter(model, ParameterId(p)), next++) << p.name;
   }
 }
+
+TEST(ModelLookup, ParametersOfOtherModelsAreNeitherReadNorSet) {
+  for (const ModelInfo& info : all_models()) {
+    CameraModel model = *make_model(info.id);
+    for (const ModelInfo& other : all_models()) {
+      for (const Parameter& p : other.parameters) {
+        const bool own = std::ranges::find(info.parameters, p.name, &Parameter::name) != info.parameters.end();
+        EXPECT_EQ(parameter(model, ParameterId(p)).has_value(), own) << info.id << " " << p.name;
+        const CameraModel before = model;
+        EXPECT_EQ(set_parameter(model, ParameterId(p), 7.0), own) << info.id << " " << p.name;
+        EXPECT_EQ(model == before, !own) << info.id << " " << p.name;
+        set_parameter(model, ParameterId(p), 0.0);
+      }
+    }
+  }
+}
+
+TEST(ModelLookup, IdsOfNamesAtRunTime) {
+  for (const ModelInfo& info : all_models()) {
+    for (const Parameter& p : info.parameters) EXPECT_EQ(ParameterId::find(p.name), ParameterId(p)) << p.name;
+  }
+  for (const std::string_view name : {"", " ", "f", "fx ", "FX", "fxx", "no_such_parameter"})
+    EXPECT_FALSE(ParameterId::find(name)) << name;
+  EXPECT_EQ(ParameterId::find("k1"), ParameterId("k1"));
+  EXPECT_NE(ParameterId("k1"), ParameterId("k2"));
+}
+
+RC_GTEST_PROP(ModelLookup, OnlyNamesInTheTablesAreIds, (const std::string& text)) {
+  const auto has_it = [&text](const ModelInfo& info) {
+    return std::ranges::find(info.parameters, std::string_view(text), &Parameter::name) != info.parameters.end();
+  };
+  const std::optional<ParameterId> id = ParameterId::find(text);
+  RC_ASSERT(id.has_value() == std::ranges::any_of(all_models(), has_it));
+  if (id) RC_ASSERT(id->name() == text);
+}
+
+RC_GTEST_PROP(ModelLookup, WhatIsSetIsWhatIsReadAndNothingElse, (double value)) {
+  const ModelInfo& info = all_models()[*rc::gen::inRange<std::size_t>(0, all_models().size())];
+  CameraModel model = *make_model(info.id);
+  const auto place = *rc::gen::inRange<std::size_t>(0, info.parameters.size());
+  RC_ASSERT(set_parameter(model, ParameterId(info.parameters[place]), value));
+  for (std::size_t i = 0; i < info.parameters.size(); ++i)
+    RC_ASSERT(parameter(model, ParameterId(info.parameters[i])) == (i == place ? value : 0.0));
+}
+
+/// A name as a template argument, so that one may ask whether it compiles.
+template <std::size_t N>
+struct Literal {
+  consteval Literal(const char (&letters)[N]) { std::copy_n(letters, N, text); }
+  char text[N];
+};
+template <Literal kName>
+concept NamesAParameter = requires {
+  typename std::bool_constant<!ParameterId(kName.text).name().empty()>;
+};
+
+static_assert(NamesAParameter<"fx"> && NamesAParameter<"aspect_ratio"> && NamesAParameter<"a8">);
+static_assert(!NamesAParameter<"fz"> && !NamesAParameter<"Fx"> && !NamesAParameter<"k7"> && !NamesAParameter<"">);
 
 TEST(ModelLookup, EqualityIsOfKindAndValues) {
   CameraModel a = *make_model("radtan");

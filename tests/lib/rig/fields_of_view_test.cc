@@ -4,7 +4,7 @@
 #include <fca/rig/image_change.h>
 
 #include <cmath>
-#include <map>
+#include <initializer_list>
 #include <string_view>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,12 @@ namespace {
 constexpr double kTolerance = 1e-12;
 constexpr double kFocal = 100.0;
 
-Camera camera_of(std::string_view model, ImageSize size, const std::map<std::string_view, double>& parameters) {
+struct ParameterValue {
+  ParameterId id;
+  double value;
+};
+
+Camera camera_of(std::string_view model, ImageSize size, std::initializer_list<ParameterValue> parameters) {
   Camera camera;
   camera.name = "cam";
   camera.image_size = size;

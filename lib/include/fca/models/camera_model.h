@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -52,6 +53,54 @@ using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;
 
+namespace internal {
+
+/// The name as the first model with such a parameter holds it; empty if none has one.
+template <CameraModelType... Ms>
+constexpr std::string_view name_among(std::string_view name, TypeList<Ms...> /*models*/) {
+  std::string_view found;
+  const auto look_in = [&](std::span<const Parameter> rows) {
+    for (const Parameter& row : rows) {
+      if (found.empty() && row.name == name) found = row.name;
+    }
+  };
+  (look_in(Ms::kParameters), ...);
+  return found;
+}
+
+template <class Models>
+constexpr std::string_view checked_name(std::string_view name, Models models) {
+  const std::string_view found = name_among(name, models);
+  if (found.empty()) throw "no camera model has a parameter of this name";
+  return found;
+}
+
+}  // namespace internal
+
+/// The name of a parameter, checked when it is compiled: of a literal that no model of ModelList has there is none.
+class ParameterId {
+ public:
+  consteval ParameterId(const char* name) : ParameterId(internal::checked_name(name, ModelList{})) {}
+  /// A row of a model's table.
+  constexpr explicit ParameterId(const Parameter& row) : name_(row.name) {}
+  /// Of a model of your own.
+  template <CameraModelType M>
+  [[nodiscard]] static consteval ParameterId of(std::string_view name) {
+    return ParameterId(internal::checked_name(name, internal::TypeList<M>{}));
+  }
+  /// Nothing if no model of ModelList has a parameter of that name.
+  [[nodiscard]] static std::optional<ParameterId> find(std::string_view name);
+
+  [[nodiscard]] constexpr std::string_view name() const { return name_; }  ///< As in the model's table, which outlives all.
+  bool operator==(const ParameterId&) const = default;
+
+ private:
+  constexpr explicit ParameterId(std::string_view name) : name_(name) {}
+
+  std::string_view name_;
+};
+using ParameterIds = std::initializer_list<ParameterId>;
+
 using Ray = std::array<double, 3>;    ///< x right, y down, z forward.
 using Pixel = std::array<double, 2>;  ///< u, v; centre of the top-left pixel = (0, 0).
 
@@ -78,10 +127,10 @@ struct ModelInfo {
 [[nodiscard]] const ModelInfo& model_info(const CameraModel& model);
 [[nodiscard]] std::span<const double> parameter_values(const CameraModel& model);
 [[nodiscard]] std::span<double> parameter_values(CameraModel& model);
-/// The parameter of that name; nothing if the model has none of that name.
-[[nodiscard]] std::optional<double> parameter(const CameraModel& model, std::string_view name);
-/// False if the model has no parameter of that name.
-bool set_parameter(CameraModel& model, std::string_view name, double value);
+/// The value of that parameter; nothing if the model has no such parameter.
+[[nodiscard]] std::optional<double> parameter(const CameraModel& model, ParameterId id);
+/// False if the model has no such parameter.
+bool set_parameter(CameraModel& model, ParameterId id, double value);
 
 /// Ray (any positive length) -> pixel; nothing outside the model's domain or where the numbers overflow.
 [[nodiscard]] std::optional<Pixel> project(const CameraModel& model, const Ray& ray);
