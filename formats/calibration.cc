@@ -83,15 +83,14 @@ void rename_apart(const Rig& rig, const Format& format, Rig& part) {
       if (edge.a == old) edge.a = name;
       if (edge.b == old) edge.b = name;
     }
-    for (AsRead& extra : part.as_read) {
-      if (extra.key.starts_with(old + " ")) extra.key.replace(0, old.size(), name);
+    for (ExtraField& extra : part.extra_fields) {
+      if (extra.owner == old) extra.owner = name;
     }
     camera.name = name;
     names.emplace(old, name);
   }
-  for (AsRead& extra : part.as_read) {
-    if (std::ranges::any_of(format.of_cameras,
-                            [&](std::string_view key) { return extra.key.ends_with(" " + std::string(key)); }))
+  for (ExtraField& extra : part.extra_fields) {
+    if (!extra.owner.empty() && std::ranges::find(format.of_cameras, extra.key) != format.of_cameras.end())
       extra.value = counted_anew(extra.value, names);
   }
 }
@@ -118,7 +117,7 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
     }
   }
   rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
-  rig.as_read.insert(rig.as_read.end(), part.as_read.begin(), part.as_read.end());
+  rig.extra_fields.insert(rig.extra_fields.end(), part.extra_fields.begin(), part.extra_fields.end());
   if (!rig.baseline_m) rig.baseline_m = part.baseline_m;
   return good;
 }

@@ -123,7 +123,7 @@ struct Field {
 /// The lines of a field behind `indentation` blanks, without a last line break (and, in JSON, without a comma).
 [[nodiscard]] std::string spell(const Field& field, std::size_t indentation = 0, text::Syntax syntax = text::Syntax::kYaml);
 
-/// What a value says, for Rig::as_read: a scalar as spelled; lists and mappings on one line, their reals in one spelling.
+/// What a value says, for Rig::extra_fields: a scalar as spelled; lists and mappings on one line, their reals in one spelling.
 [[nodiscard]] std::string value_text(const text::Node& value);
 
 /// Makes a scalar say what the token says, in the document's syntax. A scalar that says so already is not touched, whatever its

@@ -22,14 +22,15 @@ namespace {
 constexpr std::array<std::string_view, 3> kTuning = {"Viewer.", "ORBextractor.", "vins."};
 
 /// "Viewer." of "Viewer.PointSize"; nothing of a key that is no tuning.
-std::string_view group_of(const AsRead& extra) {
+std::string_view group_of(const ExtraField& extra) {
+  if (!extra.owner.empty()) return {};
   const auto* const group =
       std::ranges::find_if(kTuning, [&extra](std::string_view prefix) { return extra.key.starts_with(prefix); });
   return group == kTuning.end() ? std::string_view() : *group;
 }
 
-std::string in_words(const AsRead& extra) {
-  return extra.value.empty() ? extra.key : extra.key + " " + text::shortened(extra.value);
+std::string in_words(const ExtraField& extra) {
+  return with_owner(extra) + (extra.value.empty() ? "" : " " + text::shortened(extra.value));
 }
 
 bool holds_comments(const text::Document& document) {
@@ -87,12 +88,12 @@ void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses) 
                     "what stood there is replaced or removed", ""});
 }
 
-void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses) {
+void add_not_carried(std::span<const ExtraField> extras, std::string_view why, std::vector<Loss>& losses) {
   constexpr int kFewest = 3;  // fewer keys are named one by one
   std::map<std::string_view, int> sizes;
-  for (const AsRead& extra : extras) ++sizes[group_of(extra)];
+  for (const ExtraField& extra : extras) ++sizes[group_of(extra)];
   std::set<std::string_view> told;
-  for (const AsRead& extra : extras) {
+  for (const ExtraField& extra : extras) {
     const std::string_view group = group_of(extra);
     const int members = sizes[group];
     if (group.empty() || members < kFewest) {
@@ -129,25 +130,25 @@ void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& l
   }
 }
 
-void add_beyond_base(std::span<const AsRead> extras, std::span<const AsRead> there, std::string_view why,
+void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::string_view why,
                      std::vector<Loss>& losses) {
-  std::set<std::string_view> keys;
-  for (const AsRead& extra : there) keys.insert(extra.key);
-  std::vector<AsRead> other_values = extras_beyond(extras, there);
-  const auto without_place = std::stable_partition(other_values.begin(), other_values.end(),
-                                                   [&keys](const AsRead& extra) { return keys.contains(extra.key); });
-  const std::span<const AsRead> all = other_values;
+  std::set<std::pair<std::string_view, std::string_view>> keys;
+  for (const ExtraField& extra : there) keys.emplace(extra.owner, extra.key);
+  std::vector<ExtraField> other_values = extras_beyond(extras, there);
+  const auto without_place = std::stable_partition(other_values.begin(), other_values.end(), [&keys](const ExtraField& extra) {
+    return keys.contains({extra.owner, extra.key});
+  });
+  const std::span<const ExtraField> all = other_values;
   const auto kept = static_cast<std::size_t>(without_place - other_values.begin());
   add_not_carried(all.subspan(kept), why, losses);
   add_not_carried(all.first(kept), "the file that is written into keeps its own value", losses);
 }
 
-std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there) {
-  std::set<std::pair<std::string_view, std::string_view>> stated;
-  for (const AsRead& extra : there) stated.emplace(extra.key, extra.value);
-  std::vector<AsRead> result;
-  for (const AsRead& extra : extras) {
-    if (!stated.contains({extra.key, extra.value})) result.push_back(extra);
+std::vector<ExtraField> extras_beyond(std::span<const ExtraField> extras, std::span<const ExtraField> there) {
+  const std::set<ExtraField> stated(there.begin(), there.end());
+  std::vector<ExtraField> result;
+  for (const ExtraField& extra : extras) {
+    if (!stated.contains(extra)) result.push_back(extra);
   }
   return result;
 }

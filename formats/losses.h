@@ -11,7 +11,7 @@
 namespace fca {
 
 /// What was read and has no place in the target, each as a loss; tuning ("Viewer.PointSize", ...) as one.
-void add_not_carried(std::span<const AsRead> extras, std::string_view why, std::vector<Loss>& losses);
+void add_not_carried(std::span<const ExtraField> extras, std::string_view why, std::vector<Loss>& losses);
 
 /// A camera's time offset (by Kalibr's name for it: no other format has one), with what to do about it; nothing where there is
 /// none, or 0.
@@ -25,11 +25,11 @@ void add_other_time_offsets(const Rig& rig, double common, std::string_view who,
 void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& losses);
 
 /// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
-[[nodiscard]] std::vector<AsRead> extras_beyond(std::span<const AsRead> extras, std::span<const AsRead> there);
+[[nodiscard]] std::vector<ExtraField> extras_beyond(std::span<const ExtraField> extras, std::span<const ExtraField> there);
 
 /// What the input states beside its rig and the edited file, which says `there`, does not: as losses. Keys that the file has
 /// keep its value; for the others `why` is said.
-void add_beyond_base(std::span<const AsRead> extras, std::span<const AsRead> there, std::string_view why,
+void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::string_view why,
                      std::vector<Loss>& losses);
 
 /// The comments of the text that `edited` is an edit of, and that stood in what was replaced or removed there.

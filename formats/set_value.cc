@@ -144,7 +144,7 @@ std::optional<Rig> without_settings(std::optional<Rig> rig, const std::optional<
     if (as_it_was != nullptr && !as_it_was->time_offset_s) camera.time_offset_s.reset();
   }
   for (Imu& imu : rig->imus) imu.topic.clear();
-  rig->as_read.clear();
+  rig->extra_fields.clear();
   return rig;
 }
 

@@ -87,7 +87,7 @@ class CalibrationReader {
       if (sizes != nullptr) good = read_size(sizes->items[i], camera) && good;
       if (poses != nullptr) good = read_pose(poses->items[i], camera.name, rig) && good;
       if (vignettes != nullptr && i < vignettes->items.size())
-        rig.as_read.push_back({camera.name + " " + std::string(kVignette), fields::value_text(vignettes->items[i])});
+        rig.extra_fields.push_back({camera.name, std::string(kVignette), fields::value_text(vignettes->items[i])});
       rig.cameras.push_back(std::move(camera));
     }
     return good;
@@ -121,7 +121,7 @@ class CalibrationReader {
       good = number != nullptr && reader_.parameter(*number, camera.name, ParameterId(parameter), camera.model) && good;
     }
     if (const Node* radius = reader_.find(*parameters, kMaxRadius); radius != nullptr && text::parse_real(radius->value) > 0.0)
-      rig.as_read.push_back({camera.name + " " + std::string(kMaxRadius), radius->value});
+      rig.extra_fields.push_back({camera.name, std::string(kMaxRadius), radius->value});
     for (const text::Entry& entry : parameters->entries) {
       if (known.contains(entry.key.value)) continue;
       reader_.warning(
@@ -221,7 +221,7 @@ class CalibrationReader {
     if (axes[0] == axes[1] && axes[0] == axes[2]) {
       imu.*noise.member = axes[0];
     } else {
-      rig.as_read.push_back({std::string(kImu) + " " + std::string(noise.key), fields::value_text(node)});
+      rig.extra_fields.push_back({std::string(kImu), std::string(noise.key), fields::value_text(node)});
     }
     return true;
   }
@@ -234,7 +234,7 @@ class CalibrationReader {
       const std::optional<std::vector<double>> numbers = reader_.reals(*node, bias.count, bias.key);
       if (!numbers) return false;
       if (std::ranges::any_of(*numbers, [](double number) { return number != 0.0; }))
-        rig.as_read.push_back({std::string(kImu) + " " + std::string(bias.key), fields::value_text(*node)});
+        rig.extra_fields.push_back({std::string(kImu), std::string(bias.key), fields::value_text(*node)});
     }
     return true;
   }
@@ -262,7 +262,7 @@ class CalibrationReader {
     for (const text::Entry& entry : value.entries) {
       const bool read = std::ranges::find(kRequired, entry.key.value) != kRequired.end();
       if (!read && reader_.find(value, entry.key.value) == &entry.value)
-        rig.as_read.push_back({entry.key.value, fields::value_text(entry.value)});
+        rig.extra_fields.push_back({"", entry.key.value, fields::value_text(entry.value)});
     }
   }
 

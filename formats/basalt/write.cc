@@ -124,9 +124,8 @@ std::string numbers(std::span<const double> values) {
 /// A list that a Basalt file had, from what was read of it; zeros where it said nothing.
 std::vector<double> bias_of(const Rig& rig, const Bias& bias) {
   std::vector<double> values(bias.count, 0.0);
-  const std::string key = std::string(kImu) + " " + std::string(bias.key);
-  const auto extra = std::ranges::find(rig.as_read, key, &AsRead::key);
-  if (extra == rig.as_read.end()) return values;
+  const ExtraField* extra = rig.find_extra_field(kImu, bias.key);
+  if (extra == nullptr) return values;
   std::vector<double> read;
   constexpr std::string_view kDigits = "+-.0123456789eE";
   const std::string& text = extra->value;
@@ -138,9 +137,8 @@ std::vector<double> bias_of(const Rig& rig, const Bias& bias) {
   return read.size() == bias.count ? read : values;
 }
 
-bool is_carried(const AsRead& extra) {
-  return std::ranges::any_of(
-      kBiases, [&extra](const Bias& bias) { return extra.key == std::string(kImu) + " " + std::string(bias.key); });
+bool is_carried(const ExtraField& extra) {
+  return std::ranges::any_of(kBiases, [&extra](const Bias& bias) { return extra.owner == kImu && extra.key == bias.key; });
 }
 
 /// The IMU with what Basalt begins from in place of what is not known.
@@ -239,7 +237,7 @@ class Editor {
     if (is_radtan8(before)) from.push_back(no_limit);
     if (is_radtan8(after)) to.push_back(no_limit);
     const std::string limit = after.name + " " + std::string(kMaxRadius);
-    if (std::ranges::find(old_.as_read, limit, &AsRead::key) != old_.as_read.end()) {
+    if (old_.find_extra_field(after.name, kMaxRadius) != nullptr) {
       is_radtan8(after) ? losses.push_back({"stale-derived", limit, "it is kept, and the lens beside it is another one",
                                             "write where the new lens ends, or -1 for no limit"})
                         : losses.push_back({"not-carried", limit, after.name + "'s model has no such limit", ""});
@@ -345,20 +343,21 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
 
   Written written;
   std::optional<text::Document> document;
-  std::vector<AsRead> said;
+  std::vector<ExtraField> said;
   if (edits) {
     document = Editor(*base, *old, rig).run(written);
-    said = old->as_read;
+    said = old->extra_fields;
   } else {
     document = text::parse_document({"calibration.json", compose(rig, ImuPoses(rig), written)}, diagnostics);
-    std::ranges::copy_if(rig.as_read, std::back_inserter(said), is_carried);
+    std::ranges::copy_if(rig.extra_fields, std::back_inserter(said), is_carried);
   }
   if (!document) return std::nullopt;
   written.files.push_back({*std::move(document), {}, {"basalt"}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
-  add_beyond_base(rig.as_read, said, "a Basalt calibration has no place for it", written.losses);
+  add_beyond_base(rig.extra_fields, said, "a Basalt calibration has no place for it", written.losses);
   if (old && !edits)
-    add_not_carried(extras_beyond(extras_beyond(old->as_read, rig.as_read), said), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
+                    written.losses);
   list_time_losses(rig, written.losses);
   list_losses(rig, written.losses);
   written.headline = "a calibration for Basalt";

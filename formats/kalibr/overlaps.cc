@@ -51,20 +51,20 @@ std::optional<fields::Field> overlaps_among(const text::Document& base, const st
   return field;
 }
 
-std::optional<fields::Field> overlaps_read(std::span<const AsRead> extras, const std::string& name, const Rig& after) {
-  const auto extra = std::ranges::find(extras, name + " " + std::string(kOverlaps), &AsRead::key);
-  const std::optional<std::vector<int>> numbers = extra == extras.end() ? std::nullopt : numbers_of(extra->value);
+std::optional<fields::Field> overlaps_read(const Rig& read, const std::string& name, const Rig& after) {
+  const ExtraField* extra = read.find_extra_field(name, kOverlaps);
+  const std::optional<std::vector<int>> numbers = extra == nullptr ? std::nullopt : numbers_of(extra->value);
   if (!numbers) return std::nullopt;
   fields::Field field{std::string(kOverlaps), fields::Shape::kList, {}, 0, {}};
   for (const int number : *numbers) add_number(after, indexed("cam", static_cast<std::size_t>(number)), field);
   return field;
 }
 
-bool is_whole(const std::optional<fields::Field>& field, const AsRead& extra) {
+bool is_whole(const std::optional<fields::Field>& field, const ExtraField& extra) {
   const std::optional<std::vector<int>> numbers = numbers_of(extra.value);
   return field && numbers && field->tokens.size() == numbers->size();
 }
 
-bool is_overlaps(const AsRead& extra) { return extra.key.ends_with(" " + std::string(kOverlaps)); }
+bool is_overlaps(const ExtraField& extra) { return !extra.owner.empty() && extra.key == kOverlaps; }
 
 }  // namespace fca::kalibr

@@ -19,15 +19,14 @@ inline constexpr std::string_view kOverlaps = "cam_overlaps";
 [[nodiscard]] std::optional<fields::Field> overlaps_among(const text::Document& base, const std::string& name,
                                                           const Rig& after);
 
-/// The same of a camera that no base has, from what was read of it (Rig::as_read): "[1]" speaks of cam1, by that
+/// The same of a camera that no base has, from what was read of it (Rig::extra_fields): "[1]" speaks of cam1, by that
 /// name in `after`.
-[[nodiscard]] std::optional<fields::Field> overlaps_read(std::span<const AsRead> extras, const std::string& name,
-                                                         const Rig& after);
+[[nodiscard]] std::optional<fields::Field> overlaps_read(const Rig& read, const std::string& name, const Rig& after);
 
 /// Does `field`, made of it, speak of every camera that `extra` speaks of?
-[[nodiscard]] bool is_whole(const std::optional<fields::Field>& field, const AsRead& extra);
+[[nodiscard]] bool is_whole(const std::optional<fields::Field>& field, const ExtraField& extra);
 
-/// Is that, of Rig::as_read, a camera's cam_overlaps?
-[[nodiscard]] bool is_overlaps(const AsRead& extra);
+/// Is that, of Rig::extra_fields, a camera's cam_overlaps?
+[[nodiscard]] bool is_overlaps(const ExtraField& extra);
 
 }  // namespace fca::kalibr

@@ -42,7 +42,7 @@ class ChainReader {
         read_imu(entry.value, entry.key.value, rig);
       } else if (!read_named_pose(entry, rig) && !bare_imu) {
         warn_of_misnamed_camera(entry);
-        rig.as_read.push_back({entry.key.value, fields::value_text(entry.value)});
+        rig.extra_fields.push_back({"", entry.key.value, fields::value_text(entry.value)});
       }
     }
     reader_.warn_of_misspelt();
@@ -85,7 +85,7 @@ class ChainReader {
   void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
     for (const text::Entry& entry : node.entries) {
       if (std::ranges::find(known, entry.key.value) != known.end()) continue;
-      rig.as_read.push_back({owner + " " + entry.key.value, fields::value_text(entry.value)});
+      rig.extra_fields.push_back({owner, entry.key.value, fields::value_text(entry.value)});
     }
   }
 

@@ -42,7 +42,7 @@ std::vector<std::optional<fields::Field>> overlaps_of(const text::Document* base
     if (old && old->find_camera(camera.name) != nullptr) {
       result.push_back(overlaps_among(*base, camera.name, rig));
     } else {
-      result.push_back(counts_as_rig(base, options) ? overlaps_read(rig.as_read, camera.name, rig) : std::nullopt);
+      result.push_back(counts_as_rig(base, options) ? overlaps_read(rig, camera.name, rig) : std::nullopt);
     }
   }
   return result;
@@ -50,12 +50,12 @@ std::vector<std::optional<fields::Field>> overlaps_of(const text::Document* base
 
 /// What the chain says of cam_overlaps of cameras that the base does not have, as it was read.
 void add_joined(const Rig& rig, const std::optional<Rig>& old, std::span<const std::optional<fields::Field>> overlaps,
-                std::vector<AsRead>& said) {
+                std::vector<ExtraField>& said) {
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const std::string& name = rig.cameras[i].name;
     if (old && old->find_camera(name) != nullptr) continue;
-    const auto extra = std::ranges::find(rig.as_read, name + " " + std::string(kOverlaps), &AsRead::key);
-    if (extra != rig.as_read.end() && is_whole(overlaps[i], *extra)) said.push_back(*extra);
+    const ExtraField* extra = rig.find_extra_field(name, kOverlaps);
+    if (extra != nullptr && is_whole(overlaps[i], *extra)) said.push_back(*extra);
   }
 }
 
@@ -122,10 +122,10 @@ void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
 }
 
 /// What a chain that was composed in the base's place says of it unchanged but for the order of its cameras: cam_overlaps.
-std::vector<AsRead> taken_over(const text::Document& base, const Rig& old, const Rig& rig_as_named) {
-  std::vector<AsRead> result;
-  for (const AsRead& extra : old.as_read) {
-    const std::string name = extra.key.substr(0, extra.key.find(' '));
+std::vector<ExtraField> taken_over(const text::Document& base, const Rig& old, const Rig& rig_as_named) {
+  std::vector<ExtraField> result;
+  for (const ExtraField& extra : old.extra_fields) {
+    const std::string& name = extra.owner;
     if (!is_overlaps(extra) || rig_as_named.find_camera(name) == nullptr) continue;
     const std::optional<fields::Field> before = overlaps_among(base, name, old);
     const std::optional<fields::Field> now = overlaps_among(base, name, rig_as_named);
@@ -138,18 +138,18 @@ constexpr std::string_view kAnew = "the file is composed anew, of what every cam
 
 /// What the input says beside its rig, and the chain, which says `there`, does not. `of_rig`: are the numbers of this
 /// cam_overlaps those of the rig's cameras?
-void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there,
-                 const std::function<bool(const AsRead&)>& of_rig, std::vector<Loss>& losses) {
-  const auto list = [&](std::string_view why, const std::function<bool(const AsRead&)>& those) {
-    std::vector<AsRead> some;
+void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField> there,
+                 const std::function<bool(const ExtraField&)>& of_rig, std::vector<Loss>& losses) {
+  const auto list = [&](std::string_view why, const std::function<bool(const ExtraField&)>& those) {
+    std::vector<ExtraField> some;
     std::ranges::copy_if(extras, std::back_inserter(some), those);
     add_beyond_base(some, there, why, losses);
   };
   list("the camchain written has no place for it", std::not_fn(is_overlaps));
   list("a camera of which it speaks is not in the chain written",
-       [&of_rig](const AsRead& extra) { return is_overlaps(extra) && of_rig(extra); });
+       [&of_rig](const ExtraField& extra) { return is_overlaps(extra) && of_rig(extra); });
   list("it counts the cameras of the file it stands in",
-       [&of_rig](const AsRead& extra) { return is_overlaps(extra) && !of_rig(extra); });
+       [&of_rig](const ExtraField& extra) { return is_overlaps(extra) && !of_rig(extra); });
 }
 
 /// What a camchain has no key for.
@@ -202,7 +202,7 @@ std::optional<Written> write_imu_files(const text::Document* base, const Rig* ol
   }
   if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
   list_extras(
-      rig.as_read, {}, [](const AsRead&) { return false; }, written.losses);
+      rig.extra_fields, {}, [](const ExtraField&) { return false; }, written.losses);
   return written;
 }
 
@@ -234,18 +234,17 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const bool there = edited != nullptr && std::ranges::find(edited->imus, imu) != edited->imus.end();
     if (!there) add_imu_file(imu, written, diagnostics);
   }
-  std::vector<AsRead> kept;
-  if (old) kept = editor ? old->as_read : taken_over(*base, *old, rig_as_named);
+  std::vector<ExtraField> kept;
+  if (old) kept = editor ? old->extra_fields : taken_over(*base, *old, rig_as_named);
   add_joined(rig_as_named, old, overlaps, kept);
-  const auto of_rig = [&](const AsRead& extra) {
-    const std::string owner = extra.key.substr(0, extra.key.find(' '));
-    return counts_as_rig(base, options) || (old && old->find_camera(owner) != nullptr);
+  const auto of_rig = [&](const ExtraField& extra) {
+    return counts_as_rig(base, options) || (old && old->find_camera(extra.owner) != nullptr);
   };
   // A key of Kalibr's own, which the file to be edited had room for.
-  std::vector<AsRead> extras(rig.as_read.begin(), rig.as_read.end());
+  std::vector<ExtraField> extras(rig.extra_fields.begin(), rig.extra_fields.end());
   if (old && !editor) {
-    const auto of_base = std::stable_partition(extras.begin(), extras.end(), [&](const AsRead& extra) {
-      return is_overlaps(extra) || std::ranges::find(old->as_read, extra) == old->as_read.end();
+    const auto of_base = std::stable_partition(extras.begin(), extras.end(), [&](const ExtraField& extra) {
+      return is_overlaps(extra) || std::ranges::find(old->extra_fields, extra) == old->extra_fields.end();
     });
     add_not_carried({of_base, extras.end()}, std::string(kAnew), written.losses);
     extras.erase(of_base, extras.end());
@@ -253,11 +252,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   list_extras(extras, kept, of_rig, written.losses);
   if (old && !editor) {
     add_composed_anew(*base, written.files.front().document, "", written.losses);
-    std::vector<AsRead> gone = extras_beyond(extras_beyond(old->as_read, rig.as_read), kept);
+    std::vector<ExtraField> gone = extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), kept);
     // Of a camera that nobody asked for nothing is missed.
-    std::erase_if(gone, [&old, &rig_as_named](const AsRead& extra) {
-      const std::string owner = extra.key.substr(0, extra.key.find(' '));
-      return old->find_camera(owner) != nullptr && rig_as_named.find_camera(owner) == nullptr;
+    std::erase_if(gone, [&old, &rig_as_named](const ExtraField& extra) {
+      return old->find_camera(extra.owner) != nullptr && rig_as_named.find_camera(extra.owner) == nullptr;
     });
     const auto overlaps_gone = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
     list_extras({overlaps_gone, gone.end()}, {}, of_rig, written.losses);

@@ -18,7 +18,7 @@ namespace fca::ocamcalib {
 
 extern const Format kFormat;
 
-/// What read() calls the file's own inverse polynomial among AsRead, behind the camera's name.
+/// What read() calls the file's own inverse polynomial among a camera's extra fields.
 inline constexpr std::string_view kInverse = "inverse polynomial";
 
 [[nodiscard]] std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options,

@@ -54,9 +54,9 @@ class ResultsReader {
     }
     const double error = inverse_error(camera, *inverse);
     if (!swapped) warn_if_stale(*blocks, error);  // else the lens is not where the centre says
-    rig.as_read.push_back({"cam0 " + std::string(kInverse),
-                           std::to_string(inverse->size()) + " coefficients, up to " + text::format_short(error, 3) +
-                               " px from the exact inverse of the direct polynomial: " + listed(*inverse)});
+    rig.extra_fields.push_back({"cam0", std::string(kInverse),
+                                std::to_string(inverse->size()) + " coefficients, up to " + text::format_short(error, 3) +
+                                    " px from the exact inverse of the direct polynomial: " + listed(*inverse)});
     rig.cameras.push_back(std::move(camera));
     return rig;
   }

@@ -165,10 +165,10 @@ text::Document edited(const text::Document& base, const Camera& old, const Camer
 /// An inverse polynomial that was read is no loss where one was fitted to the same lens again. One that differs from that of
 /// the file written into is: with the same direct polynomial, the file keeps its own.
 void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written) {
-  std::vector<AsRead> extras = rig.as_read;
+  std::vector<ExtraField> extras = rig.extra_fields;
   if (!old || old->cameras.front().model != rig.cameras.front().model)
-    std::erase_if(extras, [](const AsRead& extra) { return extra.key.ends_with(kInverse); });
-  add_beyond_base(extras, old ? old->as_read : std::vector<AsRead>(), "a calib_results.txt has no place for it",
+    std::erase_if(extras, [](const ExtraField& extra) { return extra.key == kInverse; });
+  add_beyond_base(extras, old ? old->extra_fields : std::vector<ExtraField>(), "a calib_results.txt has no place for it",
                   written.losses);
 }
 

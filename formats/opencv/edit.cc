@@ -332,10 +332,10 @@ std::optional<Base> read_base(const text::Document& document, const Rig& rig) {
   return Base{document, *layout, *std::move(old), ambiguous};
 }
 
-std::vector<AsRead> extras_of(const text::Document& document) {
+std::vector<ExtraField> extras_of(const text::Document& document) {
   bool ambiguous = false;
   const std::optional<Rig> rig = read_anyhow(document, false, ambiguous);
-  return rig ? rig->as_read : std::vector<AsRead>();
+  return rig ? rig->extra_fields : std::vector<ExtraField>();
 }
 
 std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {

@@ -23,7 +23,7 @@ struct Base {
 [[nodiscard]] std::optional<Base> read_base(const text::Document& document, const Rig& rig);
 
 /// What a file says beside cameras and poses.
-[[nodiscard]] std::vector<AsRead> extras_of(const text::Document& document);
+[[nodiscard]] std::vector<ExtraField> extras_of(const text::Document& document);
 
 struct Edited {
   text::Document document;

@@ -260,12 +260,12 @@ class CalibrationReader {
     const auto keep = [this, &rig](const Node& mapping, const std::vector<std::string>& known, const std::string& owner) {
       for (const text::Entry& entry : mapping.entries) {
         if (std::ranges::find(known, entry.key.value) == known.end())
-          rig.as_read.push_back({owner + entry.key.value, value_text(entry.value)});
+          rig.extra_fields.push_back({owner, entry.key.value, value_text(entry.value)});
       }
     };
     keep(document_.root(), keys_of(layout_, ""), "");
     for (const CameraKeys& keys : layout_.cameras) {
-      if (!keys.map.empty()) keep(mapping_of(document_, keys), keys_of(layout_, keys.map), keys.map + " ");
+      if (!keys.map.empty()) keep(mapping_of(document_, keys), keys_of(layout_, keys.map), keys.map);
     }
   }
 
@@ -300,7 +300,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     if (found.has_errors()) return std::nullopt;
     rig.cameras.insert(rig.cameras.end(), part.cameras.begin(), part.cameras.end());
     rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
-    rig.as_read.insert(rig.as_read.end(), part.as_read.begin(), part.as_read.end());
+    rig.extra_fields.insert(rig.extra_fields.end(), part.extra_fields.begin(), part.extra_fields.end());
   }
   return rig;
 }

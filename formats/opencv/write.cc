@@ -32,11 +32,12 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
 constexpr std::string_view kHolds = "only cameras, image sizes and poses are written into an OpenCV file";
 
 /// What was read elsewhere and stays there. A file that is edited keeps what it says itself.
-void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, std::vector<Loss>& losses) {
-  std::vector<AsRead> contradicting;
-  std::vector<AsRead> unknown;
-  for (const AsRead& extra : extras_beyond(extras, there)) {
-    const bool known = std::ranges::find(there, extra.key, &AsRead::key) != there.end();
+void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::vector<Loss>& losses) {
+  std::vector<ExtraField> contradicting;
+  std::vector<ExtraField> unknown;
+  for (const ExtraField& extra : extras_beyond(extras, there)) {
+    const bool known = std::ranges::any_of(
+        there, [&extra](const ExtraField& own) { return own.owner == extra.owner && own.key == extra.key; });
     (known ? contradicting : unknown).push_back(extra);
   }
   add_not_carried(contradicting, std::string(kHolds) + "; the one written into keeps its own", losses);
@@ -128,7 +129,7 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
   stale.add(base.root(), keys_of(*layout, ""), {false, moved}, "");
   stale.tell(base, written.losses, diagnostics);
   list_losses_beside_pose(rig, {second, first, {}}, written.losses);
-  list_extras(rig.as_read, old->as_read, written.losses);
+  list_extras(rig.extra_fields, old->extra_fields, written.losses);
   list_losses(rig, written.losses);
   return written;
 }
@@ -215,7 +216,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.first_is_left = why_first_is_left(name_of_layout(edited->layout), rig);
     if (edited->ambiguous) tell_ambiguous(rig, written, diagnostics);
     edited->stale.tell(*base, written.losses, diagnostics);
-    list_extras(rig.as_read, edited->old.as_read, written.losses);
+    list_extras(rig.extra_fields, edited->old.extra_fields, written.losses);
     list_lost_sizes(rig, edited->layout, written.losses);
   } else {
     const std::optional<std::string> layout = choose_layout(base, rig, options, diagnostics);
@@ -225,10 +226,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
     written.headline = headline(*layout, rig);
     written.first_is_left = why_first_is_left(*layout, rig);
-    list_extras(rig.as_read, {}, written.losses);
+    list_extras(rig.extra_fields, {}, written.losses);
     if (base != nullptr) {
       add_composed_anew(*base, written.files.front().document, why, written.losses);
-      add_not_carried(extras_beyond(extras_of(*base), rig.as_read), "the file is composed anew", written.losses);
+      add_not_carried(extras_beyond(extras_of(*base), rig.extra_fields), "the file is composed anew", written.losses);
     }
   }
   list_losses(rig, written.losses);

@@ -100,27 +100,21 @@ Transform pose_of(const Rig& rig, const Camera& camera, std::vector<DefaultedVal
 }
 
 /// A fresh chain.
-std::optional<text::Document> compose(const Rig& rig, std::vector<AsRead>& said, std::vector<DefaultedValue>& defaults,
+std::optional<text::Document> compose(const Rig& rig, std::vector<ExtraField>& said, std::vector<DefaultedValue>& defaults,
                                       Diagnostics& diagnostics) {
   ComposedYaml chain(std::string(kHeader) + "\n");
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const Camera& camera = rig.cameras[i];
     std::vector<Field> fields = {fields::rows("T_imu_cam", pose_of(rig, camera, defaults))};
-    const auto extra = std::ranges::find(rig.as_read, camera.name + " " + std::string(kalibr::kOverlaps), &AsRead::key);
-    const std::optional<Field> overlaps = kalibr::overlaps_read(rig.as_read, camera.name, rig);
+    const ExtraField* extra = rig.find_extra_field(camera.name, kalibr::kOverlaps);
+    const std::optional<Field> overlaps = kalibr::overlaps_read(rig, camera.name, rig);
     if (overlaps) fields.push_back(*overlaps);
-    if (extra != rig.as_read.end() && kalibr::is_whole(overlaps, *extra)) said.push_back(*extra);
+    if (extra != nullptr && kalibr::is_whole(overlaps, *extra)) said.push_back(*extra);
     std::ranges::move(kalibr::lens_fields(camera), std::back_inserter(fields));
     chain.add_comments("\n");
     chain.add_mapping(kalibr::indexed("cam", i), fields, 2);
   }
   return std::move(chain).document("kalibr_imucam_chain.yaml", diagnostics);
-}
-
-/// What an OpenVINS chain was read to say under a key of imu0; nothing if it said nothing.
-const AsRead* read_of(const Rig& rig, const Imu& imu, std::string_view key) {
-  const auto found = std::ranges::find(rig.as_read, imu.name + " " + std::string(key), &AsRead::key);
-  return found == rig.as_read.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> missing_in(const Imu& imu) {
@@ -133,7 +127,7 @@ std::vector<std::string> missing_in(const Imu& imu) {
 }
 
 /// kalibr_imu_chain.yaml, if the noise is complete.
-void add_imu_file(const Rig& rig, std::vector<AsRead>& said, Written& written, Diagnostics& diagnostics) {
+void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& written, Diagnostics& diagnostics) {
   Imu imu = rig.imus.front();
   if (const std::vector<std::string> missing = missing_in(imu); !missing.empty()) {
     written.losses.push_back(
@@ -148,12 +142,12 @@ void add_imu_file(const Rig& rig, std::vector<AsRead>& said, Written& written, D
   for (const Field& field : kalibr::imu_fields(imu)) bytes += fields::spell(field, 2) + "\n";
   std::vector<std::string> made_up;
   for (const std::string_view key : kOfTheImu) {
-    const AsRead* read = read_of(rig, imu, key);
+    const ExtraField* read = rig.find_extra_field(imu.name, key);
     bytes += "  " + std::string(key) + ": " + (read != nullptr ? read->value : key == "model" ? "\"kalibr\"" : "0.0") + "\n";
     if (read != nullptr) said.push_back(*read);
   }
   for (const Intrinsic& intrinsic : kIntrinsics) {
-    const AsRead* read = read_of(rig, imu, intrinsic.key);
+    const ExtraField* read = rig.find_extra_field(imu.name, intrinsic.key);
     const std::string one = intrinsic.identity ? "1.0" : "0.0";
     const std::string fresh = "[[" + one + ", 0.0, 0.0], [0.0, " + one + ", 0.0], [0.0, 0.0, " + one + "]]";
     bytes += "  " + std::string(intrinsic.key) + ": " + (read != nullptr ? read->value : fresh) + "\n";
@@ -199,7 +193,7 @@ std::optional<Written> edited(const text::Document& base, const Rig& old, const 
   written->files.resize(1);
   written->files.front().programs = {rig.cameras.empty() ? "openvins-imu" : "openvins"};
   if (!same_imus) {
-    std::vector<AsRead> ignored;
+    std::vector<ExtraField> ignored;
     add_imu_file(rig, ignored, *written, diagnostics);
   }
   return written;
@@ -253,7 +247,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!rig.cameras.empty() && !writable_alone(kFormat, rig, "OpenVINS demands a resolution", diagnostics)) return std::nullopt;
 
   Written written;
-  std::vector<AsRead> said;
+  std::vector<ExtraField> said;
   if (!rig.cameras.empty()) {
     std::optional<text::Document> document = compose(rig, said, written.defaults, diagnostics);
     if (!document) return std::nullopt;
@@ -266,10 +260,11 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                       "OpenVINS demands what the input does not state: " + text::enumerated(missing_in(rig.imus.front())));
     return std::nullopt;
   }
-  add_beyond_base(rig.as_read, said, "OpenVINS' chains have no place for it", written.losses);
+  add_beyond_base(rig.extra_fields, said, "OpenVINS' chains have no place for it", written.losses);
   if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
   if (old)
-    add_not_carried(extras_beyond(extras_beyond(old->as_read, rig.as_read), said), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
+                    written.losses);
   if (!rig.cameras.empty()) list_losses(rig, written.losses);
   written.headline = rig.cameras.empty() ? "an IMU's chain for OpenVINS" : "a chain for OpenVINS";
   return written;

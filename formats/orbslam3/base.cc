@@ -133,8 +133,8 @@ std::vector<fields::Field> fields_of(const Base& base, const Rig& rig, std::span
 }
 
 void list_left_keys(const Base& base, std::span<const fields::Field> after, const Target& target, std::vector<Loss>& losses) {
-  std::vector<AsRead> left;
-  for (const AsRead& extra : base.rig.as_read) {
+  std::vector<ExtraField> left;
+  for (const ExtraField& extra : base.rig.extra_fields) {
     if (is_of_a_mode(extra.key) && std::ranges::find(after, extra.key, &fields::Field::key) == after.end())
       left.push_back(extra);
   }

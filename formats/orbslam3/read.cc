@@ -67,7 +67,7 @@ class SettingsReader {
   /// What the file says and a Rig has no place for.
   void keep_unread(Rig& rig) const {
     for (const text::Entry& entry : document_.root().entries) {
-      if (!read_.contains(entry.key.value)) rig.as_read.push_back({entry.key.value, fields::value_text(entry.value)});
+      if (!read_.contains(entry.key.value)) rig.extra_fields.push_back({"", entry.key.value, fields::value_text(entry.value)});
     }
   }
 
@@ -135,7 +135,7 @@ class SettingsReader {
         good = false;
       }
       if (node != nullptr && !slot.parameter && text::parse_real(node->value) != 0.0)
-        rig.as_read.push_back({key, fields::value_text(*node)});
+        rig.extra_fields.push_back({"", key, fields::value_text(*node)});
       if (node == nullptr || !slot.parameter) continue;
       good = reader_.parameter(*node, key, *slot.parameter, camera.model) && good;
     }

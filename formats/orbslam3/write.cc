@@ -107,10 +107,10 @@ void list_mode_losses(const Rig& rig, const Target& target, const Base* edited, 
 }
 
 /// What was read and the fields of a fresh file do not say.
-void list_extras(std::span<const AsRead> extras, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
-  std::vector<AsRead> lost;
-  std::ranges::copy_if(extras, std::back_inserter(lost), [&fields](const AsRead& extra) {
-    const TuningKey* key = find_tuning_key(extra.key);
+void list_extras(std::span<const ExtraField> extras, const std::vector<fields::Field>& fields, std::vector<Loss>& losses) {
+  std::vector<ExtraField> lost;
+  std::ranges::copy_if(extras, std::back_inserter(lost), [&fields](const ExtraField& extra) {
+    const TuningKey* key = extra.owner.empty() ? find_tuning_key(extra.key) : nullptr;
     return key == nullptr || std::ranges::none_of(fields, [key](const fields::Field& field) {
              return field.key == key->key || field.key == key->old_key;
            });
@@ -309,7 +309,7 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
                   shaped_as(fields_of(*edited, rig, fields, options), edited->document), shaped_as(fields, edited->document));
     written.files.push_back({std::move(document), {}, {}});
     written.defaults = defaulted(new_fields(fields, *edited), *target, rig);
-    add_beyond_base(rig.as_read, edited->rig.as_read, "the settings have no place for it", written.losses);
+    add_beyond_base(rig.extra_fields, edited->rig.extra_fields, "the settings have no place for it", written.losses);
     if (!options.sensor.empty()) list_left_keys(*edited, fields, *target, written.losses);
     warn_of_other_baseline(*edited, fields, diagnostics);
   } else {
@@ -317,10 +317,10 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {}, {}});
     written.defaults = defaulted(fields, *target, rig);
-    list_extras(rig.as_read, fields, written.losses);
+    list_extras(rig.extra_fields, fields, written.losses);
     if (base) {
       add_composed_anew(base->document, written.files.front().document, "", written.losses);
-      list_extras(extras_beyond(base->rig.as_read, rig.as_read), fields, written.losses);
+      list_extras(extras_beyond(base->rig.extra_fields, rig.extra_fields), fields, written.losses);
     }
   }
   const std::string program(audience.program);

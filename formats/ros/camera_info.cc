@@ -158,7 +158,7 @@ class YamlFinder {
   void keep_unread(CameraInfo& info) {
     for (const text::Entry& entry : root_.entries) {
       if (std::ranges::find(kKeys, entry.key.value) == kKeys.end())
-        info.extras.push_back({entry.key.value, fields::value_text(entry.value) + applied(entry.key.value)});
+        info.extras.push_back({"", entry.key.value, fields::value_text(entry.value) + applied(entry.key.value)});
     }
   }
 

@@ -32,8 +32,8 @@ struct CameraInfo {
   std::optional<Numbers> P;  ///< 12
   const text::Node* roi = nullptr;
   Reduction reduction;
-  std::optional<ImageSize> part;  ///< Of the roi, before binning.
-  std::vector<AsRead> extras;     ///< What it says beyond that; keys without an owner.
+  std::optional<ImageSize> part;   ///< Of the roi, before binning.
+  std::vector<ExtraField> extras;  ///< What it says beyond that; keys without an owner.
 };
 
 /// The keys of a YAML file; nothing, with errors, where what stands under them is not what ROS's parser reads.

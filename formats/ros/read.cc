@@ -34,7 +34,7 @@ class CameraReader {
     if (!good) return std::nullopt;
     if (info_.reduction.changes_pixels()) camera.model = with_pixels(camera.model, info_.reduction.map());
     if (!read_place(camera, rig)) return std::nullopt;
-    for (const AsRead& extra : info_.extras) rig.as_read.push_back({camera.name + " " + extra.key, extra.value});
+    for (const ExtraField& extra : info_.extras) rig.extra_fields.push_back({camera.name, extra.key, extra.value});
     warn_of_zeros(camera);
     rig.cameras.push_back(std::move(camera));
     return rig;
@@ -215,7 +215,7 @@ class CameraReader {
       const bool same = P[0] == own[0] && P[2] == own[2] && P[5] == own[5] && P[6] == own[6];
       if (!same) {
         const std::vector<double>& values = info_.P->values;
-        rig.as_read.push_back({camera.name + " " + std::string(kProjection), printed(values)});
+        rig.extra_fields.push_back({camera.name, std::string(kProjection), printed(values)});
       }
     }
     if (!info_.P || !check_projection(*info_.P) || !info_.R) return true;
@@ -316,7 +316,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     }
     rig.cameras.push_back(part->cameras.front());
     rig.poses.insert(rig.poses.end(), part->poses.begin(), part->poses.end());
-    rig.as_read.insert(rig.as_read.end(), part->as_read.begin(), part->as_read.end());
+    rig.extra_fields.insert(rig.extra_fields.end(), part->extra_fields.begin(), part->extra_fields.end());
   }
   return rig;
 }

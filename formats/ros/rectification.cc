@@ -113,14 +113,11 @@ Stated stated_of(const Rig& rig, const Camera& camera) {
     if (edge.a != camera.name || !is_rectified_frame(edge.b)) continue;
     if (const std::optional<Transform> T = inverse(edge.T_a_b)) stated.place = PoseEdge{edge.b, edge.a, *T};
   }
-  const auto find = [&](std::string_view key) {
-    return std::ranges::find(rig.as_read, camera.name + " " + std::string(key), &AsRead::key);
-  };
+  const auto find = [&](std::string_view key) { return rig.find_extra_field(camera.name, key); };
   // P is of the whole sensor; a camera of a part of it is not.
-  const bool reduced =
-      std::ranges::any_of(kReductionKeys, [&](std::string_view key) { return find(key) != rig.as_read.end(); });
-  const auto extra = find(kProjection);
-  if (extra != rig.as_read.end() && !reduced) stated.projection = parsed(extra->value);
+  const bool reduced = std::ranges::any_of(kReductionKeys, [&](std::string_view key) { return find(key) != nullptr; });
+  const ExtraField* extra = find(kProjection);
+  if (extra != nullptr && !reduced) stated.projection = parsed(extra->value);
   return stated;
 }
 

@@ -27,9 +27,9 @@ struct Rectification {
   std::optional<PoseEdge> restated;
 };
 
-/// R and P are those of the pair that the files state (`as_read` and poses in rectified frames), where these still agree with
-/// the poses of the rig; else of two cameras: both turned by half the rotation between them, and then so that their rows (of
-/// cameras above each other: their columns) lie along the baseline. Further cameras are rectified alone.
+/// R and P are those of the pair that the files state (`extra_fields` and poses in rectified frames), where these still agree
+/// with the poses of the rig; else of two cameras: both turned by half the rotation between them, and then so that their rows
+/// (of cameras above each other: their columns) lie along the baseline. Further cameras are rectified alone.
 [[nodiscard]] Rectification rectification_of(const Rig& rig);
 
 }  // namespace fca::ros

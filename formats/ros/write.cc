@@ -264,7 +264,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const bool edits = old && !options.anew && ini == base_ini;
   const Rectification rectification = rectification_of(rig);
   Written written;
-  std::vector<AsRead> said;
+  std::vector<ExtraField> said;
   std::optional<BaseFile> base_file;
   if (edits) base_file.emplace(*base, *old);
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
@@ -281,22 +281,23 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                                 "name the file .yaml, which holds every name"});
     }
     if (rectified.stated) {
-      const auto extra = std::ranges::find(rig.as_read, camera.name + " " + std::string(kProjection), &AsRead::key);
-      if (extra != rig.as_read.end()) said.push_back(*extra);
+      const ExtraField* extra = rig.find_extra_field(camera.name, kProjection);
+      if (extra != nullptr) said.push_back(*extra);
     }
     written.files.push_back({*std::move(document), {camera.name}, {"ros"}});
   }
   if (base_file && !base_file->cameras().empty()) {
     written.files.insert(written.files.begin(), {base_file->document(), base_file->cameras(), base_file->programs()});
-    said.insert(said.end(), old->as_read.begin(), old->as_read.end());
+    said.insert(said.end(), old->extra_fields.begin(), old->extra_fields.end());
   }
   list_restated(rectification, written);
   list_camera_losses(rig, "ROS", written.losses);
-  add_beyond_base(rig.as_read, said, "a camera_info has no place for it", written.losses);
+  add_beyond_base(rig.extra_fields, said, "a camera_info has no place for it", written.losses);
   if (old && !edits) {
     const std::string_view why = ini != base_ini ? "another syntax is written" : "";
     add_composed_anew(*base, written.files.front().document, why, written.losses);
-    add_not_carried(extras_beyond(extras_beyond(old->as_read, rig.as_read), said), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
+                    written.losses);
   }
   written.headline = headline(rig, rectification);
   return written;

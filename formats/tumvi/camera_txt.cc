@@ -242,7 +242,8 @@ class CameraTxtReader {
     }
     std::string words;
     for (const Node& word : mode.items) words += word.value + " ";
-    rig.as_read.push_back({"cam0 DSO's rectified image", words + output.items[0].value + " x " + output.items[1].value});
+    rig.extra_fields.push_back(
+        {"cam0", "DSO's rectified image", words + output.items[0].value + " x " + output.items[1].value});
   }
 
   fields::Reader reader_;

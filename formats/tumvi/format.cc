@@ -129,8 +129,8 @@ std::optional<Written> write_camera_txt(const text::Document* base, const std::o
     written.defaults.push_back({"size of DSO's images (line 4)", "the camera's", false});
   }
   list_camera_losses(rig, "DSO", written.losses);
-  const std::vector<AsRead> there = edits ? old->as_read : std::vector<AsRead>();
-  add_beyond_base(rig.as_read, there, "a camera.txt has no place for it", written.losses);
+  const std::vector<ExtraField> there = edits ? old->extra_fields : std::vector<ExtraField>();
+  add_beyond_base(rig.extra_fields, there, "a camera.txt has no place for it", written.losses);
   written.headline = written.files.size() == 1 ? "a camera.txt for DSO" : "a camera.txt for DSO per camera";
   return written;
 }
@@ -148,7 +148,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const std::optional<Rig> old = options.anew ? std::nullopt : there;
   const auto list_replaced = [&there](const Rig& said, Written& written) {
-    add_not_carried(extras_beyond(there->as_read, said.as_read), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(there->extra_fields, said.extra_fields), "the file is composed anew", written.losses);
   };
   if (wants_camera_txt(base, options)) {
     std::string why;

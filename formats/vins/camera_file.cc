@@ -296,9 +296,9 @@ class CameraReader {
     }
     std::string listed;
     for (const double value : inverse) listed += " " + text::format_real(value);
-    rig.as_read.push_back({camera.name + " " + std::string(ocamcalib::kInverse),
-                           std::to_string(inverse.size()) + " coefficients, up to " + text::format_short(error, 3) +
-                               " px from the exact inverse of the direct polynomial:" + listed});
+    rig.extra_fields.push_back({camera.name, std::string(ocamcalib::kInverse),
+                                std::to_string(inverse.size()) + " coefficients, up to " + text::format_short(error, 3) +
+                                    " px from the exact inverse of the direct polynomial:" + listed});
     return true;
   }
 
@@ -311,7 +311,7 @@ class CameraReader {
     for (const text::Entry& entry : document_.root().entries) {
       if (known.contains(entry.key.value)) continue;
       const bool tuning = configuration && !entry.key.value.starts_with("extrinsic");
-      rig.as_read.push_back({(tuning ? "vins." : "") + entry.key.value, fields::value_text(entry.value)});
+      rig.extra_fields.push_back({"", (tuning ? "vins." : "") + entry.key.value, fields::value_text(entry.value)});
     }
   }
 

@@ -41,7 +41,7 @@ class ConfigReader {
     read_cameras(camera_files, size, rig);
     for (const text::Entry& entry : config_.root().entries) {
       if (!read_.contains(entry.key.value))
-        rig.as_read.push_back({std::string(kTuning) + entry.key.value, fields::value_text(entry.value)});
+        rig.extra_fields.push_back({"", std::string(kTuning) + entry.key.value, fields::value_text(entry.value)});
     }
   }
 
@@ -110,9 +110,9 @@ class ConfigReader {
       read_camera_file(files[i], options_, one, reader_.diagnostics());
       if (one.cameras.empty()) continue;
       Camera camera = one.cameras.front();
-      for (AsRead extra : one.as_read) {
-        if (extra.key.starts_with(camera.name + " ")) extra.key.replace(0, camera.name.size(), numbered("cam", i));
-        rig.as_read.push_back(std::move(extra));
+      for (ExtraField extra : one.extra_fields) {
+        if (extra.owner == camera.name) extra.owner = numbered("cam", i);
+        rig.extra_fields.push_back(std::move(extra));
       }
       camera.name = numbered("cam", i);
       camera.time_offset_s = offset;

@@ -118,9 +118,9 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
 
 /// An inverse polynomial that was read is no loss: the same lens has one fitted to it again.
 void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written) {
-  std::vector<AsRead> extras = rig.as_read;
-  std::erase_if(extras, [](const AsRead& extra) { return extra.key.ends_with(ocamcalib::kInverse); });
-  add_beyond_base(extras, old ? old->as_read : std::vector<AsRead>(), kNoPlace, written.losses);
+  std::vector<ExtraField> extras = rig.extra_fields;
+  std::erase_if(extras, [](const ExtraField& extra) { return extra.key == ocamcalib::kInverse; });
+  add_beyond_base(extras, old ? old->extra_fields : std::vector<ExtraField>(), kNoPlace, written.losses);
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   list_losses(rig, written.losses);
   list_extras(rig, old, written);
   if (replaced && options.anew)
-    add_not_carried(extras_beyond(replaced->as_read, rig.as_read), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), "the file is composed anew", written.losses);
   written.pose_remedy = kIntoRemedy;
   written.headline = rig.cameras.size() == 1 ? "a camera file for VINS-Mono and VINS-Fusion"
                                              : "one camera file per camera for VINS-Mono and VINS-Fusion";

@@ -205,10 +205,10 @@ class CameraReader {
     return true;
   }
 
-  void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
+  void keep_unread(const Node& node, const std::string& parent, std::span<const std::string_view> known, Rig& rig) {
     for (const text::Entry& entry : node.entries) {
       if (std::ranges::find(known, entry.key.value) != known.end()) continue;
-      rig.as_read.push_back({owner + entry.key.value, fields::value_text(entry.value)});
+      rig.extra_fields.push_back({"", parent + entry.key.value, fields::value_text(entry.value)});
     }
   }
 

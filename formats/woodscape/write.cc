@@ -123,9 +123,9 @@ void list_stale_translation(const text::Document& base, const Rig& old, const st
 }
 
 /// What the input says beside its rig and the file, which says `there`, does not.
-void list_extras(std::span<const AsRead> extras, std::span<const AsRead> there, std::vector<Loss>& losses) {
-  std::vector<AsRead> others(extras.begin(), extras.end());
-  const auto halves = std::stable_partition(others.begin(), others.end(), [](const AsRead& extra) {
+void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::vector<Loss>& losses) {
+  std::vector<ExtraField> others(extras.begin(), extras.end());
+  const auto halves = std::stable_partition(others.begin(), others.end(), [](const ExtraField& extra) {
     return !extra.key.ends_with("extrinsic.quaternion") && !extra.key.ends_with("extrinsic.translation");
   });
   const auto count = static_cast<std::size_t>(halves - others.begin());
@@ -178,10 +178,11 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.push_back({*std::move(document), {camera.name}, std::move(programs)});
   }
   list_camera_losses(rig, "WoodScape", written.losses);
-  list_extras(rig.as_read, old ? std::span<const AsRead>(old->as_read) : std::span<const AsRead>(), written.losses);
+  list_extras(rig.extra_fields, old ? std::span<const ExtraField>(old->extra_fields) : std::span<const ExtraField>(),
+              written.losses);
   if (const std::optional<Rig> replaced =
           base != nullptr && options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt)
-    add_not_carried(extras_beyond(replaced->as_read, rig.as_read), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), "the file is composed anew", written.losses);
   const bool for_projection_py =
       std::ranges::none_of(written.files, [](const Written::File& file) { return file.programs.empty(); });
   written.headline = !for_projection_py        ? "a WoodScape JSON without the pose that projection.py wants"

@@ -7,9 +7,17 @@
 
 namespace fca {
 
+std::string with_owner(const ExtraField& field) { return field.owner.empty() ? field.key : field.owner + " " + field.key; }
+
 const Camera* Rig::find_camera(std::string_view name) const {
   const auto found = std::ranges::find(cameras, name, &Camera::name);
   return found == cameras.end() ? nullptr : &*found;
+}
+
+const ExtraField* Rig::find_extra_field(std::string_view owner, std::string_view key) const {
+  const auto found =
+      std::ranges::find_if(extra_fields, [&](const ExtraField& field) { return field.owner == owner && field.key == key; });
+  return found == extra_fields.end() ? nullptr : &*found;
 }
 
 const Transform* Rig::stated(std::string_view a, std::string_view b) const {

@@ -50,8 +50,8 @@ TEST(Basalt, AxesThatDifferAreKeptButNotAveraged) {
   ASSERT_EQ(rig.imus.size(), 1U);
   EXPECT_FALSE(rig.imus.front().accelerometer_noise_density);
   EXPECT_EQ(rig.imus.front().gyroscope_noise_density, 0.00016);
-  const auto kept = std::ranges::find(rig.as_read, "imu0 accel_noise_std", &AsRead::key);
-  ASSERT_NE(kept, rig.as_read.end());
+  const ExtraField* kept = rig.find_extra_field("imu0", "accel_noise_std");
+  ASSERT_NE(kept, nullptr);
   EXPECT_EQ(kept->value, "[0.0028, 0.0028, 0.003]");
 }
 
@@ -191,7 +191,7 @@ TEST(Basalt, FewerCamerasKeepTheImusBiases) {
   const Rig back = read_back(written);
   EXPECT_EQ(back.cameras, rig.cameras);
   EXPECT_EQ(back.imus, rig.imus);
-  EXPECT_EQ(back.as_read, calibration.rig.as_read);
+  EXPECT_EQ(back.extra_fields, calibration.rig.extra_fields);
   EXPECT_FALSE(loses(written, "not-carried"));
 }
 

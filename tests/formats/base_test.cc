@@ -187,10 +187,10 @@ std::string with_own_keys(const text::Document& document) {
 }
 
 /// Is the key said somewhere in the files, with that value? Settings say some under a group's name: "Stereo.ThDepth".
-bool still_says(std::span<const AsRead> files, const AsRead& extra) {
+bool still_says(std::span<const ExtraField> files, const ExtraField& extra) {
   const std::string last = extra.key.substr(extra.key.find('.') + 1);  // all of it, where there is no point
-  return std::ranges::any_of(files, [&](const AsRead& now) {
-    const bool same_key = now.key == extra.key || now.key.ends_with("." + last);
+  return std::ranges::any_of(files, [&](const ExtraField& now) {
+    const bool same_key = (now.owner == extra.owner && now.key == extra.key) || now.key.ends_with("." + last);
     const std::optional<double> was = text::parse_real(extra.value);
     return same_key && (now.value == extra.value || (was && text::parse_real(now.value) == was));
   });
@@ -228,20 +228,20 @@ TEST(Base, ABaseComposedAnewGoesWithNoKeyUnsaid) {
       const std::optional<Written> written = write_calibration(format, &*document, rig, anew, diagnostics);
       ASSERT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().back().message);
       ++bases;
-      std::vector<AsRead> said;
+      std::vector<ExtraField> said;
       for (const Written::File& file : written->files) {
         const std::optional<text::Document> now =
             text::parse_document({file.document.source().name, file.document.bytes()}, diagnostics);
         ASSERT_TRUE(now);
         const std::optional<Rig> back = format.read(std::span(&*now, 1), {}, diagnostics);
         ASSERT_TRUE(back);
-        said.insert(said.end(), back->as_read.begin(), back->as_read.end());
+        said.insert(said.end(), back->extra_fields.begin(), back->extra_fields.end());
       }
-      for (const AsRead& extra : base->as_read) {
+      for (const ExtraField& extra : base->extra_fields) {
         // What is said of a camera goes with the camera.
-        const std::string owner = extra.key.substr(0, extra.key.find(' '));
-        const bool of_gone = base->find_camera(owner) != nullptr && rig.find_camera(owner) == nullptr;
-        EXPECT_TRUE(of_gone || still_says(said, extra) || is_listed(*written, extra.key)) << extra.key << " " << extra.value;
+        const bool of_gone = base->find_camera(extra.owner) != nullptr && rig.find_camera(extra.owner) == nullptr;
+        EXPECT_TRUE(of_gone || still_says(said, extra) || is_listed(*written, with_owner(extra)))
+            << with_owner(extra) << " " << extra.value;
       }
     }
   }

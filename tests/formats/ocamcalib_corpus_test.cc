@@ -65,7 +65,7 @@ TEST(WordsCorpus, TheInverseWrittenIsWithinAMillionthOfAPixel) {
     const ReadCorpusFile outcome = read_corpus_file(file);
     ASSERT_TRUE(outcome.calibration);
     Rig rig = outcome.calibration->rig;
-    std::erase_if(rig.as_read, [](const AsRead& extra) { return extra.key.ends_with("inverse polynomial"); });
+    std::erase_if(rig.extra_fields, [](const ExtraField& extra) { return extra.key == "inverse polynomial"; });
     Diagnostics diagnostics;
     const std::optional<Written> written = outcome.calibration->format->write(nullptr, rig, {}, diagnostics);
     ASSERT_TRUE(written);

@@ -387,7 +387,7 @@ TEST(OpenCvEdit, AFileOfThePoseAloneKeepsTheRest) {
   Rig rig = sample_rig("kb4", {true, true});
   rig.poses[0].T_a_b = base.rig().poses.at(0).T_a_b;
   rig.poses[0].T_a_b(0, 3) = -0.25;
-  rig.as_read.push_back({"baseline_mm", "250."});
+  rig.extra_fields.push_back({"", "baseline_mm", "250."});
   for (const char* first : {"cam0", "left"}) {
     SCOPED_TRACE(first);
     Rig named = rig;

@@ -261,7 +261,7 @@ TEST(OpenCvRead, SizesInManySpellings) {
     const Read result = read(kHead + size + body);
     ASSERT_TRUE(result.calibration) << result.parsed.rendered();
     EXPECT_EQ(result.calibration->rig.cameras.at(0).image_size, (ImageSize{640, 480})) << size;
-    EXPECT_TRUE(result.calibration->rig.as_read.empty()) << size;
+    EXPECT_TRUE(result.calibration->rig.extra_fields.empty()) << size;
   }
   EXPECT_FALSE(read(kHead + body).calibration->rig.cameras.at(0).image_size);
   EXPECT_EQ(read(kHead + body, {ImageSize{320, 200}, ""}).calibration->rig.cameras.at(0).image_size, (ImageSize{320, 200}));
@@ -284,8 +284,9 @@ TEST(OpenCvRead, LongBaselinesAreProbablyMillimetres) {
 
 TEST(OpenCvRead, ExtraKeysAreKept) {
   const Calibration calibration = calibration_of(read_file(testdata_dir() / "opencv/good/k1d1.yml"));
-  EXPECT_EQ(calibration.rig.as_read, (std::vector<AsRead>{{"XR", "3 x 3 [0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0]"},
-                                                          {"XT", "3 x 1 [0.0, 0.0, 0.28]"}}));
+  EXPECT_EQ(calibration.rig.extra_fields,
+            (std::vector<ExtraField>{{"", "XR", "3 x 3 [0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0]"},
+                                     {"", "XT", "3 x 1 [0.0, 0.0, 0.28]"}}));
 }
 
 TEST(OpenCvRead, MapsKeepTheirReferenceFrame) {
@@ -302,7 +303,7 @@ TEST(OpenCvRead, MapsKeepTheirReferenceFrame) {
 // MC-Calib's camera_group says to which reference a pose is: part of the pose, and of no meaning without one.
 TEST(OpenCvRead, AGroupIsPartOfItsPose) {
   const std::string file = read_file(testdata_dir() / "opencv/good/cameras.yml");
-  for (const AsRead& extra : calibration_of(file, "cameras.yml").rig.as_read)
+  for (const ExtraField& extra : calibration_of(file, "cameras.yml").rig.extra_fields)
     EXPECT_EQ(extra.key.find("camera_group"), std::string::npos) << extra.key;
   std::string other = file;
   other.replace(other.rfind("camera_group: 0"), 15, "camera_group: 1");

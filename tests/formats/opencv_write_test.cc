@@ -126,7 +126,7 @@ RC_GTEST_PROP(OpenCvWrite, OneCameraReadsBackBitEqual, ()) {
   const Rig back = read_back(bytes_of(written), "x" + syntax);
   RC_ASSERT(back.cameras == rig.cameras);
   RC_ASSERT(back.poses.empty());
-  RC_ASSERT(back.as_read.empty());
+  RC_ASSERT(back.extra_fields.empty());
   expect_proof(bytes_of(written), rig);
 }
 
@@ -352,7 +352,7 @@ TEST(OpenCvWrite, LossesAreListed) {
   Rig rig = sample_rig("kb4", {true, true});
   rig.cameras[0].time_offset_s = 0.0021;
   rig.cameras[0].frame_rate_hz = 29.97;
-  rig.as_read.push_back({"cam0 line_delay", "0.00002"});
+  rig.extra_fields.push_back({"cam0", "line_delay", "0.00002"});
   std::set<std::string> codes;
   for (const Loss& loss : write(rig).losses) {
     codes.insert(loss.code);

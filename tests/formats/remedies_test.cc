@@ -16,7 +16,7 @@ Rig talkative_rig(const Format& format) {
     camera.frame_rate_hz = 29.97;
   }
   rig.imus.push_back({"imu1", 1e-3, {}, {}, {}, {}, {}});
-  rig.as_read.push_back({"cam0 line_delay", "1e-5"});
+  rig.extra_fields.push_back({"cam0", "line_delay", "1e-5"});
   rig.baseline_m = 0.1;
   return rig;
 }

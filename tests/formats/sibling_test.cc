@@ -35,7 +35,7 @@ Rig with_a_camera(Rig rig, const std::string& like, const std::string& name) {
   camera.name = name;
   for (double& value : parameter_values(camera.model)) value *= 1.0009765625;
   rig.cameras.push_back(camera);
-  rig.as_read.clear();  // of another camera, or another file
+  rig.extra_fields.clear();  // of another camera, or another file
   return rig;
 }
 

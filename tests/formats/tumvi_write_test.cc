@@ -148,7 +148,7 @@ TEST(CameraTxt, WhatTheFilesMean) {
     EXPECT_EQ(camera.image_size, meaning.size);
     const ProofResult proof = prove(*consumers::find_consumer("dso"), bytes, {}, calibration.rig);
     EXPECT_TRUE(proof.agrees()) << proof.max_diff_px;
-    ASSERT_EQ(calibration.rig.as_read.size(), 1U) << "what DSO makes of the images is no part of the camera";
+    ASSERT_EQ(calibration.rig.extra_fields.size(), 1U) << "what DSO makes of the images is no part of the camera";
   }
 }
 

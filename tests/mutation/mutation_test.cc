@@ -64,7 +64,7 @@ Change change(const Leaves& before, const Leaves& after) {
 
 /// All that is a fact of cameras and IMUs; what a Rig has no member for is kept as read and says itself.
 Rig facts_of(Rig rig) {
-  rig.as_read.clear();
+  rig.extra_fields.clear();
   return rig;
 }
 
@@ -76,7 +76,7 @@ class Mutated : public testing::TestWithParam<fs::path> {
     document_ = document_of(bytes_, name_);
     const Rig rig = calibration_of(bytes_, name_).rig;
     meant_ = facts_of(rig);
-    for (const AsRead& extra : rig.as_read) as_read_.insert(extra.key);
+    for (const ExtraField& extra : rig.extra_fields) extra_keys_.insert(with_owner(extra));
     leaves_ = leaves_of(document_);
   }
 
@@ -88,7 +88,7 @@ class Mutated : public testing::TestWithParam<fs::path> {
     const std::optional<Calibration> calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
     if (!calibration) return;
     ++read_;
-    const bool silent = parsed.diagnostics.entries().empty() && !names_more(calibration->rig.as_read);
+    const bool silent = parsed.diagnostics.entries().empty() && !names_more(calibration->rig.extra_fields);
     if (!silent || facts_of(calibration->rig) == meant_) return;
     EXPECT_TRUE(change(leaves_, leaves_of(*parsed.document)).explains_another_meaning())
         << mutation.what << ": the file says something else, and nobody is told\n"
@@ -98,15 +98,15 @@ class Mutated : public testing::TestWithParam<fs::path> {
   void TearDown() override { std::printf("  %d of %d mutations are read\n", read_, kMutations); }
 
   /// Is a key named that was none before? People see it: `show` lists it, `convert` says that it is lost.
-  [[nodiscard]] bool names_more(const std::vector<AsRead>& as_read) const {
-    return std::ranges::any_of(as_read, [this](const AsRead& extra) { return !as_read_.contains(extra.key); });
+  [[nodiscard]] bool names_more(const std::vector<ExtraField>& fields) const {
+    return std::ranges::any_of(fields, [this](const ExtraField& extra) { return !extra_keys_.contains(with_owner(extra)); });
   }
 
   std::string bytes_;
   std::string name_;
   text::Document document_;
   Rig meant_;
-  std::set<std::string> as_read_;
+  std::set<std::string> extra_keys_;
   Leaves leaves_;
   int read_ = 0;
 };

@@ -86,9 +86,9 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
       });
     });
     json.put("baseline_m", calibration.rig.baseline_m);
-    json.array("also_in_file", calibration.rig.as_read, [&](const AsRead& extra) {
+    json.array("also_in_file", calibration.rig.extra_fields, [&](const ExtraField& extra) {
       json.object([&] {
-        json.put("key", extra.key);
+        json.put("key", with_owner(extra));
         json.put("value", extra.value);
       });
     });

@@ -23,9 +23,9 @@ std::string degrees_or(const std::optional<double>& value) {
 std::string signed_in_words(double value) { return (value < 0.0 ? "- " : "+ ") + text::format_short(std::abs(value), 9); }
 
 /// Does what was read beside the representation speak of that camera?
-bool is_of(const AsRead& extra, const Camera& camera) { return extra.key.starts_with(camera.name + " "); }
+bool is_of(const ExtraField& extra, const Camera& camera) { return extra.owner == camera.name; }
 
-std::string camera_text(const Camera& camera, std::span<const AsRead> extras, double limit_deg) {
+std::string camera_text(const Camera& camera, std::span<const ExtraField> extras, double limit_deg) {
   const ModelInfo& model = model_info(camera.model);
   std::string text = "\n" + camera.name + ": " + std::string(model.title) + " (" + std::string(model.id) + ")\n";
   const std::vector<std::string> elsewhere = names_elsewhere(model.id);
@@ -49,9 +49,8 @@ std::string camera_text(const Camera& camera, std::span<const AsRead> extras, do
   if (camera.time_offset_s) text += "  time     t_imu = t_cam " + signed_in_words(*camera.time_offset_s) + " s\n";
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
   if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";
-  for (const AsRead& extra : extras) {
-    if (is_of(extra, camera))
-      text += "  " + extra.key.substr(camera.name.size() + 1) + ": " + text::shortened(extra.value) + "\n";
+  for (const ExtraField& extra : extras) {
+    if (is_of(extra, camera)) text += "  " + extra.key + ": " + text::shortened(extra.value) + "\n";
   }
   return text;
 }
@@ -104,9 +103,9 @@ std::string pose_text(const PoseEdge& edge, const Calibration& calibration) {
 /// What the file says and the representation has no place for, by name.
 std::string others_text(const Rig& rig) {
   std::vector<std::string> keys;
-  for (const AsRead& extra : rig.as_read) {
+  for (const ExtraField& extra : rig.extra_fields) {
     if (std::ranges::none_of(rig.cameras, [&extra](const Camera& camera) { return is_of(extra, camera); }))
-      keys.push_back(text::printable(extra.key));
+      keys.push_back(text::printable(with_owner(extra)));
   }
   return keys.empty() ? "" : "\nalso in the file\n" + wrapped(keys, "  ");
 }
@@ -143,7 +142,8 @@ std::string show_text(const ShownFile& shown) {
   const Calibration& calibration = *shown.calibration;
   std::string text = text::printable(shown.file) + ": " + std::string(calibration.format->title) +
                      parts_in_words(calibration.rig) + " (" + calibration.why + ")\n";
-  for (const Camera& camera : calibration.rig.cameras) text += camera_text(camera, calibration.rig.as_read, shown.limit_deg);
+  for (const Camera& camera : calibration.rig.cameras)
+    text += camera_text(camera, calibration.rig.extra_fields, shown.limit_deg);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";

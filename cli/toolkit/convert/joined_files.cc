@@ -39,20 +39,20 @@ std::vector<Part>::iterator part_with(std::vector<Part>& parts, const Camera& ca
 }
 
 /// What is read beside the camera, under its name in the joined rig.
-std::vector<AsRead> extras_of(const Part& part, const Camera& camera) {
-  std::vector<AsRead> extras = part.rig.as_read;
+std::vector<ExtraField> extras_of(const Part& part, const Camera& camera) {
+  std::vector<ExtraField> extras = part.rig.extra_fields;
   const std::string& own = part.rig.cameras.front().name;
-  for (AsRead& extra : extras) {
-    if (extra.key.starts_with(own + " ")) extra.key.replace(0, own.size(), camera.name);
+  for (ExtraField& extra : extras) {
+    if (extra.owner == own) extra.owner = camera.name;
   }
   return extras;
 }
 
 /// Takes a camera that its own file says, and what else that says, out of the rig.
 void take_out(const Part& part, const Camera& camera, Rig& rig) {
-  for (const AsRead& extra : extras_of(part, camera)) {
-    const auto found = std::ranges::find(rig.as_read, extra);
-    if (found != rig.as_read.end()) rig.as_read.erase(found);
+  for (const ExtraField& extra : extras_of(part, camera)) {
+    const auto found = std::ranges::find(rig.extra_fields, extra);
+    if (found != rig.extra_fields.end()) rig.extra_fields.erase(found);
   }
   std::erase_if(rig.poses, [&camera](const PoseEdge& edge) { return edge.a == camera.name || edge.b == camera.name; });
   std::erase_if(rig.cameras, [&camera](const Camera& other) { return other.name == camera.name; });
@@ -111,8 +111,8 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
     // What is no camera's (an IMU of --with) is told once.
     if (rest.cameras.empty()) {
       said.imus = std::exchange(rest.imus, {});
-      said.as_read.insert(said.as_read.end(), rest.as_read.begin(), rest.as_read.end());
-      rest.as_read.clear();
+      said.extra_fields.insert(said.extra_fields.end(), rest.extra_fields.begin(), rest.extra_fields.end());
+      rest.extra_fields.clear();
     }
     std::optional<Written> written = write_calibration(format, part.document, said, options, diagnostics);
     if (!written) return std::nullopt;

@@ -15,18 +15,17 @@ namespace fca {
 
 namespace {
 
-bool is_among(const AsRead& extra, std::span<const std::string_view> keys) {
-  return std::ranges::any_of(
-      keys, [&extra](std::string_view key) { return extra.key == key || extra.key.ends_with(" " + std::string(key)); });
+bool is_among(const ExtraField& extra, std::span<const std::string_view> keys) {
+  return std::ranges::find(keys, extra.key) != keys.end();
 }
 
 void list_stale(const Rig& rig, std::span<const std::string_view> of, const std::string& why, const std::string& remedy,
                 Written& written, Diagnostics& diagnostics) {
   std::vector<std::string> stale;
-  for (const AsRead& extra : rig.as_read) {
+  for (const ExtraField& extra : rig.extra_fields) {
     const bool lost =
-        std::ranges::any_of(written.losses, [&extra](const Loss& loss) { return loss.what.starts_with(extra.key); });
-    if (is_among(extra, of) && !lost) stale.push_back(extra.key);
+        std::ranges::any_of(written.losses, [&extra](const Loss& loss) { return loss.what.starts_with(with_owner(extra)); });
+    if (is_among(extra, of) && !lost) stale.push_back(with_owner(extra));
   }
   if (stale.empty()) return;
   const std::string keys = enumerated(stale, "and");
@@ -49,8 +48,9 @@ void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& f
   // What the writer knew to follow is no longer as the base had it.
   const std::optional<Rig> now = read_back(format, written.files.front());
   Rig kept = base;
-  std::erase_if(kept.as_read,
-                [&now](const AsRead& extra) { return now && std::ranges::find(now->as_read, extra) == now->as_read.end(); });
+  std::erase_if(kept.extra_fields, [&now](const ExtraField& extra) {
+    return now && std::ranges::find(now->extra_fields, extra) == now->extra_fields.end();
+  });
   list_stale(kept, format.of_the_lenses, "of the base's cameras, and kept unchanged",
              "compute it for the new cameras (cv::stereoRectify), or --anew leaves it out", written, diagnostics);
 }

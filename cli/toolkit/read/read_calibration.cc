@@ -87,7 +87,7 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     if (std::ranges::find(indices, i) != indices.end()) continue;
     const std::string& name = rig.cameras[i].name;
-    std::erase_if(rig.as_read, [&name](const AsRead& extra) { return extra.key.starts_with(name + " "); });
+    std::erase_if(rig.extra_fields, [&name](const ExtraField& extra) { return extra.owner == name; });
     leave_out(name, rig);
   }
   rig.cameras = std::move(cameras);

@@ -54,7 +54,7 @@ struct Format;
 /// What a format states and a Rig has no member for.
 struct OwnFact {
   std::string_view name;                        ///< For people: "IMU intrinsics".
-  std::span<const std::string_view> keys = {};  ///< That state it (AsRead, behind their owner's name); none: all others.
+  std::span<const std::string_view> keys = {};  ///< That state it (ExtraField::key); none: all others.
 };
 
 /// What a format's program demands and calibrations rarely state.
@@ -157,7 +157,7 @@ struct Format {
   std::string_view layouts_in_words = {};  ///< For people: "v1 (stock V1.0), old (before V1.0), ...".
   bool leaves_model_open = false;          ///< Some of its files do not show which of two models they hold (ReadOptions).
   std::span<const Demand> demands = {};
-  /// Keys of own facts (AsRead, behind their owner's name) that count pixels or rows of the images, and are stale for others.
+  /// Keys of own facts (ExtraField::key) that count pixels or rows of the images, and are stale for others.
   std::span<const std::string_view> of_the_images = {};
   /// Keys of own facts that were computed from the cameras and their poses, and are stale beside others.
   std::span<const std::string_view> of_the_lenses = {};

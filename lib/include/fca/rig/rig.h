@@ -6,6 +6,7 @@
 #include <fca/rig/lens_circle.h>
 #include <fca/rig/transform.h>
 
+#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,11 +50,15 @@ struct Imu {
 };
 
 /// Something a file states that Rig has no member for (rolling shutter, a program's tuning).
-struct AsRead {
-  std::string key;    ///< With its owner: "cam0 line_delay", "Viewer.PointSize".
+struct ExtraField {
+  std::string owner;  ///< The camera, IMU or mapping of the file that it is said of; empty: the file as a whole.
+  std::string key;    ///< As the file spells it: "line_delay", "Viewer.PointSize".
   std::string value;  ///< A scalar as spelled; of lists and matrices what they say ("[1.0, 2.0]").
-  bool operator==(const AsRead&) const = default;
+  auto operator<=>(const ExtraField&) const = default;
 };
+
+/// What people are told: the key behind its owner's name, "cam0 line_delay".
+[[nodiscard]] std::string with_owner(const ExtraField& field);
 
 /// Cameras, IMUs and how they sit to each other. May hold no camera (imu.yaml).
 struct Rig {
@@ -62,11 +67,13 @@ struct Rig {
   /// Poses as edges of a graph, as read. A file that says both T_cam_imu and T_cn_cnm1 keeps both.
   std::vector<PoseEdge> poses;
   /// A format that has no place for these lists them as lost.
-  std::vector<AsRead> as_read;
+  std::vector<ExtraField> extra_fields;
   /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
   std::optional<double> baseline_m;
 
   [[nodiscard]] const Camera* find_camera(std::string_view name) const;
+  /// The first field of that owner ("": none) with that key; null if there is none.
+  [[nodiscard]] const ExtraField* find_extra_field(std::string_view owner, std::string_view key) const;
 
   /// The edge a-b exactly as a file stated it, in that direction; null if there is none.
   [[nodiscard]] const Transform* stated(std::string_view a, std::string_view b) const;
