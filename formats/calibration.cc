@@ -117,6 +117,7 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
     }
   }
   rig.poses.insert(rig.poses.end(), part.poses.begin(), part.poses.end());
+  for (const Frame& frame : part.frames) rig.add_frame(frame.name, frame.kind);
   rig.extra_fields.insert(rig.extra_fields.end(), part.extra_fields.begin(), part.extra_fields.end());
   if (!rig.baseline_m) rig.baseline_m = part.baseline_m;
   return good;
@@ -204,7 +205,8 @@ std::span<const text::Document> with_parts(const Format& format, std::span<const
 void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
   std::map<std::string, std::vector<std::string>> at_origin;
   for (const PoseEdge& edge : rig.poses) {
-    const bool own_frame = rig.find_camera(edge.a) == nullptr && !edge.a.starts_with("imu");
+    const FrameKind kind = rig.kind_of(edge.a);
+    const bool own_frame = kind != FrameKind::kCamera && kind != FrameKind::kImu;
     if (own_frame && edge.T_a_b == Transform{}) at_origin[edge.a].push_back(edge.b);
   }
   for (const auto& [frame, cameras] : at_origin) {

@@ -51,8 +51,8 @@ bool same_pose(const std::optional<Transform>& a, const std::optional<Transform>
 }
 
 bool is_device(const Rig& rig, const std::string& frame) {
-  return rig.find_camera(frame) != nullptr || std::ranges::find(rig.imus, frame, &Imu::name) != rig.imus.end() ||
-         frame.starts_with("imu");
+  const FrameKind kind = rig.kind_of(frame);
+  return kind == FrameKind::kCamera || kind == FrameKind::kImu;
 }
 
 /// The pose as it follows from the others.

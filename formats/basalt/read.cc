@@ -173,6 +173,7 @@ class CalibrationReader {
                                                        {*reader_.find(node, "qx"), what}, {*first_too_long(node), what});
     if (!T) return false;
     rig.poses.push_back({std::string(kImu), name, *T});
+    rig.add_frame(kImu, FrameKind::kImu);
     return true;
   }
 

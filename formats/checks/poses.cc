@@ -122,7 +122,7 @@ int longest_row(const Transform& T) {
 bool too_far(const Subject& subject, double metres, std::string_view from = {}) {
   constexpr double kLargeRig = 5.0;
   constexpr double kLongVehicle = 20.0;
-  const bool vehicle = !from.empty() && from == subject.calibration.format->frame;
+  const bool vehicle = subject.rig().kind_of(from) == FrameKind::kVehicle;
   return metres > (vehicle ? kLongVehicle : kLargeRig) && !subject.calibration.format->any_length_unit;
 }
 
@@ -214,7 +214,8 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
   const std::optional<double> left = second_left_of_first(rig);
   if (!left) return;
   const auto stated = std::ranges::find_if(rig.poses, [&rig](const PoseEdge& edge) {
-    return edge.a != "imu0" && edge.b != "imu0" && (edge.a == rig.cameras[1].name || edge.b == rig.cameras[1].name);
+    const bool of_imu = rig.kind_of(edge.a) == FrameKind::kImu || rig.kind_of(edge.b) == FrameKind::kImu;
+    return !of_imu && (edge.a == rig.cameras[1].name || edge.b == rig.cameras[1].name);
   });
   SourceRange where = {subject.document.source().name, 0, 0};
   if (stated != rig.poses.end()) where = subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
@@ -239,7 +240,7 @@ void check_vehicle_direction(const Subject& subject, Findings& findings) {
   if (!subject.is("woodscape")) return;  // elsewhere the frame is a board or another camera
   for (std::size_t i = 0; i < subject.rig().poses.size(); ++i) {
     const PoseEdge& edge = subject.rig().poses[i];
-    if (edge.a != subject.calibration.format->frame) continue;
+    if (subject.rig().kind_of(edge.a) != FrameKind::kVehicle) continue;
     const std::optional<Transform> other = inverse(edge.T_a_b);
     if (!other || plausible(edge.T_a_b(2, 3))) continue;
     const bool inverted = plausible((*other)(2, 3));

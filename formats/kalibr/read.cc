@@ -177,7 +177,7 @@ class ChainReader {
       const Node* value = reader_.find(node, pose.key);
       if (value == nullptr) continue;
       if (const std::optional<Transform> T = reader_.transform(*value, name + " " + pose.key))
-        rig.poses.push_back({pose.a, pose.b, *T});
+        add_pose(pose, *T, rig);
     }
   }
 
@@ -186,8 +186,15 @@ class ChainReader {
     const std::optional<PoseKey> pose = named_pose_key(entry.key.value);
     if (!pose) return false;
     if (const std::optional<Transform> T = reader_.transform(entry.value, pose->key))
-      rig.poses.push_back({pose->a, pose->b, *T});
+      add_pose(*pose, *T, rig);
     return true;
+  }
+
+  static void add_pose(const PoseKey& pose, const Transform& T, Rig& rig) {
+    rig.poses.push_back({pose.a, pose.b, T});
+    for (const std::string& frame : {pose.a, pose.b}) {
+      if (index_in(frame, "imu")) rig.add_frame(frame, FrameKind::kImu);
+    }
   }
 
   void read_imu(const Node& node, const std::string& name, Rig& rig) {

@@ -332,7 +332,10 @@ class SettingsReader {
     // Where it has none it is asked for all the same, for warn_of_misspelt().
     if (key.empty()) static_cast<void>(find(pose_keys(style_ == Style::kOrbSlam2 ? Style::kSlamNoOpt : style_).T_imu_c1));
     if (const Node* pose = find(key)) {
-      if (const std::optional<Transform> T = read_affine(*pose, key)) rig.poses.push_back({"imu0", "cam0", *T});
+      if (const std::optional<Transform> T = read_affine(*pose, key)) {
+        rig.poses.push_back({"imu0", "cam0", *T});
+        rig.add_frame("imu0", FrameKind::kImu);
+      }
     }
     if (any) rig.imus.push_back(std::move(imu));
   }

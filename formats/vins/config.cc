@@ -92,6 +92,7 @@ class ConfigReader {
       std::ranges::copy(matrix->values, T.values.begin());
       if (const std::optional<Transform> checked = reader_.checked(T, *node, key))
         rig.poses.push_back({std::string(kImu), numbered("cam", i), *checked});
+        rig.add_frame(kImu, FrameKind::kImu);
     }
   }
 

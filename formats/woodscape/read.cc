@@ -189,6 +189,7 @@ class CameraReader {
                         {*quaternion, "quaternion"}, {*translation, "translation"});
     if (!T) return false;
     rig.poses.push_back({std::string(kVehicle), name, *T});
+    rig.add_frame(kVehicle, FrameKind::kVehicle);
     return true;
   }
 

@@ -20,6 +20,17 @@ const ExtraField* Rig::find_extra_field(std::string_view owner, std::string_view
   return found == extra_fields.end() ? nullptr : &*found;
 }
 
+FrameKind Rig::kind_of(std::string_view frame) const {
+  if (find_camera(frame) != nullptr) return FrameKind::kCamera;
+  if (std::ranges::find(imus, frame, &Imu::name) != imus.end()) return FrameKind::kImu;
+  const auto found = std::ranges::find(frames, frame, &Frame::name);
+  return found == frames.end() ? FrameKind::kOther : found->kind;
+}
+
+void Rig::add_frame(std::string_view name, FrameKind kind) {
+  if (std::ranges::find(frames, name, &Frame::name) == frames.end()) frames.push_back({std::string(name), kind});
+}
+
 const Transform* Rig::stated(std::string_view a, std::string_view b) const {
   const auto found = std::ranges::find_if(poses, [&](const PoseEdge& edge) { return edge.a == a && edge.b == b; });
   return found == poses.end() ? nullptr : &found->T_a_b;

@@ -142,6 +142,7 @@ inline Rig sample_rig(const std::string& id, RigShape shape) {
   if (shape.two) rig.poses.push_back({"cam1", "cam0", T_cam1_cam0()});
   if (shape.imu) {
     rig.poses.push_back({"cam0", "imu0", T_cam0_imu()});
+    rig.add_frame("imu0", FrameKind::kImu);
     rig.imus.push_back(tumvi_imu());
   }
   return rig;

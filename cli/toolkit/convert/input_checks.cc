@@ -36,7 +36,7 @@ bool imu_is_another(const Rig& rig, const std::string& input, Diagnostics& diagn
   const auto is_posed = [&rig](const std::string& name) {
     return std::ranges::any_of(rig.poses, [&name](const PoseEdge& edge) { return edge.a == name || edge.b == name; });
   };
-  const auto is_imu = [](const std::string& frame) { return frame.starts_with("imu"); };
+  const auto is_imu = [&rig](const std::string& frame) { return rig.kind_of(frame) == FrameKind::kImu; };
   if (rig.imus.empty() || std::ranges::any_of(rig.imus, is_posed, &Imu::name)) return false;
   const auto other = std::ranges::find_if(rig.poses, [&](const PoseEdge& edge) { return is_imu(edge.a) || is_imu(edge.b); });
   if (other == rig.poses.end()) return false;

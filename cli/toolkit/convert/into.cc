@@ -103,6 +103,7 @@ void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics)
     rig.poses.push_back(edge);
     before.poses.push_back(as_it_was);
   }
+  for (const Frame& frame : base.frames) rig.add_frame(frame.name, frame.kind);
 }
 
 /// A base of poses alone counts the cameras that it speaks of. Where the rig does not call its own so, they are the rig's in

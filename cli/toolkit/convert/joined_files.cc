@@ -70,6 +70,7 @@ Rig alone(const Rig& rig, const Camera& camera, const Part& part) {
     (edge.a == camera.name ? edge.a : edge.b) = name;
     result.poses.push_back(std::move(edge));
   }
+  for (const Frame& frame : rig.frames) result.add_frame(frame.name, frame.kind);
   return result;
 }
 

@@ -60,12 +60,29 @@ struct ExtraField {
 /// What people are told: the key behind its owner's name, "cam0 line_delay".
 [[nodiscard]] std::string with_owner(const ExtraField& field);
 
+/// What a frame that poses speak of belongs to.
+enum class FrameKind {
+  kCamera,
+  kImu,
+  kVehicle,
+  kOther,  ///< A board, a rectified image, a camera that is not in the rig.
+};
+
+/// A frame of the poses that is neither in Rig::cameras nor in Rig::imus: the IMU of a camchain, a vehicle.
+struct Frame {
+  std::string name;
+  FrameKind kind = FrameKind::kOther;
+  bool operator==(const Frame&) const = default;
+};
+
 /// Cameras, IMUs and how they sit to each other. May hold no camera (imu.yaml).
 struct Rig {
   std::vector<Camera> cameras;
   std::vector<Imu> imus;
   /// Poses as edges of a graph, as read. A file that says both T_cam_imu and T_cn_cnm1 keeps both.
   std::vector<PoseEdge> poses;
+  /// Of frames of `poses` that are no camera and no IMU above: what their reader knows them to be.
+  std::vector<Frame> frames;
   /// A format that has no place for these lists them as lost.
   std::vector<ExtraField> extra_fields;
   /// Baseline of a rectified stereo pair or of an RGB-D sensor's virtual second camera, where the file states only that [m].
@@ -74,6 +91,11 @@ struct Rig {
   [[nodiscard]] const Camera* find_camera(std::string_view name) const;
   /// The first field of that owner ("": none) with that key; null if there is none.
   [[nodiscard]] const ExtraField* find_extra_field(std::string_view owner, std::string_view key) const;
+
+  /// What a frame of `poses` is, by what the rig holds and never by how it is called.
+  [[nodiscard]] FrameKind kind_of(std::string_view frame) const;
+  /// A frame that poses are stated in, once.
+  void add_frame(std::string_view name, FrameKind kind);
 
   /// The edge a-b exactly as a file stated it, in that direction; null if there is none.
   [[nodiscard]] const Transform* stated(std::string_view a, std::string_view b) const;
