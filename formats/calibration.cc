@@ -9,12 +9,14 @@
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/rig/contradictions.h>
 #include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace fca {
 
@@ -123,49 +125,38 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
   return good;
 }
 
-std::vector<std::string> names_of(const Rig& rig) {
+/// In the order in which they were read.
+std::vector<std::string> names_of_path(const Rig& rig, const PoseLoop& loop) {
+  const std::set<std::size_t> edges(loop.path.begin(), loop.path.end());
   std::vector<std::string> names;
-  for (const PoseEdge& edge : rig.poses) names.push_back("T_" + edge.a + "_" + edge.b);
+  for (const std::size_t i : edges) names.push_back("T_" + rig.poses[i].a + "_" + rig.poses[i].b);
   return names;
 }
 
-/// The other statement of a pose, in the same direction; nothing if there is none.
-std::optional<std::size_t> other_statement(const Rig& rig, std::size_t index) {
-  const PoseEdge& edge = rig.poses[index];
-  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
-    if (i != index && rig.poses[i].a == edge.a && rig.poses[i].b == edge.b) return i;
-  }
-  return std::nullopt;
+/// Are they two statements of one pose, in the same direction?
+bool is_second_statement(const Rig& rig, const PoseLoop& loop) {
+  return loop.path.size() == 1 && rig.poses[loop.path.front()].a == rig.poses[loop.edge].a;
 }
 
 /// A pose that is stated, and follows from others too: do they agree? Real files print them from one estimate, to 1e-15.
 /// `files`: what states each of them.
 void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, Diagnostics& diagnostics) {
-  constexpr double kTolerance = 1e-3;  // a millimetre; a twentieth of a degree
-  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
-    Rig others = rig;
-    others.poses.erase(others.poses.begin() + static_cast<std::ptrdiff_t>(i));
-    const PoseEdge& edge = rig.poses[i];
-    const std::optional<Transform> around = others.resolve(edge.a, edge.b);
-    if (!around) continue;
-    double worst = 0.0;
-    for (std::size_t k = 0; k < around->values.size(); ++k)
-      worst = std::max(worst, std::abs(around->values[k] - edge.T_a_b.values[k]));
-    if (worst <= kTolerance) continue;
-    const std::optional<std::size_t> again = other_statement(rig, i);
-    if (again && files[*again] != files[i]) {
+  for (const PoseLoop& loop : contradictions(rig)) {
+    const double worst = loop.difference.largest_element;
+    const PoseEdge& edge = rig.poses[loop.edge];
+    if (is_second_statement(rig, loop) && files[loop.path.front()] != files[loop.edge]) {
+      const std::size_t i = loop.path.front();
       diagnostics.warning("poses-contradict",
-                          "T_" + edge.a + "_" + edge.b + " is stated here and in " + files[*again] +
+                          "T_" + edge.a + "_" + edge.b + " is stated here and in " + files[loop.edge] +
                               ", and the two differ by up to " + text::format_short(worst, 3) + " in an element",
                           {files[i], 0, 0}, "that of " + files[i] + " is used; take out the one that is wrong");
-      return;
+      continue;
     }
     diagnostics.warning("poses-contradict",
                         "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses (" +
-                            text::enumerated(names_of(others)) + ") differ by up to " + text::format_short(worst, 3) +
+                            text::enumerated(names_of_path(rig, loop)) + ") differ by up to " + text::format_short(worst, 3) +
                             " in an element",
-                        {files[i], 0, 0}, "one of them is wrong; stated poses are used before derived ones");
-    return;  // each edge of the loop would say the same
+                        {files[loop.edge], 0, 0}, "one of them is wrong; stated poses are used before derived ones");
   }
 }
 

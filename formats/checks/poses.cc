@@ -3,6 +3,7 @@
 
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/contradictions.h>
 #include <fca/rig/pose_slip.h>
 #include <fca/rig/rotation.h>
 #include <fca/rig/stereo_order.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace fca::checks {
 
@@ -86,26 +88,28 @@ bool same(const Transform& a, const Transform& b) {
   return angle_between(a, b) < kPrinted && distance_between(a, b) < kPrinted;
 }
 
-/// A pose that is stated and follows from the others, too.
-struct Contradiction {
+/// A pose of a contradicting loop, and what follows for it from the others.
+struct Suspect {
   std::size_t index = 0;
   Transform around;
 };
 
-std::vector<Contradiction> contradictions_of(const Rig& rig, bool& any_redundant) {
-  std::vector<Contradiction> found;
-  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
-    Rig others = rig;
+/// Every pose of the loops that the others contradict, in the order in which they were read.
+std::vector<Suspect> suspects_in(const Rig& rig, const std::vector<PoseLoop>& loops) {
+  std::set<std::size_t> edges;
+  for (const PoseLoop& loop : loops) {
+    edges.insert(loop.edge);
+    edges.insert(loop.path.begin(), loop.path.end());
+  }
+  std::vector<Suspect> suspects;
+  for (const std::size_t i : edges) {
+    Rig others;
+    others.poses = rig.poses;
     others.poses.erase(others.poses.begin() + static_cast<std::ptrdiff_t>(i));
     const std::optional<Transform> around = others.resolve(rig.poses[i].a, rig.poses[i].b);
-    if (!around) continue;
-    any_redundant = true;
-    constexpr double kRounding = 1e-3;  // of an angle in radians, and of a distance in metres
-    const Transform& stated = rig.poses[i].T_a_b;
-    if (angle_between(stated, *around) > kRounding || distance_between(stated, *around) > kRounding)
-      found.push_back({i, *around});
+    if (around && difference_of(rig.poses[i].T_a_b, *around).contradicts()) suspects.push_back({i, *around});
   }
-  return found;
+  return suspects;
 }
 
 /// The row of the translation where a wrong unit shows best.
@@ -136,10 +140,8 @@ bool name_millimetres(const Subject& subject, Findings& findings) {
     for (int row = 0; row < 3; ++row) T(row, 3) *= 1e-3;
     in_mm.push_back(i);
   }
-  bool any_redundant = false;
   if (in_mm.empty() || in_mm.size() == metric.poses.size()) return false;
-  if (!contradictions_of(metric, any_redundant).empty() || !any_redundant) return false;
-  if (contradictions_of(subject.rig(), any_redundant).empty()) return false;
+  if (pose_loops(metric).empty() || !contradictions(metric).empty() || contradictions(subject.rig()).empty()) return false;
   for (const std::size_t i : in_mm) {
     const PoseEdge& edge = subject.rig().poses[i];
     findings.add({Severity::kError,
@@ -152,21 +154,23 @@ bool name_millimetres(const Subject& subject, Findings& findings) {
   return true;
 }
 
-bool name_slip(const Subject& subject, const Contradiction& contradiction, Findings& findings) {
-  const PoseEdge& edge = subject.rig().poses[contradiction.index];
+/// If a slip of one of them explains the contradictions, it is told, and the pose that follows from the others stands in `rig`.
+bool name_slip(const Subject& subject, const Suspect& suspect, Rig& rig, Findings& findings) {
+  const PoseEdge& edge = subject.rig().poses[suspect.index];
   for (const PoseSlip& slip : pose_slips()) {
     const std::optional<Transform> undone = slip.undo(edge.T_a_b);
     if (!undone) continue;
     // A small rotation and its transpose are as near as honest statements are, but then none of them is exact.
-    const bool explains = !close(edge.T_a_b, contradiction.around) && close(*undone, contradiction.around);
-    if (!explains && !same(*undone, contradiction.around)) continue;
+    const bool explains = !close(edge.T_a_b, suspect.around) && close(*undone, suspect.around);
+    if (!explains && !same(*undone, suspect.around)) continue;
     findings.add({Severity::kError,
                   std::string(slip.code),
                   name_of(edge) + " " + std::string(slip.does),
                   {},
                   std::string(slip.fix),
-                  slip.code == "translation-in-mm" ? subject.places.pose(contradiction.index, longest_row(edge.T_a_b), 3)
-                                                   : subject.places.pose(contradiction.index, 0, 0)});
+                  slip.code == "translation-in-mm" ? subject.places.pose(suspect.index, longest_row(edge.T_a_b), 3)
+                                                   : subject.places.pose(suspect.index, 0, 0)});
+    rig.poses[suspect.index].T_a_b = suspect.around;
     return true;
   }
   return false;
@@ -284,8 +288,8 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
     findings.undecided("poses-contradict", "whether the poses agree", "one of them is not a rotation");
     return false;
   }
-  bool any_redundant = false;
-  const std::vector<Contradiction> contradictions = contradictions_of(subject.rig(), any_redundant);
+  const bool any_redundant = !pose_loops(subject.rig()).empty();
+  std::vector<PoseLoop> loops = contradictions(subject.rig());
   // Above a vehicle's ground the height decides.
   const auto is_identity = [](const PoseEdge& edge) { return edge.T_a_b == Transform{}; };
   if (!any_redundant && !std::ranges::all_of(poses, is_identity) && !subject.is("woodscape")) {
@@ -293,26 +297,31 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
                        "direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
                        "each is stated once, and a pose and its inverse are equally long");
   }
-  if (!contradictions.empty() && name_millimetres(subject, findings)) return true;
-  for (const Contradiction& each : contradictions) {
-    if (name_slip(subject, each, findings)) return true;
-  }
-  if (contradictions.empty()) return any_redundant;
-  // Every pose of the loop would be told the same. The last is usually the derived one (T_cn_cnm1).
-  const Contradiction& last = contradictions.back();
-  const Transform& stated = poses[last.index].T_a_b;
+  if (!loops.empty() && name_millimetres(subject, findings)) return true;
+  // What one slip explains is no contradiction besides.
+  Rig meant = subject.rig();
+  const auto explain_one = [&] {
+    const auto named = [&](const Suspect& each) {
+      const bool told = meant.poses[each.index] != poses[each.index];
+      return !told && name_slip(subject, each, meant, findings);
+    };
+    return std::ranges::any_of(suspects_in(meant, loops), named);
+  };
+  for (std::size_t slips = 0; slips < poses.size() && !loops.empty() && explain_one(); ++slips) loops = contradictions(meant);
   constexpr double kSmallAngle = 1.0 / kDegreesPerRadian;
   constexpr double kSmallDistance = 0.01;
-  const double angle = angle_between(stated, last.around);
-  const double distance = distance_between(stated, last.around);
-  findings.add({angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning,
-                "poses-contradict",
-                name_of(poses[last.index]) + " as stated and as it follows from the other poses differ by " +
-                    in_degrees(angle) + " and " + in_metres(distance),
-                {},
-                "decide which one is right, and write the other from it",
-                subject.places.pose(last.index, 0, 0)});
-  return true;
+  for (const PoseLoop& loop : loops) {
+    const double angle = loop.difference.angle_rad;
+    const double distance = loop.difference.distance_m;
+    findings.add({angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning,
+                  "poses-contradict",
+                  name_of(poses[loop.edge]) + " as stated and as it follows from the other poses differ by " +
+                      in_degrees(angle) + " and " + in_metres(distance),
+                  {},
+                  "decide which one is right, and write the other from it",
+                  subject.places.pose(loop.edge, 0, 0)});
+  }
+  return any_redundant;
 }
 
 }  // namespace fca::checks

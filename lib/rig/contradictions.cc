@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/rig/contradictions.h>
+
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace fca {
+
+namespace {
+
+struct Path {
+  Transform T;
+  std::vector<std::size_t> edges;
+};
+
+/// The shortest path from a to b; of equally short ones that whose edges were read first, as Rig::resolve has it.
+std::optional<Path> shortest_path(std::span<const PoseEdge> poses, const std::string& a, const std::string& b) {
+  std::map<std::string, Path> reached;
+  reached.emplace(a, Path{});
+  std::deque<std::string> queue = {a};
+  while (!queue.empty()) {
+    const std::string here = queue.front();
+    queue.pop_front();
+    const Path so_far = reached.at(here);
+    if (here == b) return so_far;
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const bool forwards = poses[i].a == here;
+      if (!forwards && poses[i].b != here) continue;
+      const std::string& next = forwards ? poses[i].b : poses[i].a;
+      if (reached.contains(next)) continue;
+      const std::optional<Transform> T = forwards ? std::optional(poses[i].T_a_b) : inverse(poses[i].T_a_b);
+      if (!T) continue;
+      Path path{so_far.T * *T, so_far.edges};
+      path.edges.push_back(i);
+      reached.emplace(next, std::move(path));
+      queue.push_back(next);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool PoseDifference::contradicts() const {
+  constexpr double kTolerance = 1e-3;  // rad, m; an element of a matrix that is no rotation
+  return angle_rad > kTolerance || distance_m > kTolerance || largest_element > kTolerance;
+}
+
+PoseDifference difference_of(const Transform& a, const Transform& b) {
+  PoseDifference difference{angle_between(a, b), distance_between(a, b), 0.0};
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    difference.largest_element = std::max(difference.largest_element, std::abs(a.values[i] - b.values[i]));
+  return difference;
+}
+
+std::vector<PoseLoop> pose_loops(const Rig& rig) {
+  std::vector<PoseLoop> loops;
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
+    const PoseEdge& edge = rig.poses[i];
+    std::optional<Path> path = shortest_path(std::span(rig.poses).first(i), edge.a, edge.b);
+    if (!path) continue;
+    const PoseDifference difference = difference_of(path->T, edge.T_a_b);
+    loops.push_back({i, std::move(path->edges), path->T, difference});
+  }
+  return loops;
+}
+
+std::vector<PoseLoop> contradictions(const Rig& rig) {
+  std::vector<PoseLoop> loops = pose_loops(rig);
+  std::erase_if(loops, [](const PoseLoop& loop) { return !loop.difference.contradicts(); });
+  return loops;
+}
+
+}  // namespace fca
