@@ -3,6 +3,7 @@
 
 #include "text/comments.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
@@ -109,6 +110,11 @@ void add_time_offset(const Camera& camera, std::string_view why, std::vector<Los
   const std::string shift = text::format_short(*camera.time_offset_s, 12);
   losses.push_back({"time-offset-dropped", camera.name + " timeshift_cam_imu " + shift + " s", std::string(why),
                     "add " + shift + " s to every image time stamp of " + camera.name});
+}
+
+void add_time_offset(const Camera& camera, const Message& why, std::vector<Loss>& losses) {
+  if (camera.time_offset_s.value_or(0.0) == 0.0) return;
+  losses.push_back(lost(Code::kTimeOffsetDropped, camera.name, "timeshift_cam_imu", {*camera.time_offset_s, why}));
 }
 
 void add_other_time_offsets(const Rig& rig, double common, std::string_view who, std::vector<Loss>& losses) {

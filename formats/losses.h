@@ -17,6 +17,9 @@ void add_not_carried(std::span<const ExtraField> extras, std::string_view why, s
 /// none, or 0.
 void add_time_offset(const Camera& camera, std::string_view why, std::vector<Loss>& losses);
 
+/// `why`: a clause of the table.
+void add_time_offset(const Camera& camera, const Message& why, std::vector<Loss>& losses);
+
 /// Time offsets [s] that differ from `common`, the one that the program takes for all cameras, with what to add to the stamps.
 /// `who`: "Basalt has one for all cameras".
 void add_other_time_offsets(const Rig& rig, double common, std::string_view who, std::vector<Loss>& losses);

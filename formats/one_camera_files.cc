@@ -3,6 +3,7 @@
 
 #include "losses.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
@@ -36,7 +37,7 @@ std::optional<text::Document> fresh_file(const Format& format, const Camera& cam
   if (document && format.read(std::span(&*document, 1), {}, found)) return document;
   for (const Diagnostic& entry : found.entries()) {
     if (entry.severity == Severity::kError)
-      diagnostics.error(entry.code, camera.name + " cannot be written: " + entry.message, {}, entry.fix);
+      diagnostics.error(id_of(entry), camera.name + " cannot be written: " + message_of(entry), {}, fix_of(entry));
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include <fca/formats/format.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <array>
@@ -278,8 +279,8 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   ProofResult result;
   result.program = consumer.program;
   result.loads = view.loads();
-  result.refusals = view.refusals;
-  result.warnings = view.warnings;
+  result.refusals = sentences_of(view.refusals);
+  result.warnings = sentences_of(view.warnings);
   if (!result.loads) return result;
   // The rig's cameras by position: formats may rename them.
   std::vector<Comparison> comparisons(std::min(rig.cameras.size(), view.cameras.size()));
@@ -357,17 +358,17 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
       asked.sensor = mode;
       const consumers::ConsumerView view = consumer.load(bytes, asked);
       if (view.loads() && misreads_all(view)) {
-        const std::string why = view.warnings.empty() ? std::string("another model") : view.warnings.front();
+        const std::string why = view.warnings.empty() ? std::string("another model") : sentence_of(view.warnings.front());
         program.refusals = {"it would load the file and misread it: " + why};
         add_warnings(program, mode, {"it misreads every camera: " + why});
         fewest = 0;
       } else if (view.loads()) {
-        add_warnings(program, program.loads ? mode : "", view.warnings);
+        add_warnings(program, program.loads ? mode : "", sentences_of(view.warnings));
         program.loads = true;
         if (!mode.empty()) program.sensors.emplace_back(mode);
       } else if (view.refusals.size() < fewest) {
         fewest = view.refusals.size();
-        program.refusals = view.refusals;
+        program.refusals = sentences_of(view.refusals);
       }
     }
     program.loads ? program.refusals.clear() : program.warnings.clear();
@@ -386,7 +387,7 @@ std::optional<std::string> refused_by_all(std::string_view format, std::string_v
       asked.sensor = mode;
       const consumers::ConsumerView view = consumer.load(bytes, asked);
       if (view.loads() || view.finds_no_camera) return std::nullopt;
-      if (!first) first = std::string(consumer.program) + ": " + view.refusals.front();
+      if (!first) first = std::string(consumer.program) + ": " + sentence_of(view.refusals.front());
     }
   }
   return first;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "remedies.h"
 
+#include <fca/formats/wording.h>
+
 #include <algorithm>
 #include <array>
 
@@ -29,8 +31,8 @@ constexpr std::string_view kOfAnyLoss = "keep the input, which says it";
 
 void add_remedies(std::span<Loss> losses) {
   for (Loss& loss : losses) {
-    if (!loss.remedy.empty()) continue;
-    const auto* const known = std::ranges::find(kRemedies, loss.code, &Remedy::code);
+    if (!remedy_of(loss).empty()) continue;
+    const auto* const known = std::ranges::find(kRemedies, id_of(loss), &Remedy::code);
     loss.remedy = known == kRemedies.end() ? kOfAnyLoss : known->what_to_do;
   }
 }

@@ -4,10 +4,12 @@
 #include "chart.h"
 #include "image_field.h"
 #include "map_figure.h"
-#include "toolkit/words.h"
+#include "shell/option_hints.h"
 #include "table.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +54,7 @@ std::string recommendation(const std::vector<Candidate>& candidates, const Forma
 bool is_doubted(const ReportContents& contents) {
   return std::ranges::any_of(contents.checks, [](const CheckResult& file) {
     return std::ranges::any_of(file.report.findings, [](const Finding& finding) {
-      return finding.severity != Severity::kNote && !finding.code.starts_with("program-");
+      return finding.severity != Severity::kNote && !id_of(finding).starts_with("program-");
     });
   });
 }
@@ -64,7 +66,8 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
     if (!candidate.conversion) {
       const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
       table.rows.push_back(
-          {id, "", "", "", "", "not fitted: " + (why.empty() ? "it does not describe the lens" : why.back().message)});
+          {id, "", "", "", "",
+           "not fitted: " + (why.empty() ? "it does not describe the lens" : message_of(why.back(), with_options))});
       continue;
     }
     const Judgement& j = candidate.conversion->report.judgement;

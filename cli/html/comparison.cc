@@ -6,9 +6,11 @@
 #include "rig_drawing.h"
 #include "said.h"
 #include "shell/judgement_text.h"
+#include "shell/option_hints.h"
 #include "toolkit/compare/difference_words.h"
 #include "toolkit/words.h"
 #include "table.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/image_change.h>
@@ -153,7 +155,8 @@ void put_only(Html& html, const RigComparison& comparison) {
 void put_diagnostics(Html& html, const char* title, const Diagnostics& diagnostics) {
   if (!diagnostics.entries().empty()) html.element("h2", {}, title);
   for (const Diagnostic& entry : diagnostics.entries())
-    put_said(html, {entry.severity, entry.code, entry.message, entry.where.file, "", entry.fix});
+    put_said(html, {entry.severity, id_of(entry), message_of(entry, with_options), entry.where.file, "",
+                    fix_of(entry, with_options)});
 }
 
 }  // namespace

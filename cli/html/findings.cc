@@ -3,9 +3,11 @@
 
 #include "said.h"
 #include "shell/diagnostics_json.h"
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
 
 #include <fca/formats/text/source.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 
@@ -25,15 +27,16 @@ void put_checked(Html& html, const CheckResult& file) {
   html.element("h3", {}, file.source.name);
   if (report.findings.empty()) html.element("p", {{"class", "good"}}, "Nothing wrong found.");
   for (const Finding& finding : report.findings) {
-    put_said(html, {finding.severity, finding.code, finding.message, place_of(finding.where, file.source), finding.consequence,
-                    finding.fix});
+    put_said(html, {finding.severity, id_of(finding), message_of(finding, with_options), place_of(finding.where, file.source),
+                    consequence_of(finding, with_options), fix_of(finding, with_options)});
   }
   html.element("details", {}, [&] {
     html.element("summary", {}, "What was checked, and what could not be decided");
     if (!report.checked.empty()) html.element("p", {}, "Checked: " + enumerated(report.checked) + ".");
     html.element("ul", {}, [&] {
       for (const Undecided& undecided : report.undecided)
-        html.element("li", {}, "Not decidable: " + undecided.question + "; " + undecided.why);
+        html.element("li", {},
+                     "Not decidable: " + question_of(undecided, with_options) + "; " + why_of(undecided, with_options));
     });
   });
 }
@@ -62,7 +65,8 @@ void put_findings(Html& html, const ReportContents& contents) {
   html.element("h3", {}, contents.conversion ? "Said while reading and converting" : "Said while reading");
   const text::Source& first = contents.shown.calibration->documents.front().source();
   for (const Diagnostic& entry : said.entries())
-    put_said(html, {entry.severity, entry.code, entry.message, place_of(entry.where, first), "", entry.fix});
+    put_said(html, {entry.severity, id_of(entry), message_of(entry, with_options), place_of(entry.where, first), "",
+                    fix_of(entry, with_options)});
 }
 
 }  // namespace fca::cli

@@ -2,7 +2,10 @@
 #include "sections.h"
 
 #include "commands/convert/convert_command.h"
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
+
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <sstream>
@@ -27,9 +30,10 @@ void put_losses(Html& html, const ConvertResult& outcome) {
     }
     for (const Loss& loss : outcome.losses) {
       html.element("li", {}, [&] {
-        html.element("span", {{"class", "strong"}}, loss.what);
-        html.text(": " + loss.why);
-        if (!loss.remedy.empty()) html.element("div", {{"class", "soft"}}, "Do: " + loss.remedy);
+        html.element("span", {{"class", "strong"}}, what_of(loss, with_options));
+        html.text(": " + why_of(loss, with_options));
+        const std::string remedy = remedy_of(loss, with_options);
+        if (!remedy.empty()) html.element("div", {{"class", "soft"}}, "Do: " + remedy);
       });
     }
   });

@@ -3,10 +3,11 @@
 
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
-#include "toolkit/words.h"
 #include "table.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <functional>
@@ -58,8 +59,8 @@ void put_findings_tile(Html& html, const ReportContents& contents) {
     for (const Finding& finding : file.report.findings) {
       errors += finding.severity == Severity::kError ? 1 : 0;
       warnings += finding.severity == Severity::kWarning ? 1 : 0;
-      if (finding.severity != Severity::kNote && std::ranges::find(lines, finding.code) == lines.end())
-        lines.push_back(finding.code);
+      if (finding.severity != Severity::kNote && std::ranges::find(lines, id_of(finding)) == lines.end())
+        lines.emplace_back(id_of(finding));
     }
   }
   std::vector<std::string> parts;

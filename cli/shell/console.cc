@@ -3,6 +3,7 @@
 
 #include "diagnostics_json.h"
 #include "json.h"
+#include "option_hints.h"
 
 #include <fca/formats/text/render.h>
 

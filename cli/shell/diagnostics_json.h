@@ -3,6 +3,7 @@
 
 #include "console.h"
 #include "json.h"
+#include "option_hints.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ inline void put_diagnostics(Json& json, const Diagnostics& diagnostics, const Co
   json.array("diagnostics", diagnostics.entries(), [&](const Diagnostic& entry) {
     json.object([&] {
       json.put("severity", severity_name(entry.severity));
-      json.put("code", entry.code);
+      json.put("code", id_of(entry));
       const auto source = std::ranges::find(console.sources(), entry.where.file, &text::Source::name);
       if (!entry.where.file.empty()) json.put("file", entry.where.file);
       if (source != console.sources().end() && (entry.where.offset > 0 || entry.where.length > 0)) {
@@ -33,8 +34,8 @@ inline void put_diagnostics(Json& json, const Diagnostics& diagnostics, const Co
         json.put("line", position.line);
         json.put("column", position.column);
       }
-      json.put("message", entry.message);
-      if (!entry.fix.empty()) json.put("fix", entry.fix);
+      json.put("message", message_of(entry, with_options));
+      if (const std::string fix = fix_of(entry, with_options); !fix.empty()) json.put("fix", fix);
     });
   });
 }

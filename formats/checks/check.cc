@@ -6,9 +6,11 @@
 #include "told_once.h"
 #include "topics.h"
 
+#include <fca/code.h>
 #include <fca/convert/domain.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <array>
@@ -21,21 +23,33 @@ namespace fca {
 namespace checks {
 
 void Findings::add(Finding finding) {
-  if (finding.consequence.empty()) {
-    if (const CheckCode* code = find_check_code(finding.code)) finding.consequence = code->consequence;
+  if (consequence_of(finding).empty()) {
+    if (const CheckCode* code = find_check_code(id_of(finding))) finding.consequence = code->consequence;
   }
   report_.findings.push_back(std::move(finding));
 }
 
+void Findings::add(Code code, std::vector<Argument> arguments, SourceRange where) {
+  add(info(code).severity, code, std::move(arguments), std::move(where));
+}
+
+void Findings::add(Severity severity, Code code, std::vector<Argument> arguments, SourceRange where) {
+  Finding finding;
+  finding.severity = severity;
+  finding.where = std::move(where);
+  finding.facts = {code, std::move(arguments)};
+  add(std::move(finding));
+}
+
 bool Findings::has(std::string_view code, const SourceRange& where) const {
   return std::ranges::any_of(report_.findings, [&](const Finding& finding) {
-    return finding.code == code && finding.where.offset == where.offset && finding.where.file == where.file;
+    return id_of(finding) == code && finding.where.offset == where.offset && finding.where.file == where.file;
   });
 }
 
 bool Findings::has_any(std::span<const std::string_view> codes) const {
-  return std::ranges::any_of(report_.findings,
-                             [codes](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
+  return std::ranges::any_of(
+      report_.findings, [codes](const Finding& finding) { return std::ranges::find(codes, id_of(finding)) != codes.end(); });
 }
 
 namespace {
@@ -74,14 +88,14 @@ bool among(const List& codes, std::string_view code) {
 /// The mends that are certain of what parsers and readers say.
 std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& source) {
   const text::Span span = {entry.where.offset, entry.where.length};
-  if (entry.code == "blank-missing") return SpanEdit{{span.offset, 0}, " "};
-  if (entry.code == "not-an-integer") {
+  if (id_of(entry) == "blank-missing") return SpanEdit{{span.offset, 0}, " "};
+  if (id_of(entry) == "not-an-integer") {
     const std::optional<double> value = text::parse_real(source.text(span));
     constexpr double kLargest = 1e9;
     if (!value || *value != std::floor(*value) || std::abs(*value) > kLargest) return std::nullopt;
     return SpanEdit{span, std::to_string(static_cast<long long>(*value))};
   }
-  if (entry.code == "yaml-tab") {
+  if (id_of(entry) == "yaml-tab") {
     const std::optional<Mend> mend = tab_mend(source);
     if (!mend) return std::nullopt;
     text::Source blanks = source;
@@ -95,18 +109,18 @@ std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& sou
 /// What the reader said. A pose that is only roughly a rotation is a topic's affair, a grossly wrong one the reader's.
 void take_over(const Diagnostics& diagnostics, const text::Source& source, Findings& findings) {
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (among(kSaidByTopics, entry.code)) continue;
-    if (entry.code == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(entry.message, "quaternion"))
+    if (among(kSaidByTopics, id_of(entry))) continue;
+    if (id_of(entry) == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(message_of(entry), "quaternion"))
       continue;
-    const Severity severity = among(kBeyondUs, entry.code) ? Severity::kWarning : entry.severity;
-    Finding finding{severity, entry.code, entry.message, {}, entry.fix, entry.where};
+    const Severity severity = among(kBeyondUs, id_of(entry)) ? Severity::kWarning : entry.severity;
+    Finding finding{severity, entry.code, entry.message, {}, entry.fix, entry.where, {}, entry.facts};
     finding.mend = mend_of(entry, source);
     findings.add(std::move(finding));
   }
 }
 
 bool has_code(const Diagnostics& diagnostics, std::string_view code) {
-  return std::ranges::find(diagnostics.entries(), code, &Diagnostic::code) != diagnostics.entries().end();
+  return std::ranges::any_of(diagnostics.entries(), [code](const Diagnostic& entry) { return id_of(entry) == code; });
 }
 
 /// "84 deg across the image" of a camera under one reading of its four numbers.
@@ -130,7 +144,7 @@ std::string view_as(const text::Document& document, const CheckOptions& options,
 /// A parameter out of its range is often its neighbour in the list.
 void suggest_exchanges(const text::Document& document, const Format& format, const CheckOptions& options, CheckReport& report) {
   for (Finding& finding : report.findings) {
-    if (finding.code != "not-a-camera" || !finding.fix.empty()) continue;
+    if (id_of(finding) != "not-a-camera" || !fix_of(finding).empty()) continue;
     const text::Node* other = exchanged_with(document, format, options.reading, finding.where.offset);
     if (other != nullptr) finding.fix = "exchange it with " + other->value + " beside it";
   }
@@ -140,10 +154,10 @@ void suggest_exchanges(const text::Document& document, const Format& format, con
 void show_both_readings(const text::Document& document, const CheckOptions& options, CheckReport& report) {
   std::size_t camera = 0;  // in the file's order, as the findings
   for (Finding& finding : report.findings) {
-    if (finding.code != "ambiguous-model") continue;
+    if (id_of(finding) != "ambiguous-model") continue;
     finding.severity = Severity::kWarning;
-    finding.message +=
-        "; " + view_as(document, options, "pinhole", camera) + "; " + view_as(document, options, "fisheye", camera);
+    finding.message = message_of(finding) + "; " + view_as(document, options, "pinhole", camera) + "; " +
+                      view_as(document, options, "fisheye", camera);
     ++camera;
   }
 }
@@ -152,7 +166,7 @@ void show_both_readings(const text::Document& document, const CheckOptions& opti
 void add_usual_fixes(CheckReport& report) {
   for (Finding& finding : report.findings) {
     const CheckCode* code =
-        finding.fix.empty() && finding.severity != Severity::kNote ? find_check_code(finding.code) : nullptr;
+        fix_of(finding).empty() && finding.severity != Severity::kNote ? find_check_code(id_of(finding)) : nullptr;
     if (code != nullptr) finding.fix = code->fix;
   }
 }
@@ -227,7 +241,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
     checks::run_topics(*document, *calibration, options, report);
     if (options.parts) checks::check_parts(*document, *detected->format, options, report);
   } else {
-    findings.undecided(report.findings.empty() ? "wrong-syntax" : report.findings.front().code,
+    findings.undecided(report.findings.empty() ? "wrong-syntax" : id_of(report.findings.front()),
                        "everything beyond the file's syntax", "the file could not be read as a calibration");
     checks::show_both_readings(*document, options, report);
     checks::suggest_exchanges(*document, *detected->format, options, report);

@@ -3,7 +3,7 @@
 // place) is told by its size: MEMS IMUs of all prices lie within two powers of ten.
 #include "topics.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 
 #include <array>
 #include <cmath>
@@ -41,30 +41,16 @@ struct Swap {
 // An accelerometer's walk may reach its noise (EuRoC: 3e-3 over 2e-3), a gyroscope's stays ten times below it.
 constexpr Swap kGyroscope = {&Imu::gyroscope_noise_density, &Imu::gyroscope_random_walk, "gyroscope"};
 
-std::string number(double value) { return text::format_short(value, 3); }
-
 void check_size(const Subject& subject, const Imu& imu, const Density& density, Findings& findings) {
   const std::optional<double>& value = imu.*density.member;
   if (!value) return;
-  const std::string what = imu.name + ": " + std::string(density.name) + " " + number(*value) + " " + std::string(density.unit);
+  const SourceRange where = subject.places.imu(density.member);
   if (*value < density.smallest) {
-    findings.add({Severity::kWarning,
-                  "imu-noise-too-small",
-                  what + " is smaller than any such sensor's; a variance (the square of the density, " +
-                      number(std::sqrt(*value)) + ") would look so",
-                  {},
-                  "write the density, not its square",
-                  subject.places.imu(density.member)});
+    findings.add(Code::kImuNoiseTooSmall, {imu.name, density.name, *value, density.unit, std::sqrt(*value)}, where);
   } else if (*value > density.largest) {
-    const std::string discrete = imu.rate_hz ? ": a discrete deviation at " + number(*imu.rate_hz) +
-                                                   " Hz would be the density " + number(*value / std::sqrt(*imu.rate_hz))
-                                             : "";
-    findings.add({Severity::kWarning,
-                  "imu-noise-too-large",
-                  what + " is larger than a cheap sensor's times 20" + discrete,
-                  {},
-                  "if it is a discrete deviation, divide it by sqrt(rate); if it is in degrees, multiply by pi / 180",
-                  subject.places.imu(density.member)});
+    std::vector<Message> discrete;
+    if (imu.rate_hz) discrete = {{Code::kImuNoiseOfSamples, {*imu.rate_hz, *value / std::sqrt(*imu.rate_hz)}}};
+    findings.add(Code::kImuNoiseTooLarge, {imu.name, density.name, *value, density.unit, discrete}, where);
   }
 }
 
@@ -73,24 +59,15 @@ void doubt_unit(const Subject& subject, const Imu& imu, const Density& density, 
   const std::optional<double>& value = imu.*density.member;
   if (!value || !imu.rate_hz || *value > density.largest || *value <= density.largest / kInflation) return;
   if (findings.has("imu-sensors-swapped", subject.places.imu(density.member))) return;
-  findings.undecided("imu-noise-too-large",
-                     imu.name + ": whether the " + std::string(density.name) + " " + number(*value) +
-                         " is a density or one sample's deviation",
-                     "a cheap sensor's density made larger for SLAM, as people do, looks the same as a deviation at " +
-                         number(*imu.rate_hz) + " Hz, whose density would be " + number(*value / std::sqrt(*imu.rate_hz)));
+  findings.undecided(Code::kImuNoiseOfUnknownKind,
+                     {imu.name, density.name, *value, *imu.rate_hz, *value / std::sqrt(*imu.rate_hz)});
 }
 
 void check_swapped(const Subject& subject, const Imu& imu, Findings& findings) {
   const std::optional<double>& noise = imu.*kGyroscope.noise;
   const std::optional<double>& walk = imu.*kGyroscope.walk;
   if (!noise || !walk || *walk <= *noise) return;
-  findings.add({Severity::kWarning,
-                "imu-walk-above-noise",
-                imu.name + ": the " + std::string(kGyroscope.sensor) + "'s random walk " + number(*walk) +
-                    " is larger than its noise density " + number(*noise) + "; real ones are ten times smaller and more",
-                {},
-                "if they stand at each other's keys, exchange them; else compare both with the data sheet",
-                subject.places.imu(kGyroscope.walk)});
+  findings.add(Code::kImuWalkAboveNoise, {imu.name, kGyroscope.sensor, *walk, *noise}, subject.places.imu(kGyroscope.walk));
 }
 
 void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
@@ -98,31 +75,15 @@ void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
   if (*imu.gyroscope_noise_density <= *imu.accelerometer_noise_density) return;
   const SourceRange where = subject.places.imu(&Imu::gyroscope_noise_density);
   if (findings.has("imu-noise-too-large", where)) return;  // told
-  findings.add(
-      {Severity::kWarning,
-       "imu-sensors-swapped",
-       imu.name + ": the gyroscope's noise " + number(*imu.gyroscope_noise_density) + " is larger than the accelerometer's " +
-           number(*imu.accelerometer_noise_density) + "; in SI units it is ten times smaller",
-       {},
-       "exchange the two sensors' numbers if they are exchanged; multiply by pi / 180 if the gyroscope's is in degrees",
-       where});
+  findings.add(Code::kImuSensorsSwapped, {imu.name, *imu.gyroscope_noise_density, *imu.accelerometer_noise_density}, where);
 }
 
 void check_rate(const Subject& subject, const Imu& imu, Findings& findings) {
-  if (!imu.rate_hz) {
-    findings.undecided("imu-noise-too-large", imu.name + ": noise densities against discrete deviations",
-                       "the file states no rate");
-    return;
-  }
+  if (!imu.rate_hz) return findings.undecided(Code::kImuNoiseOfUnknownRate, {imu.name});
   constexpr double kSlowest = 20.0;
   constexpr double kFastest = 10'000.0;
   if (*imu.rate_hz >= kSlowest && *imu.rate_hz <= kFastest) return;
-  findings.add({Severity::kWarning,
-                "imu-rate",
-                imu.name + ": a rate of " + number(*imu.rate_hz) + " Hz is no IMU's",
-                {},
-                "it is in Hz (200.0), not a period",
-                subject.places.imu(&Imu::rate_hz)});
+  findings.add(Code::kImuRate, {imu.name, *imu.rate_hz}, subject.places.imu(&Imu::rate_hz));
 }
 
 }  // namespace
@@ -149,21 +110,16 @@ bool check_time(const Subject& subject, Findings& findings) {
     const double offset = std::abs(*camera.time_offset_s);
     constexpr double kFastFrame = 1.0 / 30.0;
     if (!camera.frame_rate_hz && offset > kFastFrame && offset <= frame) {
-      findings.undecided(
-          "time-offset-large",
-          camera.name + ": whether a time offset of " + number(*camera.time_offset_s) + " s is longer than a frame",
-          "the file states no frame rate");
+      findings.undecided(Code::kTimeOffsetUndecided, {camera.name, *camera.time_offset_s});
     }
     if (offset <= frame) continue;
     constexpr double kMilliseconds = 1.0;
-    findings.add({Severity::kWarning,
-                  "time-offset-large",
-                  camera.name + ": a time offset of " + number(*camera.time_offset_s) + " s is longer than a frame (" +
-                      number(frame) + " s" + (camera.frame_rate_hz ? ")" : " even at 10 Hz; the file states no rate)") +
-                      (offset > kMilliseconds ? "; are these milliseconds?" : ""),
-                  {},
-                  "it is in seconds: t_imu = t_cam + offset; one as long as that should be taken out of the time stamps",
-                  subject.places.time_offset(camera)});
+    std::vector<Message> even;
+    if (!camera.frame_rate_hz) even = {{Code::kTimeOffsetOfUnknownRate}};
+    std::vector<Message> unit;
+    if (offset > kMilliseconds) unit = {{Code::kTimeOffsetOfMilliseconds}};
+    findings.add(Code::kTimeOffsetLarge, {camera.name, *camera.time_offset_s, frame, even, unit},
+                 subject.places.time_offset(camera));
   }
   return any;
 }

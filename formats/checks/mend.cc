@@ -5,6 +5,7 @@
 
 #include <fca/formats/mend.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,13 +90,13 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
   // Every try is a run of the program's parser; no real calibration is half as long.
   constexpr std::size_t kLongest = 512 * 1024;
   if (document.source().bytes.size() > kLongest) return std::nullopt;
-  const std::vector<std::string> before = program.load(document.bytes(), options).refusals;
+  const std::vector<std::string> before = sentences_of(program.load(document.bytes(), options).refusals);
   // Behind the header the program sees the file for the first time: it may go on to refuse something else.
   for (std::optional<Mend> (*layout)(const text::Document&) :
        {&without_mark, &checks::layout_mend, &checks::header_mend, &blanks_for_tabs}) {
     std::optional<Mend> mend = layout(document);
     if (mend && is_apart_from_edits(*mend, document) && says(before, complaint) &&
-        !says_alike(view_after(document, *mend, program, options).refusals, complaint))
+        !says_alike(sentences_of(view_after(document, *mend, program, options).refusals), complaint))
       return mend;
   }
   // What is missing no other spelling of its owner brings: a camera whose name is put in quotes is only overlooked.
@@ -107,8 +108,9 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
   // The same complaint with another value in it is no progress.
   const auto helps = [&](const Mend& mend) {
     const consumers::ConsumerView after = view_after(document, mend, program, options);
-    return !says(after.refusals, complaint) && !says(after.warnings, complaint) &&
-           std::ranges::all_of(after.refusals, [&](const std::string& each) { return says(before, each); });
+    const std::vector<std::string> refusals = sentences_of(after.refusals);
+    return !says(refusals, complaint) && !says(sentences_of(after.warnings), complaint) &&
+           std::ranges::all_of(refusals, [&](const std::string& each) { return says(before, each); });
   };
   constexpr std::size_t kMostTried = 32;
   for (std::size_t i = 0; i < std::min(kMostTried, scalars.size()); ++i) {

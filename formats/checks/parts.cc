@@ -46,8 +46,8 @@ void check_parts(const text::Document& document, const Format& format, const Che
   const std::optional<Calibration> ignored = read_calibration(*std::move(documents), &format, options.reading, diagnostics);
   Findings findings(report);
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (entry.where.file != document.source().name || findings.has(entry.code, entry.where)) continue;
-    findings.add({entry.severity, entry.code, entry.message, {}, entry.fix, entry.where});
+    if (entry.where.file != document.source().name || findings.has(id_of(entry), entry.where)) continue;
+    findings.add({entry.severity, entry.code, entry.message, {}, entry.fix, entry.where, {}, entry.facts});
   }
 }
 

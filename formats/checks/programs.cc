@@ -5,6 +5,7 @@
 #include <fca/formats/mend.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/prose.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <array>
@@ -177,7 +178,7 @@ class ProgramsCheck {
 
   void say_refusals(const Consumer& own, const std::vector<Attempt>& attempts) {
     const auto fewest = std::ranges::min_element(attempts, {}, [](const Attempt& each) { return each.view.refusals.size(); });
-    const std::vector<std::string>& refusals = fewest->view.refusals;
+    const std::vector<std::string> refusals = sentences_of(fewest->view.refusals);
     if (fewest->view.finds_no_camera && with_cameras_.value_or(false)) {
       findings_.add({Severity::kWarning,
                      "program-finds-no-camera",
@@ -209,9 +210,9 @@ class ProgramsCheck {
   /// With the wrong parser chosen every key is missing: one reason for all refusals, which the reader has said.
   bool raise_wrong_parser() {
     for (Finding& finding : report_.findings) {
-      if (finding.code != "file-version-not-string" && finding.code != "file-version-missing") continue;
+      if (id_of(finding) != "file-version-not-string" && id_of(finding) != "file-version-missing") continue;
       finding.severity = Severity::kError;
-      if (finding.code == "file-version-missing") {
+      if (id_of(finding) == "file-version-missing") {
         const std::size_t first = document_.source().line_at(document_.root().entries.front().key.span.offset).offset;
         finding.mend = SpanEdit{{first, 0}, "File.version: \"1.0\"" + std::string(document_.source().line_break())};
         finding.fix = "add the line  File.version: \"1.0\"";
@@ -229,7 +230,7 @@ class ProgramsCheck {
     for (const Readers::Program& program : report_.readers.programs) {
       if (program.loads) readers.push_back(program.program);
     }
-    const std::vector<std::string>& refusals = closest.view.refusals;
+    const std::vector<std::string> refusals = sentences_of(closest.view.refusals);
     const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
     findings_.add(
         {Severity::kWarning, "program-refuses",
@@ -241,7 +242,7 @@ class ProgramsCheck {
   void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {
     if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
     for (std::size_t i = 0; i < std::min(kMostSaid, view.warnings.size()); ++i) {
-      const std::string& warning = view.warnings[i];
+      const std::string warning = sentence_of(view.warnings[i]);
       // Asked for that program, a camera that it takes for another is what one wanted to know.
       const bool wrong = options_.program != nullptr && misreads(view, warning);
       const std::string who = warning.find(own.program) == std::string::npos ? std::string(own.program) + ": " : std::string();
@@ -259,7 +260,7 @@ class ProgramsCheck {
   static bool misreads(const ConsumerView& view, std::string_view warning) {
     return std::ranges::any_of(view.cameras, [&](const consumers::ConsumerCamera& camera) {
       const auto names_it = [&camera](std::string_view each) { return each.starts_with(camera.name + "/"); };
-      return camera.misread && (names_it(warning) || std::ranges::none_of(view.warnings, names_it));
+      return camera.misread && (names_it(warning) || std::ranges::none_of(sentences_of(view.warnings), names_it));
     });
   }
 
@@ -273,7 +274,7 @@ class ProgramsCheck {
     for (const Attempt& each : attempts) {
       if (each.view.loads()) modes.push_back(each.mode);
     }
-    const std::vector<std::string>& refusals = meant->view.refusals;
+    const std::vector<std::string> refusals = sentences_of(meant->view.refusals);
     const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
     Finding finding{Severity::kWarning,
                     "mode-refused",

@@ -29,10 +29,16 @@ class Findings {
  public:
   explicit Findings(CheckReport& report) : report_(report) {}
   void add(Finding finding);
+  /// As severe as the table says.
+  void add(Code code, std::vector<Argument> arguments, SourceRange where);
+  void add(Severity severity, Code code, std::vector<Argument> arguments, SourceRange where);
   [[nodiscard]] bool has(std::string_view code, const SourceRange& where) const;
   [[nodiscard]] bool has_any(std::span<const std::string_view> codes) const;
   void undecided(std::string code, std::string question, std::string why) {
     report_.undecided.push_back({std::move(code), std::move(question), std::move(why)});
+  }
+  void undecided(Code code, std::vector<Argument> arguments) {
+    report_.undecided.push_back({{}, {}, {}, {code, std::move(arguments)}});
   }
 
  private:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "told_once.h"
 
+#include <fca/formats/wording.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -15,7 +17,7 @@ struct Said {
   std::string_view words;
 
   [[nodiscard]] bool by(const Finding& finding) const {
-    return finding.code == code && finding.message.find(words) != std::string::npos;
+    return id_of(finding) == code && message_of(finding).find(words) != std::string::npos;
   }
 };
 
@@ -61,14 +63,15 @@ bool has_place(const Finding& finding) { return finding.where.offset > 0 || find
 
 bool is_dropped(const Twice& twice, const Finding& kept, const Finding& other) {
   if (!twice.dropped.by(other)) return false;
-  const std::string key = kept.message.substr(0, kept.message.find(' '));
-  return !twice.of_one_key || other.message.find(key + " ") != std::string::npos;
+  const std::string message = message_of(kept);
+  const std::string key = message.substr(0, message.find(' '));
+  return !twice.of_one_key || message_of(other).find(key + " ") != std::string::npos;
 }
 
 void take_from(const Finding& other, Finding& finding) {
   finding.severity = std::max(finding.severity, other.severity);
   if (!has_place(finding)) finding.where = other.where;
-  if (finding.fix.empty()) finding.fix = other.fix;
+  if (fix_of(finding).empty()) finding.fix = fix_of(other);
   if (!finding.mend) finding.mend = other.mend;
 }
 
@@ -85,7 +88,7 @@ void tell_once(CheckReport& report) {
           continue;
         }
         take_from(findings[other], findings[kept]);
-        if (twice.says_cost) findings[kept].consequence = findings[other].message + ".";
+        if (twice.says_cost) findings[kept].consequence = message_of(findings[other]) + ".";
         findings.erase(findings.begin() + static_cast<std::ptrdiff_t>(other));
         if (other < kept) --kept;
       }

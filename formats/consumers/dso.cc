@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "fca/code.h"
 #include "programs.h"
 
 namespace fca::consumers {
@@ -171,12 +172,6 @@ std::string shown(const std::string& line) {
   return text + "\"";
 }
 
-std::string pixels(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g px", value);
-  return text.data();
-}
-
 class Reader {
  public:
   explicit Reader(ConsumerView& view) : view_(view) {}
@@ -184,34 +179,32 @@ class Reader {
   void run(std::string_view bytes) {
     lines_ = lines_of(bytes).line;
     for (const std::string& line : lines_) {
-      if (line.size() > kMaxLine) return refuse("a line has more than 4096 characters; not read");
+      if (line.size() > kMaxLine) return refuse(Code::kDsoLineTooLong);
     }
     const std::optional<Lens> lens = choose_lens(lines_[0], model_.p);
     if (!lens) {
-      return refuse("line 1 is " + shown(lines_[0]) +
-                    "; DSO wants RadTan, EquiDistant or KannalaBrandt with 8 numbers, FOV or Pinhole with 5, or the bare "
-                    "numbers (\"could not read calib file! exit.\")");
+      return refuse(Code::kDsoUnknownLens, {shown(lines_[0])});
     }
     model_.lens = *lens;
-    if (!read_size(lines_[1], model_.width, model_.height, "2 (image size)")) return;
+    if (!read_size(lines_[1], model_.width, model_.height, 2, "image")) return;
     for (const double value : model_.p) {
-      if (!std::isfinite(value)) return refuse("a number of line 1 is not finite");
+      if (!std::isfinite(value)) return refuse(Code::kDsoNumberNotFinite);
     }
     make_absolute();
-    if (model_.lens == Lens::kPinhole && model_.p[4] != 0.0)
-      warn("the fifth number of Pinhole is read and ignored: it is no distortion");
+    if (model_.lens == Lens::kPinhole && model_.p[4] != 0.0) warn(Code::kDsoFifthNumberIgnored);
     read_output();
   }
 
  private:
-  void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
+  /// The file has lines and no keys.
+  void refuse(Code code, std::vector<Argument> arguments = {}) { view_.refusals.emplace_back(code, "", std::move(arguments)); }
+  void warn(Code code, std::vector<Argument> arguments = {}) { view_.warnings.emplace_back(code, "", std::move(arguments)); }
 
-  bool read_size(const std::string& line, int& width, int& height, const std::string& which) {
+  bool read_size(const std::string& line, int& width, int& height, int number, std::string_view whose) {
     constexpr int kMaxSide = 1 << 15;
     const bool found = std::sscanf(line.c_str(), "%d %d", &width, &height) == 2;
     if (found && width > 0 && height > 0 && width <= kMaxSide && height <= kMaxSide) return true;
-    refuse("line " + which + " is " + shown(line) + "; DSO wants two whole numbers");
+    refuse(Code::kDsoSizeNotRead, {number, whose, shown(line)});
     return false;
   }
 
@@ -219,12 +212,10 @@ class Reader {
   void make_absolute() {
     auto& p = model_.p;
     if (!(p[2] < 1.0 && p[3] < 1.0)) {
-      if (p[0] < 1.0 || p[1] < 1.0 || p[2] < 1.0 || p[3] < 1.0)
-        warn("some of fx fy cx cy are below 1, but not both of cx and cy: DSO takes all four as pixels");
+      if (p[0] < 1.0 || p[1] < 1.0 || p[2] < 1.0 || p[3] < 1.0) warn(Code::kDsoPixelsBelowOne);
       return;
     }
-    if (p[0] > 10.0 || p[1] > 10.0)
-      warn("cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height");
+    if (p[0] > 10.0 || p[1] > 10.0) warn(Code::kDsoSharesByCentre);
     p[0] *= model_.width;
     p[1] *= model_.height;
     p[2] = p[2] * model_.width - 0.5;
@@ -237,20 +228,14 @@ class Reader {
     const bool explicit_output =
         std::sscanf(mode.c_str(), "%f %f %f %f %f", output.data(), &output[1], &output[2], &output[3], &output[4]) == 5;
     if (mode != "crop" && mode != "none" && mode != "full" && !explicit_output) {
-      return refuse("line 3 is " + shown(mode) +
-                    "; DSO wants exactly crop, full or none (no blank, no CR after it), or five numbers");
+      return refuse(Code::kDsoOutputUnknown, {shown(mode)});
     }
-    if (mode == "full") return refuse("line 3 is full, which DSO has not written yet: assert(false)");
+    if (mode == "full") return refuse(Code::kDsoFullUnfinished);
     int width = 0;
     int height = 0;
-    if (!read_size(lines_[3], width, height, "4 (output size)")) return;
-    if (mode == "none" && (width != model_.width || height != model_.height)) {
-      return refuse(
-          "line 3 is none, but the sizes of the lines 2 and 4 differ; DSO exits (\"rectification mode none requires " +
-          std::string("input and output dimenstions to match!\")"));
-    }
-    if (explicit_output && (output[2] > 1.0F || output[3] > 1.0F))
-      warn("line 3 has a centre above 1; DSO takes the numbers as shares of the output size");
+    if (!read_size(lines_[3], width, height, 4, "output")) return;
+    if (mode == "none" && (width != model_.width || height != model_.height)) return refuse(Code::kDsoSizesDiffer);
+    if (explicit_output && (output[2] > 1.0F || output[3] > 1.0F)) warn(Code::kDsoOutputShares);
     add_camera(mode == "none");
   }
 
@@ -264,9 +249,7 @@ class Reader {
       const double cost = cost_of_no_rectification(model_);
       constexpr double kFloatNoise = 1e-3;
       camera.misread = cost > kFloatNoise;
-      if (camera.misread) {
-        warn("line 3 is none: DSO does not rectify and ignores the distortion of line 1, which costs up to " + pixels(cost));
-      }
+      if (camera.misread) warn(Code::kDsoNotRectified, {cost});
       model_.lens = Lens::kPinhole;
     }
     camera.model = name_of(model_.lens);
@@ -284,7 +267,7 @@ class Reader {
 ConsumerView load_dso(std::string_view bytes, const LoadOptions& /*options*/) {
   ConsumerView view;
   if (bytes.empty() || bytes.size() > kMaxBytes) {
-    view.refusals.emplace_back(bytes.empty() ? "the file is empty" : "the file is larger than 2 MiB; not read");
+    view.refusals.emplace_back(bytes.empty() ? Code::kDsoFileEmpty : Code::kDsoFileTooLarge, "");
     return view;
   }
   Reader(view).run(bytes);

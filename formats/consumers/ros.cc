@@ -363,7 +363,7 @@ ConsumerView load_ros(std::string_view bytes, const LoadOptions& /*options*/) {
   const std::size_t cameras = read(std::string(bytes), info, view);
   if (!view.loads()) return view;
   const Model model(info);
-  view.refusals = problems_of(info, model);
+  for (std::string& problem : problems_of(info, model)) view.refusals.push_back(std::move(problem));
   if (!view.loads()) return view;
 
   ConsumerCamera camera;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/render.h>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::string excerpt(const Source& source, const SourceRange& where) {
 
 }  // namespace
 
-std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour) {
+std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour, Wording wording) {
   std::string text;
   const auto source = std::ranges::find(sources, diagnostic.where.file, &Source::name);
   const bool placed =
@@ -68,11 +69,11 @@ std::string render(const Diagnostic& diagnostic, std::span<const Source> sources
   if (colour) text += severity_colour(diagnostic.severity);
   text += severity_word(diagnostic.severity);
   if (colour) text += "\x1b[0m";
-  text += ": " + printable(diagnostic.message);
-  if (!diagnostic.code.empty()) text += " [" + diagnostic.code + "]";
+  text += ": " + printable(message_of(diagnostic, wording));
+  if (const std::string id = id_of(diagnostic); !id.empty()) text += " [" + id + "]";
   text += "\n";
   if (placed) text += excerpt(*source, diagnostic.where);
-  if (!diagnostic.fix.empty()) text += "    fix: " + printable(diagnostic.fix) + "\n";
+  if (const std::string fix = fca::fix_of(diagnostic, wording); !fix.empty()) text += "    fix: " + printable(fix) + "\n";
   return text;
 }
 

@@ -8,8 +8,8 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/code.h>
 #include <fca/formats/file_name.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -62,10 +62,7 @@ void make_consistent(Rig& rig, std::vector<Loss>& losses, std::vector<PoseEdge>&
     for (std::size_t k = 0; k < derived.values.size(); ++k)
       worst = std::max(worst, std::abs(derived.values[k] - stated->values[k]));
     if (worst <= kRounding) continue;
-    losses.push_back({"pose-recomputed", name + " T_cam_imu",
-                      "as stated it differs from T_cn_cnm1 times the pose of " + rig.cameras[i - 1].name + " by up to " +
-                          text::format_short(worst, 3) + " in an element, and TUM-VI's two statements agree",
-                      "check which of them is right"});
+    losses.push_back(lost(Code::kTumviPoseRecomputed, name, "T_cam_imu", {rig.cameras[i - 1].name, worst}));
     std::erase_if(rig.poses, [&name](const PoseEdge& edge) { return edge.a == name && edge.b == "imu0"; });
     rig.poses.push_back({name, "imu0", derived});
     restated.push_back(rig.poses.back());
@@ -77,7 +74,7 @@ void remove_time_offsets(Rig& rig, const Rig* old, std::vector<Loss>& losses) {
   for (Camera& camera : rig.cameras) {
     const Camera* before = old != nullptr ? old->find_camera(camera.name) : nullptr;
     if (before != nullptr && before->time_offset_s == camera.time_offset_s) continue;
-    add_time_offset(camera, "TUM-VI's chains have none: the dataset's offsets are removed from its time stamps", losses);
+    add_time_offset(camera, Message{Code::kTumviHasNoTimeOffset}, losses);
     camera.time_offset_s.reset();
   }
 }

@@ -10,6 +10,7 @@
 #include "../one_camera_files.h"
 
 #include <fca/formats/file_name.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <utility>
@@ -111,8 +112,8 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   const std::size_t first = losses.size();
   list_camera_losses(rig, "camodocal", losses);
   for (Loss& loss : std::span(losses).subspan(first)) {
-    if (loss.code == "time-offset-dropped" || loss.code == "imu-dropped")
-      loss.remedy += (loss.remedy.empty() ? "" : ", or ") + std::string(kIntoRemedy);
+    if (id_of(loss) == "time-offset-dropped" || id_of(loss) == "imu-dropped")
+      loss.remedy = remedy_of(loss) + (remedy_of(loss).empty() ? "" : ", or ") + std::string(kIntoRemedy);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/code.h>
 #include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
@@ -118,8 +119,7 @@ void list_stale_translation(const text::Document& base, const Rig& old, const st
   if (stated != nullptr && *stated == pose) return;
   const Node* extrinsic = text::find(base.root(), "extrinsic", text::Dialect::kPyYaml);
   if (extrinsic == nullptr || text::find(*extrinsic, kCarlaTranslation, text::Dialect::kPyYaml) == nullptr) return;
-  losses.push_back({"stale-derived", "extrinsic." + std::string(kCarlaTranslation),
-                    "it is kept as it was, and the pose beside it is another one", "remove it, or write the new pose's"});
+  losses.push_back(lost(Code::kWoodscapeStaleTranslation, camera, std::string(kCarlaTranslation)));
 }
 
 /// What the input says beside its rig and the file, which says `there`, does not.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/code.h>
 #include <fca/rig/image_change.h>
 
 #include <fca/models/ocamcalib_parameters.h>
@@ -6,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <string>
 #include <type_traits>
 
 namespace fca {
@@ -59,8 +59,6 @@ Values<Woodscape> mapped(std::type_identity<Woodscape> /*model*/, const Values<W
   return std::get<Intrinsics<Woodscape>>(model).values;
 }
 
-std::string in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
-
 /// Whole images scaled from one size to another: edges stay edges.
 void scale_to(const std::array<double, 2>& scale, PixelMap& map) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -101,9 +99,8 @@ std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChan
   ChangedImage result{{}, size};
   if (change.crop) {
     if (!holds(size, *change.crop)) {
-      diagnostics.error("crop-outside", "the image of " + in_words(size) + " px does not hold a region of " +
-                                            in_words(change.crop->size) + " px at (" + std::to_string(change.crop->x) + ", " +
-                                            std::to_string(change.crop->y) + ")");
+      const ImageRegion& crop = *change.crop;
+      diagnostics.add(Code::kCropOutside, {size.width, size.height, crop.size.width, crop.size.height, crop.x, crop.y});
       return std::nullopt;
     }
     result.map.shift = {-static_cast<double>(change.crop->x), -static_cast<double>(change.crop->y)};
@@ -111,8 +108,7 @@ std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChan
   }
   if (change.binning != 1) {
     if (change.binning < 1 || change.binning > result.size.width || change.binning > result.size.height) {
-      diagnostics.error("binning-impossible", "an image of " + in_words(result.size) + " px has no bins of " +
-                                                  in_words({change.binning, change.binning}) + " px");
+      diagnostics.add(Code::kBinningImpossible, {result.size.width, result.size.height, change.binning});
       return std::nullopt;
     }
     result.size = {result.size.width / change.binning, result.size.height / change.binning};
@@ -120,7 +116,7 @@ std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChan
   }
   if (change.resize) {
     if (change.resize->width < 1 || change.resize->height < 1) {
-      diagnostics.error("resize-impossible", "there is no image of " + in_words(*change.resize) + " px");
+      diagnostics.add(Code::kResizeImpossible, {change.resize->width, change.resize->height});
       return std::nullopt;
     }
     scale_to({static_cast<double>(change.resize->width) / result.size.width,
@@ -134,8 +130,7 @@ std::optional<ChangedImage> changed_image(const ImageSize& size, const ImageChan
 std::optional<Camera> with_changed_images(const Camera& camera, const ImageChange& change, Diagnostics& diagnostics) {
   if (change.changes_nothing()) return camera;
   if (!camera.image_size) {
-    diagnostics.error("image-size-missing", camera.name + ": nothing states the size of the images that were calibrated", {},
-                      "give it: --size WIDTHxHEIGHT");
+    diagnostics.add(Code::kImageSizeNotStated, {camera.name});
     return std::nullopt;
   }
   const std::optional<ChangedImage> changed = changed_image(*camera.image_size, change, diagnostics);
@@ -145,8 +140,7 @@ std::optional<Camera> with_changed_images(const Camera& camera, const ImageChang
   result.image_size = changed->size;
   if (camera.lens_circle) result.lens_circle = with_pixels(*camera.lens_circle, changed->map);
   if (camera.lens_circle && !result.lens_circle) {
-    diagnostics.warning("lens-circle-stretched",
-                        camera.name + ": in images stretched along one side the lens circle is none; the whole image counts");
+    diagnostics.add(Code::kLensCircleStretched, {camera.name});
   }
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include <fca/formats/check.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 
 namespace fca::test {
 
@@ -39,7 +40,7 @@ inline std::string line_of(const Finding& finding, const text::Source& source) {
     const text::Position position = source.position(finding.where.offset);
     place = std::to_string(position.line) + ":" + std::to_string(position.column);
   }
-  return place + " " + severity_word(finding.severity) + " " + finding.code;
+  return place + " " + severity_word(finding.severity) + " " + id_of(finding);
 }
 
 inline bool has_corpus() { return fs::exists(shared_dir() / "corpus" / "kalibr"); }

@@ -3,6 +3,8 @@
 // The folder is not part of the repository; without it all is skipped.
 #include "check_files.h"
 
+#include <fca/formats/wording.h>
+
 #include <cstdio>
 #include <map>
 
@@ -88,11 +90,11 @@ TEST(CheckCorpus, ErrorsAreThoseJudgedByHand) {
     const Judged* expected = judged(source.name);
     bool expected_said = false;
     for (const Finding& finding : report.findings) {
-      ++counted[severity_word(finding.severity) + " " + finding.code];
-      EXPECT_NE(find_check_code(finding.code), nullptr) << finding.code;
+      ++counted[severity_word(finding.severity) + " " + id_of(finding)];
+      EXPECT_NE(find_check_code(id_of(finding)), nullptr) << id_of(finding);
       if (finding.severity != Severity::kError) continue;
-      expected_said = expected_said || (expected != nullptr && finding.code == expected->code);
-      EXPECT_NE(expected, nullptr) << source.name << ": " << line_of(finding, source) << ": " << finding.message;
+      expected_said = expected_said || (expected != nullptr && id_of(finding) == expected->code);
+      EXPECT_NE(expected, nullptr) << source.name << ": " << line_of(finding, source) << ": " << message_of(finding);
     }
     EXPECT_EQ(expected_said, expected != nullptr) << source.name << ": " << (expected != nullptr ? expected->why : "");
     without_errors += report.has(Severity::kError) ? 0 : 1;

@@ -4,6 +4,7 @@
 #include "check_files.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <set>
 
@@ -58,8 +59,8 @@ TEST(CheckCodes, AreThoseThatTheFilesShow) {
   files.insert(files.end(), bad.begin(), bad.end());
   for (const fs::path& path : files) {
     for (const Finding& finding : checked(path).findings) {
-      said.insert(finding.code);
-      EXPECT_NE(find_check_code(finding.code), nullptr) << finding.code << " of " << path;
+      said.insert(id_of(finding));
+      EXPECT_NE(find_check_code(id_of(finding)), nullptr) << id_of(finding) << " of " << path;
     }
   }
   for (const CheckCode& code : check_codes()) {
@@ -76,9 +77,9 @@ TEST(CheckFindings, SayWhatHappensAndWhatToDo) {
   files.insert(files.end(), bad.begin(), bad.end());
   for (const fs::path& path : files) {
     for (const Finding& finding : checked(path).findings) {
-      EXPECT_FALSE(finding.message.empty()) << finding.code;
-      EXPECT_FALSE(finding.consequence.empty()) << finding.code << " of " << path;
-      EXPECT_TRUE(!finding.fix.empty() || finding.severity == Severity::kNote) << finding.code << " of " << path;
+      EXPECT_FALSE(message_of(finding).empty()) << id_of(finding);
+      EXPECT_FALSE(consequence_of(finding).empty()) << id_of(finding) << " of " << path;
+      EXPECT_TRUE(!fix_of(finding).empty() || finding.severity == Severity::kNote) << id_of(finding) << " of " << path;
     }
   }
 }
@@ -114,8 +115,10 @@ TEST(CheckFindings, AnAmbiguousVectorShowsBothFieldsOfView) {
   const CheckReport report = checked(checks_dir() / "ambiguous-model.yml");
   ASSERT_EQ(report.findings.size(), 1U);
   // f = 458.6 px of 752: atan(367.2 / f) + atan(383.8 / f) = 78.6 deg without distortion, more with a barrel's.
-  EXPECT_NE(report.findings.front().message.find("as pinhole: 92.7"), std::string::npos) << report.findings.front().message;
-  EXPECT_NE(report.findings.front().message.find("as fisheye: 120.2"), std::string::npos) << report.findings.front().message;
+  EXPECT_NE(message_of(report.findings.front()).find("as pinhole: 92.7"), std::string::npos)
+      << message_of(report.findings.front());
+  EXPECT_NE(message_of(report.findings.front()).find("as fisheye: 120.2"), std::string::npos)
+      << message_of(report.findings.front());
 }
 
 // Whichever poses of a loop are in millimetres: each is told once, and the others are right.
@@ -140,8 +143,8 @@ TEST(CheckFindings, MillimetresAreToldOncePerPose) {
     const CheckReport report = checked({"pair.yaml", bytes});
     EXPECT_EQ(report.findings.size(), lines.size() / 3) << wrong;
     for (const Finding& finding : report.findings) {
-      EXPECT_EQ(finding.code, "translation-in-mm");
-      EXPECT_NE(finding.fix.find("divide the translation by 1000"), std::string::npos) << finding.fix;
+      EXPECT_EQ(id_of(finding), "translation-in-mm");
+      EXPECT_NE(fix_of(finding).find("divide the translation by 1000"), std::string::npos) << fix_of(finding);
     }
   }
 }
@@ -183,7 +186,7 @@ TEST(CheckFindings, AThresholdBelowZeroIsNotToBeDivided) {
 TEST(CheckFindings, OfAnImuNameNoCamera) {
   for (const char* name : {"not-positive.yaml", "program-refuses.yaml"}) {
     for (const Finding& finding : checked(checks_dir() / name).findings)
-      EXPECT_EQ(finding.consequence.find("camera"), std::string::npos) << finding.consequence;
+      EXPECT_EQ(consequence_of(finding).find("camera"), std::string::npos) << consequence_of(finding);
   }
 }
 

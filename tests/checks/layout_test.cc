@@ -2,6 +2,8 @@
 // One layout for PyYAML and OpenCV's reader: mended for the other program a chain loads there, and says what it said.
 #include "check_files.h"
 
+#include <fca/formats/wording.h>
+
 #include <cstdio>
 
 namespace fca::test {
@@ -45,7 +47,7 @@ TEST(Layout, KalibrsFilesForOpenVins) {
     if (!after) continue;
     EXPECT_EQ(rig_of(*after, find_format("kalibr")), before) << source.name;
     const consumers::ConsumerView view = openvins->load(after->bytes, {});
-    for (const std::string& refusal : view.refusals) {
+    for (const std::string& refusal : sentences_of(view.refusals)) {
       // No mend can give a camera a pose, or four coefficients to a lens without.
       const bool of_the_rig =
           refusal.find("T_cam_imu") != std::string::npos || refusal.find("OpenVINS takes 4") != std::string::npos;
@@ -70,7 +72,7 @@ TEST(Layout, OpenVinsChainsForKalibr) {
     ASSERT_TRUE(after) << source.name;
     EXPECT_EQ(rig_of(*after, find_format("kalibr")), before) << source.name;
     const consumers::ConsumerView view = kalibr->load(after->bytes, {});
-    EXPECT_TRUE(view.loads()) << source.name << ": " << view.refusals.front();
+    EXPECT_TRUE(view.loads()) << source.name << ": " << sentence_of(view.refusals.front());
     ++mended_files;
   }
   if (!has_corpus()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";

@@ -5,6 +5,7 @@
 #include "check_files.h"
 
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 
 namespace fca::test {
 
@@ -48,7 +49,7 @@ inline const std::string& bytes_of(const Good& good) { return document_of(good).
 
 inline const Finding* find_any(const CheckReport& report, const std::vector<std::string>& codes) {
   const auto found = std::ranges::find_if(
-      report.findings, [&codes](const Finding& finding) { return std::ranges::find(codes, finding.code) != codes.end(); });
+      report.findings, [&codes](const Finding& finding) { return std::ranges::find(codes, id_of(finding)) != codes.end(); });
   return found == report.findings.end() ? nullptr : &*found;
 }
 

@@ -7,6 +7,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 #include <fca/models/camera_model.h>
 
 #include <cstdlib>
@@ -102,7 +103,7 @@ TEST(BadModels, AKnownTypeInTheWrongStyleIsNotCalledUnknown) {
                                         std::string("\"") + type + "\""));
     ASSERT_TRUE(parsed.document);
     EXPECT_FALSE(read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics)) << type;
-    const std::string message = parsed.diagnostics.entries().at(0).message;
+    const std::string message = message_of(parsed.diagnostics.entries().at(0));
     EXPECT_EQ(message.find(type, message.find("none of")), std::string::npos) << message;
   }
 }

@@ -7,6 +7,7 @@
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 
@@ -18,7 +19,7 @@ std::string good(const char* name) { return read_file(testdata_dir() / name); }
 Written written_into(const Calibration& base, const Rig& rig, const WriteOptions& options = {}) {
   Diagnostics diagnostics;
   std::optional<Written> written = base.format->write(&base.documents.front(), rig, options, diagnostics);
-  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   return written ? *std::move(written) : Written();
 }
 
@@ -37,7 +38,8 @@ std::string value_of(const std::string& bytes, const std::string& key) {
 }
 
 bool loses(const Written& written, const std::string& part) {
-  return std::ranges::any_of(written.losses, [&part](const Loss& loss) { return loss.what.find(part) != std::string::npos; });
+  return std::ranges::any_of(written.losses,
+                             [&part](const Loss& loss) { return what_of(loss).find(part) != std::string::npos; });
 }
 
 /// Keys a user tunes, with values that are nobody's default.
@@ -69,7 +71,7 @@ TEST(Base, OneCameraOfTwoKeepsTheTuning) {
   second.cameras.erase(second.cameras.begin());
   const Written written = written_into(base, second);
   EXPECT_EQ(written.sensor, "mono-inertial");
-  EXPECT_TRUE(written.losses.empty()) << written.losses.front().what;
+  EXPECT_TRUE(written.losses.empty()) << what_of(written.losses.front());
   EXPECT_TRUE(written.defaults.empty()) << written.defaults.front().key;
   const std::string bytes = bytes_of(written);
   EXPECT_EQ(value_of(bytes, "Camera.RGB"), "0");
@@ -200,8 +202,9 @@ bool still_says(std::span<const ExtraField> files, const ExtraField& extra) {
 bool is_listed(const Written& written, const std::string& key) {
   if (std::ranges::find(written.defaults, key, &DefaultedValue::key) != written.defaults.end()) return true;
   return std::ranges::any_of(written.losses, [&key](const Loss& loss) {
-    const bool group = loss.what.find("* (") != std::string::npos && key.starts_with(loss.what.substr(0, loss.what.find('*')));
-    return group || loss.what == key || loss.what.starts_with(key + " ");
+    const bool group =
+        what_of(loss).find("* (") != std::string::npos && key.starts_with(what_of(loss).substr(0, what_of(loss).find('*')));
+    return group || what_of(loss) == key || what_of(loss).starts_with(key + " ");
   });
 }
 
@@ -226,7 +229,7 @@ TEST(Base, ABaseComposedAnewGoesWithNoKeyUnsaid) {
       WriteOptions anew;
       anew.anew = true;
       const std::optional<Written> written = write_calibration(format, &*document, rig, anew, diagnostics);
-      ASSERT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().back().message);
+      ASSERT_TRUE(written) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().back()));
       ++bases;
       std::vector<ExtraField> said;
       for (const Written::File& file : written->files) {

@@ -5,6 +5,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 #include <functional>
 
@@ -16,7 +17,7 @@ bool proven(const Format& format, const Rig& written_rig, const Rig& meant,
             const std::function<std::string(std::string)>& garbled = {}) {
   Diagnostics diagnostics;
   const std::optional<Written> written = write_calibration(format, nullptr, written_rig, {}, diagnostics);
-  EXPECT_TRUE(written) << format.id << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << format.id << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   if (!written) return true;
   bool good = true;
   for (const Written::File& file : written->files) {

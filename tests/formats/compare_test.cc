@@ -6,6 +6,7 @@
 #include <fca/compare/compare.h>
 #include <fca/convert/convert.h>
 #include <fca/formats/stated_as.h>
+#include <fca/formats/wording.h>
 #include <fca/rig/image_change.h>
 #include <fca/rig/rotation.h>
 
@@ -106,7 +107,7 @@ TEST(CompareFiles, AFileIsExactlyItself) {
     SCOPED_TRACE(name);
     Diagnostics diagnostics;
     const RigComparison result = compare(rig, rig, {.bound = false}, diagnostics);
-    EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.entries().front().message;
+    EXPECT_FALSE(diagnostics.has_errors()) << message_of(diagnostics.entries().front());
     EXPECT_TRUE(result.identical());
     EXPECT_EQ(said(result), "");
     EXPECT_EQ(result.cameras.size(), rig.cameras.size());
@@ -130,7 +131,7 @@ TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
       if (!calibration) continue;  // tests/formats/corpus_test.cc knows which
       Diagnostics diagnostics;
       const RigComparison result = compare(calibration->rig, calibration->rig, {.bound = false}, diagnostics);
-      EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.entries().front().message;
+      EXPECT_FALSE(diagnostics.has_errors()) << message_of(diagnostics.entries().front());
       EXPECT_TRUE(result.identical() && result.mistakes.empty());
       EXPECT_EQ(result.cameras.size(), calibration->rig.cameras.size());
       for (const CameraComparison& camera : result.cameras) EXPECT_EQ(camera.difference.judgement.error.max, 0.0);

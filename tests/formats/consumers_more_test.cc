@@ -33,14 +33,14 @@ ConsumerView load_told(const std::string& bytes, const char* model) {
   return load("opencv", bytes, options);
 }
 
-bool mentions(const std::vector<std::string>& sentences, const std::string& part) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [&part](const std::string& sentence) { return sentence.find(part) != std::string::npos; });
+bool mentions(const std::vector<consumers::Complaint>& complaints, const std::string& part) {
+  return std::any_of(complaints.begin(), complaints.end(),
+                     [&part](const consumers::Complaint& each) { return sentence_of(each).find(part) != std::string::npos; });
 }
 
-std::string joined(const std::vector<std::string>& sentences) {
+std::string joined(const std::vector<consumers::Complaint>& complaints) {
   std::string result;
-  for (const std::string& sentence : sentences) result += sentence + "\n";
+  for (const std::string& sentence : sentences_of(complaints)) result += sentence + "\n";
   return result;
 }
 

@@ -14,6 +14,8 @@
 #include "fca/formats/consumers/consumer.h"
 #include "test_files.h"
 
+#include <fca/formats/wording.h>
+
 namespace fca::consumers {
 namespace {
 
@@ -125,7 +127,7 @@ void compare_tables(const std::string& id, const std::string& folder, const std:
     for (const LoadOptions& options : readings(consumer)) {
       const ConsumerView view = consumer.load(bytes, options);
       if (options.opencv_model.empty()) {
-        EXPECT_TRUE(view.loads()) << table.file << ": " << (view.loads() ? "" : view.refusals.front());
+        EXPECT_TRUE(view.loads()) << table.file << ": " << (view.loads() ? "" : sentence_of(view.refusals.front()));
       }
       if (table.camera >= view.cameras.size()) continue;
       const Comparison comparison = compare(consumer, view.cameras[table.camera], table);
@@ -204,7 +206,7 @@ TEST(ConsumersOracleFiles, VerdictsOfTheSummary) {
     const bool expected = !fields[3].starts_with("rejected");
     const ConsumerView view = consumer->load(bytes, {});
     EXPECT_EQ(view.loads(), expected) << fields[1] << ": oracle '" << fields[3].substr(0, 100) << "', ours "
-                                      << (view.loads() ? "loads" : view.refusals.front());
+                                      << (view.loads() ? "loads" : sentence_of(view.refusals.front()));
     if (view.loads() != expected) std::printf("differs: %s\n", fields[1].c_str());
     ++counted[fields[2] + (expected ? " ok" : " rejected")];
   }
@@ -224,9 +226,10 @@ void list_verdicts(const std::string& id, const std::string& folder, const std::
     const std::string file = name.filename().string();
     const bool expected = std::none_of(refused.begin(), refused.end(),
                                        [&file](const std::string& part) { return file.find(part) != std::string::npos; });
-    EXPECT_EQ(view.loads(), expected) << file << ": " << (view.loads() ? "loads" : view.refusals.front());
-    if (!view.loads()) std::printf("%-60s refused: %.120s\n", file.c_str(), view.refusals.front().c_str());
-    for (const std::string& warning : view.warnings) std::printf("%-60s warning: %.160s\n", file.c_str(), warning.c_str());
+    EXPECT_EQ(view.loads(), expected) << file << ": " << (view.loads() ? "loads" : sentence_of(view.refusals.front()));
+    if (!view.loads()) std::printf("%-60s refused: %.120s\n", file.c_str(), sentence_of(view.refusals.front()).c_str());
+    for (const std::string& warning : sentences_of(view.warnings))
+      std::printf("%-60s warning: %.160s\n", file.c_str(), warning.c_str());
     loaded += view.loads() ? 1 : 0;
   }
   std::printf("%s: %d files load\n", id.c_str(), loaded);

@@ -17,6 +17,8 @@
 
 #include "fca/formats/consumers/consumer.h"
 
+#include <fca/formats/wording.h>
+
 #ifndef FCA_SHARED_DIR
 #define FCA_SHARED_DIR ""
 #endif
@@ -161,7 +163,7 @@ void compare_all(const std::string& id) {
     std::string bytes = read_file(shared_dir() / "corpus" / table.file);
     if (exception != nullptr && exception->cut_at != nullptr) bytes.resize(bytes.find(exception->cut_at));
     const ConsumerView view = consumer.load(bytes, {exception != nullptr ? exception->sensor : "mono"});
-    ASSERT_TRUE(view.loads()) << table.file << ": " << view.refusals.front();
+    ASSERT_TRUE(view.loads()) << table.file << ": " << sentence_of(view.refusals.front());
     ASSERT_GT(view.cameras.size(), static_cast<std::size_t>(table.camera)) << table.file;
     const Comparison result = compare(consumer, view.cameras.at(static_cast<std::size_t>(table.camera)), table);
     if (id == "kalibr") expect_mirrors(table, result, bytes);
@@ -194,7 +196,8 @@ void check_verdict(const Consumer& consumer, const std::string& format, const st
   const ConsumerView view = consumer.load(bytes, {second_camera ? "stereo" : "mono"});
   const bool expected = !result.starts_with("rejected");
   EXPECT_EQ(view.loads(), expected && !is_summary_exception(file))
-      << file << ": oracle '" << result.substr(0, 100) << "', ours " << (view.loads() ? "loads" : view.refusals.front());
+      << file << ": oracle '" << result.substr(0, 100) << "', ours "
+      << (view.loads() ? "loads" : sentence_of(view.refusals.front()));
 }
 
 TEST(ConsumersOracle, VerdictsOfTheSummary) {
@@ -237,7 +240,8 @@ TEST(ConsumersOracle, SensorModesOfTheManifest) {
     for (const auto& [mode, sensor] : kModes) {
       const bool expected = std::find(modes.begin(), modes.end(), mode) != modes.end();
       const ConsumerView view = find_consumer("orbslam3")->load(bytes, {sensor});
-      EXPECT_EQ(view.loads(), expected) << file << " as " << sensor << ": " << (view.loads() ? "" : view.refusals.front());
+      EXPECT_EQ(view.loads(), expected) << file << " as " << sensor << ": "
+                                        << (view.loads() ? "" : sentence_of(view.refusals.front()));
       ++checked;
     }
   }
@@ -261,8 +265,8 @@ TEST(ConsumersOracle, KalibrFilesOfTheManifest) {
     const ConsumerView chain = find_consumer("kalibr")->load(bytes, {});
     const ConsumerView imu = find_consumer("kalibr-imu")->load(bytes, {});
     EXPECT_EQ(chain.loads() || imu.loads(), expected)
-        << file << " [" << note << "]: " << (chain.loads() ? "" : chain.refusals.front()) << " | "
-        << (imu.loads() ? "" : imu.refusals.front());
+        << file << " [" << note << "]: " << (chain.loads() ? "" : sentence_of(chain.refusals.front())) << " | "
+        << (imu.loads() ? "" : sentence_of(imu.refusals.front()));
     ++checked;
     rejected += expected ? 0 : 1;
   }
@@ -287,7 +291,7 @@ TEST(ConsumersOracle, ForksReadTheirOwnFiles) {
     const bool named =
         bytes.find("Camera.type: EUCM") != std::string::npos || bytes.find("Camera.type: KB") != std::string::npos;
     const ConsumerView view = find_consumer("slam_no_opt")->load(bytes, {});
-    EXPECT_EQ(view.loads(), named) << file << ": " << (view.loads() ? "" : view.refusals.front());
+    EXPECT_EQ(view.loads(), named) << file << ": " << (view.loads() ? "" : sentence_of(view.refusals.front()));
     loaded += view.loads() ? 1 : 0;
   }
   EXPECT_GE(loaded, 4);
@@ -306,7 +310,7 @@ TEST(ConsumersOracle, OldExamplesLoadInTheirMode) {
     for (const auto& [folder, sensor] : kFolders) {
       if (file.find(folder) == std::string::npos) continue;
       const ConsumerView view = find_consumer("orbslam3")->load(read_file(shared_dir() / "corpus" / file), {sensor});
-      EXPECT_TRUE(view.loads()) << file << ": " << view.refusals.front();
+      EXPECT_TRUE(view.loads()) << file << ": " << sentence_of(view.refusals.front());
       ++checked;
     }
   }

@@ -12,6 +12,8 @@
 #include "fca/formats/consumers/consumer.h"
 #include "pyyaml.h"
 
+#include <fca/formats/wording.h>
+
 namespace fca::consumers {
 namespace {
 
@@ -26,16 +28,17 @@ std::string edited(std::string text, const std::string& from, const std::string&
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-bool mentions(const std::vector<std::string>& sentences, std::string_view part) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [part](const std::string& text) { return text.find(part) != text.npos; });
+bool mentions(const std::vector<consumers::Complaint>& complaints, std::string_view part) {
+  return std::any_of(complaints.begin(), complaints.end(),
+                     [part](const consumers::Complaint& each) { return sentence_of(each).find(part) != std::string::npos; });
 }
 
-void expect_loads(const ConsumerView& view) { EXPECT_TRUE(view.loads()) << view.refusals.front(); }
+void expect_loads(const ConsumerView& view) { EXPECT_TRUE(view.loads()) << sentence_of(view.refusals.front()); }
 
 void expect_refused(const ConsumerView& view, std::string_view part) {
   EXPECT_FALSE(view.loads()) << "expected: " << part;
-  EXPECT_TRUE(mentions(view.refusals, part)) << (view.loads() ? "no refusal" : view.refusals.front()) << " lacks: " << part;
+  EXPECT_TRUE(mentions(view.refusals, part))
+      << (view.loads() ? "no refusal" : sentence_of(view.refusals.front())) << " lacks: " << part;
   EXPECT_TRUE(view.cameras.empty());
 }
 

@@ -4,6 +4,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 #include <cmath>
 
@@ -21,7 +22,7 @@ Calibration with_imu(const std::string& chain) {
 std::string written(const char* format, const Rig& rig) {
   Diagnostics diagnostics;
   const std::optional<Written> result = find_format(format)->write(nullptr, rig, {}, diagnostics);
-  EXPECT_TRUE(result) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(result) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   return result ? result->files.front().document.bytes() : "";
 }
 
@@ -57,8 +58,8 @@ TEST(ConvertChain, BothProgramsUnderstandTheSame) {
   const std::string chain = written("kalibr", calibration_of(settings).rig);
   const consumers::ConsumerView orbslam = consumers::find_consumer("orbslam3")->load(settings, {"stereo-inertial"});
   const consumers::ConsumerView kalibr = consumers::find_consumer("kalibr")->load(chain, {});
-  ASSERT_TRUE(orbslam.loads()) << orbslam.refusals.front();
-  ASSERT_TRUE(kalibr.loads()) << kalibr.refusals.front();
+  ASSERT_TRUE(orbslam.loads()) << sentence_of(orbslam.refusals.front());
+  ASSERT_TRUE(kalibr.loads()) << sentence_of(kalibr.refusals.front());
   int compared = 0;
   for (double x = -1.0; x <= 1.0; x += 0.1) {
     for (double y = -1.0; y <= 1.0; y += 0.1) {
@@ -92,7 +93,7 @@ TEST(ConvertChain, ASecondStatementOfTheSameFactMustAgree) {
       document_of(with_replaced(read_file(testdata_dir() / "kalibr/good/imu.yaml"), "0.0028", "0.0029"));
   EXPECT_TRUE(read_calibration({imu, imu}, nullptr, {}, diagnostics));
   EXPECT_FALSE(read_calibration({imu, other}, nullptr, {}, diagnostics));
-  EXPECT_EQ(diagnostics.entries().back().code, "stated-twice");
+  EXPECT_EQ(id_of(diagnostics.entries().back()), "stated-twice");
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ std::string in_words(const Outcome& outcome) {
   for (const Imu& imu : rig.imus) line += " " + imu.name;
   if (rig.cameras.empty() && rig.imus.empty()) line += " a pose";
   std::set<std::string> warnings;
-  for (const Diagnostic& entry : outcome.diagnostics.entries()) warnings.insert(entry.code);
+  for (const Diagnostic& entry : outcome.diagnostics.entries()) warnings.insert(id_of(entry));
   if (!warnings.empty()) line += "; said";
   for (const std::string& code : warnings) line += " " + code;
   return line;

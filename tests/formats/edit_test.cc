@@ -5,6 +5,7 @@
 
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <cmath>
 
@@ -14,7 +15,7 @@ namespace {
 std::string written_over(const Calibration& base, const Rig& rig) {
   Diagnostics diagnostics;
   const std::optional<Written> written = base.format->write(&base.documents.front(), rig, {}, diagnostics);
-  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   return written ? written->files.front().document.bytes() : "";
 }
 
@@ -202,7 +203,7 @@ TEST(Edit, EditedSettingsStayLoadable) {
   rig.poses.front().T_a_b = Transform{};
   const std::string edited = written_over(calibration, rig);
   const consumers::ConsumerView view = consumers::find_consumer("orbslam3")->load(edited, {"stereo-inertial"});
-  EXPECT_TRUE(view.loads()) << (view.refusals.empty() ? "" : view.refusals.front()) << "\n" << edited;
+  EXPECT_TRUE(view.loads()) << (view.refusals.empty() ? "" : sentence_of(view.refusals.front())) << "\n" << edited;
 }
 
 }  // namespace

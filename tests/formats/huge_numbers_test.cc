@@ -6,6 +6,7 @@
 #include "write_guard.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 #include <fca/rig/limits.h>
 
 #include <cmath>
@@ -91,7 +92,7 @@ TEST(WriteGuard, NoFormatWritesANumberThatIsNotFinite) {
       Diagnostics diagnostics;
       EXPECT_FALSE(format.write(nullptr, rig, {}, diagnostics)) << format.id << " " << what;
       ASSERT_FALSE(diagnostics.entries().empty()) << format.id << " " << what;
-      EXPECT_EQ(diagnostics.entries().front().code, "out-of-range") << diagnostics.entries().front().message;
+      EXPECT_EQ(id_of(diagnostics.entries().front()), "out-of-range") << message_of(diagnostics.entries().front());
     }
   }
 }
@@ -108,7 +109,7 @@ TEST(WriteGuard, NothingIsWrittenThatIsNotANumber) {
     Diagnostics diagnostics;
     EXPECT_FALSE(holds_finite_numbers(written, nullptr, diagnostics)) << word;
     ASSERT_EQ(diagnostics.entries().size(), 1U);
-    EXPECT_EQ(diagnostics.entries().front().message, "Camera.bf would not be a finite number in file.yaml");
+    EXPECT_EQ(message_of(diagnostics.entries().front()), "Camera.bf would not be a finite number in file.yaml");
   }
 }
 

@@ -4,6 +4,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 namespace fca::test {
 namespace {
@@ -56,7 +57,7 @@ std::string refusal(const std::string& bytes, const Written& written) {
   if (!written.sensor.empty()) options.sensor = written.sensor;
   for (const std::string& program : written.files.front().programs) {
     const consumers::ConsumerView view = consumers::find_consumer(program)->load(bytes, options);
-    if (!view.loads()) return view.refusals.front();
+    if (!view.loads()) return sentence_of(view.refusals.front());
   }
   return "";
 }

@@ -2,6 +2,8 @@
 // cam_overlaps says which cameras see something in common. Which those are does not change with the order in which they stand.
 #include "formats/test_files.h"
 
+#include <fca/formats/wording.h>
+
 #include <map>
 #include <set>
 
@@ -60,7 +62,7 @@ TEST(KalibrOverlaps, AreTheSameCamerasInAnyOrder) {
       // Who is left out is left out there, too.
       const bool all = order.size() == before.size();
       for (const Loss& loss : written->losses)
-        EXPECT_TRUE(!all || loss.what.find("cam_overlaps") == std::string::npos) << loss.what;
+        EXPECT_TRUE(!all || what_of(loss).find("cam_overlaps") == std::string::npos) << what_of(loss);
     }
   }
 }
@@ -74,7 +76,7 @@ TEST(KalibrOverlaps, AreOfTheRigTheyWereReadWith) {
   Diagnostics diagnostics;
   const std::optional<Written> fresh = write_calibration(*chain.format, nullptr, rig, {}, diagnostics);
   ASSERT_TRUE(fresh);
-  EXPECT_TRUE(fresh->losses.empty()) << fresh->losses.front().what;
+  EXPECT_TRUE(fresh->losses.empty()) << what_of(fresh->losses.front());
   EXPECT_EQ(relation_in(fresh->files.front().document.bytes()), relation_in(bytes));
   const Calibration other = calibration_of(camera(0, "[]"));
   const std::optional<Written> into = write_calibration(*chain.format, &other.documents.front(), chain.rig, {}, diagnostics);

@@ -5,6 +5,7 @@
 #include "pyyaml.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 namespace fca::test {
 namespace {
@@ -14,7 +15,7 @@ const Format& kalibr() { return *find_format("kalibr"); }
 Written write(const Rig& rig) {
   Diagnostics diagnostics;
   std::optional<Written> written = kalibr().write(nullptr, rig, {}, diagnostics);
-  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   return written ? *std::move(written) : Written();
 }
 
@@ -196,7 +197,7 @@ TEST(KalibrWrite, WhatItCannotHoldIsALossOrAnError) {
   rig.cameras[0].image_size.reset();
   Diagnostics diagnostics;
   EXPECT_FALSE(kalibr().write(nullptr, rig, {}, diagnostics));
-  EXPECT_EQ(diagnostics.entries().at(0).code, "image-size-missing");
+  EXPECT_EQ(id_of(diagnostics.entries().at(0)), "image-size-missing");
   Diagnostics without;
   EXPECT_FALSE(kalibr().write(nullptr, Rig(), {}, without));
   EXPECT_EQ(without.entries().at(0).code, "no-camera");

@@ -3,6 +3,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/text/limits.h>
+#include <fca/formats/wording.h>
 #include <fca/rig/limits.h>
 
 namespace fca::test {
@@ -20,7 +21,7 @@ std::string refusal_of(const std::string& bytes, const std::string& name) {
   const Parsed parsed = parse(bytes, name);
   if (parsed.document) return "";
   const Diagnostic& first = parsed.diagnostics.entries().front();
-  return first.code + ": " + first.message;
+  return id_of(first) + ": " + message_of(first);
 }
 
 TEST(Limits, OfAFilesSize) {

@@ -3,6 +3,8 @@
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 
+#include <fca/formats/wording.h>
+
 namespace fca::test {
 namespace {
 
@@ -20,7 +22,7 @@ Written as_model(const std::string& bytes, const std::string& name, const Camera
 std::vector<std::string> lost_comments(const Written& written) {
   std::vector<std::string> what;
   for (const Loss& loss : written.losses) {
-    if (loss.code == "comments-dropped") what.push_back(loss.what);
+    if (id_of(loss) == "comments-dropped") what.push_back(what_of(loss));
   }
   return what;
 }

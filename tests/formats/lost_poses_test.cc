@@ -5,6 +5,7 @@
 #include "formats/test_files.h"
 
 #include <fca/convert/convert.h>
+#include <fca/formats/wording.h>
 
 #include <initializer_list>
 
@@ -32,13 +33,13 @@ std::vector<std::string> lost(const Rig& rig, const std::string& to, const Write
   const Format& format = *find_format(to);
   Diagnostics diagnostics;
   const std::optional<Written> written = write_calibration(format, nullptr, for_format(rig, format), options, diagnostics);
-  EXPECT_TRUE(written) << to << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << to << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   std::vector<std::string> result;
   if (!written) return result;
   for (const Loss& loss : written->losses) {
-    if (loss.code != "pose-dropped") continue;
-    EXPECT_FALSE(loss.why.empty());
-    result.push_back(loss.what);
+    if (id_of(loss) != "pose-dropped") continue;
+    EXPECT_FALSE(why_of(loss).empty());
+    result.push_back(what_of(loss));
   }
   return result;
 }
@@ -76,7 +77,8 @@ TEST(LostPoses, TheReasonSaysWhatIsKept) {
   const Rig rig = rig_with({"FV", "RV"}, {{"vehicle", "FV", T_vehicle_front()}, {"vehicle", "RV", T_vehicle_rear()}});
   Diagnostics diagnostics;
   const Written written = write_calibration(*find_format("kalibr"), nullptr, rig, {}, diagnostics).value();
-  EXPECT_EQ(written.losses.back().why, "what is written for Kalibr does not say it; how FV and RV sit to each other is kept");
+  EXPECT_EQ(why_of(written.losses.back()),
+            "what is written for Kalibr does not say it; how FV and RV sit to each other is kept");
 }
 
 TEST(LostPoses, OfAnImu) {
@@ -125,7 +127,7 @@ TEST(LostPoses, NothingGoesWithinAFormat) {
     const std::optional<Written> written =
         write_calibration(*calibration.format, &calibration.documents.front(), calibration.rig, {}, diagnostics);
     ASSERT_TRUE(written) << name;
-    EXPECT_TRUE(written->losses.empty()) << name << ": " << written->losses.front().what;
+    EXPECT_TRUE(written->losses.empty()) << name << ": " << what_of(written->losses.front());
   }
 }
 

@@ -5,6 +5,7 @@
 #include "formats/oracle_table.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 #include <cstdio>
 
@@ -69,7 +70,7 @@ TEST(WordsCorpus, TheInverseWrittenIsWithinAMillionthOfAPixel) {
     Diagnostics diagnostics;
     const std::optional<Written> written = outcome.calibration->format->write(nullptr, rig, {}, diagnostics);
     ASSERT_TRUE(written);
-    EXPECT_TRUE(diagnostics.entries().empty()) << diagnostics.entries().front().message;
+    EXPECT_TRUE(diagnostics.entries().empty()) << message_of(diagnostics.entries().front());
     const double error = world2cam_error(rig, written->files.front().document.bytes());
     EXPECT_LE(error, 1e-6);
     worst = std::max(worst, error);

@@ -8,6 +8,7 @@
 
 #include <fca/formats/proof.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <rapidcheck/gtest.h>
 
@@ -133,7 +134,7 @@ TEST(OCamCalibWrite, ALensThatFoldsInsideTheImageIsSaid) {
   const std::optional<Written> written = ocamcalib_format().write(nullptr, rig_of(camera), {}, diagnostics);
   ASSERT_TRUE(written);
   ASSERT_EQ(diagnostics.entries().size(), 1U);
-  EXPECT_EQ(diagnostics.entries().front().code, "inverse-inexact");
+  EXPECT_EQ(id_of(diagnostics.entries().front()), "inverse-inexact");
   EXPECT_TRUE(written->defaults.front().look_at_it);
   EXPECT_LE(inverse_in(bytes_of(*written)).size(), ocamcalib::kMostCoefficients);
 }
@@ -234,7 +235,7 @@ TEST(OCamCalibWrite, OneFilePerCamera) {
   EXPECT_EQ(written.files[1].cameras, std::vector<std::string>{"cam1"});
   EXPECT_EQ(calibration_of(written.files[1].document.bytes(), "cam1.txt").rig.cameras[0].model, rig.cameras[1].model);
   std::vector<std::string> codes;
-  for (const Loss& loss : written.losses) codes.push_back(loss.code);
+  for (const Loss& loss : written.losses) codes.push_back(id_of(loss));
   EXPECT_EQ(codes, std::vector<std::string>{"time-offset-dropped"});
 }
 
@@ -242,7 +243,7 @@ TEST(OCamCalibWrite, WhatItCannotHoldIsAnError) {
   Rig rig = sample_rig("kb4", {false, false});
   Diagnostics diagnostics;
   EXPECT_FALSE(ocamcalib_format().write(nullptr, rig, {}, diagnostics));
-  EXPECT_EQ(diagnostics.entries().at(0).code, "model-not-storable");
+  EXPECT_EQ(id_of(diagnostics.entries().at(0)), "model-not-storable");
   rig = rig_of(camera_with({480.5, 300.25, 1.0, 0.0, 0.0, -310.25, 0.0, 1.2e-3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {960, 600}));
   rig.cameras[0].image_size.reset();
   Diagnostics without_size;

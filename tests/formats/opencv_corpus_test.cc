@@ -4,6 +4,7 @@
 #include "formats/oracle_camera.h"
 
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/wording.h>
 
 #include <cmath>
 #include <cstdio>
@@ -24,7 +25,8 @@ Outcome read(const fs::path& path, const ReadOptions& options = {}) {
   std::optional<text::Document> document = text::read_document(path.string(), outcome.diagnostics);
   if (document) outcome.calibration = read_calibration({*std::move(document)}, nullptr, options, outcome.diagnostics);
   for (const Diagnostic& entry : outcome.diagnostics.entries()) {
-    if (outcome.codes.find(entry.code) == std::string::npos) outcome.codes += (outcome.codes.empty() ? "" : " ") + entry.code;
+    if (outcome.codes.find(id_of(entry)) == std::string::npos)
+      outcome.codes += (outcome.codes.empty() ? "" : " ") + id_of(entry);
   }
   return outcome;
 }
@@ -39,7 +41,7 @@ TEST(OpenCvCorpus, WhatIsReadIsWrittenBackByteForByte) {
         outcome.calibration->format->write(&outcome.calibration->documents.front(), outcome.calibration->rig, {}, diagnostics);
     ASSERT_TRUE(written) << path;
     EXPECT_TRUE(written->files.front().document.bytes() == read_file(path)) << path;
-    EXPECT_TRUE(written->losses.empty()) << path << ": " << written->losses.front().what;
+    EXPECT_TRUE(written->losses.empty()) << path << ": " << what_of(written->losses.front());
   }
 }
 

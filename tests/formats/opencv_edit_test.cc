@@ -6,6 +6,7 @@
 
 #include <fca/formats/proof.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <set>
 
@@ -32,18 +33,19 @@ Base good(const std::string& file) { return base_of(read_file(testdata_dir() / "
 Written write(const Base& base, const Rig& rig, const WriteOptions& options = {}) {
   Diagnostics diagnostics;
   std::optional<Written> written = find_format("opencv")->write(&base.calibration.documents.front(), rig, options, diagnostics);
-  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   return written ? *std::move(written) : Written();
 }
 
 std::string bytes_of(const Written& written) { return written.files.empty() ? "" : written.files.front().document.bytes(); }
 
 bool has_loss(const Written& written, const std::string& code) {
-  return std::ranges::any_of(written.losses, [&code](const Loss& loss) { return loss.code == code; });
+  return std::ranges::any_of(written.losses, [&code](const Loss& loss) { return id_of(loss) == code; });
 }
 
 bool loses(const Written& written, const std::string& part) {
-  return std::ranges::any_of(written.losses, [&part](const Loss& loss) { return loss.what.find(part) != std::string::npos; });
+  return std::ranges::any_of(written.losses,
+                             [&part](const Loss& loss) { return what_of(loss).find(part) != std::string::npos; });
 }
 
 struct Case {
@@ -415,8 +417,8 @@ TEST(OpenCvEdit, WhatTheInputSaysOtherwiseIsSaid) {
   const Written written = write(base, base_of(changed, "x.yml").rig());
   EXPECT_EQ(bytes_of(written), base.bytes);
   ASSERT_EQ(written.losses.size(), 1U);
-  EXPECT_EQ(written.losses[0].what, "XT 3 x 1 [0.0, 0.0, 0.5]");
-  EXPECT_NE(written.losses[0].why.find("keeps its own"), std::string::npos);
+  EXPECT_EQ(what_of(written.losses[0]), "XT 3 x 1 [0.0, 0.0, 0.5]");
+  EXPECT_NE(why_of(written.losses[0]).find("keeps its own"), std::string::npos);
   // Other spellings of the same numbers are no other fact.
   const std::string respelled = with_replaced(base.bytes, "0.0, 0.0, 0.28", "0., 0., 2.8e-1");
   EXPECT_TRUE(write(base, base_of(respelled, "x.yml").rig()).losses.empty());
@@ -430,11 +432,11 @@ std::string stale_in(const Base& base, const Rig& rig) {
   if (!written) return "not written";
   std::string stale;
   for (const Loss& loss : written->losses) {
-    if (loss.code != "stale-derived") continue;
-    stale += (stale.empty() ? "" : "; ") + loss.what;
-    EXPECT_FALSE(loss.remedy.empty());
+    if (id_of(loss) != "stale-derived") continue;
+    stale += (stale.empty() ? "" : "; ") + what_of(loss);
+    EXPECT_FALSE(remedy_of(loss).empty());
     EXPECT_TRUE(std::ranges::any_of(diagnostics.entries(), [&loss](const Diagnostic& entry) {
-      return entry.code == loss.code && entry.message.starts_with(loss.what) && entry.where.length > 0;
+      return id_of(entry) == id_of(loss) && message_of(entry).starts_with(what_of(loss)) && entry.where.length > 0;
     }));
   }
   return stale;

@@ -5,6 +5,8 @@
 
 #include "opencv/names.h"
 
+#include <fca/formats/wording.h>
+
 namespace fca::test {
 namespace {
 
@@ -316,7 +318,7 @@ TEST(OpenCvRead, AGroupIsPartOfItsPose) {
   Diagnostics diagnostics;
   const std::optional<Written> written = write_calibration(*find_format("opencv"), nullptr, rig, options, diagnostics);
   ASSERT_TRUE(written);
-  EXPECT_TRUE(std::ranges::none_of(written->losses, [](const Loss& loss) { return loss.code == "pose-dropped"; }));
+  EXPECT_TRUE(std::ranges::none_of(written->losses, [](const Loss& loss) { return id_of(loss) == "pose-dropped"; }));
   EXPECT_EQ(calibration_of(written->files.front().document.bytes(), "x.yml").rig.poses, rig.poses);
 }
 

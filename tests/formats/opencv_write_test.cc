@@ -6,6 +6,7 @@
 
 #include <fca/formats/proof.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <cmath>
 #include <set>
@@ -29,7 +30,7 @@ WriteOptions options_for(const std::string& layout, const std::string& extension
 std::optional<Written> try_write(const Rig& rig, const std::string& layout, const std::string& extension, std::string& codes) {
   Diagnostics diagnostics;
   std::optional<Written> written = opencv_format().write(nullptr, rig, options_for(layout, extension), diagnostics);
-  for (const Diagnostic& entry : diagnostics.entries()) codes += (codes.empty() ? "" : " ") + entry.code;
+  for (const Diagnostic& entry : diagnostics.entries()) codes += (codes.empty() ? "" : " ") + id_of(entry);
   return written;
 }
 
@@ -355,8 +356,8 @@ TEST(OpenCvWrite, LossesAreListed) {
   rig.extra_fields.push_back({"cam0", "line_delay", "0.00002"});
   std::set<std::string> codes;
   for (const Loss& loss : write(rig).losses) {
-    codes.insert(loss.code);
-    EXPECT_FALSE(loss.what.empty() || loss.why.empty()) << loss.code;
+    codes.insert(id_of(loss));
+    EXPECT_FALSE(what_of(loss).empty() || why_of(loss).empty()) << id_of(loss);
   }
   EXPECT_EQ(codes, (std::set<std::string>{"time-offset-dropped", "topic-dropped", "frame-rate-dropped", "imu-dropped",
                                           "not-carried"}));

@@ -2,6 +2,8 @@
 // OpenVINS as a consumer: its two lenses are OpenCV's, its points are floats, and its poses come in either direction.
 #include "fca/formats/consumers/consumer.h"
 
+#include <fca/formats/wording.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +30,7 @@ TEST(OpenVins, ItsLensesAreOpenCvs) {
   const cv::Vec4d D(0.1, -0.02, 0.003, -0.001);
   for (const bool is_fisheye : {true, false}) {
     const ConsumerView view = load(chain(is_fisheye ? "equidistant" : "radtan"));
-    ASSERT_EQ(view.cameras.size(), 1U) << view.refusals.front();
+    ASSERT_EQ(view.cameras.size(), 1U) << sentence_of(view.refusals.front());
     EXPECT_TRUE(view.warnings.empty());
     for (double x = -0.8; x < 0.9; x += 0.1) {
       for (double y = -0.6; y < 0.7; y += 0.1) {

@@ -4,6 +4,7 @@
 #include "formats/rigs.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 namespace fca::test {
 namespace {
@@ -47,7 +48,7 @@ TEST(OpenVinsFormat, WhatIsWrittenTheProgramReads) {
     const Rig rig = sample_rig(model, {.two = true, .imu = true});
     const Written written = written_by(openvins(), nullptr, rig);
     ASSERT_EQ(written.files.size(), 2U) << model;
-    EXPECT_TRUE(written.losses.empty()) << written.losses.front().what;
+    EXPECT_TRUE(written.losses.empty()) << what_of(written.losses.front());
     const std::string bytes = written.files.front().document.bytes();
     const ProofResult proof = prove(program(), bytes, {}, rig);
     EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : proof.refusals.front());

@@ -4,6 +4,8 @@
 
 #include "formats/test_files.h"
 
+#include <fca/formats/wording.h>
+
 #include <cmath>
 
 namespace fca::test {
@@ -68,7 +70,7 @@ inline double distance(const Pixel& a, const Pixel& b) { return std::hypot(a[0] 
 inline Written written_by(const Format& format, const text::Document* base, const Rig& rig, const WriteOptions& options = {}) {
   Diagnostics diagnostics;
   std::optional<Written> written = format.write(base, rig, options, diagnostics);
-  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "nothing said" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "nothing said" : message_of(diagnostics.entries().front()));
   return written ? *std::move(written) : Written();
 }
 

@@ -4,6 +4,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 #include <cmath>
 #include <map>
@@ -26,7 +27,7 @@ WriteOptions as(const std::string& sensor) {
 Written write(const Rig& rig, const std::string& sensor = "") {
   Diagnostics diagnostics;
   std::optional<Written> written = orbslam3().write(nullptr, rig, as(sensor), diagnostics);
-  EXPECT_TRUE(written) << sensor << ": " << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << sensor << ": " << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   return written ? *std::move(written) : Written();
 }
 
@@ -303,7 +304,7 @@ TEST(OrbSlam3Write, CamerasThatSeeNothingInCommonAreWarnedOf) {
     options.max_angle_rad = max_angle_rad;
     Diagnostics diagnostics;
     EXPECT_TRUE(write_calibration(*find_format("orbslam3"), nullptr, rig, options, diagnostics));
-    return std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) { return entry.code == "nothing-shared"; });
+    return std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) { return id_of(entry) == "nothing-shared"; });
   };
   EXPECT_FALSE(warned(1.0));
   rig.poses.front().T_a_b = {{-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1}};
@@ -395,8 +396,8 @@ TEST(OrbSlam3Write, LossesAreListed) {
   const Written written = write(rig, "mono");
   std::set<std::string> codes;
   for (const Loss& loss : written.losses) {
-    codes.insert(loss.code);
-    EXPECT_FALSE(loss.what.empty() || loss.why.empty()) << loss.code;
+    codes.insert(id_of(loss));
+    EXPECT_FALSE(what_of(loss).empty() || why_of(loss).empty()) << id_of(loss);
   }
   for (const char* code : {"time-offset-dropped", "camera-dropped", "imu-dropped", "topic-dropped", "frame-rate-rounded"})
     EXPECT_TRUE(codes.contains(code)) << code;
@@ -404,7 +405,7 @@ TEST(OrbSlam3Write, LossesAreListed) {
   const Written stereo = write(rig, "stereo-inertial");
   std::string remedies;
   for (const Loss& loss : stereo.losses) {
-    if (loss.code == "time-offset-dropped") remedies += loss.remedy + "\n";
+    if (id_of(loss) == "time-offset-dropped") remedies += remedy_of(loss) + "\n";
   }
   EXPECT_NE(remedies.find("add 0.0021 s"), std::string::npos) << remedies;
   EXPECT_NE(remedies.find("-0.0035 s"), std::string::npos) << remedies;
@@ -414,7 +415,7 @@ TEST(OrbSlam3Write, WhatOneFileCannotHoldIsRefused) {
   const auto code_of = [](const Rig& rig) {
     Diagnostics diagnostics;
     EXPECT_FALSE(orbslam3().write(nullptr, rig, as("stereo"), diagnostics));
-    return diagnostics.entries().empty() ? std::string("nothing said") : diagnostics.entries().front().code;
+    return diagnostics.entries().empty() ? std::string("nothing said") : id_of(diagnostics.entries().front());
   };
   Rig sizes = sample_rig("kb4", {true, false});
   sizes.cameras[1].image_size = ImageSize{640, 480};

@@ -4,6 +4,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 #include <cmath>
 
@@ -20,7 +21,7 @@ Rig pair_of(double focal_length) {
 std::string bytes_for(const char* format, const Rig& rig) {
   Diagnostics diagnostics;
   const std::optional<Written> written = find_format(format)->write(nullptr, rig, {}, diagnostics);
-  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(written) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   return written ? written->files.front().document.bytes() : "";
 }
 

@@ -3,6 +3,8 @@
 #include "formats/oracle_table.h"
 #include "formats/rigs.h"
 
+#include <fca/formats/wording.h>
+
 #include <cmath>
 
 #include <rapidcheck/gtest.h>
@@ -104,7 +106,7 @@ std::optional<Calibration> read_back(const Written& written, const Format& forma
   ReadOptions options;
   options.join = !format.many_cameras;
   std::optional<Calibration> calibration = read_calibration(documents, &format, options, diagnostics);
-  for (const Diagnostic& entry : diagnostics.entries()) said += entry.message + "\n";
+  for (const Diagnostic& entry : diagnostics.entries()) said += message_of(entry) + "\n";
   return calibration;
 }
 
@@ -177,7 +179,7 @@ Rig through(const Rig& rig, const char* id, std::vector<Loss>& losses) {
 }
 
 bool loses(const std::vector<Loss>& losses, const std::string& code) {
-  return std::ranges::any_of(losses, [&code](const Loss& loss) { return loss.code == code; });
+  return std::ranges::any_of(losses, [&code](const Loss& loss) { return id_of(loss) == code; });
 }
 
 void same_poses(const Rig& a, const Rig& b, double tolerance) {

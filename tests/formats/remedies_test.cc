@@ -3,6 +3,8 @@
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 
+#include <fca/formats/wording.h>
+
 namespace fca::test {
 namespace {
 
@@ -29,10 +31,10 @@ TEST(Remedies, EveryLossSaysWhatToDo) {
     ASSERT_TRUE(written) << format.id;
     EXPECT_FALSE(written->losses.empty()) << format.id;
     for (const Loss& loss : written->losses) {
-      EXPECT_NE(loss.remedy, "") << format.id << " " << loss.what;
-      if (loss.code == "time-offset-dropped") {
+      EXPECT_NE(remedy_of(loss), "") << format.id << " " << what_of(loss);
+      if (id_of(loss) == "time-offset-dropped") {
         // t_imu = t_cam + offset: an image's time stamp becomes the IMU's by adding the offset, sign and all.
-        EXPECT_TRUE(loss.remedy.starts_with("add -0.0021 s to every image time stamp")) << loss.remedy;
+        EXPECT_TRUE(remedy_of(loss).starts_with("add -0.0021 s to every image time stamp")) << remedy_of(loss);
       }
     }
     losses += written->losses.size();

@@ -283,7 +283,7 @@ TEST(Ros, AFreshIniComesBackAndHoldsNoFisheye) {
   }
   Diagnostics diagnostics;
   EXPECT_FALSE(ros().write(nullptr, sample_rig("kb4", {}), options, diagnostics));
-  EXPECT_EQ(diagnostics.entries().front().code, "model-not-storable");
+  EXPECT_EQ(id_of(diagnostics.entries().front()), "model-not-storable");
 }
 
 // An .ini that is to hold a fisheye becomes YAML.

@@ -7,6 +7,7 @@
 #include <fca/formats/calibration.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/text/render.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -77,7 +78,7 @@ struct Parsed {
 
   [[nodiscard]] std::string codes() const {
     std::string result;
-    for (const Diagnostic& entry : diagnostics.entries()) result += (result.empty() ? "" : " ") + entry.code;
+    for (const Diagnostic& entry : diagnostics.entries()) result += (result.empty() ? "" : " ") + id_of(entry);
     return result;
   }
   [[nodiscard]] std::string rendered() const {
@@ -105,7 +106,7 @@ inline text::Document document_of(const std::string& bytes, const std::string& n
 inline Calibration calibration_of(const std::string& bytes, const std::string& name = "file.yaml") {
   Diagnostics diagnostics;
   std::optional<Calibration> calibration = read_calibration({document_of(bytes, name)}, nullptr, {}, diagnostics);
-  EXPECT_TRUE(calibration) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message) << "\n" << bytes;
+  EXPECT_TRUE(calibration) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front())) << "\n" << bytes;
   return calibration ? *std::move(calibration) : Calibration();
 }
 

@@ -5,6 +5,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <random>
 
@@ -112,7 +113,7 @@ inline void expect_truncations_are_harmless(const std::string& bytes, const std:
       expect_nested_spans(parsed.document->root(), length);
     } else {
       ASSERT_FALSE(parsed.diagnostics.entries().empty()) << length;
-      EXPECT_FALSE(parsed.diagnostics.entries().front().message.empty());
+      EXPECT_FALSE(message_of(parsed.diagnostics.entries().front()).empty());
       EXPECT_LE(parsed.diagnostics.entries().front().where.offset, length);
     }
   }
@@ -125,7 +126,7 @@ inline std::string place_and_code(const std::string& bytes, const std::string& n
   if (parsed.diagnostics.entries().size() != 1) return "several errors";
   const Diagnostic& entry = parsed.diagnostics.entries().front();
   const text::Position position = parsed.source.position(entry.where.offset);
-  return std::to_string(position.line) + ":" + std::to_string(position.column) + " " + entry.code;
+  return std::to_string(position.line) + ":" + std::to_string(position.column) + " " + id_of(entry);
 }
 
 }  // namespace fca::test

@@ -5,6 +5,7 @@
 
 #include <fca/formats/proof.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <rapidcheck/gtest.h>
 
@@ -21,7 +22,7 @@ double random_in(double low, double high) {
 
 std::vector<std::string> codes_of(const Written& written) {
   std::vector<std::string> codes;
-  for (const Loss& loss : written.losses) codes.push_back(loss.code);
+  for (const Loss& loss : written.losses) codes.push_back(id_of(loss));
   return codes;
 }
 
@@ -87,7 +88,7 @@ TEST(TumViChain, ATimeOffsetIsDroppedAndSaid) {
   rig.cameras[1].time_offset_s = 0.0;
   const Written written = written_by(tumvi_format(), nullptr, rig);
   EXPECT_EQ(codes_of(written), std::vector<std::string>{"time-offset-dropped"});
-  EXPECT_NE(written.losses.front().remedy.find("add -0.0021 s"), std::string::npos);
+  EXPECT_NE(remedy_of(written.losses.front()).find("add -0.0021 s"), std::string::npos);
   EXPECT_EQ(bytes_of(written).find("timeshift_cam_imu"), std::string::npos);
 }
 
@@ -244,7 +245,7 @@ TEST(CameraTxt, WhatItCannotSayBecomesAChain) {
     Diagnostics diagnostics;
     const std::optional<Written> written = tumvi_format().write(&calibration.documents.front(), rig, {}, diagnostics);
     return written && written->files.front().programs == std::vector<std::string>{"kalibr"} &&
-           diagnostics.entries().front().code == "not-a-camera-txt" &&
+           id_of(diagnostics.entries().front()) == "not-a-camera-txt" &&
            read_as_tumvi(bytes_of(*written)).cameras.at(0).model == rig.cameras.at(0).model;
   };
   Rig other_model = calibration.rig;

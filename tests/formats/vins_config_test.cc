@@ -4,6 +4,7 @@
 #include "formats/rigs.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 
 namespace fca::test {
 namespace {
@@ -17,7 +18,7 @@ Calibration read_together(const std::string& config, const std::string& cam0, co
   std::optional<Calibration> calibration = read_calibration(
       {document_of(config, "here/config.yaml"), document_of(cam0, "here/cam0.yaml"), document_of(cam1, "here/cam1.yaml")},
       nullptr, {}, diagnostics);
-  EXPECT_TRUE(calibration) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(calibration) << (diagnostics.entries().empty() ? "" : message_of(diagnostics.entries().front()));
   EXPECT_TRUE(diagnostics.entries().empty());
   return calibration ? *std::move(calibration) : Calibration();
 }

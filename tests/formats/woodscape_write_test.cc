@@ -7,6 +7,7 @@
 
 #include <fca/formats/proof.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 #include <fca/rig/rotation.h>
 
 #include <rapidcheck/gtest.h>
@@ -144,7 +145,7 @@ TEST(WoodScapeWrite, WithoutAPoseItIsIdentityAndSaid) {
   ASSERT_EQ(written.defaults.size(), 1U);
   EXPECT_TRUE(written.defaults.front().look_at_it);
   std::vector<std::string> codes;
-  for (const Loss& loss : written.losses) codes.push_back(loss.code);
+  for (const Loss& loss : written.losses) codes.push_back(id_of(loss));
   EXPECT_EQ(codes, (std::vector<std::string>{"time-offset-dropped", "topic-dropped", "frame-rate-dropped", "imu-dropped"}));
   EXPECT_EQ(calibration_of(bytes_of(written), "cam.json").rig.cameras[0].name, "cam\"0");
   EXPECT_TRUE(projection_py().load(bytes_of(written), {}).loads());

@@ -5,6 +5,7 @@
 #include <fca/formats/read_back.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 
 #include "text/json.h"
 #include "text/words.h"
@@ -31,7 +32,7 @@ class Judge {
   void expect_reason(bool result, const Diagnostics& diagnostics, const std::string& step) {
     expect(result || diagnostics.has_errors(), step + " is refused without an error");
     for (const Diagnostic& entry : diagnostics.entries())
-      expect(!entry.code.empty() && !entry.message.empty(), step + ": a diagnostic without code or message");
+      expect(!id_of(entry).empty() && !message_of(entry).empty(), step + ": a diagnostic without code or message");
   }
   [[nodiscard]] Complaints complaints() && { return std::move(complaints_); }
 
@@ -121,7 +122,7 @@ void expect_written(const Format& format, const Rig& rig, const std::string& ste
     Diagnostics as_text;
     const std::optional<text::Document> parsed = text::parse_document({name, file.document.bytes()}, as_text);
     judge.expect(parsed.has_value(), step + ": what is written is no document: " +
-                                         (as_text.entries().empty() ? "" : as_text.entries().front().message));
+                                         (as_text.entries().empty() ? "" : message_of(as_text.entries().front())));
     if (!parsed || file.cameras.empty()) continue;
     ReadOptions options;
     options.opencv_model = written->opencv_model;
@@ -156,9 +157,9 @@ void expect_checked(const Format* format, const text::Source& source, Judge& jud
   options.from = format;
   const CheckReport report = check_file(source, options);
   for (const Finding& finding : report.findings) {
-    judge.expect(find_check_code(finding.code) != nullptr, "the finding " + finding.code + " has no story");
+    judge.expect(find_check_code(id_of(finding)) != nullptr, "the finding " + id_of(finding) + " has no story");
     judge.expect(finding.where.offset + finding.where.length <= source.bytes.size(),
-                 "the finding " + finding.code + " lies outside the file");
+                 "the finding " + id_of(finding) + " lies outside the file");
   }
   const std::optional<text::Source> mend = mended(source, options);
   judge.expect(!mend || mend->bytes != source.bytes, "a mend that changes nothing");

@@ -7,6 +7,7 @@
 
 #include <fca/formats/read_back.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <array>
 #include <set>
@@ -114,9 +115,9 @@ Rig named_rig(const std::string& first) {
 /// Everything that is said beside the files.
 std::string said_of(const Written& written, const Diagnostics& diagnostics) {
   std::string text;
-  for (const Loss& loss : written.losses) text += loss.code + " " + loss.what + " " + loss.why + "\n";
+  for (const Loss& loss : written.losses) text += id_of(loss) + " " + what_of(loss) + " " + why_of(loss) + "\n";
   for (const DefaultedValue& value : written.defaults) text += value.key + " " + value.value + "\n";
-  for (const Diagnostic& entry : diagnostics.entries()) text += entry.message + "\n";
+  for (const Diagnostic& entry : diagnostics.entries()) text += message_of(entry) + "\n";
   return text;
 }
 

@@ -68,7 +68,7 @@ CheckReport unreadable(const Diagnostics& diagnostics) {
   CheckReport report;
   report.is_calibration = false;
   for (const Diagnostic& entry : diagnostics.entries())
-    report.findings.push_back({entry.severity, entry.code, entry.message, {}, entry.fix, entry.where});
+    report.findings.push_back({entry.severity, entry.code, entry.message, {}, entry.fix, entry.where, {}, entry.facts});
   return report;
 }
 

@@ -3,6 +3,9 @@
 #include "commands/convert/conversion_json.h"
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
+#include "shell/option_hints.h"
+
+#include <fca/formats/wording.h>
 
 #include <set>
 
@@ -14,15 +17,15 @@ bool placed(const Finding& finding) { return finding.where.offset > 0 || finding
 
 void put_finding(Json& json, const Finding& finding, const text::Source& source) {
   json.put("severity", severity_name(finding.severity));
-  json.put("code", finding.code);
+  json.put("code", id_of(finding));
   if (placed(finding)) {
     const text::Position position = source.position(finding.where.offset);
     json.put("line", position.line);
     json.put("column", position.column);
   }
-  json.put("message", finding.message);
-  json.put("consequence", finding.consequence);
-  json.put("fix", finding.fix);
+  json.put("message", message_of(finding, with_options));
+  json.put("consequence", consequence_of(finding, with_options));
+  json.put("fix", fix_of(finding, with_options));
 }
 
 void put_file(Json& json, const CheckResult& file, const Console& console) {
@@ -34,9 +37,9 @@ void put_file(Json& json, const CheckResult& file, const Console& console) {
   json.put("checked", std::span<const std::string>(report.checked));
   json.array("undecided", report.undecided, [&](const Undecided& undecided) {
     json.object([&] {
-      json.put("code", undecided.code);
-      json.put("question", undecided.question);
-      json.put("why", undecided.why);
+      json.put("code", id_of(undecided));
+      json.put("question", question_of(undecided, with_options));
+      json.put("why", why_of(undecided, with_options));
     });
   });
   if (!file.instead) return;
@@ -67,10 +70,12 @@ std::string uri_of(std::string_view path) {
 std::string_view level(Severity severity) { return severity_name(severity); }
 
 void put_result(Json& json, const Finding& finding, const text::Source& source) {
-  json.put("ruleId", finding.code);
+  json.put("ruleId", id_of(finding));
   json.put("level", level(finding.severity));
-  const std::string text = finding.message + (finding.consequence.empty() ? "" : "\nIf used: " + finding.consequence) +
-                           (finding.fix.empty() ? "" : "\nFix: " + finding.fix);
+  const std::string consequence = consequence_of(finding, with_options);
+  const std::string fix = fix_of(finding, with_options);
+  const std::string text = message_of(finding, with_options) + (consequence.empty() ? "" : "\nIf used: " + consequence) +
+                           (fix.empty() ? "" : "\nFix: " + fix);
   json.object("message", [&] { json.put("text", text); });
   json.array("locations", std::initializer_list<int>{0}, [&](int) {
     json.object([&] {
@@ -109,9 +114,9 @@ std::string check_json(const CheckedFiles& checked, const Console& console) {
 }
 
 std::string check_sarif(const CheckedFiles& checked) {
-  std::set<std::string_view> codes;
+  std::set<std::string> codes;
   for (const CheckResult& file : checked.files) {
-    for (const Finding& finding : file.report.findings) codes.insert(finding.code);
+    for (const Finding& finding : file.report.findings) codes.insert(id_of(finding));
   }
   Json json;
   json.object([&] {

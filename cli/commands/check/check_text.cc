@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
 #include "preview_text.h"
 
 #include <fca/formats/text/render.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <span>
@@ -28,9 +30,12 @@ std::string verdict(const CheckReport& report) {
 }
 
 std::string finding_text(const Finding& finding, const text::Source& source) {
-  std::string text = text::render({finding.severity, finding.code, finding.message, {}, finding.where}, std::span(&source, 1));
-  if (!finding.consequence.empty()) text += paragraph("if used: " + finding.consequence, "    ");
-  if (!finding.fix.empty()) text += paragraph("fix: " + finding.fix, "    ");
+  std::string text = text::render({finding.severity, id_of(finding), message_of(finding, with_options), {}, finding.where},
+                                  std::span(&source, 1));
+  const std::string consequence = consequence_of(finding, with_options);
+  const std::string fix = fix_of(finding, with_options);
+  if (!consequence.empty()) text += paragraph("if used: " + consequence, "    ");
+  if (!fix.empty()) text += paragraph("fix: " + fix, "    ");
   return text;
 }
 
@@ -56,7 +61,7 @@ std::string check_text(const CheckResult& file) {
   text += readers_line(report.readers);
   if (!report.checked.empty()) text += paragraph("checked: " + enumerated(report.checked), "  ");
   for (const Undecided& undecided : report.undecided)
-    text += paragraph("not decidable: " + undecided.question + "; " + undecided.why, "  ");
+    text += paragraph("not decidable: " + question_of(undecided, with_options) + "; " + why_of(undecided, with_options), "  ");
   return text;
 }
 

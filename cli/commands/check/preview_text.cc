@@ -2,7 +2,10 @@
 #include "preview_text.h"
 
 #include "commands/convert/convert_command.h"
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
+
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 
@@ -29,13 +32,14 @@ std::string list_text(const std::string& heading, const std::vector<std::string>
 std::vector<std::string> losses_by_reason(const std::vector<Loss>& losses) {
   std::vector<std::string> reasons;
   for (const Loss& loss : losses) {
-    if (std::ranges::find(reasons, loss.why) == reasons.end()) reasons.push_back(loss.why);
+    std::string why = why_of(loss, with_options);
+    if (std::ranges::find(reasons, why) == reasons.end()) reasons.push_back(std::move(why));
   }
   std::vector<std::string> texts;
   for (const std::string& reason : reasons) {
     std::vector<std::string> lost;
     for (const Loss& loss : losses) {
-      if (loss.why == reason) lost.push_back(loss.what);
+      if (why_of(loss, with_options) == reason) lost.push_back(what_of(loss, with_options));
     }
     texts.push_back(enumerated(lost, "and") + " (" + reason + ")");
   }
@@ -48,7 +52,8 @@ std::string preview_text(const ConvertResult& outcome, const std::string& indent
   const auto& entries = outcome.diagnostics.entries();
   const auto error = std::ranges::find(entries, Severity::kError, &Diagnostic::severity);
   if (error != entries.end()) {
-    return paragraph("convert would not write it: " + error->message + (error->fix.empty() ? "" : " (" + error->fix + ")"),
+    const std::string fix = fix_of(*error, with_options);
+    return paragraph("convert would not write it: " + message_of(*error, with_options) + (fix.empty() ? "" : " (" + fix + ")"),
                      indent);
   }
   std::string text = paragraph("convert would write " + outcome.headline, indent);

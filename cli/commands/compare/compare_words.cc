@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a comparison comes to, in one line.
 #include "compare_command.h"
+#include "shell/option_hints.h"
 #include "toolkit/compare/difference_words.h"
 #include "toolkit/words.h"
 
@@ -89,7 +90,7 @@ std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
 std::string verdict_of(const ComparedFile& compared) {
   if (compared.status > Status::kRejected) {
     const auto& entries = compared.diagnostics.entries();
-    return "not compared: " + std::ranges::find(entries, Severity::kError, &Diagnostic::severity)->message;
+    return "not compared: " + message_of(*std::ranges::find(entries, Severity::kError, &Diagnostic::severity), with_options);
   }
   const RigComparison& comparison = *compared.comparison;
   const bool inverse = inverses_differ(compared);

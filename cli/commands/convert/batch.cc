@@ -2,8 +2,8 @@
 #include "batch.h"
 
 #include "shell/progress.h"
-#include "toolkit/words.h"
 #include "toolkit/at_once.h"
+#include "toolkit/words.h"
 
 #include <algorithm>
 #include <optional>
@@ -30,7 +30,8 @@ std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const Convert
 
 bool holds_no_camera(const ConvertOutcome& outcome) {
   return std::ranges::any_of(outcome.diagnostics.entries(), [](const Diagnostic& entry) {
-    return entry.code == "unknown-format" || entry.code == "no-camera" || entry.code == "no-calibration";
+    const std::string id = id_of(entry);
+    return id == "unknown-format" || id == "no-camera" || id == "no-calibration";
   });
 }
 
@@ -64,7 +65,7 @@ std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure)
 
 std::string result(const ConvertOutcome& outcome) {
   for (const Diagnostic& entry : outcome.diagnostics.entries()) {
-    if (entry.severity == Severity::kError) return "error: " + entry.code;
+    if (entry.severity == Severity::kError) return "error: " + id_of(entry);
   }
   const auto warnings = std::ranges::count(outcome.diagnostics.entries(), Severity::kWarning, &Diagnostic::severity);
   return warnings == 0 ? "good" : counted(static_cast<std::size_t>(warnings), "warning");

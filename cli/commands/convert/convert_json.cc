@@ -4,9 +4,11 @@
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
 #include "shell/judgement_json.h"
+#include "shell/option_hints.h"
 #include "shell/parameters_json.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 
@@ -85,10 +87,10 @@ void put_defaults(Json& json, const ConvertOutcome& outcome) {
 void put_losses(Json& json, const ConvertOutcome& outcome) {
   json.array("losses", outcome.losses, [&](const Loss& loss) {
     json.object([&] {
-      json.put("code", loss.code);
-      json.put("what", loss.what);
-      json.put("why", loss.why);
-      json.put("do", loss.remedy);
+      json.put("code", id_of(loss));
+      json.put("what", what_of(loss, with_options));
+      json.put("why", why_of(loss, with_options));
+      json.put("do", remedy_of(loss, with_options));
     });
   });
 }

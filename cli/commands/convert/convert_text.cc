@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "convert_command.h"
 #include "shell/judgement_text.h"
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
 #include "shell/program_words.h"
 
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <cmath>
@@ -86,8 +88,10 @@ std::string losses_text(const std::vector<Loss>& losses) {
   if (losses.empty()) return "lost: nothing\n";
   std::string text = "lost:\n";
   for (const Loss& loss : losses) {
-    text += "  " + text::printable(loss.what) + ": " + loss.why + "\n";  // a key of the file may hold line breaks
-    if (!loss.remedy.empty()) text += "    do: " + loss.remedy + "\n";
+    text += "  " + text::printable(what_of(loss, with_options)) + ": " + why_of(loss, with_options) +
+            "\n";  // a key of the file may hold line breaks
+    const std::string remedy = remedy_of(loss, with_options);
+    if (!remedy.empty()) text += "    do: " + remedy + "\n";
   }
   return text;
 }

@@ -58,7 +58,7 @@ void add_commands(const std::vector<std::string>& words, ConvertOutcome& outcome
   if (outcome.better_order.empty()) return;
   Diagnostics with_commands;
   for (Diagnostic entry : outcome.diagnostics.entries()) {
-    if (entry.code == "stereo-order" && entry.fix.empty()) entry.fix = command_with_cameras(words, outcome.better_order);
+    if (id_of(entry) == "stereo-order" && entry.fix.empty()) entry.fix = command_with_cameras(words, outcome.better_order);
     with_commands.add(std::move(entry));
   }
   outcome.diagnostics = std::move(with_commands);

@@ -3,6 +3,7 @@
 
 #include "options/inputs.h"
 #include "shell/json.h"
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
 
 #include <fca/formats/consumers/consumer.h>
@@ -190,7 +191,7 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
     text += "  " + padded(candidate.model->id, kModel);
     if (!candidate.conversion) {
       const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
-      text += why.empty() ? "does not fit\n" : why.back().message + "\n";
+      text += why.empty() ? "does not fit\n" : message_of(why.back(), with_options) + "\n";
       continue;
     }
     const Judgement& j = candidate.conversion->report.judgement;

@@ -2,6 +2,7 @@
 #include "check/preview.h"
 
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 #include <fca/toolkit/check.h>
 #include <fca/toolkit/programs.h>
 
@@ -25,7 +26,7 @@ CheckOptions options_for(const CheckRequest& request, bool with_cameras) {
 
 /// Is it for a program that reads another format?
 bool is_for_another_format(const CheckReport& report) {
-  return std::ranges::any_of(report.findings, [](const Finding& finding) { return finding.code == "program-other-format"; });
+  return std::ranges::any_of(report.findings, [](const Finding& finding) { return id_of(finding) == "program-other-format"; });
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ CheckResult check(const CheckRequest& request, const text::Source& source, Files
   if (result.report.holds_no_camera && request.program != nullptr)
     result.report = check_file(source, options_for(request, false));
   std::erase_if(result.report.findings, [&request](const Finding& finding) {
-    return std::ranges::find(request.ignored, finding.code) != request.ignored.end();
+    return std::ranges::find(request.ignored, id_of(finding)) != request.ignored.end();
   });
   if (request.program != nullptr && source.name != text::kStandardInput && is_for_another_format(result.report))
     result.instead = preview_conversion(source.name, request.inputs, *request.program, files);

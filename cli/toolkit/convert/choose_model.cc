@@ -37,7 +37,7 @@ bool keeps(const Camera& camera, const StoredModel& stored) {
 }
 
 std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredModel& stored, const ModelChoice& choice,
-                                         Diagnostics& diagnostics) {
+                                           Diagnostics& diagnostics) {
   if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty())
     return ConvertedCamera{camera, camera, std::nullopt};
   std::optional<Conversion> conversion = convert(camera, options_for(stored, choice), diagnostics);
@@ -46,7 +46,7 @@ std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredMod
 }
 
 std::optional<std::vector<ConvertedCamera>> convert_all(const std::vector<Camera>& cameras, const StoredModel& stored,
-                                                      const ModelChoice& choice, Diagnostics& diagnostics) {
+                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
   std::vector<Diagnostics> found(cameras.size());
   std::vector<std::optional<ConvertedCamera>> converted(cameras.size());
   at_once(cameras.size(), choice.jobs,
@@ -123,7 +123,7 @@ double share_behind(const std::vector<ConvertedCamera>& outcomes) {
 /// All cameras in the best of the models that may be chosen. One that sees only ahead is not tried where another
 /// covers what lies behind: its fit to a cone is the slowest of all.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
-                                                     const ModelChoice& choice, Diagnostics& diagnostics) {
+                                                       const ModelChoice& choice, Diagnostics& diagnostics) {
   struct Candidate {
     const StoredModel* stored = nullptr;
     bool tried = false;
@@ -168,7 +168,7 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
 
 /// All cameras in one model: theirs, if the stock program reads it and all have it, else the best that it reads.
 std::optional<std::vector<ConvertedCamera>> common_model(const std::vector<Camera>& cameras, const Format& format,
-                                                       const ModelChoice& choice, Diagnostics& diagnostics) {
+                                                         const ModelChoice& choice, Diagnostics& diagnostics) {
   for (const StoredModel& stored : format.models) {
     const bool all_keep = may_be_chosen(stored, choice) &&
                           std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
@@ -178,7 +178,7 @@ std::optional<std::vector<ConvertedCamera>> common_model(const std::vector<Camer
 }
 
 std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera>& cameras, const Format& format,
-                                                      const ModelChoice& choice, Diagnostics& diagnostics) {
+                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
   if (choice.model != nullptr) {
     const ModelInfo& model = *choice.model;
     const StoredModel* stored = find_stored_model(format, model.id, false);
@@ -226,13 +226,13 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
 }  // namespace
 
 std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Camera>& cameras, const Format& format,
-                                                          const ModelChoice& choice, Diagnostics& diagnostics) {
+                                                            const ModelChoice& choice, Diagnostics& diagnostics) {
   std::optional<std::vector<ConvertedCamera>> outcomes = all_cameras(cameras, format, choice, diagnostics);
   if (!outcomes) return std::nullopt;
   for (const ConvertedCamera& camera : *outcomes) {
     for (Diagnostic entry : camera.found.entries()) {
       // The library does not know which models the program reads.
-      if (entry.code == "target-cannot-reach" && camera.report)
+      if (id_of(entry) == "target-cannot-reach" && camera.report)
         entry.fix = better_models(camera.source, *camera.report, format, choice) + "; fca-io models FILE compares all models";
       diagnostics.add(std::move(entry));
     }

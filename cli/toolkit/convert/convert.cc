@@ -16,6 +16,7 @@
 #include "convert/write_rig.h"
 
 #include <fca/convert/reach.h>
+#include <fca/formats/wording.h>
 #include <fca/toolkit/convert.h>
 
 #include <algorithm>
@@ -25,8 +26,7 @@ namespace fca {
 
 namespace {
 
-Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCamera>& cameras,
-                  const ConvertRequest& request) {
+Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCamera>& cameras, const ConvertRequest& request) {
   Rig rig = calibration.rig;
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     rig.cameras[i] = cameras[i].target;
@@ -74,7 +74,8 @@ const text::Document* input_of(const ConvertedFile& output, const Written& writt
 /// One conversion, step by step: each of them is false where there are errors.
 class Steps {
  public:
-  Steps(const ConvertRequest& request, Files& files, ConvertResult& result) : request_(request), files_(files), result_(result) {}
+  Steps(const ConvertRequest& request, Files& files, ConvertResult& result)
+      : request_(request), files_(files), result_(result) {}
 
   [[nodiscard]] bool run() {
     if (!read() || !fit() || !write() || !place()) return false;
@@ -101,12 +102,12 @@ class Steps {
   const ConvertRequest& request_;
   Files& files_;
   ConvertResult& result_;
-  std::optional<Calibration> into_;   ///< The request's base.
-  std::future<void> programs_;        ///< Made ready while the input is read.
+  std::optional<Calibration> into_;  ///< The request's base.
+  std::future<void> programs_;       ///< Made ready while the input is read.
   std::optional<Calibration> input_;
   Base base_;
-  Rig rig_;          ///< What is written.
-  Kept kept_;        ///< Of the base.
+  Rig rig_;    ///< What is written.
+  Kept kept_;  ///< Of the base.
   Written written_;
 };
 
@@ -181,8 +182,8 @@ bool Steps::write() {
   add_provenance(request_, *input_, written_, result_);
   if (!apply_settings(request_, to, written_, result_.diagnostics)) return false;
   for (Loss& loss : written_.losses) {
-    loss.what = with_names_of_file(loss.what, result_.cameras);
-    loss.remedy = with_names_of_file(loss.remedy, result_.cameras);
+    loss.what = with_names_of_file(what_of(loss), result_.cameras);
+    loss.remedy = with_names_of_file(remedy_of(loss), result_.cameras);
   }
   warn_of_wrong_side(rig_, request_, written_.first_is_left, result_);
   return true;

@@ -6,6 +6,7 @@
 
 #include <fca/formats/mend.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
 
 #include <numbers>
 
@@ -36,7 +37,7 @@ std::optional<std::string> first_refusal(const std::string& bytes, const std::st
   if (consumer == nullptr) return std::nullopt;
   const consumers::ConsumerView view = consumer->load(bytes, options);
   if (view.loads()) return std::nullopt;
-  return view.refusals.front();
+  return sentence_of(view.refusals.front());
 }
 
 }  // namespace
@@ -91,8 +92,8 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
 
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics) {
   const text::Source& source = calibration.documents[calibration.with_cameras].source();
-  const std::optional<std::string> refusal =
-      refused_by_all(calibration.format->id, source.bytes, !calibration.rig.cameras.empty(), {"", std::string(name_of(inputs.opencv_model))});
+  const std::optional<std::string> refusal = refused_by_all(
+      calibration.format->id, source.bytes, !calibration.rig.cameras.empty(), {"", std::string(name_of(inputs.opencv_model))});
   if (!refusal) return;
   diagnostics.warning("program-refuses", source.name + " is read, but its own program would refuse it, " + *refusal, {},
                       "fca-io check " + shell_word(source.name) + " says where, and how to mend it");
@@ -106,9 +107,9 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     if (consumer == nullptr) continue;
     judged = true;
     const consumers::LoadOptions options = load_options(written);
-    ProofResult proof = prove(*consumer, output.bytes, options, rig, output.cameras,
-                              request.inputs.max_angle_rad.value_or(std::numbers::pi),
-                              [&request](std::size_t count, const auto& body) { at_once(count, request.jobs, body); });
+    ProofResult proof =
+        prove(*consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
+              [&request](std::size_t count, const auto& body) { at_once(count, request.jobs, body); });
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
@@ -121,16 +122,16 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
           "--anew writes it as " + program + " reads it");
     } else if (refused_before) {
       result.diagnostics.warning("program-refuses",
-                                  request.into + " is edited and not proven: before and after, " + program +
-                                      " refuses it: " + text::printable(proof.refusals.front()),
-                                  {}, "--anew writes it as " + program + " reads it");
+                                 request.into + " is edited and not proven: before and after, " + program +
+                                     " refuses it: " + text::printable(proof.refusals.front()),
+                                 {}, "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
-      result.diagnostics.error("proof-failed",
-                                program + " would not understand what was to be written: " + disagreement(proof), {},
-                                request.into.empty() || proof.loads
-                                    ? ""
-                                    : "fca-io check " + shell_word(request.into) +
-                                          " tells whether the base itself is at fault; if not, --sensor takes a poorer mode");
+      result.diagnostics.error("proof-failed", program + " would not understand what was to be written: " + disagreement(proof),
+                               {},
+                               request.into.empty() || proof.loads
+                                   ? ""
+                                   : "fca-io check " + shell_word(request.into) +
+                                         " tells whether the base itself is at fault; if not, --sensor takes a poorer mode");
       result.status = worse(result.status, Status::kRejected);
     }
     result.proofs.push_back(std::move(proof));

@@ -4,6 +4,7 @@
 #include "words.h"
 
 #include <fca/formats/read_back.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <optional>
@@ -24,7 +25,7 @@ void list_stale(const Rig& rig, std::span<const std::string_view> of, const std:
   std::vector<std::string> stale;
   for (const ExtraField& extra : rig.extra_fields) {
     const bool lost =
-        std::ranges::any_of(written.losses, [&extra](const Loss& loss) { return loss.what.starts_with(with_owner(extra)); });
+        std::ranges::any_of(written.losses, [&extra](const Loss& loss) { return what_of(loss).starts_with(with_owner(extra)); });
     if (is_among(extra, of) && !lost) stale.push_back(with_owner(extra));
   }
   if (stale.empty()) return;

@@ -198,7 +198,7 @@ TEST(CompareCameras, OtherProportionsAreRefusedAndASizeIsEnoughOnce) {
   Diagnostics diagnostics;
   EXPECT_FALSE(compare(euroc(), other, {}, diagnostics));
   ASSERT_EQ(diagnostics.entries().size(), 1U);
-  EXPECT_EQ(diagnostics.entries().front().code, "resolution-differs");
+  EXPECT_EQ(id_of(diagnostics.entries().front()), "resolution-differs");
   other.image_size.reset();
   EXPECT_TRUE(compared(euroc(), other).identical);
   EXPECT_TRUE(compared(other, euroc()).identical);
@@ -233,7 +233,7 @@ TEST(CompareCameras, ALensThatSeesNothingIsTheSameAsItself) {
   EXPECT_TRUE(same->identical);
   EXPECT_EQ(same->difference.judgement.error.max, 0.0);
   ASSERT_EQ(diagnostics.entries().size(), 1U);
-  EXPECT_EQ(diagnostics.entries().front().code, "no-pixel-has-a-ray");
+  EXPECT_EQ(id_of(diagnostics.entries().front()), "no-pixel-has-a-ray");
   EXPECT_FALSE(diagnostics.has_errors());
   Camera other = blind;
   ASSERT_TRUE(set_parameter(other.model, "cx", 4999.0));

@@ -60,7 +60,7 @@ void expect_no_loss(const Camera& camera, std::string_view target, const std::ve
     const Coverage& coverage = conversion->report.judgement.coverage;
     EXPECT_GE(coverage.scored, before - 1e-3);
     const bool said = std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) {
-      return entry.code == "target-cannot-reach" || entry.code == "folds-inside-image";
+      return id_of(entry) == "target-cannot-reach" || id_of(entry) == "folds-inside-image";
     });
     EXPECT_TRUE(said || coverage.unrepresentable <= 1e-3) << coverage.unrepresentable;
     before = std::max(before, coverage.scored);
@@ -85,7 +85,7 @@ TEST(ReachTable, OnlyWhatSeesAheadOnlyHasALimitOfTheError) {
     const std::optional<Conversion> conversion = convert(camera, options, diagnostics);
     ASSERT_TRUE(conversion) << target;
     EXPECT_TRUE(std::ranges::any_of(diagnostics.entries(), [](const Diagnostic& entry) {
-      return entry.code == "target-cannot-reach";
+      return id_of(entry) == "target-cannot-reach";
     })) << target;
     const ConversionReport& report = conversion->report;
     if (sees_ahead_only) {

@@ -20,7 +20,8 @@ struct SpanEdit {
   std::string text;
 };
 
-/// Something that is, or may be, wrong with a file.
+/// Something that is, or may be, wrong with a file. Words that stand here are said in place of the table's: of checks that
+/// still word their findings themselves, and of mends; readers ask fca/formats/wording.h.
 struct Finding {
   Severity severity = Severity::kError;
   std::string code;         ///< One of check_codes().
@@ -29,6 +30,7 @@ struct Finding {
   std::string fix;          ///< How to mend it; may be empty.
   SourceRange where;
   std::optional<SpanEdit> mend = {};  ///< Where the mend is certain: another spelling of the same value.
+  Message facts = {};
 };
 
 /// A question the file does not answer.
@@ -36,6 +38,7 @@ struct Undecided {
   std::string code;      ///< Of the finding that might have been: "folds-inside-image".
   std::string question;  ///< "folding inside the image (cam0)"
   std::string why;       ///< "no image size: give --size"
+  Message facts = {};    ///< Of a check that does not word it itself (fca/formats/wording.h).
 };
 
 /// What a check came to.

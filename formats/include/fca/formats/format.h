@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fca {
@@ -34,13 +35,29 @@ struct StoredModel {
   bool pairs_only = false;                 ///< A file holds one such camera, or a pair with its pose, and no other rig.
 };
 
-/// Something the target format cannot carry.
+/// Something the target format cannot carry: of whom, which fact, its values. Losses whose writers still word them themselves
+/// have the words in the first four; readers ask fca/formats/wording.h.
 struct Loss {
   std::string code;    ///< "time-offset-dropped"
   std::string what;    ///< "cam0 timeshift_cam_imu 0.0021 s"
   std::string why;     ///< "ORB-SLAM3 has no key for it"
   std::string remedy;  ///< "add 0.0021 s to every image time stamp"; may be empty
+
+  Code kind = {};                     ///< Code::kTimeOffsetDropped
+  std::string owner = {};             ///< A camera by its name in the rig ("cam0"), an IMU, a file; empty: the rig.
+  std::string key = {};               ///< "timeshift_cam_imu"
+  std::vector<Argument> values = {};  ///< 0.0021
 };
+
+/// A loss by its facts, which its sentences name as {0} (owner), {1} (key), {2} ... (values).
+[[nodiscard]] inline Loss lost(Code kind, std::string owner, std::string key, std::vector<Argument> values = {}) {
+  Loss loss;
+  loss.kind = kind;
+  loss.owner = std::move(owner);
+  loss.key = std::move(key);
+  loss.values = std::move(values);
+  return loss;
+}
 
 /// A value the inputs do not state and the target demands.
 struct DefaultedValue {

@@ -5,12 +5,15 @@
 // That independence is their whole worth: a mistake of ours cannot hide in both.
 #pragma once
 
+#include <fca/message.h>
+
 #include <array>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fca::consumers {
@@ -55,10 +58,22 @@ struct ConsumerImu {
   std::optional<double> rate_hz;
 };
 
+/// What a program has to say of one place of a file. fca/formats/wording.h words it.
+struct Complaint {
+  Complaint(Code code, std::string place, std::vector<Argument> arguments = {})
+      : key(std::move(place)), facts{code, std::move(arguments)} {}
+  /// Of a program that still words it itself.
+  Complaint(std::string words) : sentence(std::move(words)) {}  // NOLINT(google-explicit-constructor)
+
+  std::string key;  ///< The path of what it is about, '/' between its keys: "cam0/intrinsics"; empty: none, or no keys (lines).
+  Message facts = {};
+  std::string sentence = {};
+};
+
 /// What the program makes of a file.
 struct ConsumerView {
-  std::vector<std::string> refusals;    ///< Why the program would not run with it, one sentence each. Empty: it loads.
-  std::vector<std::string> warnings;    ///< What it would silently misread or ignore, one sentence each.
+  std::vector<Complaint> refusals;      ///< Why the program would not run with it. Empty: it loads.
+  std::vector<Complaint> warnings;      ///< What it would silently misread or ignore.
   std::vector<ConsumerCamera> cameras;  ///< Empty where it refuses.
   std::vector<ConsumerPose> poses;
   std::optional<ConsumerImu> imu;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fca/diagnostics.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/source.h>
 
 #include <span>
@@ -11,6 +12,8 @@ namespace fca::text {
 
 /// `file:line:column: error: message [code]`, the line with a caret, and the fix. Without a place: `error: message [code]`.
 /// `sources`: the files the diagnostic may point into. `colour`: with terminal escapes.
-[[nodiscard]] std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour = false);
+/// `wording`: where the sentences of codes come from.
+[[nodiscard]] std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour = false,
+                                 Wording wording = table_wording);
 
 }  // namespace fca::text

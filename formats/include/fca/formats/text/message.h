@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Messages in words. A sentence of the table (fca/code.h) names its arguments as {0}, {1} ...; behind a colon stands how:
+//   text     {0} as it is      {0:short} a beginning of a long one
+//   number   {0} 6 digits      {0:.3} 3 significant digits     {0:.1f} 1 decimal      {0:real} all digits, always with a point
+//            {0:px} an error in pixels ("0", "0.113", "4e-14")  {0:%} a share ("12.5 %")
+//   count    {0} in digits     {0:s} nothing of 1, else the "s" of a plural
+//   names    {0} "a, b and c"  {0:or} "a, b or c"               {0:s} as of their number
+//   clauses  {0} one behind the other; nothing of none
+// A brace that is one is written twice.
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/message.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fca {
+
+namespace text {
+
+/// A column of the table.
+enum class Part { kText, kWhy, kConsequence, kFix };
+
+/// Where the sentences come from: the table, or a caller's own words for some codes (the command names its options).
+using Wording = std::string_view (*)(Code code, Part part);
+[[nodiscard]] std::string_view table_wording(Code code, Part part);
+
+/// Empty where the code says nothing there. A sentence that asks for an argument that is not there is shown as it stands.
+[[nodiscard]] std::string rendered(const Message& message, Part part, Wording wording = table_wording);
+
+[[nodiscard]] std::string text_of(const Message& message, Wording wording = table_wording);
+[[nodiscard]] std::string why_of(const Message& message, Wording wording = table_wording);
+[[nodiscard]] std::string consequence_of(const Message& message, Wording wording = table_wording);
+[[nodiscard]] std::string fix_of(const Message& message, Wording wording = table_wording);
+
+/// A pattern with the arguments in their places; throws fmt::format_error of one that is none.
+[[nodiscard]] std::string filled(std::string_view pattern, std::span<const Argument> arguments,
+                                 Wording wording = table_wording);
+
+}  // namespace text
+
+/// What is wrong, one sentence.
+[[nodiscard]] std::string message_of(const Diagnostic& diagnostic, text::Wording wording = text::table_wording);
+/// How to mend it; may be empty.
+[[nodiscard]] std::string fix_of(const Diagnostic& diagnostic, text::Wording wording = text::table_wording);
+
+}  // namespace fca

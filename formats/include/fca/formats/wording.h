@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What losses, findings and programs say, in words. Words that stand in a value (old writers, a mend that is known) are said in
+// place of the table's.
+#pragma once
+
+#include <fca/formats/check.h>
+#include <fca/formats/consumers/consumer.h>
+#include <fca/formats/format.h>
+#include <fca/formats/text/message.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// A loss's message: {0} its owner, {1} its key, {2} ... its values.
+[[nodiscard]] Message facts_of(const Loss& loss);
+[[nodiscard]] std::string id_of(const Loss& loss);
+[[nodiscard]] std::string what_of(const Loss& loss, text::Wording wording = text::table_wording);
+[[nodiscard]] std::string why_of(const Loss& loss, text::Wording wording = text::table_wording);
+[[nodiscard]] std::string remedy_of(const Loss& loss, text::Wording wording = text::table_wording);
+
+[[nodiscard]] std::string id_of(const Finding& finding);
+[[nodiscard]] std::string message_of(const Finding& finding, text::Wording wording = text::table_wording);
+[[nodiscard]] std::string consequence_of(const Finding& finding, text::Wording wording = text::table_wording);
+[[nodiscard]] std::string fix_of(const Finding& finding, text::Wording wording = text::table_wording);
+
+[[nodiscard]] std::string id_of(const Undecided& undecided);
+[[nodiscard]] std::string question_of(const Undecided& undecided, text::Wording wording = text::table_wording);
+[[nodiscard]] std::string why_of(const Undecided& undecided, text::Wording wording = text::table_wording);
+
+namespace consumers {
+
+[[nodiscard]] std::string sentence_of(const Complaint& complaint, text::Wording wording = text::table_wording);
+[[nodiscard]] std::vector<std::string> sentences_of(std::span<const Complaint> complaints,
+                                                    text::Wording wording = text::table_wording);
+
+}  // namespace consumers
+
+}  // namespace fca

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The only user of libfmt.
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+namespace fca::text {
+
+namespace {
+
+/// An argument in a sentence.
+struct Slot {
+  const Argument* argument;
+  Wording wording;
+};
+
+[[noreturn]] void refuse(std::string_view how) { throw fmt::format_error("no way to write an argument: " + std::string(how)); }
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+  return {buffer.data(), result.ptr};
+}
+
+std::string plural(std::size_t count) { return count == 1 ? "" : "s"; }
+
+/// The words of one argument, by its type; `how` is what stands behind the colon.
+struct InWords {
+  std::string_view how;
+  Wording wording;
+
+  std::string operator()(const std::string& text) const {
+    if (how.empty()) return text;
+    if (how == "short") return shortened(text);
+    refuse(how);
+  }
+
+  std::string operator()(double value) const {
+    if (how.empty()) return format_short(value);
+    if (how == "real") return format_real(value);
+    if (how == "px") return value == 0.0 ? "0" : format_short(value, value < 1e-4 ? 2 : 3);
+    if (how == "%") return fixed(100.0 * value, 1) + " %";
+    if (!how.starts_with('.')) refuse(how);
+    const bool decimals = how.ends_with('f');
+    const std::optional<int> digits = parse_int(how.substr(1, how.size() - (decimals ? 2 : 1)));
+    constexpr int kMostDigits = 17;
+    if (!digits || *digits < 0 || *digits > kMostDigits) refuse(how);
+    return decimals ? fixed(value, *digits) : format_short(value, *digits);
+  }
+
+  std::string operator()(std::int64_t count) const {
+    if (how.empty()) return std::to_string(count);
+    if (how == "s") return plural(count < 0 ? 0 : static_cast<std::size_t>(count));
+    refuse(how);
+  }
+
+  std::string operator()(const std::vector<std::string>& names) const {
+    if (how == "s") return plural(names.size());
+    return enumerated(names, how.empty() ? "and" : how);
+  }
+
+  std::string operator()(const std::vector<Message>& clauses) const {
+    if (!how.empty()) refuse(how);
+    std::string text;
+    for (const Message& clause : clauses) text += text_of(clause, wording);
+    return text;
+  }
+};
+
+}  // namespace
+
+}  // namespace fca::text
+
+template <>
+struct fmt::formatter<fca::text::Slot> {
+  constexpr auto parse(fmt::format_parse_context& context) {
+    const auto* end = std::find(context.begin(), context.end(), '}');
+    how = {context.begin(), static_cast<std::size_t>(end - context.begin())};
+    return end;
+  }
+
+  auto format(const fca::text::Slot& slot, fmt::format_context& context) const {
+    const std::string words = std::visit(fca::text::InWords{how, slot.wording}, slot.argument->value);
+    return std::copy(words.begin(), words.end(), context.out());
+  }
+
+  std::string_view how;
+};
+
+namespace fca::text {
+
+std::string_view table_wording(Code code, Part part) {
+  const CodeInfo& row = info(code);
+  switch (part) {
+    case Part::kText:
+      return row.text;
+    case Part::kWhy:
+      return row.why;
+    case Part::kConsequence:
+      return row.consequence;
+    case Part::kFix:
+      return row.fix;
+  }
+  return {};
+}
+
+std::string filled(std::string_view pattern, std::span<const Argument> arguments, Wording wording) {
+  fmt::dynamic_format_arg_store<fmt::format_context> store;
+  for (const Argument& argument : arguments) store.push_back(Slot{&argument, wording});
+  return fmt::vformat(fmt::string_view(pattern.data(), pattern.size()), store);
+}
+
+std::string rendered(const Message& message, Part part, Wording wording) {
+  const std::string_view pattern = wording(message.code, part);
+  if (pattern.empty()) return {};
+  try {
+    return filled(pattern, message.arguments, wording);
+  } catch (const fmt::format_error&) {
+    return std::string(pattern);
+  }
+}
+
+std::string text_of(const Message& message, Wording wording) { return rendered(message, Part::kText, wording); }
+std::string why_of(const Message& message, Wording wording) { return rendered(message, Part::kWhy, wording); }
+std::string consequence_of(const Message& message, Wording wording) { return rendered(message, Part::kConsequence, wording); }
+std::string fix_of(const Message& message, Wording wording) { return rendered(message, Part::kFix, wording); }
+
+}  // namespace fca::text
+
+namespace fca {
+
+std::string message_of(const Diagnostic& diagnostic, text::Wording wording) {
+  return diagnostic.message.empty() ? text::text_of(diagnostic.facts, wording) : diagnostic.message;
+}
+
+std::string fix_of(const Diagnostic& diagnostic, text::Wording wording) {
+  return diagnostic.fix.empty() ? text::fix_of(diagnostic.facts, wording) : diagnostic.fix;
+}
+
+}  // namespace fca

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What DSO says to a camera.txt.
+#include "topics.h"
+
+#include <array>
+
+namespace fca::diagnostics {
+
+namespace {
+
+constexpr CodeInfo refusal(Code code, std::string_view text) {
+  return {.code = code, .id = "program-refuses", .severity = Severity::kError, .about = About::kReader, .text = text};
+}
+
+constexpr CodeInfo warning(Code code, std::string_view text) {
+  return {.code = code, .id = "program-misreads", .severity = Severity::kWarning, .about = About::kReader, .text = text};
+}
+
+}  // namespace
+
+std::span<const CodeInfo> dso_codes() {
+  static constexpr std::array kRows = {
+      refusal(Code::kDsoFileEmpty, "the file is empty"),
+      refusal(Code::kDsoFileTooLarge, "the file is larger than 2 MiB; not read"),
+      refusal(Code::kDsoLineTooLong, "a line has more than 4096 characters; not read"),
+      refusal(
+          Code::kDsoUnknownLens,
+          "line 1 is {0}; DSO wants RadTan, EquiDistant or KannalaBrandt with 8 numbers, FOV or Pinhole with 5, or the bare "
+          "numbers (\"could not read calib file! exit.\")"),
+      refusal(Code::kDsoNumberNotFinite, "a number of line 1 is not finite"),
+      refusal(Code::kDsoSizeNotRead, "line {0} ({1} size) is {2}; DSO wants two whole numbers"),
+      refusal(Code::kDsoOutputUnknown,
+              "line 3 is {0}; DSO wants exactly crop, full or none (no blank, no CR after it), or five numbers"),
+      refusal(Code::kDsoFullUnfinished, "line 3 is full, which DSO has not written yet: assert(false)"),
+      refusal(Code::kDsoSizesDiffer,
+              "line 3 is none, but the sizes of the lines 2 and 4 differ; DSO exits (\"rectification mode none requires input "
+              "and output dimenstions to match!\")"),
+      warning(Code::kDsoFifthNumberIgnored, "the fifth number of Pinhole is read and ignored: it is no distortion"),
+      warning(Code::kDsoPixelsBelowOne,
+              "some of fx fy cx cy are below 1, but not both of cx and cy: DSO takes all four as pixels"),
+      warning(Code::kDsoSharesByCentre,
+              "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
+      warning(Code::kDsoOutputShares, "line 3 has a centre above 1; DSO takes the numbers as shares of the output size"),
+      warning(Code::kDsoNotRectified,
+              "line 3 is none: DSO does not rectify and ignores the distortion of line 1, which costs up to {0:.3} px"),
+  };
+  return kRows;
+}
+
+}  // namespace fca::diagnostics

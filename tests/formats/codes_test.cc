@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of codes: whole, in order, and every sentence can be said.
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
+
+#include <array>
+#include <regex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace fca {
+namespace {
+
+std::array<std::string_view, 4> sentences_of_row(const CodeInfo& row) { return {row.text, row.why, row.consequence, row.fix}; }
+
+/// What {N:how} can write.
+Argument sample(const std::string& how) {
+  if (how == "s") return 2;
+  if (how == "or") return std::vector<std::string>{"a", "b"};
+  if (how == "short" || how.empty()) return "name";
+  return 0.125;
+}
+
+/// Arguments for the placeholders of all sentences of a row; one that is written in two ways takes the special one.
+std::vector<Argument> samples(const CodeInfo& row) {
+  static const std::regex placeholder(R"(\{(\d+)(?::([^}]*))?\})");
+  std::vector<Argument> arguments;
+  for (const std::string_view sentence : sentences_of_row(row)) {
+    const std::string text(sentence);
+    for (std::sregex_iterator match(text.begin(), text.end(), placeholder); match != std::sregex_iterator(); ++match) {
+      const std::size_t index = std::stoul((*match)[1]);
+      while (arguments.size() <= index) arguments.emplace_back("name");
+      if ((*match)[2].length() > 0) arguments[index] = sample((*match)[2]);
+    }
+  }
+  return arguments;
+}
+
+TEST(Codes, EachHasOneRow) {
+  std::set<Code> seen;
+  for (const CodeInfo& row : all_codes()) {
+    EXPECT_TRUE(seen.insert(row.code).second) << row.id << ": " << row.text;
+    EXPECT_GT(row.code, Code::kNone);
+    EXPECT_LT(row.code, Code::kCount);
+    EXPECT_EQ(&info(row.code), &row);
+  }
+  EXPECT_EQ(seen.size() + 1, static_cast<std::size_t>(Code::kCount)) << "a code without a row";
+  EXPECT_TRUE(info(Code::kNone).id.empty());
+}
+
+TEST(Codes, IdsAreKebabCase) {
+  const std::regex kebab("[a-z0-9]+(-[a-z0-9]+)*");
+  for (const CodeInfo& row : all_codes()) EXPECT_TRUE(std::regex_match(std::string(row.id), kebab)) << row.id;
+}
+
+TEST(Codes, EverySentenceCanBeSaid) {
+  for (const CodeInfo& row : all_codes()) {
+    EXPECT_FALSE(row.text.empty()) << row.id;
+    const std::vector<Argument> arguments = samples(row);
+    for (const std::string_view sentence : sentences_of_row(row)) {
+      std::string said;
+      EXPECT_NO_THROW(said = text::filled(sentence, arguments)) << sentence;
+      EXPECT_EQ(said.empty(), sentence.empty()) << sentence;
+    }
+  }
+}
+
+TEST(Codes, NoSentenceNamesAnOption) {
+  const std::regex option("(^|[ (,:;\"'])--[a-z]");
+  for (const CodeInfo& row : all_codes()) {
+    for (const std::string_view sentence : sentences_of_row(row))
+      EXPECT_FALSE(std::regex_search(std::string(sentence), option)) << sentence;
+  }
+}
+
+TEST(Messages, ArgumentsAreWrittenAsTheirPlaceSays) {
+  const auto said = [](std::string_view pattern, const std::vector<Argument>& arguments) {
+    return text::filled(pattern, arguments);
+  };
+  EXPECT_EQ(said("{0} {1}", {"cam0", 3}), "cam0 3");
+  EXPECT_EQ(said("{0} {0:.3} {0:.2f} {0:real}", {1234.5678}), "1234.57 1.23e+03 1234.57 1234.5678");
+  EXPECT_EQ(said("{0:real} {1:px} {2:px} {3:px} {4:%}", {2.0, 0.0, 0.1234, 4e-14, 0.125}), "2.0 0 0.123 4e-14 12.5 %");
+  EXPECT_EQ(said("{0} key{0:s}, {1} key{1:s}", {1, 2}), "1 key, 2 keys");
+  const std::vector<std::string> names = {"a", "b", "c"};
+  EXPECT_EQ(said("{0}; {0:or}; name{0:s}", {names}), "a, b and c; a, b or c; names");
+  EXPECT_EQ(said("{{}} {0}", {"x"}), "{} x");
+  EXPECT_ANY_THROW(said("{0:.3}", {"a name"}));
+  EXPECT_ANY_THROW(said("{1}", {"alone"}));
+}
+
+TEST(Messages, ClausesStandOneBehindTheOther) {
+  const Message clause{Code::kImuNoiseOfSamples, {200.0, 0.001}};
+  const std::string alone = text::text_of(clause);
+  EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{clause}), "x" + alone);
+  EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{std::vector<Message>{clause, clause}}), "x" + alone + alone);
+  EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{std::vector<Message>()}), "x");
+}
+
+TEST(Messages, DiagnosticsTakeSeverityAndWordsFromTheTable) {
+  Diagnostics diagnostics;
+  diagnostics.add(Code::kLensCircleStretched, {"cam0"});
+  diagnostics.add(Severity::kError, Code::kLensCircleStretched, {"cam1"});
+  diagnostics.error("old", "said by its writer", {}, "do");
+  ASSERT_EQ(diagnostics.entries().size(), 3U);
+  EXPECT_EQ(diagnostics.entries()[0].severity, Severity::kWarning);
+  EXPECT_EQ(diagnostics.entries()[1].severity, Severity::kError);
+  EXPECT_EQ(id_of(diagnostics.entries()[0]), "lens-circle-stretched");
+  EXPECT_TRUE(message_of(diagnostics.entries()[1]).starts_with("cam1: in images")) << message_of(diagnostics.entries()[1]);
+  EXPECT_EQ(id_of(diagnostics.entries()[2]), "old");
+  EXPECT_EQ(message_of(diagnostics.entries()[2]), "said by its writer");
+  EXPECT_EQ(fix_of(diagnostics.entries()[2]), "do");
+}
+
+}  // namespace
+}  // namespace fca
