@@ -3,22 +3,60 @@
 
 #include <algorithm>
 #include <atomic>
-#include <future>
-#include <thread>
+#include <exception>
+#include <new>
+#include <system_error>
 #include <vector>
 
 namespace fca {
 
+namespace {
+
+/// Starts the function in a thread; nothing where there is no room for one more.
+template <typename Function>
+std::jthread started(const Function& function) {
+  try {
+    return std::jthread(function);
+  } catch (const std::system_error&) {  // a limit on threads, or no memory for a stack
+    return {};
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
+}
+
+}  // namespace
+
 void at_once(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body) {
-  const std::size_t most = jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t most = std::min(count, jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()));
   std::atomic<std::size_t> next = 0;
+  std::atomic<bool> failed = false;
+  std::exception_ptr failure;  // written by the one that sets `failed`
   const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) body(i);
+    try {
+      for (std::size_t i = next++; i < count && !failed; i = next++) body(i);
+    } catch (...) {
+      if (!failed.exchange(true)) failure = std::current_exception();
+    }
   };
-  std::vector<std::future<void>> others;
-  for (std::size_t worker = 1; worker < std::min(count, most); ++worker) others.push_back(std::async(std::launch::async, work));
-  work();
-  for (std::future<void>& other : others) other.get();
+  {
+    std::vector<std::jthread> others;  // joined where they go out of scope
+    while (others.size() + 1 < most) {
+      std::jthread other = started(work);
+      if (!other.joinable()) break;
+      others.push_back(std::move(other));
+    }
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+std::jthread in_background(const std::function<void()>& task) {
+  return started([task] {
+    try {
+      task();
+    } catch (...) {  // NOLINT(bugprone-empty-catch): whoever needs what it prepares does it again, and is told
+    }
+  });
 }
 
 }  // namespace fca

@@ -20,7 +20,6 @@
 #include <fca/toolkit/convert.h>
 
 #include <algorithm>
-#include <future>
 
 namespace fca {
 
@@ -103,7 +102,7 @@ class Steps {
   Files& files_;
   ConvertResult& result_;
   std::optional<Calibration> into_;  ///< The request's base.
-  std::future<void> programs_;       ///< Made ready while the input is read.
+  std::jthread programs_;            ///< Made ready while the input is read.
   std::optional<Calibration> input_;
   Base base_;
   Rig rig_;    ///< What is written.

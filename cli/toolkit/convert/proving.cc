@@ -42,13 +42,13 @@ std::optional<std::string> first_refusal(const std::string& bytes, const std::st
 
 }  // namespace
 
-std::future<void> prepare_programs(const Format& format) {
+std::jthread prepare_programs(const Format& format) {
   const auto needed = [&format](const consumers::Consumer& each) {
     return each.prepare != nullptr && each.format == format.id;
   };
   const auto all = consumers::all_consumers();
   const auto program = std::ranges::find_if(all, needed);
-  return program == all.end() ? std::future<void>() : std::async(std::launch::async, program->prepare);
+  return program == all.end() ? std::jthread() : in_background(program->prepare);
 }
 
 std::optional<std::string> newly_refused(const Written& written, const text::Document* base) {
