@@ -90,9 +90,10 @@ class ConfigReader {
       }
       Transform T;
       std::ranges::copy(matrix->values, T.values.begin());
-      if (const std::optional<Transform> checked = reader_.checked(T, *node, key))
+      if (const std::optional<Transform> checked = reader_.checked(T, *node, key)) {
         rig.poses.push_back({std::string(kImu), numbered("cam", i), *checked});
         rig.add_frame(kImu, FrameKind::kImu);
+      }
     }
   }
 
