@@ -2,6 +2,7 @@
 // convert with many inputs: folders, patterns, what is skipped, one table, one exit code, and nothing different from one by
 // one.
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 #include <algorithm>
 #include <iterator>
@@ -29,7 +30,8 @@ TEST(Batch, AFolderIsConvertedAndWhatHoldsNoCameraCounted) {
   const RunResult run =
       run_program({"convert", folder / "rigs", "--to", "orbslam3", "--max-angle", "97.5", "-o", (folder / "out") + "/"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "3 of 3 inputs converted, 3 files written; 2 other files hold no camera\n")) << run.out;
+  EXPECT_EQ(numbers_of_last_line(run.out), (std::vector{3, 3, 3, 2}))
+      << "converted, files written, without a camera: " << run.out;
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path() / "out"), fs::directory_iterator{}), 3);
   EXPECT_EQ(run.err.find("imu.yaml"), std::string::npos) << "what was only met in a folder is no error: " << run.err;
 }
@@ -48,7 +50,7 @@ TEST(Batch, APatternGivesTheBytesOfOneByOne) {
     const std::string out = folder / (std::string("out") + jobs);
     const RunResult run = run_program(with({"convert", folder / "rigs/[ab].yaml", "--jobs", jobs, "-o", out + "/{stem}.yaml"}));
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_TRUE(contains(run.out, "2 of 2 inputs converted, 2 files written\n")) << run.out;
+    EXPECT_EQ(numbers_of_last_line(run.out), (std::vector{2, 2, 2})) << run.out;
     for (const char* name : {"a", "b"}) {
       const std::string alone = folder / "alone.yaml";
       EXPECT_EQ(run_program(with({"convert", folder / ("rigs/" + std::string(name) + ".yaml"), "-o", alone, "--force"})).code,
@@ -58,7 +60,6 @@ TEST(Batch, APatternGivesTheBytesOfOneByOne) {
   }
   const RunResult none = run_program(with({"convert", folder / "rigs/z*.yaml", "-o", (folder / "out") + "/"}));
   EXPECT_EQ(none.code, 4);
-  EXPECT_TRUE(contains(none.err, "no file fits the pattern")) << none.err;
   EXPECT_TRUE(contains(none.err, "z*.yaml")) << none.err;
 }
 
@@ -69,7 +70,8 @@ TEST(Batch, WhatAPatternFitsBesideTheCamerasIsCounted) {
   const RunResult run = run_program({"convert", folder / "rigs/*", folder / "rigs/a.yaml", folder / "rigs/../rigs", "--to",
                                      "basalt", "-o", (folder / "out") + "/"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "3 of 3 inputs converted, 3 files written; 2 other files hold no camera\n")) << run.out;
+  EXPECT_EQ(numbers_of_last_line(run.out), (std::vector{3, 3, 3, 2}))
+      << "converted, files written, without a camera: " << run.out;
 }
 
 TEST(Batch, TheWorstExitCodeIsReturnedAndTheOthersAreWritten) {
@@ -79,9 +81,9 @@ TEST(Batch, TheWorstExitCodeIsReturnedAndTheOthersAreWritten) {
   const RunResult run = run_program(
       {"convert", folder / "rigs/a.yaml", broken, folder / "rigs/b.yaml", "--to", "basalt", "-o", (folder / "out") + "/"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.out, "2 of 3 inputs converted, 2 files written\n")) << run.out;
-  EXPECT_TRUE(contains(run.out, "error: not-a-number\n")) << run.out;
-  EXPECT_TRUE(contains(run.err, broken + ":")) << run.err;
+  EXPECT_EQ(numbers_of_last_line(run.out), (std::vector{2, 3, 2})) << run.out;
+  EXPECT_TRUE(contains(run.out, "not-a-number\n")) << run.out;
+  EXPECT_TRUE(says(run.err, "not-a-number", broken + ":")) << run.err;
 }
 
 // Two inputs of one name: refused before a single file is written, both are named, and the pattern that is advised parts them.
@@ -100,7 +102,7 @@ TEST(Batch, CollisionsAreRefusedBeforeAnythingIsWritten) {
     const std::string pattern = run.err.substr(from, run.err.find('\'', from) - from);
     const RunResult again = run_program({"convert", folder / "rigs", "--to", "basalt", "-o", folder / ("out/" + pattern)});
     EXPECT_EQ(again.code, 0) << again.err;
-    EXPECT_TRUE(contains(again.out, "4 of 4 inputs converted, 4 files written")) << again.out;
+    EXPECT_EQ(numbers_of_last_line(again.out), (std::vector{4, 4, 4, 2})) << again.out;
   }
 }
 
@@ -118,8 +120,8 @@ TEST(Batch, WithFsyncTheOthersAreWritten) {
   forced.emplace_back("--fsync");
   const RunResult run = run_program(forced);
   EXPECT_EQ(run.code, 4);
-  EXPECT_TRUE(contains(run.err, out + "/a.basalt.json exists")) << run.err;
-  EXPECT_TRUE(contains(run.out, "2 of 3 inputs converted, 2 files written")) << run.out;
+  EXPECT_TRUE(says(run.err, "cannot-write", out + "/a.basalt.json")) << run.err;
+  EXPECT_EQ(numbers_of_last_line(run.out), (std::vector{2, 3, 2, 2})) << run.out;
   EXPECT_EQ(read_file(out + "/b.basalt.json"), plain);
   EXPECT_TRUE(fs::exists(out + "/c.basalt.json"));
 }
@@ -146,7 +148,7 @@ TEST(Batch, AFolderWithoutACalibrationIsAnError) {
   folder.write("rigs/package.json", "{\"name\": \"x\"}\n");
   const RunResult run = run_program({"convert", folder / "rigs", "--to", "basalt", "-o", (folder / "out") + "/"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "no calibration with a camera in ")) << run.err;
+  EXPECT_TRUE(contains(run.err, folder / "rigs")) << run.err;
   EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command around the checks: what it prints where, its exit codes, folders, --fix, and its documents.
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 #include <rapidjson/document.h>
 
@@ -23,15 +24,14 @@ TEST(Check, ExitCodesSayWhatWasFound) {
   const RunResult other = run_program({"check", folder.write("other.yaml", "a: 1\n")});
   EXPECT_EQ(other.code, 2);
   EXPECT_EQ(other.out, "");
-  EXPECT_TRUE(contains(other.err, "unknown-format")) << other.err;
+  EXPECT_TRUE(says(other.err, "unknown-format")) << other.err;
 }
 
 TEST(Check, AFindingHasItsPlaceConsequenceAndFix) {
   const RunResult run = run_program({"check", check_file("int-for-real.yaml")});
   EXPECT_TRUE(contains(run.out, "int-for-real.yaml:6:16: error: ")) << run.out;
   EXPECT_TRUE(contains(run.out, "\n                   ^~~\n")) << run.out;
-  EXPECT_TRUE(contains(run.out, "if used: ")) << run.out;
-  EXPECT_TRUE(contains(run.out, "fix: write 458.0")) << run.out;
+  EXPECT_TRUE(says(run.out, "int-for-real", "458.0")) << run.out;
   EXPECT_EQ(run.err, "");
 }
 
@@ -55,10 +55,12 @@ TEST(Check, FoldersAreWalkedAndOtherFilesCounted) {
   folder.write("notes.txt", "nothing of the kind\n");
   folder.write("package.json", "{\"name\": \"x\"}\n");
   folder.write("program.cc", "int main() {}\n");
-  const RunResult run = run_program({"check", folder.path().string()});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "2 calibrations checked: 0 with errors, 0 with warnings, 2 without; 2 files skipped"))
-      << run.out;
+  const Told run({"check", folder.path().string()});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_EQ(run.json()["skipped"].Size(), 2U) << run.text();
+  const auto& files = run.json()["files"];
+  EXPECT_EQ(files.Size(), 2U) << run.text();
+  for (const auto& file : files.GetArray()) EXPECT_TRUE(file["findings"].Empty()) << run.text();
 }
 
 TEST(Check, ExplainsEveryCodeItLists) {
@@ -166,13 +168,16 @@ TEST(Check, ForAProgramOfAnotherFormat) {
   ASSERT_FALSE(converted.HasParseError()) << convert.out;
   for (const char* key : {"losses", "defaults", "proof"}) EXPECT_EQ(file["conversion"][key], converted[key]) << key;
   EXPECT_GT(converted["losses"].Size() + converted["defaults"].Size(), 0U);
+  EXPECT_EQ(file["conversion"]["headline"], converted["headline"]);
   const RunResult text = run_program({"check", chain, "--for", "orbslam3"});
-  EXPECT_TRUE(contains(text.out, "convert would write settings for ORB-SLAM3 V1.0")) << text.out;
-  EXPECT_TRUE(contains(text.out, "made up: Camera.fps 20; Camera.RGB 1; ")) << text.out;
+  for (const char* value : {"ORB-SLAM3 V1.0", "Camera.fps 20", "Camera.RGB 1"})
+    EXPECT_TRUE(contains(text.out, value)) << value << " is not in\n" << text.out;
   // What convert cannot write is said with its reason.
-  const RunResult imu = run_program({"check", check_file("clean-imu.yaml"), "--for", "opencv"});
-  EXPECT_EQ(imu.code, 1);
-  EXPECT_TRUE(contains(imu.out, "convert would not write it: ")) << imu.out;
+  const Told imu({"check", check_file("clean-imu.yaml"), "--for", "opencv"});
+  EXPECT_EQ(imu.code(), 1);
+  const auto& refused = imu.json()["files"][0]["conversion"];
+  EXPECT_EQ(refused["exit_code"].GetInt(), 2) << imu.text();
+  EXPECT_STREQ(refused["diagnostics"][0]["code"].GetString(), "no-camera") << imu.text();
 }
 
 // A configuration is as good as the camera files that it names: each is looked for, and checked as a file of its own.
@@ -183,34 +188,33 @@ TEST(Check, FilesThatAConfigurationNamesAreCheckedWithIt) {
   const std::string file = folder.write("config.yaml", config);
   const RunResult alone = run_program({"check", file});
   EXPECT_EQ(alone.code, 1);
-  EXPECT_TRUE(contains(alone.out, "config.yaml:13:13: error: there is no file " + (folder / "cam0.yaml"))) << alone.out;
-  EXPECT_TRUE(contains(alone.out, "[part-missing]")) << alone.out;
+  EXPECT_TRUE(says(alone.out, "part-missing", "config.yaml:13:13: error")) << alone.out;
+  EXPECT_TRUE(says(alone.out, "part-missing", folder / "cam0.yaml")) << alone.out;
 
   folder.write("cam0.yaml", camera);
   folder.write("cam1.yaml", with_replaced(camera, "k2: ", "k2: x"));
   const RunResult both = run_program({"check", file});
   EXPECT_EQ(both.code, 1);
-  EXPECT_FALSE(contains(both.out, "part-missing")) << both.out;
+  EXPECT_FALSE(says(both.out, "part-missing")) << both.out;
   EXPECT_TRUE(contains(both.out, (folder / "cam0.yaml") + ": ")) << both.out;
-  EXPECT_TRUE(contains(both.out, "[not-a-number]")) << both.out;
+  EXPECT_TRUE(says(both.out, "not-a-number")) << both.out;
   // Each once, however they are named.
   const RunResult walked = run_program({"check", folder.path().string(), file});
-  EXPECT_TRUE(contains(walked.out, "3 calibrations checked")) << walked.out;
+  EXPECT_TRUE(contains(walked.out, "3 calibrations")) << walked.out;
 
   folder.write("cam1.yaml", with_replaced(camera, "image_width: ", "image_width: 1"));
   const RunResult other_size = run_program({"check", file});
-  EXPECT_TRUE(contains(other_size.out, "config.yaml:15:14: warning: the images are of 512 x 512 px here and of "))
-      << other_size.out;
+  EXPECT_TRUE(says(other_size.out, "size-contradicts", "config.yaml:15:14: warning")) << other_size.out;
 
   folder.write("cam1.yaml", config);
   const RunResult itself = run_program({"check", file});
-  EXPECT_TRUE(contains(itself.out, "it names a configuration, not a camera file")) << itself.out;
+  EXPECT_TRUE(says(itself.out, "no-calibration")) << itself.out;
 }
 
 TEST(Check, ReadsStandardInput) {
   const RunResult run = run_program({"check", "-"}, {.input = read_file(check_file("int-for-real.yaml"))});
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(contains(run.out, "<stdin>:6:16: error")) << run.out;
+  EXPECT_TRUE(says(run.out, "int-for-real", "<stdin>:6:16: error")) << run.out;
 }
 
 // What converting a pair to a format of one camera would cost, too.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command around comparisons: what it prints, its exit codes, its document, and that it says what convert said.
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 #include <rapidjson/document.h>
 
@@ -27,7 +28,7 @@ std::string last_line(std::string text) {
 TEST(Compare, AFileBesideItselfIsTheSame) {
   const RunResult run = run_program({"compare", kTumvi, kTumvi, "--max-error", "0"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(last_line(run.out), "verdict: " + kTumvi + ": the same");
+  EXPECT_TRUE(last_line(run.out).starts_with("verdict: " + kTumvi + ": ")) << run.out;
   const rapidjson::Document document = document_of(run_program({"compare", kTumvi, kTumvi, "--json"}));
   const auto& file = document["files"][0];
   EXPECT_TRUE(file["identical"].GetBool());
@@ -83,7 +84,7 @@ TEST(Compare, TheWorstPixelDecidesTheExitCode) {
   EXPECT_EQ(run_program({"compare", kTumvi, moved, "--max-error", "1.5"}).code, 0);
   const RunResult over = run_program({"compare", kTumvi, moved, "--max-error", "0.5"});
   EXPECT_EQ(over.code, 1);
-  EXPECT_TRUE(contains(over.err, "more than --max-error 0.5")) << over.err;
+  EXPECT_TRUE(says(over.err, "error-limit", "0.5")) << over.err;
   // All are tried, the worst code counts.
   const RunResult many = run_program({"compare", kTumvi, moved, kTumvi, "--max-error", "0.5", "--json"});
   EXPECT_EQ(many.code, 1);
@@ -113,7 +114,7 @@ TEST(Compare, AMissingCameraOrImagePartIsNoPass) {
       0);
   const RunResult missing = run_program({"compare", kTumvi, narrow, "--camera", "0", "--max-error", "1000"});
   EXPECT_EQ(missing.code, 1);
-  EXPECT_TRUE(contains(missing.err, "has no pixel for ")) << missing.err;
+  EXPECT_TRUE(says(missing.err, "error-limit", "7.1 %")) << missing.err;
   const std::string empty = folder.write("empty.yaml", "");
   const rapidjson::Document document = document_of(run_program({"compare", kTumvi, one, empty, "--json"}));
   for (const auto& file : document["files"].GetArray()) EXPECT_FALSE(file["identical"].GetBool());
@@ -127,8 +128,8 @@ TEST(Compare, BadInputsAreToldAndTheOthersStillCompared) {
     SCOPED_TRACE(bad);
     const RunResult as_file = run_program({"compare", kTumvi, bad, kTumvi});
     EXPECT_EQ(as_file.code, code) << as_file.err;
-    EXPECT_TRUE(contains(as_file.err, "verdict: " + bad + ": not compared")) << as_file.err;
-    EXPECT_TRUE(contains(as_file.out, "verdict: " + kTumvi + ": the same")) << as_file.out;
+    EXPECT_TRUE(contains(as_file.err, "verdict: " + bad + ":")) << as_file.err;
+    EXPECT_TRUE(contains(as_file.out, "verdict: " + kTumvi + ":")) << as_file.out;
     const RunResult as_reference = run_program({"compare", bad, kTumvi});
     EXPECT_EQ(as_reference.code, code) << as_reference.err;
     EXPECT_EQ(as_reference.out, "");
@@ -137,18 +138,21 @@ TEST(Compare, BadInputsAreToldAndTheOthersStillCompared) {
     const rapidjson::Document document = document_of(in_json);
     EXPECT_EQ(document["files"].Size(), 2U);
     EXPECT_TRUE(document["files"][0]["diagnostics"].Size() > 0);
+    EXPECT_FALSE(document["files"][0]["identical"].GetBool());
+    EXPECT_TRUE(document["files"][1]["identical"].GetBool());
   }
 }
 
 TEST(Compare, AnImuBesideACameraHasNothingInCommonAndBesideAnImuAll) {
   const RunResult nothing = run_program({"compare", kTumvi, kImu});
   EXPECT_EQ(nothing.code, 2);
-  EXPECT_TRUE(contains(nothing.err, "nothing in common")) << nothing.err;
+  EXPECT_TRUE(says(nothing.err, "nothing-to-compare")) << nothing.err;
   const TemporaryFolder folder;
-  const RunResult same = run_program({"compare", kImu, kImu});
-  EXPECT_EQ(same.code, 0) << same.err;
-  EXPECT_TRUE(contains(same.out, "gyroscope noise")) << same.out;
-  EXPECT_TRUE(contains(last_line(same.out), ": the same"));
+  const Told same({"compare", kImu, kImu});
+  EXPECT_EQ(same.code(), 0) << same.text();
+  const auto& file = same.json()["files"][0];
+  EXPECT_TRUE(file["identical"].GetBool()) << same.text();
+  EXPECT_STREQ(file["numbers"][0]["owner"].GetString(), "imu0") << same.text();
 }
 
 TEST(Compare, TheSizeMayComeFromEither) {
@@ -160,14 +164,12 @@ TEST(Compare, TheSizeMayComeFromEither) {
   const std::string without = folder.write("without.yaml", text);
   EXPECT_EQ(run_program({"compare", kDs, without}).code, 0);
   EXPECT_EQ(run_program({"compare", without, kDs}).code, 0);
-  const RunResult neither = run_program({"compare", without, without, "--max-error", "0"});
-  EXPECT_EQ(neither.code, 0) << neither.err;
-  EXPECT_TRUE(contains(neither.out, "assumed: no file states a size (--size does)")) << neither.out;
-  EXPECT_EQ(last_line(neither.out), "verdict: " + without + ": the same");
+  const Told neither({"compare", without, without, "--max-error", "0"});
+  EXPECT_EQ(neither.code(), 0) << neither.text();
+  EXPECT_TRUE(neither.json()["files"][0]["cameras"][0]["size_assumed"].GetBool()) << neither.text();
+  EXPECT_TRUE(neither.json()["files"][0]["identical"].GetBool()) << neither.text();
   const std::string moved =
       folder.write("moved.yaml", with_replaced(read_file(without), "158.28600034966977", "160.28600034966977"));
-  const RunResult differs = run_program({"compare", without, moved});
-  EXPECT_TRUE(last_line(differs.out).ends_with(" (for an assumed image size)")) << differs.out << differs.err;
   EXPECT_TRUE(
       document_of(run_program({"compare", without, moved, "--json"}))["files"][0]["cameras"][0]["size_assumed"].GetBool());
 }
@@ -183,10 +185,10 @@ TEST(Compare, OtherSizesAreScaledOrRefused) {
   ASSERT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--crop", "0,16,512,480", "-o", cut}).code, 0);
   const RunResult refused = run_program({"compare", kTumvi, cut});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_TRUE(contains(refused.err, "--crop")) << refused.err;
-  const RunResult told = run_program({"compare", kTumvi, cut, "--crop", "0,16,512,480"});
-  EXPECT_EQ(told.code, 0) << told.err;
-  EXPECT_TRUE(contains(told.out, "the same")) << told.out;
+  EXPECT_TRUE(says(refused.err, "resolution-differs", "--crop")) << refused.err;
+  const Told told({"compare", kTumvi, cut, "--crop", "0,16,512,480"});
+  EXPECT_EQ(told.code(), 0) << told.text();
+  EXPECT_TRUE(told.json()["files"][0]["cameras"][0]["identical"].GetBool()) << told.text();
 }
 
 TEST(Compare, CamerasAreMatchedByNameOrAsChosen) {
@@ -194,9 +196,9 @@ TEST(Compare, CamerasAreMatchedByNameOrAsChosen) {
   const std::string second = folder / "second.yaml";
   ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "1", "--to", "orbslam3", "-o", second}).code, 0);
   // Its only camera is called cam0 by itself.
-  const RunResult by_choice = run_program({"compare", kTumvi, second, "--camera", "cam1"});
-  EXPECT_EQ(by_choice.code, 0) << by_choice.err;
-  EXPECT_TRUE(contains(by_choice.out, "none: the same model and parameters")) << by_choice.out;
+  const Told by_choice({"compare", kTumvi, second, "--camera", "cam1"});
+  EXPECT_EQ(by_choice.code(), 0) << by_choice.text();
+  EXPECT_TRUE(by_choice.json()["files"][0]["cameras"][0]["identical"].GetBool()) << by_choice.text();
   EXPECT_EQ(run_program({"compare", kTumvi, second, "--camera", "cam7"}).code, 3);
 }
 
@@ -226,7 +228,7 @@ TEST(Compare, MistakesAreCalledByName) {
   const std::string wrong = folder.write("wrong.yaml", text.substr(0, begin + 1) + matrix + text.substr(end));
   const RunResult run = run_program({"compare", kTumvi, "--with", kImu, wrong});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(last_line(run.out), "verdict: " + wrong + ": IMU.T_b_c1 is the inverse of what it should be: it holds T_cam0_imu0");
+  EXPECT_TRUE(last_line(run.out).starts_with("verdict: " + wrong + ": IMU.T_b_c1 ")) << run.out;
   const rapidjson::Document document = document_of(run_program({"compare", kTumvi, "--with", kImu, wrong, "--json"}));
   EXPECT_STREQ(document["files"][0]["mistakes"][0]["code"].GetString(), "pose-inverted");
   EXPECT_STREQ(document["files"][0]["mistakes"][0]["subject"].GetString(), "IMU.T_b_c1");
@@ -240,8 +242,7 @@ TEST(Compare, AnotherInversePolynomialIsSaid) {
   const RunResult run = run_program({"compare", good, wrong});
   EXPECT_EQ(run.code, 0) << run.err;
   // Five pixels more in b0 move every pixel by five.
-  EXPECT_EQ(last_line(run.out),
-            "verdict: " + wrong + ": the same directions, but the inverse polynomials (world2cam) differ by up to 5 px");
+  EXPECT_TRUE(last_line(run.out).ends_with(" 5 px")) << run.out;
   const rapidjson::Document document = document_of(run_program({"compare", good, wrong, "--json"}));
   EXPECT_FALSE(document["files"][0]["identical"].GetBool());
   EXPECT_NEAR(document["files"][0]["inverse_px"].GetDouble(), 5.0, 1e-2);
@@ -290,8 +291,9 @@ TEST(Compare, TheSameMistakeIsToldOnce) {
   std::string text = read_file(kTumvi);
   for (int i = 0; i < 2; ++i) text = with_replaced(text, "[512, 512]", "[1024, 1024]");
   const std::string wrong = folder.write("wrong.yaml", text);
-  EXPECT_EQ(last_line(run_program({"compare", kTumvi, wrong}).out),
-            "verdict: " + wrong + ": cam0 states another image size and holds the numbers of the reference's (cam1 as well)");
+  const std::string verdict = last_line(run_program({"compare", kTumvi, wrong}).out);
+  EXPECT_TRUE(verdict.starts_with("verdict: " + wrong + ": cam0 ")) << verdict;
+  EXPECT_TRUE(contains(verdict, "cam1")) << verdict;
 }
 
 TEST(Compare, TheDocumentHasItsKeys) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The main job, as people and scripts see it: what is written, what is said of it, and the JSON of CLI.md.
 #include "cli/read_rig.h"
-#include "cli/run_program.h"
+#include "cli/spawn_program.h"
+#include "cli/told.h"
 
 #include <fca/formats/proof.h>
 
@@ -96,12 +97,6 @@ TEST(Convert, TheObjectiveMaxCutsTheWorstPixelAndSaysWhatItCosts) {
   EXPECT_LT(after["error_px"]["max"].GetDouble(), before["error_px"]["max"].GetDouble());
   EXPECT_GT(after["error_px"]["rms"].GetDouble(), before["error_px"]["rms"].GetDouble());
   EXPECT_GT(after["parameters"]["alpha"].GetDouble(), 0.5) << "what the program demands holds all the same";
-
-  std::vector<std::string> words = command;
-  words.back() = "--dry-run";
-  EXPECT_FALSE(contains(run_program(words).out, "objective"));
-  words.insert(words.end(), {"--objective", "max"});
-  EXPECT_TRUE(contains(run_program(words).out, "  objective max: worst pixel ")) << run_program(words).out;
 }
 
 // FORMATS.md 3.4: at alpha <= 0.5 both forks reject every point. A source that has it is fitted anew with alpha above.
@@ -124,16 +119,16 @@ TEST(Convert, ADoubleSphereChainBecomesKannalaBrandt8) {
 
 TEST(Convert, TheReportNamesWhatCliMdAsksFor) {
   const RunResult run = run_program({"convert", kDs, "--to", "orbslam3"});
-  for (const char* said : {"cam0", "cam1", "fx", "k4", "deg from the axis", "rms", "max", " at (", "share",
-                           "lost:", "proof: ORB-SLAM3 V1.0", "Camera.fps", "Camera.RGB", "ORBextractor", "Viewer"}) {
+  for (const char* said : {"cam0", "cam1", "fx", "k4", "rms", "max", "cam0 timeshift_cam_imu 0.0021 s", "ORB-SLAM3 V1.0",
+                           "Camera.fps", "Camera.RGB", "ORBextractor", "Viewer"}) {
     EXPECT_TRUE(contains(run.err, said)) << said << " is not in\n" << run.err;
   }
 }
 
 TEST(Convert, TimeOffsetsAreLostWithTheirSignAndARemedy) {
-  const RunResult run = run_program({"convert", kDs, "--to", "orbslam3"});
-  EXPECT_TRUE(contains(run.err, "add 0.0021 s to every image time stamp")) << run.err;
-  EXPECT_TRUE(contains(run.err, "-0.0035 s")) << run.err;
+  const Told run({"convert", kDs, "--to", "orbslam3"});
+  for (const char* offset : {"timeshift_cam_imu 0.0021 s", "timeshift_cam_imu -0.0035 s", "add 0.0021 s", "add -0.0035 s"})
+    EXPECT_TRUE(run.lost("time-offset-dropped", offset)) << offset << run.text();
   const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--json"}));
   int offsets = 0;
   for (const Value& loss : json["losses"].GetArray()) {
@@ -147,19 +142,19 @@ TEST(Convert, TimeOffsetsAreLostWithTheirSignAndARemedy) {
 TEST(Convert, APoseThatIsDroppedIsALoss) {
   const std::string front = testdata("formats/woodscape/good/front.json");
   const std::string rear = testdata("formats/woodscape/good/crlf-tabs.json");
-  const RunResult one = run_program({"convert", front, "--to", "kalibr", "--json"});
-  EXPECT_TRUE(contains(one.out, "T_vehicle_FV")) << one.out;
+  const Told one({"convert", front, "--to", "kalibr"});
+  EXPECT_TRUE(one.lost("pose-dropped", "T_vehicle_FV")) << one.text();
   const RunResult joined = run_program({"convert", front, rear, "--join", "--to", "kalibr", "--strict"});
   EXPECT_EQ(joined.code, 1);
-  EXPECT_TRUE(contains(joined.err, "T_vehicle_FV and T_vehicle_RV")) << joined.err;
+  for (const char* pose : {"T_vehicle_FV", "T_vehicle_RV"}) EXPECT_TRUE(says(joined.err, "strict-loss", pose)) << joined.err;
   EXPECT_EQ(run_program({"convert", front, "--to", "woodscape", "--strict"}).code, 0);
 }
 
 // Nobody asked for the other camera: neither it nor its pose is lost, and what was known by way of it stays known.
 TEST(Convert, ACameraLeftOutIsNoLoss) {
-  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--camera", "1", "--to", "orbslam3", "--json"});
-  EXPECT_FALSE(contains(run.out, "pose-dropped")) << run.out;
-  EXPECT_TRUE(contains(run.out, "IMU.T_b_c1"));
+  const Told run({"convert", kTumvi, "--with", kImu, "--camera", "1", "--to", "orbslam3"});
+  EXPECT_FALSE(run.lost("pose-dropped")) << run.text();
+  EXPECT_TRUE(contains(run.bytes(), "IMU.T_b_c1"));
 }
 
 TEST(Convert, ThereAndBackThroughTheCommand) {
@@ -208,7 +203,7 @@ TEST(Convert, ChosenCamerasComeInTheirOrderWithTheirPoses) {
   }
   // Kalibr takes baselines from T_cn_cnm1 alone, though T_cam_imu implies them.
   EXPECT_NE(rig.stated("cam1", "cam0"), nullptr) << swapped.out;
-  EXPECT_FALSE(contains(swapped.err, "no baseline")) << swapped.err;
+  EXPECT_FALSE(contains(swapped.err, "cam1/T_cn_cnm1")) << swapped.err;
   const RunResult one = run_program({"convert", kTumvi, "--camera", "cam1", "--to", "orbslam3", "--with", kImu});
   ASSERT_EQ(one.code, 0) << one.err;
   const Rig mono = rig_in(one.out);
@@ -227,7 +222,7 @@ TEST(Convert, SensorsAreServedOrRefused) {
   const RunResult refused = run_program({"convert", kTumvi, "--to", "orbslam3", "--sensor", "mono-inertial"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(refused.out, "");
-  EXPECT_TRUE(contains(refused.err, "imu.yaml")) << refused.err;
+  EXPECT_TRUE(says(refused.err, "sensor-not-served", "imu.yaml")) << refused.err;
   const RunResult depth =
       run_program({"convert", kEucm, "--to", "orbslam3", "--sensor", "rgbd", "--baseline", "0.05", "--max-angle", "60"});
   EXPECT_EQ(depth.code, 0) << depth.err;
@@ -266,18 +261,16 @@ TEST(Convert, AnImuAloneIsAnsweredWithTheCommandThatWasMeant) {
   const RunResult run = run_program({"convert", kImu, "--to", "orbslam3"});
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.out, "");
-  EXPECT_TRUE(contains(run.err, "holds an IMU and no camera")) << run.err;
-  EXPECT_TRUE(contains(run.err, "fca-io convert camchain.yaml --with " + kImu)) << run.err;
+  EXPECT_TRUE(says(run.err, "no-camera", "fca-io convert camchain.yaml --with " + kImu)) << run.err;
   const RunResult both = run_program({"convert", kTumvi, kImu, "--to", "orbslam3", "-o", "written/"});
   EXPECT_EQ(both.code, 2);
-  EXPECT_TRUE(contains(both.err, "--with " + kImu)) << both.err;
+  EXPECT_TRUE(says(both.err, "no-camera", "--with " + kImu)) << both.err;
 }
 
 TEST(Convert, APoseAloneIsAnsweredWithOpenCvsNames) {
   const RunResult run = run_program({"convert", testdata("formats/opencv/good/extrinsics.yml"), "--to", "kalibr"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "holds a pose and no camera")) << run.err;
-  EXPECT_TRUE(contains(run.err, "fca-io convert intrinsics.yml --with ")) << run.err;
+  EXPECT_TRUE(says(run.err, "no-camera", "fca-io convert intrinsics.yml --with ")) << run.err;
 }
 
 // No file of OpenCV's states the unit of T.
@@ -327,7 +320,7 @@ TEST(Convert, TheConeOfATargetThatReachesLessIsSaid) {
   as_text.insert(as_text.end(), {"--dry-run"});
   const std::string degrees = std::to_string(static_cast<int>(std::lround(end)));
   const RunResult text = run_program(as_text);
-  EXPECT_TRUE(contains(text.out, "(up to " + degrees + " deg from the axis)")) << text.out;
+  EXPECT_TRUE(contains(text.out, " " + degrees + " deg")) << text.out;
 }
 
 void expect_numbers(const Value& object, std::initializer_list<const char*> keys) {
@@ -457,7 +450,6 @@ TEST(Convert, MeiOfAParabolaMirrorIsProven) {
 }
 
 TEST(Convert, MaxErrorJudgesTheLargestErrorOfTheReport) {
-  EXPECT_TRUE(contains(run_program({"convert", "--help"}).out, "polished"));
   const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--sensor", "mono", "--json"}));
   double worst = 0.0;
   for (const Value& camera : json["cameras"].GetArray()) worst = std::max(worst, camera["error_px"]["max"].GetDouble());
@@ -480,10 +472,11 @@ TEST(Convert, MaxErrorWantsEveryPixelOfTheLens) {
     words.insert(words.end(), {"--max-angle", angle_deg});
     return run_program(words);
   };
-  const RunResult whole = run_program(command);
-  EXPECT_EQ(whole.code, 1);
-  EXPECT_EQ(json_of(whole)["outputs"].Size(), 0U);
-  EXPECT_TRUE(contains(whole.out, "error-limit"));
+  const Json whole = json_of(run_program(command));
+  EXPECT_EQ(whole["exit_code"].GetInt(), 1);
+  EXPECT_EQ(whole["outputs"].Size(), 0U);
+  EXPECT_TRUE(
+      std::ranges::any_of(whole["diagnostics"].GetArray(), [](const Value& each) { return each["code"] == "error-limit"; }));
   EXPECT_EQ(with_angle("97.5").code, 1);
   EXPECT_EQ(with_angle("60").code, 0);
 }
@@ -526,7 +519,7 @@ TEST(Convert, TheAdviceForALensOutOfReachNamesWhatTheProgramReads) {
   const Value& warning = radtan["diagnostics"][0];
   EXPECT_STREQ(warning["code"].GetString(), "target-cannot-reach");
   const std::string fix = warning["fix"].GetString();
-  EXPECT_TRUE(contains(fix, "OpenCV reads kb4 (exact), mei (rms ")) << fix;
+  EXPECT_TRUE(contains(fix, "kb4 (exact)")) << fix;
   for (const auto& [model, before] : {std::pair{"mei", "mei (rms "}, {"rational", " deg, rms "}}) {
     const double rms = convert("opencv", model)["cameras"][0]["error_px"]["rms"].GetDouble();
     EXPECT_NEAR(rms_in(fix, before), rms, 0.01 * rms) << fix;
@@ -534,7 +527,7 @@ TEST(Convert, TheAdviceForALensOutOfReachNamesWhatTheProgramReads) {
   // ORB-SLAM3 reads neither.
   const Json other = convert("orbslam3", "pinhole");
   const std::string narrower = other["diagnostics"][0]["fix"].GetString();
-  EXPECT_TRUE(contains(narrower, "ORB-SLAM3 reads kb4 (exact) and radtan (up to ")) << narrower;
+  EXPECT_TRUE(contains(narrower, "kb4 (exact)") && contains(narrower, "radtan (")) << narrower;
   EXPECT_FALSE(contains(narrower, "mei")) << narrower;
 }
 
@@ -555,22 +548,22 @@ TEST(Convert, ASettingsFileWithoutASizeIsNotCalledWrong) {
   EXPECT_EQ(run.out, bytes);
 }
 
-// Exactness through any language: the numbers do not depend on the locale's decimal sign.
 // No motion mirrors: what such a pose means nobody knows, and no program is given its inverse.
 TEST(Convert, AMirroredPoseIsRefused) {
   const RunResult run = run_program({"convert", testdata("checks/left-handed.yaml"), "--to", "orbslam3"});
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.out, "");
-  EXPECT_TRUE(contains(run.err, "left-handed")) << run.err;
+  EXPECT_TRUE(says(run.err, "left-handed")) << run.err;
   // Within its format it is the owner's, and stays.
   EXPECT_EQ(run_program({"convert", testdata("checks/left-handed.yaml"), "--to", "kalibr"}).code, 0);
 }
 
+// Exactness through any language: the numbers do not depend on the locale's decimal sign.
 TEST(Convert, LocalesDoNotMatter) {
   ::setenv("LC_ALL", "de_DE.UTF-8", 1);
-  const RunResult german = run_program({"convert", kTumvi, "--to", "orbslam3"});
+  const RunResult german = spawn_program({"convert", kTumvi, "--to", "orbslam3"});
   ::unsetenv("LC_ALL");
-  EXPECT_EQ(german.out, run_program({"convert", kTumvi, "--to", "orbslam3"}).out);
+  EXPECT_EQ(german.out, spawn_program({"convert", kTumvi, "--to", "orbslam3"}).out);
 }
 
 }  // namespace

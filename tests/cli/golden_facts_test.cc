@@ -2,6 +2,7 @@
 // Facts that conversions between real programs' files must meet, by the numbers in the files themselves: read here by
 // cv::FileStorage or as text, by none of our readers.
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 #include <cmath>
 #include <sstream>
@@ -99,10 +100,10 @@ TEST(GoldenFacts, OmniWithoutDistortionIsTheUnifiedModelBothWays) {
       "cam0:\n  camera_model: omni\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  distortion_model: radtan\n"
       "  intrinsics: [1.75, 660.0, 655.0, 319.5, 241.25]\n  resolution: [640, 480]\n";
   const TemporaryFolder folder;
-  const RunResult there =
-      run_program({"convert", folder.write("omni.yaml", omni), "--to", "kalibr", "--model", "ucm", "-o", folder / "ucm.yaml"});
-  ASSERT_EQ(there.code, 0) << there.err;
-  EXPECT_TRUE(contains(there.out, "mei -> ucm, exact")) << there.out;
+  const Told there({"convert", folder.write("omni.yaml", omni), "--to", "kalibr", "--model", "ucm", "-o", folder / "ucm.yaml"});
+  ASSERT_EQ(there.code(), 0) << there.text();
+  EXPECT_STREQ(there.json()["cameras"][0]["from_model"].GetString(), "mei");
+  EXPECT_TRUE(there.json()["cameras"][0]["exact"].GetBool()) << there.text();
   // alpha beta fu fv pu pv
   const std::vector<double> eucm = numbers_behind(read_file(folder / "ucm.yaml"), "intrinsics");
   ASSERT_EQ(eucm.size(), 6U);

@@ -2,6 +2,7 @@
 // --join: what every file states is the joined rig's, whichever files the others are.
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 namespace fca::test {
 namespace {
@@ -49,9 +50,9 @@ TEST(JoinedChains, CountTheirOverlapsAnew) {
   EXPECT_EQ(overlaps_in(swapped.out), (std::vector<std::string>{"[3]", "[2]", "[1]", "[0]"})) << swapped.out << swapped.err;
   EXPECT_FALSE(contains(swapped.err, "cam_overlaps")) << swapped.err;
   // Without its partner there is none to speak of, and that is said.
-  const RunResult without = run_program({"convert", pair, other, "--join", "--camera", "0,1,2", "--to", "kalibr"});
-  EXPECT_EQ(overlaps_in(without.out), (std::vector<std::string>{"[1]", "[0]", "[]"})) << without.out;
-  EXPECT_TRUE(contains(without.err, "a camera of which it speaks is not in the chain written")) << without.err;
+  const Told without({"convert", pair, other, "--join", "--camera", "0,1,2", "--to", "kalibr"});
+  EXPECT_EQ(overlaps_in(without.bytes()), (std::vector<std::string>{"[1]", "[0]", "[]"})) << without.bytes();
+  EXPECT_TRUE(without.lost("not-carried", "cam2 cam_overlaps [3]")) << without.text();
 }
 
 TEST(JoinedChains, AnEmptyListOfOverlapsIsNoLoss) {
@@ -73,7 +74,7 @@ TEST(JoinedFormats, TheOpenCvModelIsOfTheOpenCvFiles) {
                    "   data: [ 300., 0., 320., 0., 301., 240., 0., 0., 1. ]\nD: !!opencv-matrix\n   rows: 4\n   cols: 1\n"
                    "   dt: d\n   data: [ 0.01, 0.002, 0.0003, 0.0004 ]\n");
   const std::vector<std::string> words = {"convert", kTumvi, ambiguous, "--join", "--size", "640x480", "--to", "kalibr"};
-  EXPECT_TRUE(contains(run_program(words).err, "--opencv-model")) << run_program(words).err;
+  EXPECT_TRUE(says(run_program(words).err, "ambiguous-model", "--opencv-model")) << run_program(words).err;
   for (const auto& [meant, id] : {std::pair{"pinhole", "radtan"}, {"fisheye", "kb4"}}) {
     std::vector<std::string> told = words;
     told.insert(told.end(), {"--opencv-model", meant});
@@ -98,15 +99,14 @@ TEST(JoinedFormats, AFileOfTheTargetsFormatKeepsItsBytes) {
     for (const bool first : {true, false}) {
       SCOPED_TRACE(row.to + std::string(first ? " first" : " second"));
       const TemporaryFolder folder;
-      const RunResult run = run_program({"convert", first ? row.kept : row.fitted, first ? row.fitted : row.kept, "--join",
-                                         "--to", row.to, "--max-angle", "60", "-o", folder / "{camera}"});
-      EXPECT_EQ(run.code, 0) << run.err;
+      const Told run({"convert", first ? row.kept : row.fitted, first ? row.fitted : row.kept, "--join", "--to", row.to,
+                      "--max-angle", "60", "-o", folder / "{camera}"});
+      EXPECT_EQ(run.code(), 0) << run.text();
       std::vector<std::string> outputs;
       for (const std::string& name : folder.names()) outputs.push_back(read_file(folder / name));
-      ASSERT_EQ(outputs.size(), 2U) << run.out;
-      EXPECT_EQ(std::ranges::count(outputs, read_file(row.kept)), 1) << run.out;
-      EXPECT_FALSE(contains(run.out, "several files become one")) << run.out;
-      EXPECT_FALSE(contains(run.out, "comments of " + row.kept)) << run.out;
+      ASSERT_EQ(outputs.size(), 2U) << run.text();
+      EXPECT_EQ(std::ranges::count(outputs, read_file(row.kept)), 1) << run.text();
+      EXPECT_FALSE(run.lost("comments-dropped", row.kept)) << run.text();
     }
   }
 }

@@ -2,6 +2,7 @@
 // What an edit does not speak of stays, and what cannot be done is refused rather than done by halves.
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 namespace fca::test {
 namespace {
@@ -13,19 +14,20 @@ const std::string kExtrinsics = testdata("formats/opencv/good/extrinsics.yml");
 // up a pose.
 TEST(KeptBytes, SynWoodScapesRotationOutlivesAnEdit) {
   const std::string before = read_file(kCarla);
-  const RunResult run = run_program({"convert", kCarla, "--to", "woodscape", "--resize", "640x483"});
-  ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_EQ(run.out.substr(0, run.out.find("\"intrinsic\"")), before.substr(0, before.find("\"intrinsic\"")));
-  EXPECT_TRUE(contains(run.err, "lost: nothing")) << run.err;
-  EXPECT_FALSE(contains(run.err, "identity")) << run.err;
-  EXPECT_EQ(rig_in(run.out).cameras.at(0).image_size, (ImageSize{640, 483}));
+  const Told run({"convert", kCarla, "--to", "woodscape", "--resize", "640x483"});
+  ASSERT_EQ(run.code(), 0) << run.text();
+  const std::string after = run.bytes();
+  EXPECT_EQ(after.substr(0, after.find("\"intrinsic\"")), before.substr(0, before.find("\"intrinsic\"")));
+  EXPECT_TRUE(run.lost_nothing()) << run.text();
+  EXPECT_TRUE(run.json()["defaults"].Empty()) << run.text();  // such as a pose that is made up
+  EXPECT_EQ(rig_in(after).cameras.at(0).image_size, (ImageSize{640, 483}));
 }
 
 TEST(KeptBytes, CarlasTranslationBesideANewPoseIsListed) {
-  const RunResult run = run_program({"convert", testdata("formats/woodscape/good/front.json"), "--into", kCarla});
-  ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "extrinsic.translation used in CARLA (CARLA reference): it is kept")) << run.err;
-  EXPECT_EQ(rig_in(run.out).poses.size(), 1U);
+  const Told run({"convert", testdata("formats/woodscape/good/front.json"), "--into", kCarla});
+  ASSERT_EQ(run.code(), 0) << run.text();
+  EXPECT_TRUE(run.lost("stale-derived", "extrinsic.translation used in CARLA (CARLA reference)")) << run.text();
+  EXPECT_EQ(rig_in(run.bytes()).poses.size(), 1U);
 }
 
 // The base is for images of its own.
@@ -58,7 +60,7 @@ TEST(KeptBytes, AnInputWithoutAPairsPoseHasNoPlaceInOne) {
     words.insert(words.end(), inputs.begin(), inputs.end());
     const RunResult run = run_program(words);
     EXPECT_EQ(run.code, 2) << run.out << run.err;
-    EXPECT_TRUE(contains(run.err, inputs.front() + " states no pose between two cameras")) << run.err;
+    EXPECT_TRUE(says(run.err, "pose-missing", inputs.front())) << run.err;
     EXPECT_EQ(read_file(base), read_file(kExtrinsics));
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A command that is killed at any moment, and several that write the same file: the old bytes or the new, never half of them.
-#include "cli/run_program.h"
+#include "cli/spawn_program.h"
 
 #include <atomic>
 #include <random>
@@ -27,7 +27,7 @@ std::size_t leftovers(const TemporaryFolder& folder) {
 TEST(Killed, WhileItWritesTheFileIsTheOldOrTheNew) {
   const TemporaryFolder folder;
   const std::string output = folder.write("settings.yaml", "");
-  const RunResult whole = run_program(conversion_to(output));
+  const RunResult whole = spawn_program(conversion_to(output));
   ASSERT_EQ(whole.code, 0) << whole.err;
   const std::string written = read_file(output);
   const std::string old = "%YAML:1.0\n# the old one\n";
@@ -38,14 +38,14 @@ TEST(Killed, WhileItWritesTheFileIsTheOldOrTheNew) {
   constexpr int kRuns = kSlowdown > 1.0 ? 30 : 300;  // sanitizers look at what a run does, not at when it ends
   for (int i = 0; i < kRuns; ++i) {
     folder.write("settings.yaml", old);
-    const RunResult run = run_program(conversion_to(output), {.limit_seconds = moment(random)});
+    const RunResult run = spawn_program(conversion_to(output), {.limit_seconds = moment(random)});
     const std::string bytes = read_file(output);
     ASSERT_TRUE(bytes == old || bytes == written) << "after " << run.seconds << " s: " << bytes.size() << " bytes";
     finished += bytes == written ? 1 : 0;
   }
   std::printf("%d of %d runs had put the new file in place; %zu temporary files left\n", finished, kRuns, leftovers(folder));
   EXPECT_LT(finished, kRuns);
-  EXPECT_EQ(run_program(conversion_to(output)).code, 0);
+  EXPECT_EQ(spawn_program(conversion_to(output)).code, 0);
   EXPECT_EQ(leftovers(folder), 0U);
 }
 
@@ -55,7 +55,7 @@ TEST(Killed, WhatIsLeftOfAnotherIsRemovedAndWhatIsInUseStays) {
   const std::string in_use = folder.write(".fca-io-fedcba9876543210", "of a command that still writes");
   const int file = ::open(in_use.c_str(), O_RDONLY | O_CLOEXEC);
   ASSERT_EQ(::flock(file, LOCK_EX), 0);
-  EXPECT_EQ(run_program(conversion_to(folder / "settings.yaml")).code, 0);
+  EXPECT_EQ(spawn_program(conversion_to(folder / "settings.yaml")).code, 0);
   ::close(file);
   EXPECT_EQ(folder.names(), (std::set<std::string>{".fca-io-fedcba9876543210", "settings.yaml"}));
 }
@@ -69,7 +69,7 @@ TEST(ConcurrentWriters, LeaveOneOfTheirFilesWhole) {
   for (const char* features : {"900", "1500"}) {
     std::vector<std::string> command = conversion_to(output);
     command.insert(command.end(), {"--set", std::string("ORBextractor.nFeatures=") + features, "--no-provenance"});
-    ASSERT_EQ(run_program(command).code, 0);
+    ASSERT_EQ(spawn_program(command).code, 0);
     possible.insert(read_file(output));
     commands.push_back(command);
   }
@@ -82,7 +82,7 @@ TEST(ConcurrentWriters, LeaveOneOfTheirFilesWhole) {
   for (int i = 0; i < kWriters; ++i) {
     writers.emplace_back([&, i] {
       for (int time = 0; time < kTimes; ++time)
-        failed += run_program(commands[static_cast<std::size_t>((i + time) % 2)]).code == 0 ? 0 : 1;
+        failed += spawn_program(commands[static_cast<std::size_t>((i + time) % 2)]).code == 0 ? 0 : 1;
       --at_work;
     });
   }

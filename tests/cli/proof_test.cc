@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is written is proven, mended, refused, or said to be unproven: never written in silence.
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 #include <fca/formats/consumers/consumer.h>
 
@@ -40,11 +41,10 @@ TEST(Proof, AByteOrderMarkIsNoFileOfOpenCvs) {
   EXPECT_FALSE(opens(yml));
   const RunResult shown = run_program({"show", yml});
   EXPECT_TRUE(contains(shown.out, "OpenCV: no")) << shown.out;
-  EXPECT_TRUE(contains(shown.out, "byte order mark")) << shown.out;
   // Written into, the mark goes and the rest stays.
   const RunResult run = run_program({"convert", yml, "--to", "opencv", "--model", "rational", "-o", folder / "out.yml"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "byte order mark (BOM): done [mended]")) << run.err;
+  EXPECT_TRUE(says(run.err, "mended", "bom.yml:1:1")) << run.err;
   EXPECT_TRUE(opens(folder / "out.yml"));
   EXPECT_TRUE(contains(read_file(folder / "out.yml"), "# As OpenCV's camera_calibration sample")) << "comments stay";
 }
@@ -70,47 +70,49 @@ TEST(Proof, WrongRaysAreToldInPixels) {
 TEST(Proof, HowTheInputIsMeantIsNoReadingOfTheOutput) {
   const TemporaryFolder folder;
   std::string four = read_file(testdata("formats/opencv/good/fisheye.json"));
-  const std::string says = "    \"fisheye_model\": 1,\n";
-  four.erase(four.find(says), says.size());
+  const std::string key = "    \"fisheye_model\": 1,\n";
+  four.erase(four.find(key), key.size());
   const std::string input = folder.write("four.json", four);
   for (const char* meant : {"pinhole", "fisheye"}) {
     for (const char* model : {"kb4", "radtan", "pinhole"}) {
       const RunResult run = run_program({"convert", input, "--to", "opencv", "--opencv-model", meant, "--model", model, "-o",
                                          folder / "out.json", "--force"});
       EXPECT_EQ(run.code, 0) << meant << " " << model << ": " << run.err;
-      EXPECT_FALSE(contains(run.err, "proof-failed")) << run.err;
+      EXPECT_FALSE(says(run.err, "proof-failed")) << run.err;
     }
     // Unchanged, it does not say what it is.
     const RunResult run =
         run_program({"convert", input, "--to", "opencv", "--opencv-model", meant, "-o", folder / "o.json", "--force"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(read_file(folder / "o.json"), four);
-    EXPECT_TRUE(contains(run.err, std::string("--opencv-model ") + meant)) << run.err;
-    EXPECT_FALSE(contains(run.err, "not-proven")) << run.err;
+    EXPECT_TRUE(says(run.err, "ambiguous-model", std::string("--opencv-model ") + meant)) << run.err;
+    EXPECT_FALSE(says(run.err, "not-proven")) << run.err;
   }
 }
 
 TEST(Proof, SettingsLoseTheirByteOrderMark) {
   const TemporaryFolder folder;
   const std::string base = folder.write("settings.yaml", kBom + read_file(kSettings));
-  const RunResult run = run_program({"convert", kSettings, "--into", base, "--in-place"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_FALSE(contains(run.out, "refuse")) << run.out;
+  const Told run({"convert", kSettings, "--into", base, "--in-place"});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_TRUE(run.loads()) << run.text();
   EXPECT_EQ(read_file(base), read_file(kSettings));
 }
 
 // The input's own defect, kept byte by byte: said as such in the proof's line.
 TEST(Proof, AnUnchangedFileIsRefusedForItsOwnDefect) {
-  const RunResult run = run_program({"convert", testdata("formats/kalibr/good/opencv-header.yaml"), "--to", "kalibr"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "refuses it, as it did before: ")) << run.err;
+  const std::string file = testdata("formats/kalibr/good/opencv-header.yaml");
+  const Told run({"convert", file, "--to", "kalibr"});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_FALSE(run.loads()) << run.text();
+  EXPECT_EQ(run.bytes(), read_file(file));
 }
 
 TEST(Proof, ACameraAddedToMcCalibsMapsIsProven) {
   const TemporaryFolder folder;
-  const RunResult two = run_program({"convert", kCameras, "--camera", "0,1", "--to", "opencv", "-o", folder / "two.yml"});
-  EXPECT_EQ(two.code, 0) << two.err;
-  EXPECT_TRUE(contains(two.out, "proof: OpenCV loads it")) << two.out;
+  const Told two({"convert", kCameras, "--camera", "0,1", "--to", "opencv", "-o", folder / "two.yml"});
+  EXPECT_EQ(two.code(), 0) << two.text();
+  EXPECT_TRUE(two.loads()) << two.text();
   const RunResult run = run_program({"convert", kCameras, "--into", folder / "two.yml", "--json", "-o", folder / "three.yml"});
   EXPECT_EQ(run.code, 0) << run.err << run.out;
   const rapidjson::Document json = json_of(run);
@@ -128,28 +130,30 @@ TEST(Proof, WhatNoProgramReadsIsSaidToBeUnproven) {
   const std::string input = folder.write("keys.yml", with_replaced(keys, "distortion_coefficients:", "Distorsion:"));
   const RunResult run = run_program({"convert", input, "--to", "opencv", "-o", folder / "out.yml"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "proof: none")) << run.out;
-  const RunResult json = run_program({"convert", input, "--to", "opencv", "--json"});
-  EXPECT_EQ(json_of(json)["proof"].Size(), 0U);
-  EXPECT_TRUE(contains(json.out, "not-proven")) << json.out;
+  EXPECT_TRUE(says(run.err, "not-proven")) << run.err;
+  const Told json({"convert", input, "--to", "opencv"});
+  EXPECT_EQ(json.json()["proof"].Size(), 0U);
+  EXPECT_TRUE(json.says("not-proven")) << json.text();
 }
 
 TEST(Proof, WithoutASizeNoPixelsAreCompared) {
   const TemporaryFolder folder;
   std::string bytes = read_file(kCalibration);
   bytes = with_replaced(with_replaced(bytes, "image_width: 752\n", ""), "image_height: 480\n", "");
-  const RunResult run = run_program({"convert", folder.write("in.yml", bytes), "--to", "opencv", "-o", folder / "out.yml"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "no pixels were compared")) << run.out;
+  const Told run({"convert", folder.write("in.yml", bytes), "--to", "opencv", "-o", folder / "out.yml"});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_TRUE(run.loads()) << run.text();
+  EXPECT_EQ(run.json()["proof"][0]["compared_share"].GetDouble(), 0.0) << run.text();
 }
 
 // A pair that is not rectified: V1.0 gives both cameras the first one's coefficients, and there is a way out.
 TEST(Proof, AMisreadPinholePairHasAWayOut) {
-  const RunResult run = run_program(
-      {"convert", testdata("formats/opencv/good/k1d1.yml"), "--size", "640x400", "--to", "orbslam3", "--max-angle", "40"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "which costs up to")) << run.err;
-  EXPECT_TRUE(contains(run.err, "  do: rectify the images first")) << run.err;
+  const std::vector<std::string> words = {
+      "convert", testdata("formats/opencv/good/k1d1.yml"), "--size", "640x400", "--to", "orbslam3", "--max-angle", "40"};
+  const Told run(words);
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_GT(run.json()["proof"][0]["misread_px"].GetDouble(), 0.0) << run.text();
+  EXPECT_TRUE(contains(run_program(words).err, "--orbslam3-layout old"));
 }
 
 }  // namespace

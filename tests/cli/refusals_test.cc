@@ -2,6 +2,7 @@
 // Facts that no rig has are refused where they stand, and what a layout has no place for before it is written: exit 2, the
 // place and the way out, and no output.
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 namespace fca::test {
 namespace {
@@ -11,7 +12,9 @@ const std::string kImu = std::string(FCA_EXAMPLES_DIR) + "/tumvi/imu.yaml";
 const std::string kRectified = testdata("formats/orbslam3/good/v1-rectified.yaml");
 
 /// Runs `words` on `bytes` (the first word stands for their file): nothing may come of it but an explanation.
-void expect_refused(const std::string& bytes, std::vector<std::string> words, const std::string& explanation) {
+/// `where`: the key that is at fault, and its place if it is known.
+void expect_refused(const std::string& bytes, std::vector<std::string> words, const std::string& code,
+                    const std::string& where = {}) {
   const TemporaryFolder folder;
   const std::string file = folder.write("m.yaml", bytes);
   words.insert(words.begin(), {"convert", file});
@@ -19,7 +22,7 @@ void expect_refused(const std::string& bytes, std::vector<std::string> words, co
   const RunResult run = run_program(words);
   EXPECT_EQ(run.code, 2) << run.out << run.err;
   EXPECT_EQ(run.out, "");
-  EXPECT_TRUE(contains(run.err, explanation)) << run.err;
+  EXPECT_TRUE(says(run.err, code, where)) << run.err;
   EXPECT_EQ(folder.names(), std::set<std::string>{"m.yaml"});
 }
 
@@ -27,17 +30,19 @@ TEST(Refusals, AHugeBaseline) {
   const std::string bytes = read_file(kRectified);
   for (const char* value : {"1e308", "0.0", "-0.11", "1e6"}) {
     expect_refused(with_replaced(bytes, "0.11007784219", value), {"--to", "orbslam3", "--orbslam3-layout", "old"},
-                   "m.yaml:8:11: error: Stereo.b: a baseline of ");
+                   "out-of-range", "m.yaml:8:11: error: Stereo.b: ");
   }
 }
 
 TEST(Refusals, AHugePose) {
   const std::string chain = read_file(kChain);
   for (const char* value : {"1e308", "-1e308", "1e30", "1000001"}) {
-    expect_refused(with_replaced(chain, "0.04727988224914392", value), {"--to", "orbslam3"}, ": error: cam0 T_cam_imu: ");
+    expect_refused(with_replaced(chain, "0.04727988224914392", value), {"--to", "orbslam3"}, "out-of-range",
+                   ": error: cam0 T_cam_imu: ");
   }
   for (const char* value : {"1e308", "-1e30", "3"}) {
-    expect_refused(with_replaced(chain, "-0.9995250378696743", value), {"--to", "orbslam3"}, ": error: cam0 T_cam_imu: ");
+    expect_refused(with_replaced(chain, "-0.9995250378696743", value), {"--to", "orbslam3"}, "not-a-rotation",
+                   ": error: cam0 T_cam_imu: ");
   }
 }
 
@@ -46,14 +51,15 @@ TEST(Refusals, AHugePoseOfSettings) {
   const RunResult run = run_program({"convert", kChain, "--with", kImu, "--to", "orbslam3", "-o", folder / "s.yaml"});
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string settings = read_file(folder / "s.yaml");
-  expect_refused(with_replaced(settings, "0.10106342741419427", "1e308"), {"--to", "kalibr"}, ": error: Stereo.T_c1_c2: ");
+  expect_refused(with_replaced(settings, "0.10106342741419427", "1e308"), {"--to", "kalibr"}, "out-of-range",
+                 ": error: Stereo.T_c1_c2: ");
 }
 
 TEST(Refusals, AHugeTimeOffset) {
   for (const char* value : {"1e308", "-2e6"}) {
     const std::string bytes =
         with_replaced(read_file(kChain), "  camera_model:", std::string("  timeshift_cam_imu: ") + value + "\n  camera_model:");
-    expect_refused(bytes, {"--to", "kalibr"}, ": error: cam0 timeshift_cam_imu: a time offset of ");
+    expect_refused(bytes, {"--to", "kalibr"}, "out-of-range", ": error: cam0 timeshift_cam_imu: ");
   }
 }
 
@@ -79,8 +85,7 @@ const std::string kPinholePair =
 // That style is for rectified pairs. With --sensor mono, or as V1.0, the same rig is written.
 TEST(Refusals, AnUnrectifiedPairInTheOldStyle) {
   for (const char* layout : {"old", "orbslam2"}) {
-    expect_refused(kPinholePair, {"--to", "orbslam3", "--orbslam3-layout", layout},
-                   "no place for the pose between unrectified cameras");
+    expect_refused(kPinholePair, {"--to", "orbslam3", "--orbslam3-layout", layout}, "pose-not-storable");
   }
   const TemporaryFolder folder;
   const std::string pair = folder.write("pair.yaml", kPinholePair);
@@ -102,7 +107,7 @@ TEST(Refusals, NotARectifiedPairInTheOldStyle) {
 // Its pixels are the source's, and that is said where others say their error.
 TEST(ConvertText, AKeptCameraHasNoError) {
   const RunResult run = run_program({"convert", kChain, "--to", "orbslam3", "--dry-run"});
-  EXPECT_TRUE(contains(run.out, "\n  error:  none: the same model and parameters\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\n  error:  none: ")) << run.out;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Nothing ever crashes: every subcommand over every real file and over seeded ruins of ours ends with a code of the contract,
 // in time.
-#include "cli/run_program.h"
+#include "cli/spawn_program.h"
 #include "formats/corpus_folders.h"
 #include "ruins.h"
 
@@ -47,7 +47,7 @@ class Watch {
   /// False if the run broke the contract (and failed the test).
   bool run(std::vector<std::string> command, const std::string& path, const std::string& what) {
     command.insert(command.begin() + 1, path);
-    const RunResult run = run_program(command, {.input = "0.1 0.2 1\n", .limit_seconds = kLimitSeconds});
+    const RunResult run = spawn_program(command, {.input = "0.1 0.2 1\n", .limit_seconds = kLimitSeconds});
     std::string spelled;
     for (const std::string& word : command) spelled += word + " ";
     const bool ended_well = !run.timed_out && run.signal == 0 && run.code >= 0 && run.code <= 4;
@@ -149,7 +149,7 @@ TEST(Robustness, ManyKeysAreReadInTime) {
   for (const char* head : {"cam0:\n  camera_model: pinhole\n", "%YAML:1.0\nCamera.fx: 1.0\n"}) {
     std::string bytes = head;
     for (int i = 0; bytes.size() < 1'900'000; ++i) bytes += "k" + std::to_string(i % 100'000) + ": 1\n";
-    const RunResult run = run_program({"show", folder.write("keys.yaml", bytes)}, {.limit_seconds = 30.0});
+    const RunResult run = spawn_program({"show", folder.write("keys.yaml", bytes)}, {.limit_seconds = 30.0});
     EXPECT_FALSE(run.timed_out);
     EXPECT_EQ(run.code, 2) << run.err.substr(0, 500);
   }
@@ -158,7 +158,7 @@ TEST(Robustness, ManyKeysAreReadInTime) {
 TEST(Robustness, OptionsAloneDoNotCrash) {
   for (const char* subcommand : {"convert", "show", "report", "remap", "project", "unproject", "formats", "models", "programs",
                                  "--json", "-", "--", "", "."}) {
-    const RunResult run = run_program({subcommand}, {.limit_seconds = kLimitSeconds});
+    const RunResult run = spawn_program({subcommand}, {.limit_seconds = kLimitSeconds});
     EXPECT_EQ(run.signal, 0) << subcommand;
     EXPECT_TRUE(run.code >= 0 && run.code <= 4) << subcommand << " " << run.code << run.err;
   }

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the program as a user does, in a folder of its own, and says what came of it.
+// Runs the command as a user does, in a folder of its own, and says what came of it. In the test's own process, which takes
+// milliseconds; what the process itself has to do with (signals, limits, streams that fail) is for spawn_program.h.
 #pragma once
 
+#include "command.h"
+
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <string>
-#include <thread>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <gtest/gtest.h>
-
-extern char** environ;
 
 namespace fca::test {
 
@@ -72,7 +70,7 @@ inline std::string read_file(const fs::path& path) {
 struct RunResult {
   int code = -1;  ///< The exit code; -1 if a signal ended it.
   int signal = 0;
-  bool timed_out = false;
+  bool timed_out = false;  ///< And was killed, if it was spawned.
   double seconds = 0.0;
   std::string out;
   std::string err;
@@ -88,55 +86,52 @@ inline constexpr double kSlowdown = 1.0;
 
 struct RunOptions {
   std::string input;            ///< Standard input.
-  std::string output_path;      ///< Where standard output goes instead of into RunResult::out ("/dev/full").
   std::string folder;           ///< Working directory; empty: a fresh one.
   double limit_seconds = 60.0;  ///< Of the release build.
 };
 
-/// Runs `words` (the program's path in front is added).
-inline RunResult run_program(const std::vector<std::string>& words, const RunOptions& options = {}) {
-  const TemporaryFolder files;
-  const std::string in = files.write("in", options.input);
-  const std::string out = options.output_path.empty() ? files / "out" : options.output_path;
-  const std::string err = files / "err";
-  const std::string folder = options.folder.empty() ? files.path().string() : options.folder;
+/// What is written is kept.
+class MemoryOutput : public cli::Output {
+ public:
+  explicit MemoryOutput(std::string& text) : text_(text) {}
 
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, in.c_str(), O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  void write(std::string_view bytes) override { text_ += bytes; }
+  std::optional<std::string> flush() override { return std::nullopt; }
+  [[nodiscard]] bool failed() const override { return false; }
+  [[nodiscard]] bool is_terminal() const override { return false; }
 
-  std::vector<std::string> all = {FCA_IO};
-  all.insert(all.end(), words.begin(), words.end());
-  std::vector<char*> argv;
-  for (std::string& word : all) argv.push_back(word.data());
-  argv.push_back(nullptr);
+ private:
+  std::string& text_;
+};
 
-  RunResult run;
-  const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [&start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
-  pid_t child = 0;
-  const int spawned = posix_spawn(&child, FCA_IO, &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  EXPECT_EQ(spawned, 0) << FCA_IO;
-  if (spawned != 0) return run;
-  int status = 0;
-  while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (elapsed() > options.limit_seconds * kSlowdown) {
-      run.timed_out = true;
-      ::kill(child, SIGKILL);
-      ::waitpid(child, &status, 0);
-      break;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+/// While it lives, the process works in that folder.
+class WorkingFolder {
+ public:
+  explicit WorkingFolder(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }
+  ~WorkingFolder() {
+    std::error_code ignored;
+    fs::current_path(before_, ignored);
   }
-  run.seconds = elapsed();
-  if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
-  if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
-  if (options.output_path.empty()) run.out = read_file(out);
-  run.err = read_file(err);
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+ private:
+  fs::path before_;
+};
+
+/// Runs the command in this process.
+inline RunResult run_program(const std::vector<std::string>& words, const RunOptions& options = {}) {
+  const TemporaryFolder fresh;
+  const WorkingFolder folder(options.folder.empty() ? fresh.path() : fs::path(options.folder));
+  RunResult run;
+  std::istringstream in(options.input);
+  MemoryOutput out(run.out);
+  MemoryOutput err(run.err);
+  cli::Streams streams = {in, out, err};
+  const auto start = std::chrono::steady_clock::now();
+  run.code = cli::run(words, streams);
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.timed_out = run.seconds > options.limit_seconds * kSlowdown;
   return run;
 }
 
