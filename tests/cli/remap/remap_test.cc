@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // remap makes the images that OpenCV makes where OpenCV knows the model, and right ones where it does not.
 #include "cli/lit_image.h"
+#include "cli/spawn_program.h"
+#include "cli/told.h"
 #include "images.h"
 
 #include <fca/remap/view.h>
@@ -215,7 +217,8 @@ TEST(Remap, SaysBothSizesAndTheMending) {
   const std::string half = folder.write("half.png", bytes_of(noise(376, 240, CV_8UC1), ".png"));
   const RunResult run = run_program({"remap", camera, half, "--pinhole", "70", "-o", folder / "out.png"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "376 x 240") && contains(run.err, "752 x 480") && contains(run.err, "--resize 376x240"))
+  EXPECT_TRUE(says(run.err, "image-size", "376 x 240") && says(run.err, "image-size", "752 x 480") &&
+              says(run.err, "image-size", "--resize 376x240"))
       << run.err;
   EXPECT_FALSE(fs::exists(folder / "out.png"));
   EXPECT_EQ(run_program({"remap", camera, half, "--pinhole", "70", "--resize", "376x240", "-o", folder / "out.png"}).code, 0);
@@ -273,7 +276,7 @@ TEST(Remap, WritesWholeFilesOrNone) {
   const std::string camera = folder.write("cam.yaml", kRadtan);
   const std::string image = folder.write("image.png", bytes_of(noise(752, 480, CV_8UC3), ".png"));
   EXPECT_EQ(run_program({"remap", camera, image, "--pinhole", "70", "-o", "/dev/full"}).code, 4);
-  const RunResult full = run_program({"remap", camera, image, "--pinhole", "70", "-o", "-"}, {"", "/dev/full"});
+  const RunResult full = spawn_program({"remap", camera, image, "--pinhole", "70", "-o", "-"}, {}, "/dev/full");
   EXPECT_EQ(full.code, 4);
   const RunResult out = run_program({"remap", camera, image, "--pinhole", "70", "-o", "-"});
   ASSERT_EQ(run_program({"remap", camera, image, "--pinhole", "70", "-o", folder / "out.png"}).code, 0);
@@ -374,7 +377,7 @@ TEST(Remap, RefusesWhatIsTooLargeForAnyCamera) {
   const std::string bomb = folder.write("bomb.pgm", "P5\n30000 30000\n255\n" + std::string(1000, 'x'));
   const RunResult run = run_program({"remap", camera, bomb, "--pinhole", "90", "-o", folder / "out.png"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "134 megapixels")) << run.err;
+  EXPECT_TRUE(says(run.err, "no-image", "134 megapixels")) << run.err;
   EXPECT_FALSE(contains(run.err, "OpenCV")) << run.err;
 }
 
