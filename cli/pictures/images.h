@@ -11,6 +11,5 @@ namespace fca::cli::module {
 
 [[nodiscard]] std::optional<Image> decoded_image(const std::string& bytes);
 [[nodiscard]] std::optional<std::string> encoded_image(const Image& image, const std::string& extension);
-[[nodiscard]] std::optional<Image> remapped_image(const Image& image, const ImageMap& map, Interpolation interpolation);
 
 }  // namespace fca::cli::module

@@ -2,6 +2,8 @@
 #include "module.h"
 #include "images.h"
 
+#include <fca/toolkit/remap.h>
+
 #include <opencv2/imgcodecs.hpp>
 
 namespace {
@@ -24,9 +26,7 @@ std::string png_bytes(const fca::cli::Picture& picture) {
 
 extern "C" __attribute__((visibility("default"))) const void* fca_picture_functions() {
   namespace module = fca::cli::module;
-  static constexpr fca::cli::PictureFunctions kFunctions = {.png = &png_bytes,
-                                                            .decoded = &module::decoded_image,
-                                                            .encoded = &module::encoded_image,
-                                                            .remapped = &module::remapped_image};
+  static constexpr fca::cli::PictureFunctions kFunctions = {
+      .png = &png_bytes, .decoded = &module::decoded_image, .encoded = &module::encoded_image, .remapped = &fca::remapped};
   return &kFunctions;
 }

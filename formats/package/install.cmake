@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The package: find_package(fca-io) gives fca::core and fca::formats. One export for each, so that a program that wants only the
-# core need not have what the formats need.
+# The package: find_package(fca-io) gives fca::core, fca::formats and fca::toolkit. One export for each, so that a program that
+# wants only the core need not have what the others need.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/fca-io)
 install(TARGETS fca-core EXPORT fca-io-core-targets)
 install(TARGETS fca-formats EXPORT fca-io-formats-targets)
+install(TARGETS fca-toolkit EXPORT fca-io-toolkit-targets)
 install(EXPORT fca-io-core-targets NAMESPACE fca:: DESTINATION ${package_dir})
 install(EXPORT fca-io-formats-targets NAMESPACE fca:: DESTINATION ${package_dir})
-install(DIRECTORY lib/include/ formats/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(EXPORT fca-io-toolkit-targets NAMESPACE fca:: DESTINATION ${package_dir})
+install(DIRECTORY lib/include/ formats/include/ cli/toolkit/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 configure_package_config_file(formats/package/fca-io-config.cmake.in ${PROJECT_BINARY_DIR}/fca-io-config.cmake
                               INSTALL_DESTINATION ${package_dir})

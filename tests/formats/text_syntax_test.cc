@@ -53,8 +53,8 @@ TEST(TextSyntax, OfEveryCorpusFile) {
     const Parsed parsed = parse(bytes, each.path());
     ++(parsed.document ? counts : refused)[name_of(parsed.document ? parsed.document->syntax() : chosen)];
     if (!parsed.document) {
-      // Some are broken YAML as found (CORPUS: README.md), or XML of programs other than OpenCV; what the readers refuse besides
-      // is a finding.
+      // Some are broken YAML as found (CORPUS: README.md), or XML of programs other than OpenCV; what the readers refuse
+      // besides is a finding.
       const bool yaml = chosen == Syntax::kYaml || chosen == Syntax::kOpenCvYaml;
       const bool others_xml = chosen == Syntax::kXml && bytes.find("<opencv_storage") == std::string::npos;
       EXPECT_TRUE(yaml || others_xml) << parsed.rendered();

@@ -74,7 +74,7 @@ std::vector<std::string> lines_for(const Written::File& file, const ConvertReque
     const std::string name = std::filesystem::path(request.into).filename().string();
     lines.push_back("  into " + name + std::string(kHash) + sha256(file.document.source().bytes));
   }
-  lines.push_back(std::string(kCommand) + request.made_by);
+  if (!request.made_by.empty()) lines.push_back(std::string(kCommand) + request.made_by);
   for (const ConvertedCamera& camera : result.cameras) {
     if (std::ranges::find(file.cameras, camera.source.name) != file.cameras.end())
       lines.push_back(camera_line(camera, !request.inputs.change.changes_nothing()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "at_once.h"
+#include "parallel_for.h"
 #include "words.h"
 
 #include <fca/convert/convert.h>
@@ -51,7 +51,7 @@ ImageMap map_of(const ImageMapper& mapper, std::size_t jobs) {
   const auto rows = static_cast<std::size_t>(size.height);
   ImageMap map{size, std::vector<float>(stride * rows)};
   constexpr std::size_t kRows = 16;  // of one piece of work
-  at_once((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
+  parallel_for((rows + kRows - 1) / kRows, jobs, [&](std::size_t piece) {
     for (std::size_t row = piece * kRows; row < std::min(rows, (piece + 1) * kRows); ++row)
       mapper.row(static_cast<int>(row), std::span(map.uv).subspan(row * stride, stride));
   });
@@ -78,7 +78,8 @@ std::optional<Camera> like(const std::string& file, const std::string& name, Fil
   return std::nullopt;
 }
 
-std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& model, const Camera& source, Diagnostics& diagnostics) {
+std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& model, const Camera& source,
+                               Diagnostics& diagnostics) {
   ConvertOptions options;
   options.model = model.id;
   options.max_angle_rad = request.inputs.max_angle_rad;
@@ -125,8 +126,7 @@ RemapResult remap(const RemapRequest& request, Files& files) {
     return result;
   }
   result.mask = seen(result.map, *result.source.image_size);
-  result.seen_share =
-      static_cast<double>(std::ranges::count(result.mask, 255)) / static_cast<double>(result.mask.size());
+  result.seen_share = static_cast<double>(std::ranges::count(result.mask, 255)) / static_cast<double>(result.mask.size());
   if (!(result.seen_share > 0.0)) result.status = Status::kRejected;
   return result;
 }

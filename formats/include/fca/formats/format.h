@@ -171,8 +171,8 @@ struct Format {
   std::span<const OwnFact> own_facts = {};
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
-  std::string_view layouts_in_words = {};  ///< For people: "v1 (stock V1.0), old (before V1.0), ...".
-  bool leaves_model_open = false;          ///< Some of its files do not show which of two models they hold (ReadOptions).
+  std::string_view layouts_in_words = {};          ///< For people: "v1 (stock V1.0), old (before V1.0), ...".
+  bool leaves_model_open = false;  ///< Some of its files do not show which of two models they hold (ReadOptions).
   std::span<const Demand> demands = {};
   /// Keys of own facts (ExtraField::key) that count pixels or rows of the images, and are stale for others.
   std::span<const std::string_view> of_the_images = {};

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Images as OpenCV has them, and back.
+#pragma once
+
+#include <fca/toolkit/image.h>
+
+#include <optional>
+
+#include <opencv2/core.hpp>
+
+namespace fca {
+
+inline int depth_of(Image::Sample sample) {
+  switch (sample) {
+    case Image::Sample::k8Bit:
+      return CV_8U;
+    case Image::Sample::k16Bit:
+      return CV_16U;
+    case Image::Sample::kFloat:
+      break;
+  }
+  return CV_32F;
+}
+
+inline std::optional<Image::Sample> sample_of(int depth) {
+  for (const Image::Sample sample : {Image::Sample::k8Bit, Image::Sample::k16Bit, Image::Sample::kFloat}) {
+    if (depth_of(sample) == depth) return sample;
+  }
+  return std::nullopt;
+}
+
+/// The image's own memory, which OpenCV only reads where it is given a constant Mat.
+inline cv::Mat as_mat(const Image& image) {
+  return {image.height, image.width, CV_MAKETYPE(depth_of(image.sample), image.channels),
+          const_cast<std::uint8_t*>(image.bytes.data())};
+}
+
+inline std::optional<Image> as_image(const cv::Mat& mat) {
+  const std::optional<Image::Sample> sample = sample_of(mat.depth());
+  const int channels = mat.channels();
+  if (mat.empty() || !sample || !(channels == 1 || channels == 3 || channels == 4)) return std::nullopt;
+  const cv::Mat whole = mat.isContinuous() ? mat : mat.clone();
+  return Image{whole.cols, whole.rows, channels, *sample, {whole.data, whole.data + whole.total() * whole.elemSize()}};
+}
+
+}  // namespace fca
