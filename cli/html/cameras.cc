@@ -4,8 +4,8 @@
 #include "camera_figures.h"
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
-#include "toolkit/words.h"
 #include "table.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/fields_of_view.h>

@@ -7,9 +7,8 @@
 #include "said.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
-#include "toolkit/compare/difference_words.h"
-#include "toolkit/words.h"
 #include "table.h"
+#include "toolkit/compare/difference_words.h"
 #include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>

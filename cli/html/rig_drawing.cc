@@ -255,7 +255,8 @@ PlacedRig placed_rig(const Rig& rig) {
   for (const Camera& camera : rig.cameras) add(camera.name, Kind::kCamera);
   for (const Imu& imu : rig.imus) add(imu.name, Kind::kImu);
   for (const PoseEdge& edge : rig.poses) {
-    for (const std::string& name : {edge.a, edge.b}) add(name, rig.kind_of(name) == FrameKind::kImu ? Kind::kImu : Kind::kOther);
+    for (const std::string& name : {edge.a, edge.b})
+      add(name, rig.kind_of(name) == FrameKind::kImu ? Kind::kImu : Kind::kOther);
   }
   PlacedRig placed;
   for (PlacedRig::Frame& frame : all) {

@@ -71,8 +71,7 @@ void put_findings_tile(Html& html, const ReportContents& contents) {
 }
 
 void put_losses_tile(Html& html, const ConvertResult& outcome) {
-  const auto to_look_at =
-      static_cast<std::size_t>(std::ranges::count(outcome.defaults, true, &DefaultedValue::look_at_it));
+  const auto to_look_at = static_cast<std::size_t>(std::ranges::count(outcome.defaults, true, &DefaultedValue::look_at_it));
   std::vector<std::string> lines;
   if (to_look_at > 0) lines.push_back(counted(to_look_at, "value") + " to set by hand");
   for (const ProofResult& proof : outcome.proofs) {

@@ -67,8 +67,7 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
   const std::vector<std::string> names = parser_->names();
   const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
   if (!words.empty() && (!words.front().starts_with('-') || words.front() == "-") && !is_name(words.front())) {
-    if (!is_path(words.front()))
-      return console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names));
+    if (!is_path(words.front())) return console.refuse(ExitCode::kUsage, unknown_word("command", words.front(), names));
     words.insert(words.begin(), "show");
   }
   try {

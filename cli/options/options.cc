@@ -85,7 +85,8 @@ void Options::each(const std::string& name, const std::string& type, const std::
                           ->type_name(type));
 }
 
-void Options::each(const std::string& name, const std::string& type, const std::string& help, std::vector<std::string>& target) {
+void Options::each(const std::string& name, const std::string& type, const std::string& help,
+                   std::vector<std::string>& target) {
   take_one_each_time(*command_.add_option(name, target, help)->type_name(type));
 }
 
@@ -93,8 +94,12 @@ void Options::flag(const std::string& name, const std::string& help, bool& targe
 
 void Options::flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
                         bool& target) {
-  CLI::Option* const first = command_.add_flag_function(on, [](std::int64_t) {}, on_help);
-  command_.add_flag_function(off, [&target](std::int64_t) { target = false; }, off_help)->excludes(first);
+  CLI::Option* const first = command_.add_flag_function(
+      on, [](std::int64_t) {}, on_help);
+  command_
+      .add_flag_function(
+          off, [&target](std::int64_t) { target = false; }, off_help)
+      ->excludes(first);
 }
 
 void Options::exclusive_flags(const std::vector<Flag>& flags, const std::string& problem) {
@@ -128,8 +133,8 @@ std::vector<TypedOption> Options::typed() const {
   for (const CLI::Option* option : command_.get_options()) {
     if (option->count() == 0) continue;
     const bool takes_value = option->get_items_expected_max() > 0;
-    result.push_back({option->get_name(), takes_value ? option->reduced_results() : std::vector<std::string>(),
-                      option->get_positional()});
+    result.push_back(
+        {option->get_name(), takes_value ? option->reduced_results() : std::vector<std::string>(), option->get_positional()});
   }
   return result;
 }

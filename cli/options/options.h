@@ -48,7 +48,8 @@ class Options {
               std::function<std::optional<std::string>(double)> take);
   void whole_number(const std::string& name, const std::string& type, const std::string& help,
                     std::function<std::optional<std::string>(int)> take);
-  void count(const std::string& name, const std::string& type, const std::string& help, std::size_t& target, int least, int most);
+  void count(const std::string& name, const std::string& type, const std::string& help, std::size_t& target, int least,
+             int most);
   /// An option that may come several times, with one value each time.
   void each(const std::string& name, const std::string& type, const std::string& help, TakeWord take);
   void each(const std::string& name, const std::string& type, const std::string& help, std::vector<std::string>& target);

@@ -89,11 +89,11 @@ std::optional<std::string> target_without_file(const ConvertRequest& request) {
     bool given;
     std::string option;
   };
-  const std::string layout =
-      request.layout.format != nullptr ? "--" + std::string(request.layout.format->id) + "-layout" : "";
-  for (const Given& each : {Given{!request.mode.empty(), "--sensor"}, Given{!layout.empty(), layout},
-                            Given{request.frame_rate_hz.has_value(), "--fps"}, Given{request.baseline_m.has_value(), "--baseline"},
-                            Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--anew"}}) {
+  const std::string layout = request.layout.format != nullptr ? "--" + std::string(request.layout.format->id) + "-layout" : "";
+  for (const Given& each :
+       {Given{!request.mode.empty(), "--sensor"}, Given{!layout.empty(), layout},
+        Given{request.frame_rate_hz.has_value(), "--fps"}, Given{request.baseline_m.has_value(), "--baseline"},
+        Given{!request.settings.empty(), "--set"}, Given{request.rewrite, "--anew"}}) {
     if (each.given) return each.option + " says something about a written file; say with --to FORMAT which one";
   }
   return std::nullopt;

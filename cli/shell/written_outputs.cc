@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "written_outputs.h"
 
-#include "toolkit/save/output_file.h"
 #include "output_name.h"
+#include "toolkit/save/output_file.h"
 
 #include <filesystem>
 #include <map>

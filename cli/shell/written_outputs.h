@@ -2,8 +2,8 @@
 // What was converted, put into its places.
 #pragma once
 
-#include "console.h"
 #include "commands/convert/outcome.h"
+#include "console.h"
 
 #include <cstddef>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "at_once.h"
+#include "parallel_for.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,13 +8,24 @@
 #include <system_error>
 #include <vector>
 
+#include <sys/resource.h>
+
 namespace fca {
 
 namespace {
 
+/// A thread's stack takes 8 MB, which stay taken when it has ended (glibc keeps stacks for further threads): where a limit
+/// leaves little, they are what OpenCV's module needs.
+bool address_space_is_short() {
+  constexpr rlim_t kPlenty = 512UL << 20U;
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && limit.rlim_cur < kPlenty;
+}
+
 /// Starts the function in a thread; nothing where there is no room for one more.
 template <typename Function>
 std::jthread started(const Function& function) {
+  if (address_space_is_short()) return {};
   try {
     return std::jthread(function);
   } catch (const std::system_error&) {  // a limit on threads, or no memory for a stack
@@ -26,7 +37,7 @@ std::jthread started(const Function& function) {
 
 }  // namespace
 
-void at_once(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body) {
+void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body) {
   const std::size_t most = std::min(count, jobs > 0 ? jobs : std::max(1U, std::thread::hardware_concurrency()));
   std::atomic<std::size_t> next = 0;
   std::atomic<bool> failed = false;

@@ -12,7 +12,7 @@ namespace fca {
 /// Calls body(0) .. body(count - 1), up to `jobs` at the same time (0: as many as there are processors), begun in that order.
 /// They must have nothing to do with each other. If one throws, no further one begins, and when those that run have ended, the
 /// first exception is thrown here.
-void at_once(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body);
+void parallel_for(std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& body);
 
 /// Runs a task that prepares what is done again, when it is needed, if it was not: nothing happens where no thread can be
 /// started, or where the task throws. The thread's destructor waits for it.

@@ -176,8 +176,7 @@ class ChainReader {
     for (const PoseKey& pose : pose_keys(name)) {
       const Node* value = reader_.find(node, pose.key);
       if (value == nullptr) continue;
-      if (const std::optional<Transform> T = reader_.transform(*value, name + " " + pose.key))
-        add_pose(pose, *T, rig);
+      if (const std::optional<Transform> T = reader_.transform(*value, name + " " + pose.key)) add_pose(pose, *T, rig);
     }
   }
 
@@ -185,8 +184,7 @@ class ChainReader {
   bool read_named_pose(const text::Entry& entry, Rig& rig) {
     const std::optional<PoseKey> pose = named_pose_key(entry.key.value);
     if (!pose) return false;
-    if (const std::optional<Transform> T = reader_.transform(entry.value, pose->key))
-      add_pose(*pose, *T, rig);
+    if (const std::optional<Transform> T = reader_.transform(entry.value, pose->key)) add_pose(*pose, *T, rig);
     return true;
   }
 

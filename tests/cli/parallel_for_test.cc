@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What runs at the same time; where no thread can be started, tests/package/few_threads.
-#include "toolkit/at_once.h"
+#include "toolkit/parallel_for.h"
 
 #include <gtest/gtest.h>
 
@@ -12,17 +12,17 @@
 namespace fca::test {
 namespace {
 
-TEST(AtOnce, CallsEachOnce) {
+TEST(ParallelFor, CallsEachOnce) {
   for (const std::size_t jobs : {0, 1, 2, 7, 100}) {
     for (const std::size_t count : {0, 1, 2, 50}) {
       std::vector<std::atomic<int>> calls(count);
-      at_once(count, jobs, [&calls](std::size_t i) { ++calls[i]; });
+      parallel_for(count, jobs, [&calls](std::size_t i) { ++calls[i]; });
       for (const std::atomic<int>& each : calls) EXPECT_EQ(each, 1) << jobs << " jobs, " << count << " calls";
     }
   }
 }
 
-TEST(AtOnce, AnExceptionReachesTheCallerAfterAllHaveEnded) {
+TEST(ParallelFor, AnExceptionReachesTheCallerAfterAllHaveEnded) {
   for (const std::size_t jobs : {1, 2, 4}) {
     for (const std::size_t bad : {0, 1, 2, 3}) {
       std::atomic<int> running = 0;
@@ -36,7 +36,7 @@ TEST(AtOnce, AnExceptionReachesTheCallerAfterAllHaveEnded) {
         --running;
       };
       try {
-        at_once(20, jobs, body);
+        parallel_for(20, jobs, body);
         FAIL() << "no exception";
       } catch (const std::runtime_error& error) {
         EXPECT_EQ(error.what(), "the one of " + std::to_string(bad));
@@ -46,13 +46,13 @@ TEST(AtOnce, AnExceptionReachesTheCallerAfterAllHaveEnded) {
   }
 }
 
-TEST(AtOnce, NoFurtherOneBeginsAfterAnException) {
+TEST(ParallelFor, NoFurtherOneBeginsAfterAnException) {
   std::atomic<int> begun = 0;
   const auto body = [&begun](std::size_t) {
     ++begun;
     throw std::runtime_error("at once");
   };
-  EXPECT_THROW(at_once(1000, 2, body), std::runtime_error);
+  EXPECT_THROW(parallel_for(1000, 2, body), std::runtime_error);
   EXPECT_LE(begun, 2);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
+#include "preview_text.h"
 #include "shell/option_hints.h"
 #include "toolkit/words.h"
-#include "preview_text.h"
 
 #include <fca/formats/text/render.h>
 #include <fca/formats/wording.h>

@@ -22,8 +22,7 @@ std::optional<std::string> usage_error(const CompareArguments& arguments) {
   if (request.reference.join) return "compare lays each FILE beside REF by itself: --join has no use here";
   if (!arguments.page.empty() && request.files.size() > 1) return "--report is about one FILE beside REF";
   if (arguments.force && arguments.page.empty()) return "--force is for --report: it overwrites an existing page";
-  const std::ptrdiff_t from_stdin =
-      std::ranges::count(request.files, "-") + std::ranges::count(request.reference.files, "-");
+  const std::ptrdiff_t from_stdin = std::ranges::count(request.files, "-") + std::ranges::count(request.reference.files, "-");
   if (from_stdin > 1) return "standard input can be read only once";
   return std::nullopt;
 }
@@ -32,7 +31,8 @@ std::optional<std::string> usage_error(const CompareArguments& arguments) {
 ExitCode write_page(const CompareArguments& arguments, const Invocation& invocation, const ReferenceFile& reference,
                     const ComparedFile& compared, const Console& console) {
   if (arguments.page.empty() || !compared.comparison || compared.comparison->cameras.empty()) return ExitCode::kGood;
-  if (const std::optional<std::string> problem = KeptInputs(console, arguments.request.reference).problem_with(arguments.page)) {
+  if (const std::optional<std::string> problem =
+          KeptInputs(console, arguments.request.reference).problem_with(arguments.page)) {
     console.error(*problem);
     return ExitCode::kUsage;
   }
@@ -60,8 +60,7 @@ ExitCode run_compare(const CompareArguments& arguments, const Invocation& invoca
     const ComparedFile& compared = files.back();
     code = worse(code, exit_code(compared.status));
     if (!arguments.json) {
-      const bool some =
-          compared.comparison && (compared.status <= Status::kRejected || !compared.comparison->cameras.empty());
+      const bool some = compared.comparison && (compared.status <= Status::kRejected || !compared.comparison->cameras.empty());
       if (some) console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared));
       console.show(compared.diagnostics);
       if (!some) console.say_aside("verdict: " + file + ": " + verdict_of(compared) + "\n");

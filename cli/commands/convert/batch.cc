@@ -2,7 +2,7 @@
 #include "batch.h"
 
 #include "shell/progress.h"
-#include "toolkit/at_once.h"
+#include "toolkit/parallel_for.h"
 #include "toolkit/words.h"
 
 #include <algorithm>
@@ -118,7 +118,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
   std::vector<Job> jobs(groups.size());
   const bool in_full = arguments.json || is_told_in_full(groups.size());
   Progress progress(groups.size(), console.streams().err);
-  at_once(groups.size(), arguments.request.jobs, [&](std::size_t i) {
+  parallel_for(groups.size(), arguments.request.jobs, [&](std::size_t i) {
     if (interrupt.asked()) return;
     ConvertArguments each = arguments;
     if (groups.size() > 1) each.request.jobs = 1;

@@ -7,8 +7,8 @@
 #include "options/words.h"
 #include "shell/calibration_files.h"
 #include "shell/output_name.h"
-#include "toolkit/words.h"
 #include "shell/written_outputs.h"
+#include "toolkit/words.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -50,7 +50,8 @@ bool is_regular(const FoundFile& file) {
 }
 
 /// --opencv-model without a file that it could be about.
-std::optional<std::string> opencv_model_problem(const ConvertArguments& arguments, const std::vector<ConvertOutcome>& outcomes) {
+std::optional<std::string> opencv_model_problem(const ConvertArguments& arguments,
+                                                const std::vector<ConvertOutcome>& outcomes) {
   const std::vector<ConvertResult> results(outcomes.begin(), outcomes.end());
   Inputs inputs = arguments.request.inputs;
   inputs.files = {outcomes.empty() ? "" : outcomes.front().input};
@@ -141,7 +142,8 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.flag("--strict", "Fail if anything of the input cannot be carried", request.strict);
   options.flag_pair("--verify", "Ask the real program's reader about the bytes before they are put in place (the default)",
                     "--no-verify", "Do not ask it", request.verify);
-  options.count("--jobs", "N", "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)",
+  options.count("--jobs", "N",
+                "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)",
                 request.jobs, 1, 1024);
   options.flag("--dry-run", "Report, write nothing", arguments.dry_run);
   options.flag("--force", "Overwrite existing files", arguments.force);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "outcome.h"
 #include "options/application.h"
+#include "outcome.h"
 #include "shell/console.h"
 
 #include <string>

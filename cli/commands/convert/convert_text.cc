@@ -2,8 +2,8 @@
 #include "convert_command.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
-#include "toolkit/words.h"
 #include "shell/program_words.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>

@@ -30,6 +30,7 @@ struct ConvertOutcome : ConvertResult {
 };
 
 /// One conversion, of one input or several that are one rig (request.inputs.files). `words`: the command line.
-[[nodiscard]] ConvertOutcome convert_input(const ConvertArguments& arguments, const std::vector<std::string>& words, Files& files);
+[[nodiscard]] ConvertOutcome convert_input(const ConvertArguments& arguments, const std::vector<std::string>& words,
+                                           Files& files);
 
 }  // namespace fca::cli

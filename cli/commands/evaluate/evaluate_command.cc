@@ -45,7 +45,8 @@ void add_options(Options& options, EvaluateArguments& arguments) {
 }  // namespace
 
 void add_evaluate_command(Application& application) {
-  application.add("evaluate", "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and judged on every pixel",
+  application.add("evaluate",
+                  "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and judged on every pixel",
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<EvaluateArguments>();
                     add_options(options, *arguments);

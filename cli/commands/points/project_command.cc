@@ -11,8 +11,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <istream>
 #include <functional>
+#include <istream>
 #include <limits>
 #include <memory>
 #include <numbers>

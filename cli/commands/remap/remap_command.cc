@@ -83,10 +83,11 @@ std::optional<std::string> write_parts(const RemapArguments& arguments, const Im
 std::string view_text(const RemapArguments& arguments, const Remapping& done) {
   const Camera& view = done.result.view;
   std::string text = done.result.source.name + ", " + std::string(model_info(done.result.source.model).id) + ", " +
-                     size_in_words(*done.result.source.image_size) + " px, as " + std::string(model_info(view.model).id) + ", " +
-                     size_in_words(*view.image_size) + " px";
+                     size_in_words(*done.result.source.image_size) + " px, as " + std::string(model_info(view.model).id) +
+                     ", " + size_in_words(*view.image_size) + " px";
   if (!arguments.rotate.empty()) text += ", turned by " + arguments.rotate + " deg (yaw, pitch, roll)";
-  return text + "\n" + parameters_in_words(view.model, "  ") + "  the source sees " + percent(done.result.seen_share) + " of it\n";
+  return text + "\n" + parameters_in_words(view.model, "  ") + "  the source sees " + percent(done.result.seen_share) +
+         " of it\n";
 }
 
 bool is_written(const RemappedImage& image) { return !image.left && image.code == ExitCode::kGood; }
@@ -186,9 +187,10 @@ void add_options(Options& options, RemapArguments& arguments) {
   options.positional("FILE", "Calibration file of the camera that took the images", arguments.file);
   options.positional("IMAGE", "Images of the calibrated size, folders of them or patterns ('left/*.png')", arguments.images,
                      false);
-  options.value("-o,--output", "PATH",
-                "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
-                arguments.output);
+  options.value(
+      "-o,--output", "PATH",
+      "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
+      arguments.output);
   options.number("--pinhole", "FULL_FOV_DEG",
                  "As a pinhole camera: straight lines are straight. Full field of view across the width, in degrees",
                  [&arguments](double degrees) -> std::optional<std::string> {

@@ -21,7 +21,7 @@ struct RemapArguments {
   std::string map;
   bool force = false;
   bool json = false;
-  int views = 0;                           ///< How many of --model, --like and --pinhole were given; one is allowed.
+  int views = 0;                          ///< How many of --model, --like and --pinhole were given; one is allowed.
   std::optional<ImageSize> pinhole_size;  ///< --out-size
 };
 

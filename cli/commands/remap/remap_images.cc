@@ -6,11 +6,11 @@
 #include "pictures/pictures.h"
 #include "shell/held_interrupt.h"
 #include "shell/kept_inputs.h"
-#include "toolkit/save/output_file.h"
 #include "shell/output_name.h"
 #include "shell/progress.h"
+#include "toolkit/parallel_for.h"
+#include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
-#include "toolkit/at_once.h"
 
 #include <array>
 #include <filesystem>
@@ -44,15 +44,15 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
     result.code = code;
   };
   const std::optional<Image> image = read_image_file(result.input, result.diagnostics);
-  if (!image || !has_size_of(source, !arguments.request.inputs.change.changes_nothing(), *image, result.input, result.diagnostics)) {
+  if (!image ||
+      !has_size_of(source, !arguments.request.inputs.change.changes_nothing(), *image, result.input, result.diagnostics)) {
     result.code = exit_code(status_of(result.diagnostics));
     return;
   }
   const std::string extension = extension_for(result.output, result.input);
   if (const std::optional<std::string> problem = problem_with_format(*image, extension))
     return refuse(ExitCode::kUsage, "image-format", *problem);
-  const std::optional<Image> seen =
-      cli::remapped(*image, map, arguments.interpolation);
+  const std::optional<Image> seen = cli::remapped(*image, map, arguments.interpolation);
   const std::optional<std::string> bytes = seen ? encoded(*seen, extension) : std::nullopt;
   if (!bytes) return refuse(ExitCode::kBadInput, "no-image", "OpenCV could not map it or write it as " + extension);
   if (result.output == "-") {
@@ -106,7 +106,7 @@ std::vector<RemappedImage> remap_images(const RemapArguments& arguments, std::sp
   std::vector<RemappedImage> results(images.size());
   const HeldInterrupt interrupt(images.size() > 1, console);
   Progress progress(images.size(), console.streams().err);
-  at_once(images.size(), arguments.request.jobs, [&](std::size_t i) {
+  parallel_for(images.size(), arguments.request.jobs, [&](std::size_t i) {
     results[i].input = images[i].path;
     results[i].output = output_path(arguments.output, images[i].path, source.name);
     results[i].left = interrupt.asked();

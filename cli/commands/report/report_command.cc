@@ -139,15 +139,14 @@ void add_options(Options& options, ReportArguments& arguments) {
 }  // namespace
 
 void add_report_command(Application& application) {
-  application.add("report",
-                  "A page to look at: what a file says, the rig drawn, and what converting it costs, as curves and error maps",
-                  [](Options& options) -> RunCommand {
-                    const auto arguments = std::make_shared<ReportArguments>();
-                    add_options(options, *arguments);
-                    return [arguments](const Invocation& invocation, Console& console) {
-                      return run_report(*arguments, invocation, console);
-                    };
-                  });
+  application.add(
+      "report", "A page to look at: what a file says, the rig drawn, and what converting it costs, as curves and error maps",
+      [](Options& options) -> RunCommand {
+        const auto arguments = std::make_shared<ReportArguments>();
+        add_options(options, *arguments);
+        return
+            [arguments](const Invocation& invocation, Console& console) { return run_report(*arguments, invocation, console); };
+      });
 }
 
 }  // namespace fca::cli

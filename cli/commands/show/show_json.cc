@@ -4,8 +4,8 @@
 #include "shell/parameters_json.h"
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
-#include "toolkit/words.h"
 #include "show_command.h"
+#include "toolkit/words.h"
 
 #include <fca/rig/fields_of_view.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
-#include "toolkit/words.h"
 #include "show_command.h"
+#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>

@@ -9,7 +9,7 @@
 namespace fca {
 
 /// What converting a file gives for a program that does not read its format, without the files themselves.
-[[nodiscard]] ConvertResult preview_conversion(const std::string& file, const Inputs& inputs, const consumers::Consumer& program,
-                                               Files& files);
+[[nodiscard]] ConvertResult preview_conversion(const std::string& file, const Inputs& inputs,
+                                               const consumers::Consumer& program, Files& files);
 
 }  // namespace fca

@@ -15,14 +15,14 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
   std::optional<Calibration> into = read_calibration(inputs, files, result.diagnostics);
   if (into && into->rig.cameras.empty() && into->rig.poses.empty()) {
     result.diagnostics.error("into-without-camera", "there is no camera here that the input's could take the place of",
-                              {request.into, 0, 0}, "--into wants the file that holds the cameras; -o FILE writes a new one");
+                             {request.into, 0, 0}, "--into wants the file that holds the cameras; -o FILE writes a new one");
     result.status = Status::kBadRequest;
     return std::nullopt;
   }
   if (!into || request.to == nullptr || request.to == into->format) return into;
   result.diagnostics.error("into-another-format",
-                            "the file is " + std::string(into->format->title) + ", and --to says " + std::string(request.to->id),
-                            {request.into, 0, 0}, "leave out --to");
+                           "the file is " + std::string(into->format->title) + ", and --to says " + std::string(request.to->id),
+                           {request.into, 0, 0}, "leave out --to");
   result.status = Status::kBadRequest;
   return std::nullopt;
 }
@@ -124,7 +124,8 @@ bool is_edit_of_base(const ConvertRequest& request, const Base& base, const Writ
   return false;
 }
 
-Base base_of(const ConvertRequest& request, const Calibration& input, const std::optional<Calibration>& into, const Format& to) {
+Base base_of(const ConvertRequest& request, const Calibration& input, const std::optional<Calibration>& into,
+             const Format& to) {
   if (into) return {&into->documents.front(), &*into};
   const text::Document& main_file = input.documents[input.with_cameras];
   const bool one_file = request.inputs.files.size() == 1 || edits_first(input, request, to);

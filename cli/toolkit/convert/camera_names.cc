@@ -43,7 +43,8 @@ std::string with_names_of_file(const std::string& text, std::span<const Converte
   for (auto at = text.begin(); at != text.end();) {
     const auto end = std::find_if_not(at, text.end(), is_of_word);
     const std::string word(at, end);
-    const auto camera = std::ranges::find_if(cameras, [&word](const ConvertedCamera& each) { return each.source.name == word; });
+    const auto camera =
+        std::ranges::find_if(cameras, [&word](const ConvertedCamera& each) { return each.source.name == word; });
     const bool is_option = result.ends_with("--camera ");
     result += camera != cameras.end() && !is_option ? camera->name_in_words() : word;
     at = end;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choose_model.h"
 
-#include "at_once.h"
 #include "models/model_advice.h"
+#include "parallel_for.h"
 #include "words.h"
 
 #include <fca/convert/reach.h>
@@ -49,8 +49,8 @@ std::optional<std::vector<ConvertedCamera>> convert_all(const std::vector<Camera
                                                         const ModelChoice& choice, Diagnostics& diagnostics) {
   std::vector<Diagnostics> found(cameras.size());
   std::vector<std::optional<ConvertedCamera>> converted(cameras.size());
-  at_once(cameras.size(), choice.jobs,
-          [&](std::size_t i) { converted[i] = convert_one(cameras[i], stored, choice, found[i]); });
+  parallel_for(cameras.size(), choice.jobs,
+               [&](std::size_t i) { converted[i] = convert_one(cameras[i], stored, choice, found[i]); });
   std::vector<ConvertedCamera> outcomes;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     if (!converted[i]) {

@@ -29,7 +29,7 @@ struct ModelChoice {
 /// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best by
 /// the objective.
 [[nodiscard]] std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Camera>& cameras,
-                                                                        const Format& format, const ModelChoice& choice,
-                                                                        Diagnostics& diagnostics);
+                                                                          const Format& format, const ModelChoice& choice,
+                                                                          Diagnostics& diagnostics);
 
 }  // namespace fca

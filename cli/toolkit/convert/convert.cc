@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "at_once.h"
 #include "convert/assumptions.h"
 #include "convert/base.h"
 #include "convert/camera_names.h"
@@ -14,6 +13,7 @@
 #include "convert/stale_facts.h"
 #include "convert/stereo_order.h"
 #include "convert/write_rig.h"
+#include "parallel_for.h"
 
 #include <fca/convert/reach.h>
 #include <fca/formats/wording.h>
@@ -51,7 +51,7 @@ Rig as_restated(Rig rig, const Written& written) {
 
 /// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
 void add_reach(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
-  at_once(cameras.size(), choice.jobs, [&](std::size_t i) {
+  parallel_for(cameras.size(), choice.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
     if (!camera.report || camera.report->exact || stored == nullptr) return;

@@ -10,8 +10,7 @@ namespace fca {
 namespace {
 
 /// A file without a camera was probably meant as a further part.
-void explain_no_camera(const ConvertRequest& request, const Calibration& calibration,
-                       Diagnostics& diagnostics) {
+void explain_no_camera(const ConvertRequest& request, const Calibration& calibration, Diagnostics& diagnostics) {
   const bool imu = !calibration.rig.imus.empty();
   const std::string what = imu ? "an IMU and no camera" : calibration.rig.poses.empty() ? "no camera" : "a pose and no camera";
   const std::string main_file = calibration.format->id == "opencv" ? "intrinsics.yml" : "camchain.yaml";
@@ -24,9 +23,9 @@ void explain_no_camera(const ConvertRequest& request, const Calibration& calibra
 bool contradicts(const ConvertRequest& request, const Calibration& calibration, ConvertResult& result) {
   if (!request.baseline_m || calibration.rig.cameras.size() < 2) return false;
   result.diagnostics.error("baseline-contradicts",
-                            "--baseline is for one camera of a rectified pair or depth sensor; here are " +
-                                std::to_string(calibration.rig.cameras.size()) + " cameras with poses of their own",
-                            {request.inputs.files.front(), 0, 0}, "choose one with --camera");
+                           "--baseline is for one camera of a rectified pair or depth sensor; here are " +
+                               std::to_string(calibration.rig.cameras.size()) + " cameras with poses of their own",
+                           {request.inputs.files.front(), 0, 0}, "choose one with --camera");
   result.status = Status::kBadRequest;
   return true;
 }

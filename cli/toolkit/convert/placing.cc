@@ -47,8 +47,8 @@ std::string misnamed(const std::string& path, const text::Syntax syntax) {
 bool has_room(const ConvertRequest& request, ConvertResult& result) {
   const std::size_t with_cameras = camera_files(result.files);
   if (!request.room.named_files && std::ranges::any_of(result.files, &ConvertedFile::named)) {
-    result.diagnostics.error("one-output", result.headline + ": these are " + std::to_string(result.files.size()) + " files", {},
-                             "-o FOLDER/, or -o FILE, which has the others beside it");
+    result.diagnostics.error("one-output", result.headline + ": these are " + std::to_string(result.files.size()) + " files",
+                             {}, "-o FOLDER/, or -o FILE, which has the others beside it");
   } else if (!request.room.camera_files && with_cameras > 1) {
     result.diagnostics.error(
         "one-camera-per-file",

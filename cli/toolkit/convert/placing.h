@@ -5,8 +5,8 @@
 
 namespace fca {
 
-/// Gives the result's files their paths. Those that there is no room for are left out, with a loss, or are an error, and then it
-/// is false.
+/// Gives the result's files their paths. Those that there is no room for are left out, with a loss, or are an error, and then
+/// it is false.
 [[nodiscard]] bool place_files(const ConvertRequest& request, ConvertResult& result);
 
 }  // namespace fca

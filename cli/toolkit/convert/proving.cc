@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "proving.h"
 
-#include "at_once.h"
+#include "parallel_for.h"
 #include "words.h"
 
 #include <fca/formats/mend.h>
@@ -109,7 +109,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const consumers::LoadOptions options = load_options(written);
     ProofResult proof =
         prove(*consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
-              [&request](std::size_t count, const auto& body) { at_once(count, request.jobs, body); });
+              [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); });
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&

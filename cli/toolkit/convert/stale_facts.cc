@@ -24,8 +24,8 @@ void list_stale(const Rig& rig, std::span<const std::string_view> of, const std:
                 Written& written, Diagnostics& diagnostics) {
   std::vector<std::string> stale;
   for (const ExtraField& extra : rig.extra_fields) {
-    const bool lost =
-        std::ranges::any_of(written.losses, [&extra](const Loss& loss) { return what_of(loss).starts_with(with_owner(extra)); });
+    const bool lost = std::ranges::any_of(written.losses,
+                                          [&extra](const Loss& loss) { return what_of(loss).starts_with(with_owner(extra)); });
     if (is_among(extra, of) && !lost) stale.push_back(with_owner(extra));
   }
   if (stale.empty()) return;

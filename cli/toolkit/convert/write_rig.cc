@@ -50,7 +50,7 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   if (!refusal) return written;
   options.anew = true;
   result.diagnostics.note("layout-not-kept",
-                           "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
+                          "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
   return write_calibration(*result.to, base.document, rig, options, result.diagnostics);
 }
 

@@ -70,11 +70,13 @@ const Candidate* recommended_beside(const std::vector<Candidate>& candidates, co
   return best(candidates, [&other](const Candidate& candidate) { return &candidate != &other; });
 }
 
-std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras, std::optional<double> max_angle_rad,
+std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras,
+                                                                  std::optional<double> max_angle_rad,
                                                                   Diagnostics& diagnostics) {
   // What no model could help is told once, not once per model.
   bool all_have_domains = true;
-  for (const Camera& camera : cameras) all_have_domains = domain_of(camera, max_angle_rad, diagnostics).has_value() && all_have_domains;
+  for (const Camera& camera : cameras)
+    all_have_domains = domain_of(camera, max_angle_rad, diagnostics).has_value() && all_have_domains;
   if (!all_have_domains) return std::nullopt;
   std::vector<ModelsResult::OfCamera> result;
   for (const Camera& camera : cameras) result.push_back({camera, candidates(camera, max_angle_rad)});

@@ -33,11 +33,11 @@ void refuse(const CameraImage& image, const Rig& rig, Diagnostics& diagnostics) 
   std::vector<std::string> names;
   for (const Camera& camera : rig.cameras) names.push_back(camera.name);
   const std::string there = names.empty() ? "none" : enumerated(names, "and");
-  diagnostics.error("lens-circle-of-none",
-                    "--lens-circle " + given +
-                        (image.camera.empty() ? " does not say of which camera the image is"
-                                              : ": there is no camera '" + image.camera + "'"),
-                    {}, "cameras: " + there + "; --lens-circle " + (names.empty() ? "CAMERA" : names.front()) + "=IMAGE");
+  diagnostics.error(
+      "lens-circle-of-none",
+      "--lens-circle " + given +
+          (image.camera.empty() ? " does not say of which camera the image is" : ": there is no camera '" + image.camera + "'"),
+      {}, "cameras: " + there + "; --lens-circle " + (names.empty() ? "CAMERA" : names.front()) + "=IMAGE");
 }
 
 /// The camera that took it; null if there is none.
@@ -167,8 +167,8 @@ std::optional<Seen> look_at(const Camera& camera, const std::vector<std::string>
 }
 
 /// Tells of the images that show another circle than most, and looks at the others alone.
-bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, const ImageChange& change, Files& files, Seen& seen,
-                      Diagnostics& diagnostics) {
+bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, const ImageChange& change, Files& files,
+                      Seen& seen, Diagnostics& diagnostics) {
   const std::vector<std::size_t> others = seen.search.contradicting(*seen.camera.lens_circle);
   if (others.empty()) return true;
   warn_of_others(seen.search, seen.camera, paths, witnesses(seen.search, *seen.camera.lens_circle, paths), diagnostics);

@@ -57,7 +57,8 @@ bool change_images(const ImageChange& change, const std::string& input, Rig& rig
 }
 
 /// Indices into the rig; nothing with an error for a camera that is not there.
-std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice>& choices, const Rig& rig, Diagnostics& diagnostics) {
+std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice>& choices, const Rig& rig,
+                                                  Diagnostics& diagnostics) {
   std::vector<std::size_t> indices;
   for (const CameraChoice& choice : choices) {
     const auto by_name = std::ranges::find(rig.cameras, choice.name, &Camera::name);
@@ -128,17 +129,16 @@ bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagno
       inputs.join && std::ranges::find(calibration.rig.cameras, size, &Camera::image_size) != calibration.rig.cameras.end();
   for (const Camera& camera : calibration.rig.cameras) {
     if (camera.image_size == size || of_one_of_many) continue;
-    diagnostics.error("size-contradicts",
-                      camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " +
-                          size_in_words(*size),
-                      {inputs.files.front(), 0, 0}, "--size is for files that state no size");
+    diagnostics.error(
+        "size-contradicts",
+        camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " + size_in_words(*size),
+        {inputs.files.front(), 0, 0}, "--size is for files that state no size");
     return false;
   }
   return true;
 }
 
 }  // namespace
-
 
 std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
   std::vector<std::string> paths = inputs.files;

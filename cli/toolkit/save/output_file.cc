@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_file.h"
 
-#include "at_once.h"
+#include "parallel_for.h"
 
 #include <algorithm>
 #include <array>
@@ -279,11 +279,11 @@ std::vector<std::optional<std::string>> write_sets(std::span<const std::span<con
                                                    std::size_t jobs) {
   std::vector<StagedSet> staged(sets.size());
   const mode_t mask = current_mask();
-  at_once(sets.size(), jobs, [&](std::size_t i) { staged[i] = stage(sets[i], overwrite, mask); });
+  parallel_for(sets.size(), jobs, [&](std::size_t i) { staged[i] = stage(sets[i], overwrite, mask); });
   const std::set<fs::path> folders = folders_of(staged);
   if (sync) force_to_disk(staged);
   std::vector<std::optional<std::string>> problems(sets.size());
-  at_once(sets.size(), jobs, [&](std::size_t i) {
+  parallel_for(sets.size(), jobs, [&](std::size_t i) {
     StagedSet& set = staged[i];
     problems[i] = set.problem ? set.problem : put_into_place(set, sets[i], overwrite);
     set.files.clear();

@@ -109,12 +109,12 @@ RC_GTEST_PROP(ImageChange, ABinsCentreIsThatOfItsPixels, ()) {
 
 RC_GTEST_PROP(ImageChange, CropThenBinThenResize, ()) {
   const ImageChange change = {.crop = ImageRegion{100, 50, {600, 400}}, .binning = 2, .resize = ImageSize{640, 480}};
-  const ChangedImage at_once = changed({1000, 800}, change).value();
+  const ChangedImage parallel_for = changed({1000, 800}, change).value();
   const PixelMap crop = changed({1000, 800}, {.crop = change.crop}).value().map;
   const PixelMap bin = changed({600, 400}, {.binning = 2}).value().map;
   const PixelMap resize = changed({300, 200}, {.resize = change.resize}).value().map;
   const Pixel pixel = {static_cast<double>(*rc::gen::inRange(0, 1000)), static_cast<double>(*rc::gen::inRange(0, 800))};
-  check_near(at_once.map(pixel), resize(bin(crop(pixel))));
+  check_near(parallel_for.map(pixel), resize(bin(crop(pixel))));
 }
 
 // A region as far from overflow as an int can be.

@@ -11,8 +11,8 @@
 
 namespace fca {
 
-/// Of the inputs what says how a file is to be understood counts: format, image size, OpenCV model, largest angle. Every file is
-/// looked at as it stands.
+/// Of the inputs what says how a file is to be understood counts: format, image size, OpenCV model, largest angle. Every file
+/// is looked at as it stands.
 struct CheckRequest {
   Inputs inputs;
   const consumers::Consumer* program = nullptr;  ///< The program that the file is meant for; null: the format's own.

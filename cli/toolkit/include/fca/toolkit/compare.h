@@ -13,11 +13,11 @@
 namespace fca {
 
 struct CompareRequest {
-  Inputs reference;                   ///< Its camera choice and lens count for the other files, too.
-  std::vector<std::string> files;     ///< Each is compared with the reference.
-  std::vector<std::string> parts;     ///< Further parts of each of these files; those of the inputs are the reference's.
-  std::optional<double> max_error_px; ///< kRejected if a pixel differs by more.
-  bool strict = false;                ///< kRejected if poses or numbers differ.
+  Inputs reference;                    ///< Its camera choice and lens count for the other files, too.
+  std::vector<std::string> files;      ///< Each is compared with the reference.
+  std::vector<std::string> parts;      ///< Further parts of each of these files; those of the inputs are the reference's.
+  std::optional<double> max_error_px;  ///< kRejected if a pixel differs by more.
+  bool strict = false;                 ///< kRejected if poses or numbers differ.
   bool every_pixel = false;
 };
 

@@ -43,8 +43,8 @@ struct ConvertedCamera {
 
 /// A file that was made. Nothing is on the disk yet.
 struct ConvertedFile {
-  std::string name;                   ///< A proposal: "imu.yaml".
-  std::string path;                   ///< Where it goes, as the request has it; empty: nowhere in particular.
+  std::string name;  ///< A proposal: "imu.yaml".
+  std::string path;  ///< Where it goes, as the request has it; empty: nowhere in particular.
   std::string bytes;
   text::Syntax syntax = text::Syntax::kYaml;
   std::vector<std::string> cameras;   ///< Names of the cameras in it, as in the input.
@@ -80,16 +80,16 @@ struct ConvertRequest {
   bool rewrite = false;              ///< A fresh file even where a text could be edited.
   std::string extension;             ///< Of the file to be written, with its point, for formats with several syntaxes.
   Objective objective = Objective::kRms;
-  bool every_pixel = false;                 ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
-  std::optional<double> frame_rate_hz;      ///< For formats that state it.
-  std::optional<double> baseline_m;         ///< Of a rectified pair or depth sensor.
-  std::vector<KeyValue> settings;           ///< Values of the written file that no calibration states.
-  std::optional<double> max_error_px;       ///< kRejected if a camera's largest error is more.
-  bool strict = false;                      ///< kRejected if anything of the input is lost.
-  bool verify = true;                       ///< The programs that read the files are asked about their bytes.
+  bool every_pixel = false;             ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
+  std::optional<double> frame_rate_hz;  ///< For formats that state it.
+  std::optional<double> baseline_m;     ///< Of a rectified pair or depth sensor.
+  std::vector<KeyValue> settings;       ///< Values of the written file that no calibration states.
+  std::optional<double> max_error_px;   ///< kRejected if a camera's largest error is more.
+  bool strict = false;                  ///< kRejected if anything of the input is lost.
+  bool verify = true;                   ///< The programs that read the files are asked about their bytes.
   ProvenanceComment provenance = ProvenanceComment::kInFreshFiles;
-  std::string made_by;                      ///< For that comment: the command or program that asks; empty: none.
-  std::size_t jobs = 0;                     ///< Cameras at the same time; 0: as many as there are processors.
+  std::string made_by;   ///< For that comment: the command or program that asks; empty: none.
+  std::size_t jobs = 0;  ///< Cameras at the same time; 0: as many as there are processors.
   OutputRoom room;
   /// The path of a file of the result, for messages and for the file's `path`; null: files have none.
   std::function<std::string(const ConvertResult& result, std::size_t file)> path_of;
@@ -99,14 +99,14 @@ struct ConvertRequest {
 struct ConvertResult {
   Status status = Status::kDone;
   const Format* from = nullptr;
-  bool one_format = true;   ///< False: `from` is the first file's, and others joined to it have another.
+  bool one_format = true;  ///< False: `from` is the first file's, and others joined to it have another.
   const Format* to = nullptr;
   bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
   std::vector<ConvertedCamera> cameras;
   std::vector<ConvertedFile> files;
-  std::string headline;  ///< Mode, who reads it, who does not.
-  std::string mode;      ///< That was written for.
-  std::string misread_remedy;            ///< What to do where the program is known to misread such a file; may be empty.
+  std::string headline;        ///< Mode, who reads it, who does not.
+  std::string mode;            ///< That was written for.
+  std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<ProofResult> proofs;

@@ -74,7 +74,8 @@ struct Evaluation {
 /// the recovered one is the original's where the source camera sees the converted one's ray (Lanczos, at exactly that place,
 /// not rounded to grey levels). Places near the border, whose window reaches beyond the image, are left out. With models that
 /// agree the two are the same. False with an error where there is no such image, or none of that size among the tables.
-[[nodiscard]] bool add_recovered_images(const std::string& path, Evaluation& evaluation, Files& files, Diagnostics& diagnostics);
+[[nodiscard]] bool add_recovered_images(const std::string& path, Evaluation& evaluation, Files& files,
+                                        Diagnostics& diagnostics);
 
 /// Nothing if one of the cameras cannot be converted, which would be a bug.
 [[nodiscard]] std::optional<Evaluation> evaluate(Diagnostics& diagnostics);

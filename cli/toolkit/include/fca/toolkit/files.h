@@ -13,8 +13,8 @@
 
 namespace fca {
 
-/// The files of one request, from the disk or, where the two virtual functions are overridden, from elsewhere. It keeps what was read: diagnostics point into
-/// it. Not to be used by two threads at once.
+/// The files of one request, from the disk or, where the two virtual functions are overridden, from elsewhere. It keeps what
+/// was read: diagnostics point into it. Not to be used by two threads at once.
 class Files {
  public:
   Files() = default;

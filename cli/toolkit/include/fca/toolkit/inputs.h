@@ -39,20 +39,21 @@ enum class NoiseKind : std::uint8_t {
 };
 
 struct Inputs {
-  std::vector<std::string> files;                           ///< Paths; several are the cameras of one rig, in this order.
-  std::vector<std::string> parts;                           ///< Paths of further parts of the calibration (imu.yaml).
-  const Format* format = nullptr;                           ///< Of the files; null: found by their content.
-  std::optional<std::vector<CameraChoice>> cameras;         ///< These alone, in this order; nothing: all.
-  std::optional<ImageSize> image_size;                      ///< For files that do not state one.
-  std::optional<OpenCvModel> opencv_model;                  ///< For files that could be either.
-  ImageChange change;                                       ///< From the calibrated images to those that the cameras are for.
-  std::optional<double> max_angle_rad;                      ///< What counts as lens, from the axis; nothing: the whole image.
-  std::vector<CameraImage> lens_circles;                    ///< What counts as lens: the image circle that these images show.
-  std::optional<NoiseKind> imu_noise;                       ///< Of the input.
-  bool join = false;                                        ///< Several files, or one that is written as one of several.
+  std::vector<std::string> files;                    ///< Paths; several are the cameras of one rig, in this order.
+  std::vector<std::string> parts;                    ///< Paths of further parts of the calibration (imu.yaml).
+  const Format* format = nullptr;                    ///< Of the files; null: found by their content.
+  std::optional<std::vector<CameraChoice>> cameras;  ///< These alone, in this order; nothing: all.
+  std::optional<ImageSize> image_size;               ///< For files that do not state one.
+  std::optional<OpenCvModel> opencv_model;           ///< For files that could be either.
+  ImageChange change;                                ///< From the calibrated images to those that the cameras are for.
+  std::optional<double> max_angle_rad;               ///< What counts as lens, from the axis; nothing: the whole image.
+  std::vector<CameraImage> lens_circles;             ///< What counts as lens: the image circle that these images show.
+  std::optional<NoiseKind> imu_noise;                ///< Of the input.
+  bool join = false;                                 ///< Several files, or one that is written as one of several.
 };
 
-/// Reads one calibration: its files and their parts, reduced to the chosen cameras, for the changed images. Nothing with errors.
+/// Reads one calibration: its files and their parts, reduced to the chosen cameras, for the changed images. Nothing with
+/// errors.
 [[nodiscard]] std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
 
 /// As the readers of formats take them.

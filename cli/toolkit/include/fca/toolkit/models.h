@@ -46,6 +46,8 @@ struct ModelsResult {
 [[nodiscard]] ModelsResult compare_models(const Inputs& inputs, Files& files);
 
 /// The same of cameras that were read. Nothing with errors where one has no part of its image to compare over.
-[[nodiscard]] std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras, std::optional<double> max_angle_rad, Diagnostics& diagnostics);
+[[nodiscard]] std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vector<Camera>& cameras,
+                                                                                std::optional<double> max_angle_rad,
+                                                                                Diagnostics& diagnostics);
 
 }  // namespace fca

@@ -18,7 +18,7 @@ namespace fca {
 
 /// A pinhole camera: straight lines are straight.
 struct PinholeView {
-  double full_fov_rad = 0.0;            ///< Across the width.
+  double full_fov_rad = 0.0;           ///< Across the width.
   std::optional<ImageSize> size = {};  ///< Nothing: the input's.
 };
 /// The camera of a calibration file: its only one, or that of the same name.

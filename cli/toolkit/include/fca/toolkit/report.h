@@ -22,9 +22,9 @@ struct ReportRequest {
 };
 
 struct ReportResult {
-  Status status = Status::kDone;     ///< Up to kRejected there is a report.
+  Status status = Status::kDone;  ///< Up to kRejected there is a report.
   Reading reading;
-  std::vector<CheckResult> checks;   ///< Of each of its files.
+  std::vector<CheckResult> checks;  ///< Of each of its files.
   /// Without a format (ConvertResult::to): the cameras alone.
   std::optional<ConvertResult> conversion;
   std::vector<ModelsResult::OfCamera> models;
