@@ -4,6 +4,7 @@
 #include "diagnostics_json.h"
 #include "json.h"
 #include "option_hints.h"
+#include "option_hints.h"
 
 #include <fca/formats/text/render.h>
 
@@ -20,12 +21,12 @@ void Console::err(std::string_view text) const { streams_->err.write(text); }
 bool Console::failed() const { return streams_->out.failed(); }
 
 void Console::show(const Diagnostics& diagnostics) const {
-  for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources(), colour_));
+  for (const Diagnostic& entry : diagnostics.entries()) err(text::render(entry, sources(), colour_, with_options));
 }
 
 void Console::show_errors(const Diagnostics& diagnostics) const {
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (entry.severity == Severity::kError) err(text::render(entry, sources(), colour_));
+    if (entry.severity == Severity::kError) err(text::render(entry, sources(), colour_, with_options));
   }
 }
 

@@ -10,5 +10,5 @@ int main(int argc, char** argv) {  // settings camchain.yaml imu.yaml FOLDER: OR
   request.provenance = fca::ProvenanceComment::kNone;
   fca::Files files;
   fca::ConvertResult result = fca::convert(request, files);  // its proofs, losses and diagnostics are values
-  return fca::save(result, argv[3], result.diagnostics) && result.proofs.front().understood() ? 0 : 1;
+  return fca::save(result, argv[3], result.diagnostics) && result.proofs.front().agrees() ? 0 : 1;
 }

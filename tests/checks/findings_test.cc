@@ -92,7 +92,7 @@ TEST(CheckFindings, ACleanFileSaysWhatWasCheckedAndWhatCouldNotBe) {
   source.bytes = with_replaced(with_replaced(source.bytes, "image_width: 752\n", ""), "image_height: 480\n", "");
   const CheckReport without_size = checked(source);
   ASSERT_EQ(without_size.undecided.size(), 1U);
-  EXPECT_NE(without_size.undecided.front().why.find("--size"), std::string::npos);
+  EXPECT_NE(why_of(without_size.undecided.front()).find("--size"), std::string::npos);
   CheckOptions options;
   options.reading.image_size = ImageSize{752, 480};
   EXPECT_TRUE(checked(source, options).undecided.empty());
@@ -172,13 +172,13 @@ TEST(CheckFindings, NoiseThatMayBeEitherIsNotDecided) {
       checked({"imu.yaml", with_replaced(good, "gyroscope_noise_density: 0.00016", "gyroscope_noise_density: 0.0023")});
   EXPECT_TRUE(report.findings.empty());
   ASSERT_EQ(report.undecided.size(), 1U);
-  EXPECT_NE(report.undecided.front().why.find("0.000163"), std::string::npos) << report.undecided.front().why;
+  EXPECT_NE(why_of(report.undecided.front()).find("0.000163"), std::string::npos) << why_of(report.undecided.front());
 }
 
 TEST(CheckFindings, AThresholdBelowZeroIsNotToBeDivided) {
   const std::string good = read_file(checks_dir() / "clean-settings.yaml");
   const CheckReport report = checked({"settings.yaml", with_replaced(good, "ThDepth: 40.0", "ThDepth: -40.0")});
-  const auto found = std::ranges::find(report.findings, "depth-threshold", &Finding::code);
+  const auto found = std::ranges::find(report.findings, "depth-threshold", [](const Finding& finding) { return id_of(finding); });
   ASSERT_NE(found, report.findings.end());
   EXPECT_NE(found->fix.find("write 40.0"), std::string::npos) << found->fix;
 }

@@ -57,7 +57,7 @@ Tally tally_of(const SeededDefect& defect, std::set<std::string>& said) {
     }
     ++tally.found;
     for (const Finding& each : report.findings) {
-      if (std::ranges::find(defect.codes, each.code) != defect.codes.end()) said.insert(each.code);
+      if (std::ranges::find(defect.codes, id_of(each)) != defect.codes.end()) said.insert(id_of(each));
     }
     if (!defect.is_placed || defect.is_placed(*good, source, *finding)) {
       ++tally.placed;
