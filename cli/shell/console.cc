@@ -4,7 +4,6 @@
 #include "diagnostics_json.h"
 #include "json.h"
 #include "option_hints.h"
-#include "option_hints.h"
 
 #include <fca/formats/text/render.h>
 

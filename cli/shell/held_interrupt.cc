@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "held_interrupt.h"
 
+#include <algorithm>
+#include <array>
+
 namespace fca::cli {
+
+namespace {
+
+/// What ends a command from outside and can wait: Ctrl-C, kill, a closed terminal.
+constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
 
 HeldInterrupt::HeldInterrupt(bool hold, const Console& console) : console_(console) {
   if (!hold) return;
-  struct sigaction action {};
-  if (sigaction(SIGINT, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
-  sigset_t interrupt;
-  sigemptyset(&interrupt);
-  sigaddset(&interrupt, SIGINT);
-  held_ = pthread_sigmask(SIG_BLOCK, &interrupt, &before_) == 0;
+  sigset_t interrupts;
+  sigemptyset(&interrupts);
+  for (const int signal : kSignals) {
+    if (!is_ignored(signal)) sigaddset(&interrupts, signal);
+  }
+  held_ = pthread_sigmask(SIG_BLOCK, &interrupts, &before_) == 0;
 }
 
 HeldInterrupt::~HeldInterrupt() {
@@ -21,7 +36,8 @@ HeldInterrupt::~HeldInterrupt() {
 
 bool HeldInterrupt::asked() const {
   sigset_t pending;
-  return held_ && sigpending(&pending) == 0 && sigismember(&pending, SIGINT) == 1;
+  if (!held_ || sigpending(&pending) != 0) return false;
+  return std::ranges::any_of(kSignals, [&pending](int signal) { return sigismember(&pending, signal) == 1; });
 }
 
 }  // namespace fca::cli

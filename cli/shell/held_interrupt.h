@@ -7,8 +7,9 @@
 
 namespace fca::cli {
 
-/// While it lives and `hold` was asked for, Ctrl-C (SIGINT) waits, also in threads begun meanwhile; when it ends, what waited
-/// ends the command as usual, with what was printed. Where the command was started with SIGINT ignored, it stays so.
+/// While it lives and `hold` was asked for, Ctrl-C (SIGINT), SIGTERM and SIGHUP wait, also in threads begun meanwhile; when it
+/// ends, what waited ends the command as usual, with what was printed. A signal that the command was started to ignore stays
+/// ignored.
 class HeldInterrupt {
  public:
   HeldInterrupt(bool hold, const Console& console);

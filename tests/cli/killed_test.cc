@@ -3,6 +3,9 @@
 #include "cli/spawn_program.h"
 
 #include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <map>
 #include <random>
 #include <thread>
 
@@ -58,6 +61,40 @@ TEST(Killed, WhatIsLeftOfAnotherIsRemovedAndWhatIsInUseStays) {
   EXPECT_EQ(spawn_program(conversion_to(folder / "settings.yaml")).code, 0);
   ::close(file);
   EXPECT_EQ(folder.names(), (std::set<std::string>{".fca-io-fedcba9876543210", "settings.yaml"}));
+}
+
+// A batch that is asked to end finishes what it has begun to write, and leaves nothing else.
+TEST(Killed, ABatchThatIsAskedToEndLeavesWholeFilesAlone) {
+  const TemporaryFolder folder;
+  constexpr int kInputs = 40;
+  fs::create_directory(folder.path() / "in");
+  for (int i = 0; i < kInputs; ++i) fs::copy_file(kChain, folder.path() / "in" / ("chain" + std::to_string(100 + i) + ".yaml"));
+  const auto command = [&folder](const std::string& how, const std::string& output) {
+    return how + " " + FCA_IO + " convert " + folder / "in" + " --to orbslam3 --max-angle 97.5 --no-provenance -o " +
+           folder / output + "/ >" + folder / "log" + " 2>&1";
+  };
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(std::system(command("", "whole").c_str()), 0) << read_file(folder / "log");
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::map<std::string, std::string> whole;
+  for (const fs::directory_entry& each : fs::directory_iterator(folder.path() / "whole"))
+    whole[each.path().filename()] = read_file(each.path());
+  ASSERT_EQ(whole.size(), static_cast<std::size_t>(kInputs));
+
+  constexpr int kRuns = kSlowdown > 1.0 ? 2 : 8;
+  for (const std::string signal : {"INT", "TERM", "HUP"}) {
+    int told = 0;  // runs that ended by themselves, early, with their summary
+    for (int i = 0; i < kRuns; ++i) {
+      const std::string after = std::to_string(seconds * (i + 0.5) / kRuns);
+      EXPECT_NE(std::system(command("timeout --signal=" + signal + " " + after, "cut").c_str()), -1);
+      told += contains(read_file(folder / "log"), "interrupted: ") ? 1 : 0;
+      if (!fs::exists(folder / "cut")) continue;  // it had not begun to write
+      for (const fs::directory_entry& each : fs::directory_iterator(folder.path() / "cut"))
+        EXPECT_EQ(read_file(each.path()), whole[each.path().filename()]) << each.path() << " after SIG" << signal;
+      fs::remove_all(folder / "cut");
+    }
+    EXPECT_GT(told, 0) << "SIG" << signal;
+  }
 }
 
 // Each file is one command's, whole: whoever reads meanwhile never sees another.
