@@ -129,6 +129,7 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
 std::vector<std::string> names_of_path(const Rig& rig, const PoseLoop& loop) {
   const std::set<std::size_t> edges(loop.path.begin(), loop.path.end());
   std::vector<std::string> names;
+  names.reserve(edges.size());
   for (const std::size_t i : edges) names.push_back("T_" + rig.poses[i].a + "_" + rig.poses[i].b);
   return names;
 }

@@ -153,9 +153,10 @@ void put_only(Html& html, const RigComparison& comparison) {
 
 void put_diagnostics(Html& html, const char* title, const Diagnostics& diagnostics) {
   if (!diagnostics.entries().empty()) html.element("h2", {}, title);
-  for (const Diagnostic& entry : diagnostics.entries())
+  for (const Diagnostic& entry : diagnostics.entries()) {
     put_said(html, {entry.severity, id_of(entry), message_of(entry, with_options), entry.where.file, "",
                     fix_of(entry, with_options)});
+  }
 }
 
 }  // namespace

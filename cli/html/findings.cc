@@ -34,9 +34,10 @@ void put_checked(Html& html, const CheckResult& file) {
     html.element("summary", {}, "What was checked, and what could not be decided");
     if (!report.checked.empty()) html.element("p", {}, "Checked: " + enumerated(report.checked) + ".");
     html.element("ul", {}, [&] {
-      for (const Undecided& undecided : report.undecided)
+      for (const Undecided& undecided : report.undecided) {
         html.element("li", {},
                      "Not decidable: " + question_of(undecided, with_options) + "; " + why_of(undecided, with_options));
+      }
     });
   });
 }
@@ -64,9 +65,10 @@ void put_findings(Html& html, const ReportContents& contents) {
   if (said.entries().empty()) return;
   html.element("h3", {}, contents.conversion ? "Said while reading and converting" : "Said while reading");
   const text::Source& first = contents.shown.calibration->documents.front().source();
-  for (const Diagnostic& entry : said.entries())
+  for (const Diagnostic& entry : said.entries()) {
     put_said(html, {entry.severity, id_of(entry), message_of(entry, with_options), place_of(entry.where, first), "",
                     fix_of(entry, with_options)});
+  }
 }
 
 }  // namespace fca::cli

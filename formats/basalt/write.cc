@@ -355,9 +355,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   written.files.push_back({*std::move(document), {}, {"basalt"}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   add_beyond_base(rig.extra_fields, said, "a Basalt calibration has no place for it", written.losses);
-  if (old && !edits)
+  if (old && !edits) {
     add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
                     written.losses);
+  }
   list_time_losses(rig, written.losses);
   list_losses(rig, written.losses);
   written.headline = "a calibration for Basalt";

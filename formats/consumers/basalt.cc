@@ -157,8 +157,8 @@ class Archive {
            rapidjson::GetParseError_En(document_.GetParseError()));
   }
 
-  void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
+  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
+  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
 
   const Json* root() {
     if (!view_.loads()) return nullptr;

@@ -69,8 +69,8 @@ class CameraReader {
   }
 
  private:
-  void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
+  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
+  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
 
   const Value* require(std::string_view key) {
     const Value* value = block_.find(key);
@@ -273,11 +273,11 @@ class CameraReader {
 pyyaml::ValuePtr load_map(std::string_view bytes, ConsumerView& view) {
   pyyaml::Loaded loaded = pyyaml::safe_load(bytes);
   if (!loaded.error.empty()) {
-    view.refusals.push_back("Kalibr's PyYAML cannot read the file: " + loaded.error);
+    view.refusals.emplace_back("Kalibr's PyYAML cannot read the file: " + loaded.error);
     return nullptr;
   }
   if (loaded.root->kind != Kind::kMap) {
-    view.refusals.push_back("the file is " + pyyaml::describe(*loaded.root) + "; Kalibr wants a map");
+    view.refusals.emplace_back("the file is " + pyyaml::describe(*loaded.root) + "; Kalibr wants a map");
     return nullptr;
   }
   return loaded.root;
@@ -304,8 +304,8 @@ void check_chain_keys(const Value& root, ConsumerView& view) {
     const std::string name = "cam" + std::to_string(i);
     if (root.find(name) == nullptr) missing = name;
   }
-  view.refusals.push_back("Kalibr counts every top-level key as a camera (" + std::to_string(count) + " here, with " + foreign +
-                          ") and stops because " + missing + " is missing");
+  view.refusals.emplace_back("Kalibr counts every top-level key as a camera (" + std::to_string(count) + " here, with " +
+                             foreign + ") and stops because " + missing + " is missing");
 }
 
 struct ImuKey {
@@ -324,12 +324,12 @@ void read_imu_number(const Value& root, const ImuKey& rule, ConsumerView& view) 
   const std::string key(rule.key);
   const Value* value = root.find(key);
   if (value == nullptr) {
-    view.refusals.push_back(key + " is missing; Kalibr stops");
+    view.refusals.emplace_back(key + " is missing; Kalibr stops");
   } else if (!value->is_number()) {
-    view.refusals.push_back(key + " is " + pyyaml::describe(*value) +
-                            "; Kalibr wants a number (PyYAML reads 2e-5 as a string: write 2.0e-05)");
+    view.refusals.emplace_back(key + " is " + pyyaml::describe(*value) +
+                               "; Kalibr wants a number (PyYAML reads 2e-5 as a string: write 2.0e-05)");
   } else if (value->number <= 0.0) {
-    view.refusals.push_back(key + " is " + value->text + "; Kalibr wants more than 0 " + std::string(rule.unit));
+    view.refusals.emplace_back(key + " is " + value->text + "; Kalibr wants more than 0 " + std::string(rule.unit));
   } else {
     (*view.imu).*rule.held_as = value->number;
   }

@@ -158,8 +158,8 @@ class ModelReader {
     skip_blanks();
     if (!read_int(count, std::string("number of coefficients of the ") + what)) return false;
     if (count < 1 || count > kMaxCoefficients) {
-      view_.refusals.push_back("the " + std::string(what) + " has " + std::to_string(count) + " coefficients; the reader has " +
-                               "places for 1 to 64 and does not check");
+      view_.refusals.emplace_back("the " + std::string(what) + " has " + std::to_string(count) +
+                                  " coefficients; the reader has " + "places for 1 to 64 and does not check");
       return false;
     }
     coefficients.resize(static_cast<std::size_t>(count));
@@ -178,9 +178,10 @@ class ModelReader {
     const std::size_t place = at < 0 ? bytes_.size() : std::min(static_cast<std::size_t>(at), bytes_.size());
     const std::string_view rest = bytes_.substr(place, 24);
     const std::string found(rest.substr(0, rest.find_first_of("\r\n")));
-    view_.refusals.push_back("the reader takes " + (found.empty() ? "the end of the file" : "\"" + found + "\"") + " for the " +
-                             what + " and goes on with garbage: it skips exactly one line before each block, and wants " +
-                             "whole numbers for counts and sizes");
+    view_.refusals.emplace_back("the reader takes " + (found.empty() ? "the end of the file" : "\"" + found + "\"") +
+                                " for the " + what +
+                                " and goes on with garbage: it skips exactly one line before each block, and wants " +
+                                "whole numbers for counts and sizes");
     return false;
   }
 
@@ -250,8 +251,8 @@ ConsumerView load_ocamcalib(std::string_view bytes, const LoadOptions& /*options
   constexpr double kBetweenPoints = 1.5;
   camera.approximation_px = difference < kLargestApproximation ? kBetweenPoints * difference : 0.0;
   if (!(difference < 0.1)) {
-    view.warnings.push_back("world2cam uses the file's inverse polynomial, which is up to " + three_digits(difference) +
-                            " px from the inverse of the direct one");
+    view.warnings.emplace_back("world2cam uses the file's inverse polynomial, which is up to " + three_digits(difference) +
+                               " px from the inverse of the direct one");
   }
   view.cameras.push_back(std::move(camera));
   return view;

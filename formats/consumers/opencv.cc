@@ -114,7 +114,7 @@ class Reader {
       if (found == nullptr) {
         found = &family;
       } else {
-        view_.warnings.push_back(std::string(family.first.matrix) + " is not read: " + found->first.matrix + " comes first");
+        view_.warnings.emplace_back(std::string(family.first.matrix) + " is not read: " + found->first.matrix + " comes first");
       }
     }
     if (found == nullptr) {
@@ -129,8 +129,8 @@ class Reader {
   }
 
  private:
-  void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
+  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
+  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
   [[nodiscard]] cv::FileNode node(const std::string& key) const { return storage_[key]; }
 
   /// fs[key] >> Mat.

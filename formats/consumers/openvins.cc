@@ -79,8 +79,8 @@ class Sensor {
     const cv::FileNode found = node(key);
     return found.isString() ? found.string() : std::string();
   }
-  void refuse(const std::string& key, const std::string& what) { view_.refusals.push_back(name_ + "/" + key + " " + what); }
-  void warn(const std::string& key, const std::string& what) { view_.warnings.push_back(name_ + "/" + key + " " + what); }
+  void refuse(const std::string& key, const std::string& what) { view_.refusals.emplace_back(name_ + "/" + key + " " + what); }
+  void warn(const std::string& key, const std::string& what) { view_.warnings.emplace_back(name_ + "/" + key + " " + what); }
 
   bool require(const std::string& key) {
     if (has(key)) return true;

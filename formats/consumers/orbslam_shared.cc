@@ -221,7 +221,7 @@ ConsumerView with_settings(std::string_view bytes, std::string_view program, con
   const std::optional<Sensor> sensor = parse_sensor(options.sensor);
   std::string obstacle = sensor ? find_obstacle(bytes) : "there is no sensor '" + options.sensor + "'";
   if (!obstacle.empty()) {
-    view.refusals.push_back(std::move(obstacle));
+    view.refusals.emplace_back(std::move(obstacle));
     return view;
   }
   return storage::read(bytes, program, "OpenCV's reader, which " + std::string(program) + " uses,",

@@ -52,8 +52,8 @@ class Settings {
   Settings(const cv::FileStorage& storage, std::string_view program, ConsumerView& view)
       : storage_(storage), program_(program), view_(view) {}
 
-  void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
+  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
+  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
   [[nodiscard]] const std::string& program() const { return program_; }
   [[nodiscard]] cv::FileNode node(std::string_view key) const { return storage_[std::string(key)]; }
   [[nodiscard]] bool has(std::string_view key) const { return !node(key).empty(); }

@@ -107,8 +107,8 @@ class Parser {
     key_ = key;
     const YAML::Node node = doc[key];
     if (node["rows"].as<int>() != rows || node["cols"].as<int>() != cols) {
-      view_.refusals.push_back(std::string(key) + " is not " + std::to_string(rows) + " x " + std::to_string(cols) +
-                               ": camera_calibration_parsers asserts that, or without asserts reads beyond its array");
+      view_.refusals.emplace_back(std::string(key) + " is not " + std::to_string(rows) + " x " + std::to_string(cols) +
+                                  ": camera_calibration_parsers asserts that, or without asserts reads beyond its array");
       return;
     }
     const YAML::Node data = node["data"];
@@ -181,9 +181,9 @@ class IniParser {
     const auto found = std::find(section.begin(), section.end(), key);
     if (static_cast<std::size_t>(section.end() - found) > count)
       return section.subspan(static_cast<std::size_t>(found - section.begin()) + 1, count);
-    view_.refusals.push_back(found == section.end()
-                                 ? "camera_calibration_parsers fails to find key '" + key + "' in " + section.front()
-                                 : "camera_calibration_parsers reads beyond the lines of '" + key + "'");
+    view_.refusals.emplace_back(found == section.end()
+                                    ? "camera_calibration_parsers fails to find key '" + key + "' in " + section.front()
+                                    : "camera_calibration_parsers reads beyond the lines of '" + key + "'");
     return {};
   }
 
@@ -191,7 +191,7 @@ class IniParser {
     const std::span<const std::string> value = behind(section, key, 1);
     if (value.empty()) return 0;
     const long number = std::strtol(value.front().c_str(), nullptr, 10);
-    if (number <= 0 || number > INT32_MAX) view_.refusals.push_back("'" + value.front() + "' is no " + key);
+    if (number <= 0 || number > INT32_MAX) view_.refusals.emplace_back("'" + value.front() + "' is no " + key);
     return static_cast<std::uint32_t>(number);
   }
 
@@ -218,7 +218,7 @@ class IniParser {
     if (values.size() != N) return;
     std::copy(values.begin(), values.end(), into.begin());
     if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
-      view_.refusals.push_back("camera_calibration_parsers: error parsing '" + key + "', incorrect size");
+      view_.refusals.emplace_back("camera_calibration_parsers: error parsing '" + key + "', incorrect size");
   }
 
   void camera(std::span<const std::string> section) {
@@ -345,8 +345,8 @@ std::size_t read(const std::string& bytes, CameraInfo& info, ConsumerView& view)
     parser.parse(bytes);
   } catch (const YAML::Exception& error) {
     const std::string key = parser.key();
-    view.refusals.push_back("camera_calibration_parsers refuses the file" + (key.empty() ? "" : " at " + key) + ": " +
-                            error.what());
+    view.refusals.emplace_back("camera_calibration_parsers refuses the file" + (key.empty() ? "" : " at " + key) + ": " +
+                               error.what());
   }
   return 1;
 }
@@ -363,7 +363,7 @@ ConsumerView load_ros(std::string_view bytes, const LoadOptions& /*options*/) {
   const std::size_t cameras = read(std::string(bytes), info, view);
   if (!view.loads()) return view;
   const Model model(info);
-  for (std::string& problem : problems_of(info, model)) view.refusals.push_back(std::move(problem));
+  for (std::string& problem : problems_of(info, model)) view.refusals.emplace_back(std::move(problem));
   if (!view.loads()) return view;
 
   ConsumerCamera camera;
@@ -374,7 +374,7 @@ ConsumerView load_ros(std::string_view bytes, const LoadOptions& /*options*/) {
   camera.model = info.distortion_model;
   camera.misread = is_misread(info, model) || cameras > 1;
   if (cameras > 1) {
-    view.warnings.push_back("of the " + std::to_string(cameras) + " cameras in the file the last takes the others' place");
+    view.warnings.emplace_back("of the " + std::to_string(cameras) + " cameras in the file the last takes the others' place");
   } else if (camera.misread) {
     view.warnings.emplace_back(
         info.distortion_model == "equidistant"

@@ -116,7 +116,7 @@ ConsumerView read(std::string_view bytes, std::string_view program, std::string_
   if (obstacle.empty() && bytes.starts_with("\xEF\xBB\xBF"))
     obstacle = "the file begins with a byte order mark (BOM), which cv::FileStorage does not parse";
   if (!obstacle.empty()) {
-    view.refusals.push_back(std::move(obstacle));
+    view.refusals.emplace_back(std::move(obstacle));
     return view;
   }
   try {
@@ -127,9 +127,9 @@ ConsumerView read(std::string_view bytes, std::string_view program, std::string_
       view.refusals.emplace_back("cv::FileStorage finds no document in the file");
     }
   } catch (const cv::Exception& error) {
-    view.refusals.push_back(std::string(reader) + " does not take the file: " + one_line(error.err));
+    view.refusals.emplace_back(std::string(reader) + " does not take the file: " + one_line(error.err));
   } catch (const std::exception& error) {
-    view.refusals.push_back(std::string(program) + " stops: " + one_line(error.what()));
+    view.refusals.emplace_back(std::string(program) + " stops: " + one_line(error.what()));
   }
   if (!view.loads()) {
     view.cameras.clear();

@@ -40,9 +40,9 @@ class Parameters {
   double operator()(const std::string& section, const std::string& key) {
     const cv::FileNode node = storage_[section][key];
     if (!storage::is_number(node)) {
-      view_.refusals.push_back(section + "/" + key +
-                               (node.empty() ? " is missing: VINS reads 0 and says nothing"
-                                             : " is " + storage::describe(node) + ", not a number: VINS reads 1.8e308"));
+      view_.refusals.emplace_back(section + "/" + key +
+                                  (node.empty() ? " is missing: VINS reads 0 and says nothing"
+                                                : " is " + storage::describe(node) + ", not a number: VINS reads 1.8e308"));
     }
     return static_cast<double>(node);
   }
@@ -253,8 +253,8 @@ Projection read_scaramuzza(Parameters& parameters, ConsumerCamera& camera, Consu
   const double difference = ocam.disagreement(camera.width, camera.height) * std::max(1.0, 1.0 / ocam.ac);
   camera.approximation_px = difference < kLargestApproximation ? kBetweenPoints * difference : 0.0;
   if (!(difference < 0.1)) {
-    view.warnings.push_back("points are projected with inv_poly_parameters, which is up to " + three_digits(difference) +
-                            " px from the inverse of poly_parameters");
+    view.warnings.emplace_back("points are projected with inv_poly_parameters, which is up to " + three_digits(difference) +
+                               " px from the inverse of poly_parameters");
   }
   if (ocam.ac != 1.0 || ocam.ad != 0.0 || ocam.ae != 0.0) {
     view.warnings.emplace_back(
@@ -277,16 +277,16 @@ Projection read_model(const std::string& type, Parameters& parameters, ConsumerC
   if (same_in_any_case(type, "scaramuzza")) return read_scaramuzza(parameters, camera, view);
   for (const char* known : {"PINHOLE", "PINHOLE_FULL", "MEI", "KANNALA_BRANDT"}) {
     if (type == known || !same_in_any_case(type, known)) continue;
-    view.refusals.push_back("model_type is " + type + ", not " + known +
-                            ": VINS then reads every number as 0 and says nothing");
+    view.refusals.emplace_back("model_type is " + type + ", not " + known +
+                               ": VINS then reads every number as 0 and says nothing");
     return {};
   }
   if (type == "PINHOLE") return read_pinhole(parameters);
   if (type == "PINHOLE_FULL") return read_pinhole_full(parameters, camera, view);
   if (type == "MEI") return read_mei(parameters);
   if (type == "KANNALA_BRANDT") return read_kannala_brandt(parameters, camera);
-  view.refusals.push_back("model_type is \"" + storage::one_line(type.substr(0, 80)) +
-                          "\": VINS knows no such model and stops");
+  view.refusals.emplace_back("model_type is \"" + storage::one_line(type.substr(0, 80)) +
+                             "\": VINS knows no such model and stops");
   return {};
 }
 
@@ -294,8 +294,8 @@ Projection read_model(const std::string& type, Parameters& parameters, ConsumerC
 int read_size(const cv::FileStorage& storage, const char* key, ConsumerView& view) {
   const cv::FileNode node = storage[key];
   if (!storage::is_number(node)) {
-    view.refusals.push_back(std::string(key) +
-                            (node.empty() ? " is missing: VINS reads 0" : " is " + storage::describe(node) + ", not a number"));
+    view.refusals.emplace_back(
+        std::string(key) + (node.empty() ? " is missing: VINS reads 0" : " is " + storage::describe(node) + ", not a number"));
     return 0;
   }
   return static_cast<int>(node);
@@ -306,20 +306,20 @@ void read_config(const cv::FileStorage& storage, ConsumerView& view) {
   const auto number = [&storage](const char* key) { return static_cast<double>(storage[key]); };
   const int count = static_cast<int>(storage["num_of_cam"]);
   if (count != 1 && count != 2)
-    view.refusals.push_back("num_of_cam is " + storage::describe(storage["num_of_cam"]) + ", not 1 or 2: VINS-Fusion stops");
+    view.refusals.emplace_back("num_of_cam is " + storage::describe(storage["num_of_cam"]) + ", not 1 or 2: VINS-Fusion stops");
   for (int i = 0; i < std::min(count, 2); ++i) {
     const std::string file = "cam" + std::to_string(i) + "_calib";
-    if (!storage[file].isString()) view.refusals.push_back(file + " is missing: VINS-Fusion has no camera and stops");
+    if (!storage[file].isString()) view.refusals.emplace_back(file + " is missing: VINS-Fusion has no camera and stops");
     // 2: no prior; the first camera begins at the identity.
     if (i == 0 && static_cast<int>(storage["estimate_extrinsic"]) == 2) continue;
     const std::string key = "body_T_cam" + std::to_string(i);
     if (!storage[key].isMap()) {
-      view.refusals.push_back(key + " is missing: VINS-Fusion copies a matrix that is not there");
+      view.refusals.emplace_back(key + " is missing: VINS-Fusion copies a matrix that is not there");
       continue;
     }
     const cv::Mat matrix = storage::read_matrix(storage[key]);
     if (matrix.rows != 4 || matrix.cols != 4 || matrix.channels() != 1) {
-      view.refusals.push_back(key + " is not 4 x 4: VINS-Fusion copies it unchecked");
+      view.refusals.emplace_back(key + " is not 4 x 4: VINS-Fusion copies it unchecked");
       continue;
     }
     cv::Mat T;
@@ -333,7 +333,7 @@ void read_config(const cv::FileStorage& storage, ConsumerView& view) {
                                      "max_solver_time", "max_num_iterations", "keyframe_parallax"};
   if (number("imu") != 0.0) needed.insert(needed.end(), {"acc_n", "gyr_n", "acc_w", "gyr_w", "g_norm"});
   for (const std::string& key : needed) {
-    if (number(key.c_str()) == 0.0) view.warnings.push_back(key + " is 0 or missing: VINS-Fusion goes on with 0");
+    if (number(key.c_str()) == 0.0) view.warnings.emplace_back(key + " is 0 or missing: VINS-Fusion goes on with 0");
   }
 }
 

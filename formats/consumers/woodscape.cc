@@ -96,8 +96,8 @@ class File {
     }
   }
 
-  void refuse(std::string sentence) { view_.refusals.push_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.push_back(std::move(sentence)); }
+  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
+  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
 
   [[nodiscard]] bool is_object() {
     if (!view_.loads()) return false;

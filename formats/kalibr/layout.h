@@ -16,8 +16,10 @@ namespace fca::kalibr {
 
 /// One number of intrinsics or distortion_coeffs: a parameter of our model, or a constant the layout demands.
 struct Slot {
+  // NOLINTBEGIN(google-explicit-constructor): {"fx", "fy", 0.0} is a row.
   constexpr Slot(ParameterId id) : parameter(id) {}
   constexpr Slot(double value) : constant(value) {}
+  // NOLINTEND(google-explicit-constructor)
   std::optional<ParameterId> parameter;
   double constant = 0.0;
 };

@@ -87,7 +87,8 @@ std::vector<double> coefficients(const CameraModel& model, std::size_t there) {
   const std::string_view id = model_info(model).id;
   if (id == "kb4") return values_of(model, {"k1", "k2", "k3", "k4"});
   if (id == "mei") return values_of(model, {"k1", "k2", "p1", "p2"});
-  if (id == "pinhole") return std::vector<double>(there > 5 ? there : 5, 0.0);
+  std::vector<double> zeros(there > 5 ? there : 5, 0.0);
+  if (id == "pinhole") return zeros;
   std::vector<double> values = values_of(model, {"k1", "k2", "p1", "p2", "k3"});
   if (id == "rational") {
     values = values_of(model, {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"});

@@ -262,9 +262,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   add_beyond_base(rig.extra_fields, said, "OpenVINS' chains have no place for it", written.losses);
   if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
-  if (old)
+  if (old) {
     add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
                     written.losses);
+  }
   if (!rig.cameras.empty()) list_losses(rig, written.losses);
   written.headline = rig.cameras.empty() ? "an IMU's chain for OpenVINS" : "a chain for OpenVINS";
   return written;

@@ -40,7 +40,8 @@ std::vector<double> coefficients_of(const CameraModel& model) {
     for (const ParameterId coefficient : coefficients) values.push_back(parameter(model, coefficient).value());
   };
   const std::string_view id = model_info(model).id;
-  if (id == "pinhole") return std::vector<double>(kPlumbBob, 0.0);
+  std::vector<double> zeros(kPlumbBob, 0.0);
+  if (id == "pinhole") return zeros;
   if (id == "kb4") {
     add(kFisheye);
   } else {

@@ -79,6 +79,7 @@ std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vec
     all_have_domains = domain_of(camera, max_angle_rad, diagnostics).has_value() && all_have_domains;
   if (!all_have_domains) return std::nullopt;
   std::vector<ModelsResult::OfCamera> result;
+  result.reserve(cameras.size());
   for (const Camera& camera : cameras) result.push_back({camera, candidates(camera, max_angle_rad)});
   return result;
 }

@@ -80,6 +80,7 @@ constexpr std::string_view checked_name(std::string_view name, Models models) {
 /// The name of a parameter, checked when it is compiled: of a literal that no model of ModelList has there is none.
 class ParameterId {
  public:
+  // NOLINTNEXTLINE(google-explicit-constructor): parameter(model, "fx")
   consteval ParameterId(const char* name) : ParameterId(internal::checked_name(name, ModelList{})) {}
   /// A row of a model's table.
   constexpr explicit ParameterId(const Parameter& row) : name_(row.name) {}

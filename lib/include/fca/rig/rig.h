@@ -54,7 +54,7 @@ struct ExtraField {
   std::string owner;  ///< The camera, IMU or mapping of the file that it is said of; empty: the file as a whole.
   std::string key;    ///< As the file spells it: "line_delay", "Viewer.PointSize".
   std::string value;  ///< A scalar as spelled; of lists and matrices what they say ("[1.0, 2.0]").
-  auto operator<=>(const ExtraField&) const = default;
+  auto operator<=>(const ExtraField&) const = default;  // NOLINT(modernize-use-nullptr): it compares with 0, not with a pointer
 };
 
 /// What people are told: the key behind its owner's name, "cam0 line_delay".
