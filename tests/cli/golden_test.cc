@@ -73,12 +73,12 @@ void make_file(const std::string& line, const TemporaryFolder& folder) {
   folder.write(words[1], bytes);
 }
 
-/// Numbers as far as another compiler gives the same ones: four digits, and nothing of what is rounding alone.
+/// Numbers as far as another compiler gives the same ones: four digits, and nothing of what is rounding, of floats too, alone.
 std::string rounded(const std::string& number) {
-  constexpr double kRounding = 1e-7;
-  if (std::ranges::count_if(number, [](char c) { return c >= '0' && c <= '9'; }) <= 4) return number;
+  constexpr double kRounding = 1e-4;
   const double value = std::strtod(number.c_str(), nullptr);
   if (value != 0.0 && std::abs(value) < kRounding) return "TINY";
+  if (std::ranges::count_if(number, [](char c) { return c >= '0' && c <= '9'; }) <= 4) return number;
   std::ostringstream text;
   text.precision(4);
   text << value;
@@ -92,9 +92,12 @@ std::string masked(const std::string& text) {
   // Of `evaluate`: how long the fits took.
   static const std::regex kTime(
       "(ours on this one:)(\n    [A-Z]+-[A-Z]+ [^\n]*)+|(fits in ms, in their order:)[0-9 .,\n]*and [0-9.]+");
+  // Of several pixels that are as bad as each other.
+  static const std::regex kWorst("at \\([0-9.]+, [0-9.]+\\)");
   static const std::regex kPicture("data:image/png;base64,[A-Za-z0-9+/=]*");
   std::string rest = std::regex_replace(text, kVersion, "fca-io VERSION");
   rest = std::regex_replace(std::regex_replace(rest, kPicture, "PICTURE"), kTime, "$1$3 TIME");
+  rest = std::regex_replace(rest, kWorst, "at (U, V)");
   std::string result;
   auto at = rest.cbegin();
   for (std::sregex_iterator number(rest.begin(), rest.end(), kNumber), end; number != end; ++number) {
@@ -102,7 +105,9 @@ std::string masked(const std::string& text) {
     result += rounded(number->str());
     at = (*number)[0].second;
   }
-  return result.append(at, rest.cend());
+  result.append(at, rest.cend());
+  static const std::regex kColumn("TINY +");  // as wide as the number that it was
+  return std::regex_replace(result, kColumn, "TINY ");
 }
 
 /// What a page says: its text, element by element.
