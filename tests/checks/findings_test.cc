@@ -178,7 +178,8 @@ TEST(CheckFindings, NoiseThatMayBeEitherIsNotDecided) {
 TEST(CheckFindings, AThresholdBelowZeroIsNotToBeDivided) {
   const std::string good = read_file(checks_dir() / "clean-settings.yaml");
   const CheckReport report = checked({"settings.yaml", with_replaced(good, "ThDepth: 40.0", "ThDepth: -40.0")});
-  const auto found = std::ranges::find(report.findings, "depth-threshold", [](const Finding& finding) { return id_of(finding); });
+  const auto found =
+      std::ranges::find(report.findings, "depth-threshold", [](const Finding& finding) { return id_of(finding); });
   ASSERT_NE(found, report.findings.end());
   EXPECT_NE(found->fix.find("write 40.0"), std::string::npos) << found->fix;
 }
