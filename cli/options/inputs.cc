@@ -6,7 +6,6 @@
 
 #include <fca/formats/text/numbers.h>
 
-#include <array>
 #include <filesystem>
 
 namespace fca::cli {

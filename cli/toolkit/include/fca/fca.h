@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Everything that the command does, as functions: read, convert, check, compare, report, remap, compare models, and the paper's
-// evaluation. Each takes a request of plain values, and gives a result of plain values; nothing is printed or written.
+// evaluation. Each takes a request of plain values, and gives a result of plain values; nothing is printed, and only save()
+// writes.
 #pragma once
 
 #include <fca/toolkit/check.h>
