@@ -50,6 +50,14 @@ std::optional<int> octal(const Node& node, text::Syntax syntax) {
 
 }  // namespace
 
+void Reader::say(const Node& node, Code code, std::vector<Argument> arguments) {
+  diagnostics_.add(code, std::move(arguments), document_.range(node));
+}
+
+void Reader::say(Severity severity, const Node& node, Code code, std::vector<Argument> arguments) {
+  diagnostics_.add(severity, code, std::move(arguments), document_.range(node));
+}
+
 void Reader::error(const Node& node, std::string code, std::string message, std::string fix) {
   diagnostics_.error(std::move(code), std::move(message), document_.range(node), std::move(fix));
 }

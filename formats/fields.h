@@ -74,6 +74,9 @@ class Reader {
   /// A warning at every key that nobody has asked for and that is probably one which was asked for and is not there: what it
   /// states would be lost without a word. To be called when all is read.
   void warn_of_misspelt() const;
+  /// As severe as the table says, at the node.
+  void say(const text::Node& node, Code code, std::vector<Argument> arguments = {});
+  void say(Severity severity, const text::Node& node, Code code, std::vector<Argument> arguments = {});
   void error(const text::Node& node, std::string code, std::string message, std::string fix = {});
   void warning(const text::Node& node, std::string code, std::string message, std::string fix = {});
 

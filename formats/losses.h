@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Entries of the loss ledger that every writer makes alike.
+// Entries of the loss ledger that every writer makes alike. `why` is a clause of the table.
 #pragma once
 
 #include <fca/formats/format.h>
@@ -11,36 +11,54 @@
 namespace fca {
 
 /// What was read and has no place in the target, each as a loss; tuning ("Viewer.PointSize", ...) as one.
-void add_not_carried(std::span<const ExtraField> extras, std::string_view why, std::vector<Loss>& losses);
+void add_not_carried(std::span<const ExtraField> extras, const Message& why, std::vector<Loss>& losses);
 
 /// A camera's time offset (by Kalibr's name for it: no other format has one), with what to do about it; nothing where there is
 /// none, or 0.
-void add_time_offset(const Camera& camera, std::string_view why, std::vector<Loss>& losses);
-
-/// `why`: a clause of the table.
 void add_time_offset(const Camera& camera, const Message& why, std::vector<Loss>& losses);
 
 /// Time offsets [s] that differ from `common`, the one that the program takes for all cameras, with what to add to the stamps.
 /// `who`: "Basalt has one for all cameras".
-void add_other_time_offsets(const Rig& rig, double common, std::string_view who, std::vector<Loss>& losses);
+void add_other_time_offsets(const Rig& rig, double common, const Message& who, std::vector<Loss>& losses);
 
 /// What is known of a camera's image stream: time offset, topic, frame rate.
-void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& losses);
+void add_stream(const Camera& camera, const Message& why, std::vector<Loss>& losses);
 
 /// Those of `extras` that are not among `there`, what the file to be edited says and goes on saying.
 [[nodiscard]] std::vector<ExtraField> extras_beyond(std::span<const ExtraField> extras, std::span<const ExtraField> there);
 
 /// What the input states beside its rig and the edited file, which says `there`, does not: as losses. Keys that the file has
 /// keep its value; for the others `why` is said.
-void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::string_view why,
+void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, const Message& why,
                      std::vector<Loss>& losses);
 
 /// The comments of the text that `edited` is an edit of, and that stood in what was replaced or removed there.
 void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses);
 
 /// What goes with a base's text where `fresh` is composed in its place: comments and its first line, "%YAML:1.0". `why`: why it
-/// is composed anew; may be empty. Its keys are the writer's affair.
-void add_composed_anew(const text::Document& base, const text::Document& fresh, std::string_view why,
-                       std::vector<Loss>& losses);
+/// is composed anew; may be none. Its keys are the writer's affair.
+void add_composed_anew(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses);
+
+// For the time being: reasons that their writers bring in words.
+inline void add_not_carried(std::span<const ExtraField> extras, std::string_view why, std::vector<Loss>& losses) {
+  add_not_carried(extras, in_words(std::string(why)), losses);
+}
+inline void add_time_offset(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {
+  add_time_offset(camera, in_words(std::string(why)), losses);
+}
+inline void add_other_time_offsets(const Rig& rig, double common, std::string_view who, std::vector<Loss>& losses) {
+  add_other_time_offsets(rig, common, in_words(std::string(who)), losses);
+}
+inline void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {
+  add_stream(camera, in_words(std::string(why)), losses);
+}
+inline void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::string_view why,
+                            std::vector<Loss>& losses) {
+  add_beyond_base(extras, there, in_words(std::string(why)), losses);
+}
+inline void add_composed_anew(const text::Document& base, const text::Document& fresh, std::string_view why,
+                              std::vector<Loss>& losses) {
+  add_composed_anew(base, fresh, in_words(std::string(why)), losses);
+}
 
 }  // namespace fca

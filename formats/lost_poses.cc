@@ -3,6 +3,7 @@
 
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/read_back.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/prose.h>
 #include <fca/rig/leave_out.h>
 
@@ -127,7 +128,8 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
   std::vector<Loss> losses;
   losses.reserve(lost.size());
   for (const auto& [groups, poses] : lost)
-    losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written), written.pose_remedy));
+    losses.push_back(
+        loss_of(poses, groups.first, groups.second, program_of(format, written), text::text_of(written.pose_remedy)));
   return losses;
 }
 

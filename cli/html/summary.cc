@@ -3,6 +3,7 @@
 
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
+#include "shell/option_hints.h"
 #include "table.h"
 #include "toolkit/words.h"
 
@@ -97,9 +98,10 @@ void put_summary(Html& html, const ReportContents& contents) {
   html.element("h1", {}, contents.title);
   html.element("p", {{"class", "soft"}},
                std::string(calibration.format->title) + " (" + calibration.why + "), as fca-io " FCA_VERSION " reads it");
-  if (contents.conversion && !contents.conversion->headline.empty()) {
+  if (contents.conversion && contents.conversion->headline.is_said()) {
     html.element("p", {}, [&] {
-      html.element("span", {{"class", "strong"}}, "The written file: " + contents.conversion->headline + ".");
+      html.element("span", {{"class", "strong"}},
+                   "The written file: " + text::text_of(contents.conversion->headline, with_options) + ".");
       if (contents.conversion->status == Status::kRejected)
         html.element("span", {{"class", "error strong"}}, " convert would refuse to write it.");
     });

@@ -361,7 +361,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   list_time_losses(rig, written.losses);
   list_losses(rig, written.losses);
-  written.headline = "a calibration for Basalt";
+  written.headline = in_words("a calibration for Basalt");
   return written;
 }
 

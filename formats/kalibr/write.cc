@@ -186,7 +186,7 @@ std::optional<text::Document> edited_imu_file(const text::Document& base, const 
 std::optional<Written> write_imu_files(const text::Document* base, const Rig* old, const Rig& rig, const WriteOptions& options,
                                        Diagnostics& diagnostics) {
   Written written;
-  written.headline = "an imu.yaml for Kalibr";
+  written.headline = in_words("an imu.yaml for Kalibr");
   if (old != nullptr && !options.anew) {
     if (std::optional<text::Document> document = edited_imu_file(*base, *old, rig)) {
       written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
@@ -263,7 +263,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     add_not_carried(gone, std::string(kAnew), written.losses);
   }
   list_losses(rig_as_named, written.losses);
-  written.headline = "a camchain for Kalibr";
+  written.headline = in_words("a camchain for Kalibr");
   return written;
 }
 

@@ -197,8 +197,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   list_camera_losses(rig, "OCamCalib", written.losses);
   list_extras(rig, old, written);
-  written.headline =
-      rig.cameras.size() == 1 ? "a calib_results.txt for OCamCalib" : "one calib_results.txt for OCamCalib per camera";
+  written.headline = in_words(rig.cameras.size() == 1 ? "a calib_results.txt for OCamCalib"
+                                                      : "one calib_results.txt for OCamCalib per camera");
   return written;
 }
 

@@ -121,8 +121,8 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
   if (!after.empty()) fields::apply(document, document.root(), kDialect, before, after);
   Written written;
   written.files.push_back({std::move(document), {}, {}});
-  written.headline = "the pose of a stereo pair";
-  written.first_is_left = why_first_is_left("stereo", rig);
+  written.headline = in_words("the pose of a stereo pair");
+  written.first_is_left = in_words(why_first_is_left("stereo", rig));
   StaleKeys stale;
   const Transform* was = old->stated("cam1", "cam0");
   const bool moved = !after.empty() && was != nullptr && rig.resolve(second, first) != *was;
@@ -212,8 +212,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
     if (samples_read(edited->layout, rig, edited->ambiguous)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
-    written.headline = headline(name_of_layout(edited->layout), rig);
-    written.first_is_left = why_first_is_left(name_of_layout(edited->layout), rig);
+    written.headline = in_words(headline(name_of_layout(edited->layout), rig));
+    written.first_is_left = in_words(why_first_is_left(name_of_layout(edited->layout), rig));
     if (edited->ambiguous) tell_ambiguous(rig, written, diagnostics);
     edited->stale.tell(*base, written.losses, diagnostics);
     list_extras(rig.extra_fields, edited->old.extra_fields, written.losses);
@@ -224,8 +224,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     const bool as_base = base != nullptr && !names_syntax(options.extension);
     const text::Syntax syntax = as_base ? base->syntax() : syntax_for(options.extension);
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
-    written.headline = headline(*layout, rig);
-    written.first_is_left = why_first_is_left(*layout, rig);
+    written.headline = in_words(headline(*layout, rig));
+    written.first_is_left = in_words(why_first_is_left(*layout, rig));
     list_extras(rig.extra_fields, {}, written.losses);
     if (base != nullptr) {
       add_composed_anew(*base, written.files.front().document, why, written.losses);

@@ -240,7 +240,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (old) {
     if (std::optional<Written> written = edited(*base, *old, rig, options, diagnostics)) {
       if (!rig.cameras.empty()) list_losses(rig, written->losses);
-      written->headline = "a chain for OpenVINS";
+      written->headline = in_words("a chain for OpenVINS");
       return written;
     }
   }
@@ -267,7 +267,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                     written.losses);
   }
   if (!rig.cameras.empty()) list_losses(rig, written.losses);
-  written.headline = rig.cameras.empty() ? "an IMU's chain for OpenVINS" : "a chain for OpenVINS";
+  written.headline = in_words(rig.cameras.empty() ? "an IMU's chain for OpenVINS" : "a chain for OpenVINS");
   return written;
 }
 

@@ -333,10 +333,12 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   for (std::size_t i = 0; i < used; ++i) file.cameras.push_back(rig.cameras[i].name);
   file.programs = {std::string(audience.consumer)};
   // The first line people see: who reads the file, the mode, and what is missing for a richer one.
-  written.headline = std::string(audience.headline) + ", " + std::string(target->sensor.id) + (next.empty() ? "" : "; " + next);
+  written.headline =
+      in_words(std::string(audience.headline) + ", " + std::string(target->sensor.id) + (next.empty() ? "" : "; " + next));
   written.sensor = target->sensor.id;
-  if (target->sensor.two_cameras) written.first_is_left = "ORB-SLAM3 takes the first camera of a stereo pair for the left one";
-  if (target->style == Style::kV1) written.misread_remedy = remedy_for_misreading(rig, target->sensor);
+  if (target->sensor.two_cameras)
+    written.first_is_left = in_words("ORB-SLAM3 takes the first camera of a stereo pair for the left one");
+  if (target->style == Style::kV1) written.misread_remedy = in_words(remedy_for_misreading(rig, target->sensor));
   return written;
 }
 

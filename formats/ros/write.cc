@@ -299,7 +299,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
                     written.losses);
   }
-  written.headline = headline(rig, rectification);
+  written.headline = in_words(headline(rig, rectification));
   return written;
 }
 

@@ -128,7 +128,7 @@ std::optional<Written> write_camera_txt(const text::Document* base, const std::o
   list_camera_losses(rig, "DSO", written.losses);
   const std::vector<ExtraField> there = edits ? old->extra_fields : std::vector<ExtraField>();
   add_beyond_base(rig.extra_fields, there, "a camera.txt has no place for it", written.losses);
-  written.headline = written.files.size() == 1 ? "a camera.txt for DSO" : "a camera.txt for DSO per camera";
+  written.headline = in_words(written.files.size() == 1 ? "a camera.txt for DSO" : "a camera.txt for DSO per camera");
   return written;
 }
 
@@ -167,7 +167,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   written->losses.insert(written->losses.begin(), losses.begin(), losses.end());
   written->restated = std::move(restated);
   if (there && chain == nullptr) list_replaced(rig, *written);
-  written->headline = "a camchain as TUM-VI's, for Kalibr";
+  written->headline = in_words("a camchain as TUM-VI's, for Kalibr");
   return written;
 }
 

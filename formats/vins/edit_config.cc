@@ -265,7 +265,7 @@ std::optional<Written> write_config(const text::Document& base, const Rig& rig, 
   }
   list_losses(rig, td_of(base, rig, diagnostics), written.losses);
   add_beyond_base(rig.extra_fields, old->extra_fields, "VINS-Fusion's configuration has no place for it", written.losses);
-  written.headline = "VINS-Fusion's configuration and the camera files that it names";
+  written.headline = in_words("VINS-Fusion's configuration and the camera files that it names");
   return written;
 }
 

@@ -148,9 +148,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   list_extras(rig, old, written);
   if (replaced && options.anew)
     add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), "the file is composed anew", written.losses);
-  written.pose_remedy = kIntoRemedy;
-  written.headline = rig.cameras.size() == 1 ? "a camera file for VINS-Mono and VINS-Fusion"
-                                             : "one camera file per camera for VINS-Mono and VINS-Fusion";
+  written.pose_remedy = in_words(std::string(kIntoRemedy));
+  written.headline = in_words(rig.cameras.size() == 1 ? "a camera file for VINS-Mono and VINS-Fusion"
+                                                      : "one camera file per camera for VINS-Mono and VINS-Fusion");
   return written;
 }
 

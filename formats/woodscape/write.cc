@@ -185,9 +185,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), "the file is composed anew", written.losses);
   const bool for_projection_py =
       std::ranges::none_of(written.files, [](const Written::File& file) { return file.programs.empty(); });
-  written.headline = !for_projection_py        ? "a WoodScape JSON without the pose that projection.py wants"
-                     : rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py"
-                                               : "one WoodScape JSON per camera for projection.py";
+  written.headline = in_words(!for_projection_py        ? "a WoodScape JSON without the pose that projection.py wants"
+                              : rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py"
+                                                        : "one WoodScape JSON per camera for projection.py");
   return written;
 }
 

@@ -12,8 +12,45 @@ namespace {
 /// The rows of all topics, sorted by their codes.
 std::vector<CodeInfo> joined_topics() {
   std::vector<CodeInfo> rows;
-  for (const std::span<const CodeInfo> topic :
-       {diagnostics::rig_codes(), diagnostics::loss_codes(), diagnostics::dso_codes(), diagnostics::imu_codes()})
+  for (const std::span<const CodeInfo> topic : {
+           diagnostics::rig_codes(),
+           diagnostics::loss_codes(),
+           diagnostics::dso_codes(),
+           diagnostics::imu_codes(),
+           diagnostics::limit_codes(),
+           diagnostics::conversion_codes(),
+           diagnostics::comparison_codes(),
+           diagnostics::syntax_codes(),
+           diagnostics::field_codes(),
+           diagnostics::file_codes(),
+           diagnostics::kalibr_codes(),
+           diagnostics::openvins_codes(),
+           diagnostics::tumvi_codes(),
+           diagnostics::ocamcalib_codes(),
+           diagnostics::woodscape_codes(),
+           diagnostics::opencv_codes(),
+           diagnostics::basalt_codes(),
+           diagnostics::orbslam3_codes(),
+           diagnostics::vins_codes(),
+           diagnostics::ros_codes(),
+           diagnostics::kalibr_program_codes(),
+           diagnostics::openvins_program_codes(),
+           diagnostics::storage_program_codes(),
+           diagnostics::ros_program_codes(),
+           diagnostics::vins_program_codes(),
+           diagnostics::basalt_program_codes(),
+           diagnostics::opencv_program_codes(),
+           diagnostics::ocamcalib_program_codes(),
+           diagnostics::woodscape_program_codes(),
+           diagnostics::orbslam_program_codes(),
+           diagnostics::proof_codes(),
+           diagnostics::file_check_codes(),
+           diagnostics::lens_check_codes(),
+           diagnostics::pose_check_codes(),
+           diagnostics::reading_codes(),
+           diagnostics::convert_codes(),
+           diagnostics::request_codes(),
+       })
     rows.insert(rows.end(), topic.begin(), topic.end());
   std::ranges::stable_sort(rows, {}, &CodeInfo::code);
   return rows;

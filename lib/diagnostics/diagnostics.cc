@@ -4,6 +4,11 @@
 
 namespace fca {
 
+Message in_words(std::string words) {
+  if (words.empty()) return {};
+  return {Code::kInWords, {std::move(words)}};
+}
+
 std::string id_of(const Message& message) { return std::string(info(message.code).id); }
 
 std::string id_of(const Diagnostic& diagnostic) { return diagnostic.code.empty() ? id_of(diagnostic.facts) : diagnostic.code; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What formats cannot hold. {0} is the owner (a camera, a file), {1} the key; the values follow.
+// What formats cannot hold. {0} is the owner (a camera, a file), {1} the key; the values follow, as a rule first why.
+#include "rows.h"
 #include "topics.h"
 
 #include <array>
@@ -7,7 +8,25 @@
 namespace fca::diagnostics {
 
 std::span<const CodeInfo> loss_codes() {
+  static constexpr std::string_view kCopyThem = "copy those that still hold from the old file";
   static constexpr std::array kRows = {
+      loss(Code::kNotCarried, "not-carried", "{0:_}{1}", "{2}"),
+      loss(Code::kNotCarriedValue, "not-carried", "{0:_}{1} {3:short}", "{2}"),
+      loss(Code::kNotCarriedGroup, "not-carried", "{1}* ({3} keys)", "{2}"),
+      loss(Code::kTopicDropped, "topic-dropped", "{0} {3}", "{2}",
+           "remap the program's topic to it where you start the program"),
+      loss(Code::kFrameRateDropped, "frame-rate-dropped", "{0} {3} Hz", "{2}",
+           "give it to the program by an option of its own, if it asks for one"),
+      loss(Code::kOtherTimeOffset, "time-offset-dropped", "{0} {1} {3:.9} s", "{2}, {4:.9} s",
+           "add {5:.9} s to every image time stamp of {0}"),
+      loss(Code::kCommentsReplaced, "comments-dropped", "comment{3:s} {3}", "{2}", kCopyThem),
+      loss(Code::kCommentsOfFileDropped, "comments-dropped", "comments of {0}", "{2}", kCopyThem),
+      loss(Code::kHeaderDropped, "header-dropped", "first line {3} of {0}", "{2}",
+           "cv::FileStorage (OpenVINS) reads no file without it"),
+      clause(Code::kComposedAnew, "the file is composed anew"),
+      clause(Code::kComposedAnewBecause, "the file is composed anew: {0}"),
+      clause(Code::kReplacedOrRemoved, "what stood there is replaced or removed"),
+      clause(Code::kKeepsItsOwnValue, "the file that is written into keeps its own value"),
       CodeInfo{.code = Code::kTimeOffsetDropped,
                .id = "time-offset-dropped",
                .severity = Severity::kWarning,

@@ -21,7 +21,7 @@ std::array<std::string_view, 4> sentences_of_row(const CodeInfo& row) { return {
 Argument sample(const std::string& how) {
   if (how == "s") return 2;
   if (how == "or") return std::vector<std::string>{"a", "b"};
-  if (how == "short" || how.empty()) return "name";
+  if (how == "short" || how == "_" || how.empty()) return "name";
   return 0.125;
 }
 
@@ -88,6 +88,8 @@ TEST(Messages, ArgumentsAreWrittenAsTheirPlaceSays) {
   const std::vector<std::string> names = {"a", "b", "c"};
   EXPECT_EQ(said("{0}; {0:or}; name{0:s}", {names}), "a, b and c; a, b or c; names");
   EXPECT_EQ(said("{{}} {0}", {"x"}), "{} x");
+  EXPECT_EQ(said("{0:_}{1}", {"cam0", "topic"}), "cam0 topic");
+  EXPECT_EQ(said("{0:_}{1}", {"", "topic"}), "topic");
   EXPECT_ANY_THROW(said("{0:.3}", {"a name"}));
   EXPECT_ANY_THROW(said("{1}", {"alone"}));
 }

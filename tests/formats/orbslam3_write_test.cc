@@ -243,7 +243,7 @@ TEST(OrbSlam3Write, WithoutASensorTheRichestServedModeIsWritten) {
   without_noise.imus.front().accelerometer_random_walk.reset();
   const Written poorer = write(without_noise);
   EXPECT_EQ(poorer.sensor, "stereo");
-  EXPECT_NE(poorer.headline.find("stereo-inertial lacks"), std::string::npos) << poorer.headline;
+  EXPECT_NE(text::text_of(poorer.headline).find("stereo-inertial lacks"), std::string::npos) << text::text_of(poorer.headline);
 }
 
 // Facts are never made up (CLI.md): a mode that the rig does not serve is refused, whatever is asked.
@@ -329,7 +329,8 @@ TEST(OrbSlam3Write, DialectsAreReadByTheirForkAndNotByStock) {
       const Written written = write(rig, sensor);
       const std::string bytes = bytes_of(written);
       EXPECT_EQ(written.files.front().programs, std::vector<std::string>{dialect.program});
-      EXPECT_NE(written.headline.find("NOT by stock ORB-SLAM3"), std::string::npos) << written.headline;
+      EXPECT_NE(text::text_of(written.headline).find("NOT by stock ORB-SLAM3"), std::string::npos)
+          << text::text_of(written.headline);
       const cv::FileStorage storage = opened(bytes);
       ASSERT_TRUE(storage.isOpened());
       EXPECT_TRUE(storage["File.version"].empty());

@@ -56,7 +56,7 @@ std::string preview_text(const ConvertResult& outcome, const std::string& indent
     return paragraph("convert would not write it: " + message_of(*error, with_options) + (fix.empty() ? "" : " (" + fix + ")"),
                      indent);
   }
-  std::string text = paragraph("convert would write " + outcome.headline, indent);
+  std::string text = paragraph("convert would write " + text::text_of(outcome.headline, with_options), indent);
   for (const ConvertedCamera& camera : outcome.cameras) text += indent + "  " + camera_text(camera) + "\n";
   const std::vector<std::string> losses = losses_by_reason(outcome.losses);
   std::vector<std::string> made_up;

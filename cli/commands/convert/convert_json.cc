@@ -108,7 +108,7 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
   json.put("input", outcome.input);
   if (outcome.from != nullptr) json.put("from", outcome.from->id);
   if (outcome.to != nullptr) json.put("to", outcome.to->id);
-  if (!outcome.headline.empty()) json.put("headline", outcome.headline);
+  if (outcome.headline.is_said()) json.put("headline", text::text_of(outcome.headline, with_options));
   const std::vector<ConvertedFile> none;
   json.array("outputs", outcome.code == ExitCode::kGood ? outcome.files : none, [&](const ConvertedFile& output) {
     json.object([&] {

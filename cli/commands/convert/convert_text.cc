@@ -123,7 +123,7 @@ std::vector<std::string> rightly_read(const ProofResult& proof) {
 }  // namespace
 
 std::string proofs_text(const ConvertResult& outcome) {
-  const std::string& remedy = outcome.misread_remedy;
+  const std::string remedy = text::text_of(outcome.misread_remedy, with_options);
   std::string text;
   for (const std::string& path : outcome.unproven)
     text += "proof: none: no program that fca-io knows reads " + (path.empty() ? "such keys" : path) + "\n";
@@ -154,7 +154,7 @@ std::string proofs_text(const ConvertResult& outcome) {
 }
 
 std::string convert_text(const ConvertOutcome& outcome, bool written) {
-  std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + outcome.headline + "\n";
+  std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + text::text_of(outcome.headline, with_options) + "\n";
   for (const ConvertedCamera& camera : outcome.cameras) {
     text += "\n" + camera.name_in_words() + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;

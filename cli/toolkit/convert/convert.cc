@@ -184,7 +184,7 @@ bool Steps::write() {
     loss.what = with_names_of_file(what_of(loss), result_.cameras);
     loss.remedy = with_names_of_file(remedy_of(loss), result_.cameras);
   }
-  warn_of_wrong_side(rig_, request_, written_.first_is_left, result_);
+  warn_of_wrong_side(rig_, request_, text::text_of(written_.first_is_left), result_);
   return true;
 }
 

@@ -76,7 +76,7 @@ Rig alone(const Rig& rig, const Camera& camera, const Part& part) {
 
 void append(Written part, Written& all) {
   for (Written::File& file : part.files) all.files.push_back(std::move(file));
-  if (all.headline.empty()) all.headline = std::move(part.headline);
+  if (!all.headline.is_said()) all.headline = std::move(part.headline);
   all.losses.insert(all.losses.end(), part.losses.begin(), part.losses.end());
   all.defaults.insert(all.defaults.end(), part.defaults.begin(), part.defaults.end());
   for (PoseEdge& edge : part.restated) all.restated.push_back(std::move(edge));

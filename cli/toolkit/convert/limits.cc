@@ -32,7 +32,7 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
     result.diagnostics.error("error-limit",
                              proof.program + " misreads a camera by up to " + pixels(proof.misread_px) +
                                  " px, more than --max-error " + pixels(*request.max_error_px),
-                             {}, result.misread_remedy);
+                             {}, text::text_of(result.misread_remedy));
     result.status = Status::kRejected;
   }
   for (const ConvertedCamera& camera : result.cameras) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "placing.h"
 
+#include <fca/formats/text/message.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -47,13 +49,14 @@ std::string misnamed(const std::string& path, const text::Syntax syntax) {
 bool has_room(const ConvertRequest& request, ConvertResult& result) {
   const std::size_t with_cameras = camera_files(result.files);
   if (!request.room.named_files && std::ranges::any_of(result.files, &ConvertedFile::named)) {
-    result.diagnostics.error("one-output", result.headline + ": these are " + std::to_string(result.files.size()) + " files",
+    result.diagnostics.error("one-output",
+                             text::text_of(result.headline) + ": these are " + std::to_string(result.files.size()) + " files",
                              {}, "-o FOLDER/, or -o FILE, which has the others beside it");
   } else if (!request.room.camera_files && with_cameras > 1) {
     result.diagnostics.error(
         "one-camera-per-file",
         // An OpenCV file of camera_calibration's keys, for one, though there are others for several cameras.
-        (result.to->many_cameras ? result.headline + ": one" : std::string(result.to->title) + " holds one") +
+        (result.to->many_cameras ? text::text_of(result.headline) + ": one" : std::string(result.to->title) + " holds one") +
             " camera per file, and here are " + std::to_string(with_cameras),
         {},
         "-o FOLDER/, a pattern such as -o '{stem}.{camera}" + extension_of(result.files.front(), *result.to) +

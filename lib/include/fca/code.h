@@ -13,7 +13,8 @@ namespace fca {
 
 /// One for each sentence or clause. Sentences about the same defect share an id ("missing-key"); the numbers mean nothing.
 enum class Code : std::uint16_t {
-  kNone,  ///< Says nothing.
+  kNone,     ///< Says nothing.
+  kInWords,  ///< For the time being: words that their writer brings, as argument 0.
 
   // Rigs and their images.
   kCropOutside,
@@ -23,6 +24,19 @@ enum class Code : std::uint16_t {
   kLensCircleStretched,
 
   // What a format cannot hold.
+  kNotCarried,
+  kNotCarriedValue,
+  kNotCarriedGroup,
+  kTopicDropped,
+  kFrameRateDropped,
+  kOtherTimeOffset,
+  kCommentsReplaced,
+  kCommentsOfFileDropped,
+  kHeaderDropped,
+  kComposedAnew,
+  kComposedAnewBecause,
+  kReplacedOrRemoved,
+  kKeepsItsOwnValue,
   kTimeOffsetDropped,
   kTumviHasNoTimeOffset,
   kTumviPoseRecomputed,
@@ -57,6 +71,72 @@ enum class Code : std::uint16_t {
   kTimeOffsetOfUnknownRate,
   kTimeOffsetOfMilliseconds,
   kTimeOffsetUndecided,
+
+  // Numbers that no camera, rig or image can have.
+
+  // What happens when a model is fitted and judged.
+
+  // How two calibrations differ, and by which mistake.
+
+  // What cannot be parsed.
+
+  // Values under the keys of a file, in every format.
+
+  // Files and formats, whichever.
+
+  // Kalibr's chains, as read and written.
+
+  // OpenVINS' chains, as read and written.
+
+  // TUM-VI's chains and camera.txt, as read and written.
+
+  // OCamCalib's files, as read and written.
+
+  // WoodScape's files, as read and written.
+
+  // OpenCV's files, as read and written.
+
+  // Basalt's calibrations, as read and written.
+
+  // ORB-SLAM3's settings, as read and written.
+
+  // VINS-Fusion's files, as read and written.
+
+  // ROS camera_info files, as read and written.
+
+  // What Kalibr says to a file.
+
+  // What OpenVINS says to a file.
+
+  // What cv::FileStorage and PyYAML say to a file.
+
+  // What ROS says to a file.
+
+  // What VINS-Fusion says to a file.
+
+  // What Basalt says to a file.
+
+  // What OpenCV's functions make of a file.
+
+  // What OCamCalib's reader says to a file.
+
+  // What WoodScape's readers say to a file.
+
+  // What the ORB-SLAM programs say to a file.
+
+  // What is said of every program.
+
+  // What a check finds in a file's bytes, and of the programs that read it.
+
+  // What a check finds about lenses and images.
+
+  // What a check finds about poses.
+
+  // What is said of inputs.
+
+  // What is said of a conversion as it was asked for.
+
+  // What is said of the other requests, and of files that are saved.
 
   kCount  ///< No code: how many there are.
 };

@@ -111,12 +111,12 @@ struct Written {
     bool named = false;
   };
   std::vector<File> files;
-  std::string headline;        ///< First line for people: mode, who reads it, who does not.
-  std::string sensor;          ///< orbslam3: the mode written for.
-  std::string opencv_model;    ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
-  std::string first_is_left;   ///< Why the first of two cameras is to be the left one, for people; empty: nothing asks for it.
-  std::string pose_remedy;     ///< What to do about poses that the files do not say; may be empty.
-  std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
+  Message headline;          ///< First line for people: mode, who reads it, who does not.
+  std::string sensor;        ///< orbslam3: the mode written for.
+  std::string opencv_model;  ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
+  Message first_is_left;     ///< Why the first of two cameras is to be the left one, for people; none: nothing asks for it.
+  Message pose_remedy;       ///< What to do about poses that the files do not say; may be none.
+  Message misread_remedy;    ///< What to do where the program is known to misread such a file; may be none.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.

@@ -104,9 +104,9 @@ struct ConvertResult {
   bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
   std::vector<ConvertedCamera> cameras;
   std::vector<ConvertedFile> files;
-  std::string headline;        ///< Mode, who reads it, who does not.
-  std::string mode;            ///< That was written for.
-  std::string misread_remedy;  ///< What to do where the program is known to misread such a file; may be empty.
+  Message headline;        ///< Mode, who reads it, who does not.
+  std::string mode;        ///< That was written for.
+  Message misread_remedy;  ///< What to do where the program is known to misread such a file; may be none.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<ProofResult> proofs;

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a check finds about an IMU's numbers and about time.
-#include "topics.h"
+#include "../rows.h"
+#include "../topics.h"
 
 #include <array>
 
 namespace fca::diagnostics {
 
 namespace {
-
-constexpr CodeInfo warning(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
-  return {.code = code, .id = id, .severity = Severity::kWarning, .about = About::kMeaning, .text = text, .fix = fix};
-}
-
-/// What the file leaves open.
-constexpr CodeInfo question(Code code, std::string_view id, std::string_view text, std::string_view why) {
-  return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kMeaning, .text = text, .why = why};
-}
 
 constexpr std::string_view kTooLarge = "imu-noise-too-large";
 constexpr std::string_view kOffset = "time-offset-large";

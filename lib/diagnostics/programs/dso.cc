@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What DSO says to a camera.txt.
-#include "topics.h"
+#include "../rows.h"
+#include "../topics.h"
 
 #include <array>
 
 namespace fca::diagnostics {
-
-namespace {
-
-constexpr CodeInfo refusal(Code code, std::string_view text) {
-  return {.code = code, .id = "program-refuses", .severity = Severity::kError, .about = About::kReader, .text = text};
-}
-
-constexpr CodeInfo warning(Code code, std::string_view text) {
-  return {.code = code, .id = "program-misreads", .severity = Severity::kWarning, .about = About::kReader, .text = text};
-}
-
-}  // namespace
 
 std::span<const CodeInfo> dso_codes() {
   static constexpr std::array kRows = {
@@ -35,14 +24,14 @@ std::span<const CodeInfo> dso_codes() {
       refusal(Code::kDsoSizesDiffer,
               "line 3 is none, but the sizes of the lines 2 and 4 differ; DSO exits (\"rectification mode none requires input "
               "and output dimenstions to match!\")"),
-      warning(Code::kDsoFifthNumberIgnored, "the fifth number of Pinhole is read and ignored: it is no distortion"),
-      warning(Code::kDsoPixelsBelowOne,
-              "some of fx fy cx cy are below 1, but not both of cx and cy: DSO takes all four as pixels"),
-      warning(Code::kDsoSharesByCentre,
-              "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
-      warning(Code::kDsoOutputShares, "line 3 has a centre above 1; DSO takes the numbers as shares of the output size"),
-      warning(Code::kDsoNotRectified,
-              "line 3 is none: DSO does not rectify and ignores the distortion of line 1, which costs up to {0:.3} px"),
+      misreading(Code::kDsoFifthNumberIgnored, "the fifth number of Pinhole is read and ignored: it is no distortion"),
+      misreading(Code::kDsoPixelsBelowOne,
+                 "some of fx fy cx cy are below 1, but not both of cx and cy: DSO takes all four as pixels"),
+      misreading(Code::kDsoSharesByCentre,
+                 "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
+      misreading(Code::kDsoOutputShares, "line 3 has a centre above 1; DSO takes the numbers as shares of the output size"),
+      misreading(Code::kDsoNotRectified,
+                 "line 3 is none: DSO does not rectify and ignores the distortion of line 1, which costs up to {0:.3} px"),
   };
   return kRows;
 }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Private: rows of the table of codes, by what they are.
+#pragma once
+
+#include <fca/code.h>
+
+#include <string_view>
+
+namespace fca::diagnostics {
+
+/// Of every loss without a better one.
+inline constexpr std::string_view kKeepTheInput = "keep the input, which says it";
+
+constexpr CodeInfo error(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
+  return {.code = code, .id = id, .severity = Severity::kError, .about = About::kMeaning, .text = text, .fix = fix};
+}
+
+constexpr CodeInfo warning(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
+  return {.code = code, .id = id, .severity = Severity::kWarning, .about = About::kMeaning, .text = text, .fix = fix};
+}
+
+constexpr CodeInfo note(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
+  return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kMeaning, .text = text, .fix = fix};
+}
+
+/// What was asked for and cannot be.
+constexpr CodeInfo bad_request(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
+  return {.code = code, .id = id, .severity = Severity::kError, .about = About::kUse, .text = text, .fix = fix};
+}
+
+/// What a file leaves open.
+constexpr CodeInfo question(Code code, std::string_view id, std::string_view text, std::string_view why) {
+  return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kMeaning, .text = text, .why = why};
+}
+
+/// What a target cannot hold.
+constexpr CodeInfo loss(Code code, std::string_view id, std::string_view what, std::string_view why,
+                        std::string_view fix = kKeepTheInput) {
+  return {
+      .code = code, .id = id, .severity = Severity::kWarning, .about = About::kMeaning, .text = what, .why = why, .fix = fix};
+}
+
+/// Why a program does not run with a file.
+constexpr CodeInfo refusal(Code code, std::string_view text, std::string_view fix = {}) {
+  return {
+      .code = code, .id = "program-refuses", .severity = Severity::kError, .about = About::kReader, .text = text, .fix = fix};
+}
+
+/// What a program misreads or ignores without a word.
+constexpr CodeInfo misreading(Code code, std::string_view text, std::string_view fix = {}) {
+  return {.code = code,
+          .id = "program-misreads",
+          .severity = Severity::kWarning,
+          .about = About::kReader,
+          .text = text,
+          .fix = fix};
+}
+
+/// A part of another sentence, or words for people beside a result.
+constexpr CodeInfo clause(Code code, std::string_view text) {
+  return {.code = code, .id = "clause", .severity = Severity::kNote, .about = About::kMeaning, .text = text};
+}
+
+}  // namespace fca::diagnostics
