@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fields.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 #include <fca/rig/limits.h>
@@ -17,20 +18,21 @@ using text::Node;
 
 namespace {
 
-std::string quoted_text(const Node& node) { return "'" + node.value.substr(0, 40) + "'"; }
+std::string shown(const Node& node) { return node.value.substr(0, 40); }
 
-std::string kind_in_words(const Node& node) {
+/// What stands there: a clause.
+Message content_of(const Node& node) {
   switch (node.kind) {
     case text::NodeKind::kNull:
-      return "empty";
+      return {Code::kValueEmpty};
     case text::NodeKind::kScalar:
-      return quoted_text(node);
+      return {Code::kValueText, {shown(node)}};
     case text::NodeKind::kSequence:
-      return "a list";
+      return {Code::kValueList};
     case text::NodeKind::kMapping:
-      return "a mapping";
+      return {Code::kValueMapping};
   }
-  return "";
+  return {};
 }
 
 /// "017": the programs that read it as a number at all take it for octal, fifteen. Not scanf, by which words are read.
@@ -73,19 +75,15 @@ void Reader::warn_of_duplicates(const Node& mapping) {
     const Node& key = shadowed[i]->key;
     const Node& read = text::find_entry(mapping, key.value, dialect_)->value;
     const Node& here = shadowed[i]->value;
-    const std::string twice = "the key " + key.value + " stands twice";
-    if (read.is_scalar() && here.is_scalar() && read.value == here.value) {
-      diagnostics_.note("duplicate-key", twice + ", with the same value", document_.range(key));
-    } else if (read.is_scalar() && here.is_scalar()) {
-      warning(key, "duplicate-key", twice + ", with " + read.value + " and here with " + here.value + ", which is not read");
+    if (!read.is_scalar() || !here.is_scalar()) {
+      say(key, Code::kKeyTwice, {key.value});
+    } else if (read.value == here.value) {
+      say(key, Code::kKeyTwiceAlike, {key.value});
     } else {
-      warning(key, "duplicate-key", twice + "; this one is not read");
+      say(key, Code::kKeyTwiceUnlike, {key.value, read.value, here.value});
     }
   }
-  if (shadowed.size() > kMostNamed) {
-    warning(shadowed[kMostNamed]->key, "duplicate-key",
-            std::to_string(shadowed.size() - kMostNamed) + " more keys stand twice and are not read");
-  }
+  if (shadowed.size() > kMostNamed) say(shadowed[kMostNamed]->key, Code::kMoreKeysTwice, {shadowed.size() - kMostNamed});
 }
 
 const Node* Reader::find(const Node& mapping, std::string_view key) const {
@@ -104,8 +102,7 @@ void Reader::warn_of_misspelt() const {
       const bool read = std::ranges::any_of(
           asked_, [&](const Asked& each) { return each.mapping == missing.mapping && each.found && each.key == key; });
       if (read || !told.insert(&entry.key).second) continue;
-      diagnostics_.warning("key-misspelt", "'" + key + "' is not read, and there is no " + missing.key,
-                           document_.range(entry.key), "did you mean " + missing.key + "?");
+      diagnostics_.add(Code::kKeyMisspelt, {key, missing.key}, document_.range(entry.key));
     }
   }
 }
@@ -115,25 +112,23 @@ const Node* Reader::require(const Node& mapping, std::string_view key, std::stri
   if (node == nullptr) {
     SourceRange where = document_.range(mapping);
     where.length = 1;
-    diagnostics_.error("missing-key", std::string(owner) + " has no " + std::string(key), where);
+    diagnostics_.add(Code::kKeyMissing, {owner, key}, where);
   }
   return node;
 }
 
 std::optional<double> Reader::real(const Node& node, std::string_view what) {
   if (const std::optional<int> value = node.is_scalar() ? octal(node, document_.syntax()) : std::nullopt) {
-    warning(node, "octal",
-            std::string(what) + " is written " + quoted_text(node) + ", which the programs read as octal " +
-                std::to_string(*value));
+    say(node, Code::kValueOctal, {what, shown(node), *value});
     return *value;
   }
   const std::optional<double> value = node.is_scalar() ? text::parse_real(node.value) : std::nullopt;
   if (!value) {
-    error(node, "not-a-number", std::string(what) + " is " + kind_in_words(node) + "; a number is wanted");
+    say(node, Code::kValueNoNumber, {what, content_of(node)});
     return std::nullopt;
   }
   if (!std::isfinite(*value)) {
-    error(node, "not-finite", std::string(what) + " is " + quoted_text(node) + ", not a finite number");
+    say(node, Code::kValueNotFinite, {what, shown(node)});
     return std::nullopt;
   }
   return value;
@@ -143,9 +138,9 @@ std::optional<double> Reader::positive(const Node& node, std::string_view what) 
   const std::optional<double> value = real(node, what);
   constexpr double kLargest = 1e9;
   if (!value || (*value > 0.0 && *value <= kLargest)) return value;
-  error(node, "not-positive",
-        std::string(what) + " is " + quoted_text(node) + "; it must be greater than 0" +
-            (*value > 0.0 ? " and is too large" : ""));
+  std::vector<Message> too_large;
+  if (*value > 0.0) too_large = {{Code::kAndTooLarge}};
+  say(node, Code::kValueNotPositive, {what, shown(node), too_large});
   return std::nullopt;
 }
 
@@ -153,25 +148,23 @@ std::optional<double> Reader::baseline(const Node& node, std::string_view what, 
   const std::optional<double> value = real(node, what);
   if (!value) return std::nullopt;
   const double metres = *value / focal_length.value_or(1.0);
-  const std::optional<std::string> problem = problem_with_baseline(metres);
-  if (!problem) return metres;
-  error(node, "out-of-range", std::string(what) + ": " + *problem,
-        focal_length ? "it is the distance of the two cameras in metres, times the focal length in pixels"
-                     : "it is the distance of the two cameras in metres");
+  const Message problem = problem_with_baseline(metres);
+  if (!problem.is_said()) return metres;
+  say(node, focal_length ? Code::kBaselineTimesFocalLength : Code::kBaselineOutOfRange, {what, problem});
   return std::nullopt;
 }
 
 std::optional<double> Reader::time_offset(const Node& node, std::string_view what) {
   const std::optional<double> value = real(node, what);
-  const std::optional<std::string> problem = value ? problem_with_time_offset(*value) : std::nullopt;
-  if (!problem) return value;
-  error(node, "out-of-range", std::string(what) + ": " + *problem, "it is in seconds: t_imu = t_cam + offset");
+  const Message problem = value ? problem_with_time_offset(*value) : Message();
+  if (!problem.is_said()) return value;
+  say(node, Code::kTimeOffsetOutOfRange, {what, problem});
   return std::nullopt;
 }
 
 std::optional<int> Reader::integer(const Node& node, std::string_view what) {
   if (!node.is_scalar()) {
-    error(node, "not-an-integer", std::string(what) + " is " + kind_in_words(node) + "; a whole number is wanted");
+    say(node, Code::kValueNoInteger, {what, content_of(node), std::vector<Message>()});
     return std::nullopt;
   }
   if (const std::optional<int> value = text::parse_int(node.value); value && !octal(node, document_.syntax())) return value;
@@ -180,8 +173,9 @@ std::optional<int> Reader::integer(const Node& node, std::string_view what) {
   constexpr double kLargestInt = 2147483647.0;
   const bool whole = *real_value == std::floor(*real_value);
   if (!whole || std::abs(*real_value) > kLargestInt) {
-    error(node, "not-an-integer",
-          std::string(what) + " is " + quoted_text(node) + "; a whole number" + (whole ? " of 32 bits" : "") + " is wanted");
+    std::vector<Message> of_32_bits;
+    if (whole) of_32_bits = {{Code::kOf32Bits}};
+    say(node, Code::kValueNoInteger, {what, content_of(node), of_32_bits});
     return std::nullopt;
   }
   return static_cast<int>(*real_value);
@@ -189,7 +183,7 @@ std::optional<int> Reader::integer(const Node& node, std::string_view what) {
 
 std::optional<std::string> Reader::string(const Node& node, std::string_view what) {
   if (!node.is_scalar()) {
-    error(node, "not-a-string", std::string(what) + " is " + kind_in_words(node) + "; a name is wanted");
+    say(node, Code::kValueNoName, {what, content_of(node)});
     return std::nullopt;
   }
   return node.value;
@@ -197,17 +191,11 @@ std::optional<std::string> Reader::string(const Node& node, std::string_view wha
 
 std::string Reader::name(const Node& node, std::string_view what) {
   if (!node.is_scalar()) {
-    if (node.kind != text::NodeKind::kNull)
-      warning(node, "not-a-string", std::string(what) + " is " + kind_in_words(node) + "; a name is wanted, and none is read");
+    if (node.kind != text::NodeKind::kNull) say(node, Code::kValueNoNameUnread, {what, content_of(node)});
     return "";
   }
   std::string name = text::printable(node.value);
-  if (name != node.value) {
-    warning(
-        node, "name-unprintable",
-        std::string(what) + " holds line breaks, control characters or bytes that are not UTF-8; it is read as '" + name + "'",
-        "give it a name of printable characters");
-  }
+  if (name != node.value) say(node, Code::kNameReadAs, {what, name});
   return name;
 }
 
@@ -215,13 +203,12 @@ std::optional<std::vector<double>> Reader::reals(const Node& node, std::size_t c
   // XML says a list of one number as it says a number.
   const bool list_of_one = node.is_scalar() && document_.syntax() == text::Syntax::kXml;
   if (!node.is_sequence() && !list_of_one) {
-    error(node, "not-a-list", std::string(what) + " is " + kind_in_words(node) + "; a list of numbers is wanted");
+    say(node, Code::kValueNoList, {what, content_of(node)});
     return std::nullopt;
   }
   const std::span<const Node> items = list_of_one ? std::span(&node, 1) : std::span(node.items);
   if (count != 0 && items.size() != count) {
-    error(node, "wrong-length",
-          std::string(what) + " has " + std::to_string(items.size()) + " numbers; " + std::to_string(count) + " are wanted");
+    say(node, Code::kNumbersWanted, {what, items.size(), count});
     return std::nullopt;
   }
   std::vector<double> values;
@@ -243,8 +230,8 @@ bool Reader::parameter(const Node& node, std::string_view what, ParameterId id, 
 bool Reader::parameter(const Node& node, std::string_view what, ParameterId id, double value, CameraModel& model) {
   const auto& parameters = model_info(model).parameters;
   const auto parameter = std::ranges::find(parameters, id.name(), &Parameter::name);
-  if (const std::optional<std::string> problem = problem_with(*parameter, value)) {
-    error(node, "not-a-camera", std::string(what) + ": " + *problem);
+  if (const Message problem = problem_with(*parameter, value); problem.is_said()) {
+    say(node, Code::kNotACamera, {what, problem});
     return false;
   }
   return set_parameter(model, id, value);
@@ -254,9 +241,9 @@ std::optional<ImageSize> Reader::image_size(const Node& width, const Node& heigh
   const std::optional<int> w = integer(width, std::string(owner) + "width");
   const std::optional<int> h = integer(height, std::string(owner) + "height");
   if (!w || !h) return std::nullopt;
-  if (const std::optional<std::string> problem = problem_with_image_size({*w, *h})) {
+  if (const Message problem = problem_with_image_size({*w, *h}); problem.is_said()) {
     const bool wide = *w < 1 || *w > kLargestImageSide;
-    error(wide ? width : height, "image-size-invalid", *problem);
+    say(wide ? width : height, problem.code, problem.arguments);
     return std::nullopt;
   }
   return ImageSize{*w, *h};
@@ -266,8 +253,9 @@ std::optional<Transform> Reader::transform(const Node& node, std::string_view wh
   std::vector<double> values;
   const bool nested = node.is_sequence() && !node.items.empty() && node.items.front().is_sequence();
   if (nested) {
-    if (node.items.size() != 4) {
-      error(node, "wrong-length", std::string(what) + " has " + std::to_string(node.items.size()) + " rows; 4 are wanted");
+    constexpr std::size_t kRows = 4;
+    if (node.items.size() != kRows) {
+      say(node, Code::kRowsWanted, {what, node.items.size(), kRows});
       return std::nullopt;
     }
     for (const Node& row : node.items) {
@@ -335,38 +323,34 @@ const Node& first_off_last_row(const Node& node, text::Dialect dialect) {
 std::optional<Transform> Reader::checked(const Transform& T, const Place& rotation, const Place& translation) {
   for (int column = 0; column < 4; ++column) {
     if (!is_off(T(3, column), kLastRow[static_cast<std::size_t>(column)])) continue;
-    error(first_off_last_row(rotation.node, dialect_), "not-a-transform",
-          std::string(rotation.what) + ": the last row of a transform is 0 0 0 1");
+    say(first_off_last_row(rotation.node, dialect_), Code::kLastRowWrong, {rotation.what});
     return std::nullopt;
   }
   for (int row = 0; row < 3; ++row) {
-    const std::optional<std::string> problem = problem_with_translation(T(row, 3));
-    if (!problem) continue;
-    error(first_beyond(kLongestDistance, Part::kTranslation, translation.node, dialect_), "out-of-range",
-          std::string(translation.what) + ": " + *problem, "translations are in metres");
+    const Message problem = problem_with_translation(T(row, 3));
+    if (!problem.is_said()) continue;
+    say(first_beyond(kLongestDistance, Part::kTranslation, translation.node, dialect_), Code::kTranslationOutOfRange,
+        {translation.what, problem});
     return std::nullopt;
   }
-  if (const std::optional<std::string> problem = problem_with_rotation(T)) {
-    error(first_beyond(kLargestRotationElement, Part::kRotation, rotation.node, dialect_), "not-a-rotation",
-          std::string(rotation.what) + ": " + *problem,
-          "the columns of a rotation are unit vectors at right angles to each other");
+  if (const Message problem = problem_with_rotation(T); problem.is_said()) {
+    say(first_beyond(kLargestRotationElement, Part::kRotation, rotation.node, dialect_), Code::kRotationImpossible,
+        {rotation.what, problem});
     return std::nullopt;
   }
   constexpr double kPrintedWithThreeDigits = 2e-3;
   const double defect = rotation_defect(T);
   if (defect > kPrintedWithThreeDigits) {
-    warning(rotation.node, "not-a-rotation",
-            std::string(rotation.what) + ": its 3 x 3 part is not a rotation, R^T R differs from the identity by " +
-                text::format_short(defect, 3));
+    say(rotation.node, Code::kRotationRough, {rotation.what, Message{Code::kNotOrthonormal, {defect}}});
   } else if (rotation_determinant(T) < 0.0) {
-    warning(rotation.node, "not-a-rotation", std::string(rotation.what) + ": its 3 x 3 part is a mirror image, not a rotation");
+    say(rotation.node, Code::kRotationMirrors, {rotation.what});
   }
   return T;
 }
 
 std::optional<Reader::Matrix> Reader::opencv_matrix(const Node& node, std::string_view what) {
   if (!node.is_mapping()) {
-    error(node, "not-a-matrix", std::string(what) + " is " + kind_in_words(node) + "; an opencv-matrix is wanted");
+    say(node, Code::kValueNoMatrix, {what, content_of(node)});
     return std::nullopt;
   }
   const Node* rows = require(node, "rows", what);
@@ -378,8 +362,7 @@ std::optional<Reader::Matrix> Reader::opencv_matrix(const Node& node, std::strin
   if (!row_count || !column_count) return std::nullopt;
   constexpr int kLargestSide = 100'000;
   if (*row_count < 1 || *column_count < 1 || *row_count > kLargestSide || *column_count > kLargestSide) {
-    error(*rows, "wrong-length",
-          std::string(what) + ": a matrix of " + std::to_string(*row_count) + " x " + std::to_string(*column_count));
+    say(*rows, Code::kMatrixOfSize, {what, *row_count, *column_count});
     return std::nullopt;
   }
   const auto count = static_cast<std::size_t>(*row_count) * static_cast<std::size_t>(*column_count);

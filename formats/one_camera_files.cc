@@ -3,6 +3,7 @@
 
 #include "losses.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
@@ -19,8 +20,8 @@ bool writable_alone(const Format& format, const Rig& rig, std::string_view size_
   }
   bool good = can_store(format, rig, nullptr, diagnostics);
   for (const Camera& camera : rig.cameras) {
-    const std::vector<std::string> problems = validate(camera.model);
-    for (const std::string& problem : problems) diagnostics.error("not-a-camera", camera.name + ": " + problem);
+    const std::vector<Message> problems = validate(camera.model);
+    for (const Message& problem : problems) diagnostics.add(Code::kNotACamera, {camera.name, problem});
     if (!camera.image_size) {
       diagnostics.error("image-size-missing", camera.name + ": " + std::string(size_use) + " and the input has no size", {},
                         "give it: --size WIDTHxHEIGHT");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write_guard.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/limits.h>
 
@@ -51,16 +52,14 @@ std::multiset<std::string> not_finite(const text::Document& document) {
 }  // namespace
 
 bool may_be_written(const Rig& rig, Diagnostics& diagnostics) {
-  const std::vector<std::string> problems = validate(rig);
-  for (const std::string& problem : problems) diagnostics.error("out-of-range", problem);
+  const std::vector<Message> problems = validate(rig);
+  for (const Message& problem : problems) diagnostics.add(problem.code, problem.arguments);
   bool printable = true;
   for (const auto& [what, name] : names_of(rig)) {
     const std::string shown = text::printable(name);
     if (shown == name) continue;
     printable = false;
-    diagnostics.error("name-unprintable",
-                      std::string(what) + " '" + shown + "' holds line breaks, control characters or bytes that are not UTF-8",
-                      {}, "give it a name of printable characters");
+    diagnostics.add(Code::kNameUnprintable, {what, shown});
   }
   return printable && problems.empty();
 }
@@ -68,10 +67,7 @@ bool may_be_written(const Rig& rig, Diagnostics& diagnostics) {
 bool has_no_mirror(const Rig& rig, Diagnostics& diagnostics) {
   for (const PoseEdge& edge : rig.poses) {
     if (!(rotation_determinant(edge.T_a_b) < 0.0)) continue;
-    diagnostics.error(
-        "left-handed",
-        "T_" + edge.a + "_" + edge.b + " mirrors (its determinant is -1): no program can use it, and none is told", {},
-        "mend the sign or the order of its rows first; fca-io check shows the place");
+    diagnostics.add(Code::kPoseMirrors, {edge.a, edge.b});
     return false;
   }
   return true;
@@ -83,8 +79,7 @@ bool holds_finite_numbers(const Written& written, const text::Document* base, Di
     const std::multiset<std::string> names = not_finite(file.document);
     for (const std::string& name : names) {
       if (names.count(name) <= already.count(name)) continue;
-      diagnostics.error("not-finite",
-                        (name.empty() ? "a number" : name) + " would not be a finite number in " + file.document.source().name);
+      diagnostics.add(Code::kNumberWouldNotBeFinite, {name.empty() ? "a number" : name, file.document.source().name});
       return false;
     }
   }

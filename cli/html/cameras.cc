@@ -4,9 +4,11 @@
 #include "camera_figures.h"
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
+#include "shell/option_hints.h"
 #include "table.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/fields_of_view.h>
 
@@ -92,7 +94,8 @@ void put_camera(Html& html, const ShownCamera& camera, std::optional<double> lim
       camera.outcome != nullptr ? camera_line(*camera.outcome) : std::string(model_info(camera.source.model).title);
   html.element("h3", {}, name + ": " + line);
   if (!validate(camera.source.model).empty()) {
-    html.element("p", {{"class", "error"}}, "No camera: " + enumerated(validate(camera.source.model)));
+    html.element("p", {{"class", "error"}},
+                 "No camera: " + enumerated(text::texts_of(validate(camera.source.model), with_options)));
     return;
   }
   put_judgement(html, camera);

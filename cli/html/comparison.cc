@@ -11,6 +11,7 @@
 #include "toolkit/compare/difference_words.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/image_change.h>
 
@@ -146,9 +147,9 @@ void put_facts(Html& html, const std::vector<FactComparison>& facts) {
 
 void put_only(Html& html, const RigComparison& comparison) {
   if (!comparison.only_in_reference.empty())
-    put_line(html, "only in the reference: ", enumerated(comparison.only_in_reference, "and"));
+    put_line(html, "only in the reference: ", enumerated(text::texts_of(comparison.only_in_reference, with_options), "and"));
   if (!comparison.only_in_other.empty())
-    put_line(html, "only in the compared file: ", enumerated(comparison.only_in_other, "and"));
+    put_line(html, "only in the compared file: ", enumerated(text::texts_of(comparison.only_in_other, with_options), "and"));
 }
 
 void put_diagnostics(Html& html, const char* title, const Diagnostics& diagnostics) {

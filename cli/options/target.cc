@@ -70,7 +70,7 @@ void add_target_options(Options& options, ConvertRequest& request) {
   });
   options.number("--baseline", "METRES", "Baseline of a rectified pair or depth sensor",
                  [&request](double metres) -> std::optional<std::string> {
-                   if (problem_with_baseline(metres)) return "--baseline wants a positive number of metres";
+                   if (problem_with_baseline(metres).is_said()) return "--baseline wants a positive number of metres";
                    request.baseline_m = metres;
                    return std::nullopt;
                  });

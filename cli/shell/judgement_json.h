@@ -3,6 +3,7 @@
 #pragma once
 
 #include "json.h"
+#include "option_hints.h"
 
 #include <fca/convert/report.h>
 
@@ -13,7 +14,7 @@ namespace fca::cli {
 inline void put_domain(Json& json, const Coverage& coverage, double scored_to_deg) {
   json.object("domain", [&] {
     json.put("max_angle_deg", coverage.max_angle_deg);
-    json.put("why", coverage.why);
+    json.put("why", text::text_of(coverage.why, with_options));
     if (coverage.circle) {
       json.object("lens_circle", [&] {
         json.put("centre", std::span<const double>(coverage.circle->centre));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "judgement_text.h"
 
+#include "option_hints.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <cmath>
@@ -10,14 +12,15 @@
 namespace fca::cli {
 
 std::string circle_in_words(const LensCircle& circle) {
-  return circle.why + ": " + place_in_words(circle) + ", " + percent(circle.rim_share) + " of its rim in the image seen, rms " +
-         pixels(circle.rms_px) + " px";
+  return text::text_of(circle.why, with_options) + ": " + place_in_words(circle) + ", " + percent(circle.rim_share) +
+         " of its rim in the image seen, rms " + pixels(circle.rms_px) + " px";
 }
 
 std::string domain_in_words(const Coverage& coverage) {
-  if (!coverage.circle) return angle_in_words(coverage.max_angle_deg) + ": " + coverage.why;
+  const std::string why = text::text_of(coverage.why, with_options);
+  if (!coverage.circle) return angle_in_words(coverage.max_angle_deg) + ": " + why;
   const LensCircle& circle = *coverage.circle;
-  const std::string first = coverage.why == circle.why ? "" : coverage.why + "; ";
+  const std::string first = coverage.why == circle.why ? "" : why + "; ";
   return "up to " + text::format_short(coverage.max_angle_deg, 4) + " deg from the axis: " + first + circle_in_words(circle);
 }
 

@@ -19,6 +19,19 @@ struct OptionHint {
 
 constexpr std::array kHints = {
     OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    // Conversion.
+    OptionHint{Code::kImageSizeNotKnown, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    OptionHint{Code::kNoPixelInTheLens, text::Part::kFix, "a larger --max-angle"},
+    OptionHint{Code::kTargetCannotReach, text::Part::kFix,
+               "another model may reach further: fca-io models FILE compares all models"},
+    OptionHint{Code::kDomainGiven, text::Part::kText, "given (--max-angle)"},
+    OptionHint{Code::kDomainInsideGiven, text::Part::kText, "the whole image (it ends inside --max-angle)"},
+    // Comparison.
+    OptionHint{Code::kResolutionDiffers, text::Part::kFix,
+               "say how the reference's images become the other's: --crop X,Y,W,H, --binning N, --resize {3}x{4}"},
+    // Fields.
+    OptionHint{Code::kPoseMirrors, text::Part::kFix,
+               "mend the sign or the order of its rows first; fca-io check shows the place"},
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "../fields.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 #include <fca/rig/limits.h>
@@ -251,8 +252,9 @@ class CalibrationReader {
       return false;
     }
     const double in_seconds = seconds(*offset);
-    if (const std::optional<std::string> problem = problem_with_time_offset(in_seconds)) {
-      reader_.error(*node, "out-of-range", "cam_time_offset_ns: " + *problem, "it is in nanoseconds: t_imu = t_cam + offset");
+    if (const Message problem = problem_with_time_offset(in_seconds); problem.is_said()) {
+      reader_.error(*node, "out-of-range", "cam_time_offset_ns: " + text::text_of(problem),
+                    "it is in nanoseconds: t_imu = t_cam + offset");
       return false;
     }
     for (Camera& camera : rig.cameras) camera.time_offset_s = in_seconds;

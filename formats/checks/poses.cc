@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "topics.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/contradictions.h>
@@ -144,12 +145,7 @@ bool name_millimetres(const Subject& subject, Findings& findings) {
   if (pose_loops(metric).empty() || !contradictions(metric).empty() || contradictions(subject.rig()).empty()) return false;
   for (const std::size_t i : in_mm) {
     const PoseEdge& edge = subject.rig().poses[i];
-    findings.add({Severity::kError,
-                  "translation-in-mm",
-                  name_of(edge) + " has its translation in millimetres",
-                  {},
-                  "divide the translation by 1000",
-                  subject.places.pose(i, longest_row(edge.T_a_b), 3)});
+    findings.add(Code::kPoseInMillimetres, {name_of(edge)}, subject.places.pose(i, longest_row(edge.T_a_b), 3));
   }
   return true;
 }
@@ -163,13 +159,10 @@ bool name_slip(const Subject& subject, const Suspect& suspect, Rig& rig, Finding
     // A small rotation and its transpose are as near as honest statements are, but then none of them is exact.
     const bool explains = !close(edge.T_a_b, suspect.around) && close(*undone, suspect.around);
     if (!explains && !same(*undone, suspect.around)) continue;
-    findings.add({Severity::kError,
-                  std::string(slip.code),
-                  name_of(edge) + " " + std::string(slip.does),
-                  {},
-                  std::string(slip.fix),
-                  slip.code == "translation-in-mm" ? subject.places.pose(suspect.index, longest_row(edge.T_a_b), 3)
-                                                   : subject.places.pose(suspect.index, 0, 0)});
+    const bool of_translation = slip.code == Code::kPoseInMillimetres || slip.code == Code::kPoseInKilometres;
+    findings.add(slip.code, {name_of(edge)},
+                 of_translation ? subject.places.pose(suspect.index, longest_row(edge.T_a_b), 3)
+                                : subject.places.pose(suspect.index, 0, 0));
     rig.poses[suspect.index].T_a_b = suspect.around;
     return true;
   }

@@ -31,6 +31,18 @@ std::string fixed(double value, int decimals) {
   return {buffer.data(), result.ptr};
 }
 
+std::string shortest(double value) {
+  std::array<char, 40> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 std::string plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 /// The words of one argument, by its type; `how` is what stands behind the colon.
@@ -48,6 +60,7 @@ struct InWords {
   std::string operator()(double value) const {
     if (how.empty()) return format_short(value);
     if (how == "real") return format_real(value);
+    if (how == "all") return shortest(value);
     if (how == "px") return value == 0.0 ? "0" : format_short(value, value < 1e-4 ? 2 : 3);
     if (how == "%") return fixed(100.0 * value, 1) + " %";
     if (!how.starts_with('.')) refuse(how);
@@ -66,6 +79,7 @@ struct InWords {
 
   std::string operator()(const std::vector<std::string>& names) const {
     if (how == "s") return plural(names.size());
+    if (how == ",") return joined(names);
     return enumerated(names, how.empty() ? "and" : how);
   }
 
@@ -131,6 +145,12 @@ std::string rendered(const Message& message, Part part, Wording wording) {
 }
 
 std::string text_of(const Message& message, Wording wording) { return rendered(message, Part::kText, wording); }
+std::vector<std::string> texts_of(std::span<const Message> messages, Wording wording) {
+  std::vector<std::string> texts;
+  texts.reserve(messages.size());
+  for (const Message& message : messages) texts.push_back(text_of(message, wording));
+  return texts;
+}
 std::string why_of(const Message& message, Wording wording) { return rendered(message, Part::kWhy, wording); }
 std::string consequence_of(const Message& message, Wording wording) { return rendered(message, Part::kConsequence, wording); }
 std::string fix_of(const Message& message, Wording wording) { return rendered(message, Part::kFix, wording); }

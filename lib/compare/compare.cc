@@ -8,20 +8,21 @@
 #include "mistaken_camera.h"
 #include "pose_comparison.h"
 
+#include <fca/code.h>
 #include <fca/rig/image_change.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <span>
+#include <string_view>
 
 namespace fca {
 
 namespace {
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
-
-std::string in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height) + " px"; }
 
 /// The two cameras for images of one size: the reference's.
 struct CameraPair {
@@ -54,13 +55,8 @@ std::optional<CameraPair> at_one_size(const Camera& reference, const Camera& oth
   const ImageSize& left = *pair.other.image_size;
   if (static_cast<long long>(right.width) * left.height != static_cast<long long>(left.width) * right.height) {
     const bool exchanged = right.width == left.height && right.height == left.width;
-    diagnostics.error("resolution-differs",
-                      reference.name + " has images of " + in_words(right) + " in the reference and of " + in_words(left) +
-                          " in the other" +
-                          (exchanged ? ": width and height are exchanged" : ", and neither is the other scaled"),
-                      {},
-                      "say how the reference's images become the other's: --crop X,Y,W,H, --binning N, --resize " +
-                          std::to_string(left.width) + "x" + std::to_string(left.height));
+    diagnostics.add(Code::kResolutionDiffers, {reference.name, right.width, right.height, left.width, left.height,
+                                               Message{exchanged ? Code::kSidesExchanged : Code::kNotScaled}});
     return std::nullopt;
   }
   const std::optional<Camera> scaled = with_changed_images(pair.other, {.resize = right}, diagnostics);
@@ -81,8 +77,8 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
                                      Diagnostics& diagnostics) {
   std::optional<CameraPair> pair = at_one_size(reference, other, diagnostics);
   if (!pair) return std::nullopt;
-  const std::vector<std::string> problems = validate(pair->other.model);
-  for (const std::string& problem : problems) diagnostics.error("not-a-camera", other.name + ": " + problem);
+  const std::vector<Message> problems = validate(pair->other.model);
+  for (const Message& problem : problems) diagnostics.add(Code::kNotACamera, {other.name, problem});
   if (!problems.empty()) return std::nullopt;
   Diagnostics of_domain;
   std::optional<Domain> domain = domain_of(pair->reference, options.max_angle_rad, of_domain);
@@ -91,7 +87,7 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
     // Of a lens that sees nothing of its image nothing can be measured, but it is the same as itself.
     if (same_lens && id_of(entry) == "no-pixel-has-a-ray") {
       entry.severity = Severity::kWarning;
-      domain = Domain{*pair->reference.image_size, max_angle(pair->reference.model), "no pixel has a ray"};
+      domain = Domain{*pair->reference.image_size, max_angle(pair->reference.model), Message{Code::kDomainWithoutRay}};
     }
     diagnostics.add(std::move(entry));
   }
@@ -176,10 +172,9 @@ std::optional<Exchange> find_exchange(const RigPair& rigs, const internal::PoseT
 Mistake mistake_of(const Exchange& exchange, const RigPair& rigs) {
   const std::string first = rigs.other.cameras[rigs.matching.cameras[exchange.first].other].name;
   const std::string second = rigs.other.cameras[rigs.matching.cameras[exchange.second].other].name;
-  const std::string both = first + " and " + second;
-  if (exchange.lenses && exchange.poses) return {"cameras-exchanged", both, "are exchanged", {}};
-  if (exchange.lenses) return {"cameras-exchanged", both, "have each other's intrinsics", {}};
-  return {"poses-exchanged", both, "have each other's poses", {}};
+  const std::vector<std::string> both = {first, second};
+  if (exchange.lenses && exchange.poses) return {{Code::kCamerasExchanged, {both}}};
+  return {{exchange.lenses ? Code::kIntrinsicsExchanged : Code::kPosesExchanged, {both}}};
 }
 
 void find_mistakes(const RigPair& rigs, const internal::PoseTask& poses, RigComparison& result) {
@@ -198,17 +193,17 @@ void find_mistakes(const RigPair& rigs, const internal::PoseTask& poses, RigComp
 }
 
 /// "2 cameras and 1 IMU"
-std::string contents_of(const Rig& rig) {
-  const auto counted = [](std::size_t count, const std::string& what) {
-    return (count == 0 ? "no" : std::to_string(count)) + " " + what + (count == 1 ? "" : "s");
+Message contents_of(const Rig& rig) {
+  const auto counted = [](std::size_t count, std::string_view what) {
+    return count == 0 ? Message{Code::kNoSuch, {what}} : Message{Code::kSoMany, {count, what}};
   };
-  return counted(rig.cameras.size(), "camera") + " and " + counted(rig.imus.size(), "IMU");
+  return {Code::kCamerasAndImus, {counted(rig.cameras.size(), "camera"), counted(rig.imus.size(), "IMU")}};
 }
 
 template <class Thing>
-void list_unmatched(const std::vector<Thing>& things, const std::set<std::size_t>& matched, std::vector<std::string>& list) {
+void list_unmatched(const std::vector<Thing>& things, const std::set<std::size_t>& matched, std::vector<Message>& list) {
   for (std::size_t i = 0; i < things.size(); ++i) {
-    if (!matched.contains(i)) list.push_back(things[i].name);
+    if (!matched.contains(i)) list.push_back({Code::kOnlyThing, {things[i].name}});
   }
 }
 
@@ -228,6 +223,11 @@ void list_unmatched(const RigPair& rigs, RigComparison& result) {
 }
 
 }  // namespace
+
+bool Mistake::is_like(const Mistake& mistake) const {
+  const auto rest = [](const Mistake& each) { return std::span(each.message.arguments).subspan(1); };
+  return message.code == mistake.message.code && std::ranges::equal(rest(*this), rest(mistake));
+}
 
 bool PoseComparison::same_but_for_rounding() const {
   constexpr double kRounding = 1e-9;
@@ -271,8 +271,7 @@ RigComparison compare(const Rig& reference, const Rig& other, const CompareOptio
   find_mistakes(rigs, poses, result);
   list_unmatched(rigs, result);
   if (result.cameras.empty() && result.poses.empty() && result.facts.empty() && !diagnostics.has_errors()) {
-    diagnostics.error("nothing-to-compare", "the two have nothing in common: the reference holds " + contents_of(reference) +
-                                                ", the other " + contents_of(other));
+    diagnostics.add(Code::kNothingInCommon, {contents_of(reference), contents_of(other)});
   }
   return result;
 }

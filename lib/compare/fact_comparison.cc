@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fact_comparison.h"
 
+#include <fca/code.h>
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
@@ -37,7 +38,8 @@ void add(const Fact& fact, RigComparison& result) {
     result.facts.push_back({fact.owner, fact.name, fact.unit, *fact.reference, *fact.other});
   } else if (fact.reference || fact.other) {
     (fact.reference ? result.only_in_reference : result.only_in_other)
-        .push_back(fact.owner.empty() ? fact.name : fact.owner + " " + fact.name);
+        .push_back(fact.owner.empty() ? Message{Code::kOnlyThing, {fact.name}}
+                                      : Message{Code::kOnlyFact, {fact.owner, fact.name}});
   }
 }
 
@@ -50,28 +52,21 @@ bool near(double a, double b) {
 void find_wrong_sign(const Camera& reference, const Camera& other, RigComparison& result) {
   if (!reference.time_offset_s || !other.time_offset_s || *reference.time_offset_s == 0.0) return;
   if (!near(*reference.time_offset_s, -*other.time_offset_s)) return;
-  result.mistakes.push_back({"time-offset-sign",
-                             other.name,
-                             "has the time offset with the other sign: it should be t_imu = t_cam + offset, and it holds "
-                             "t_cam = t_imu + offset",
-                             {}});
+  result.mistakes.push_back({{Code::kTimeOffsetOfOtherSign, {other.name}}});
 }
 
 /// The slip by which the reference's density becomes the other's.
 struct NoiseSlip {
-  const char* code;
-  const char* message;
+  Code code;
   double (*made)(double density, double root_rate, bool walk);
 };
 constexpr std::array kNoiseSlips = {
-    NoiseSlip{"imu-noise-discrete", "holds discrete deviations (of one sample, times sqrt(rate)) where densities belong",
+    NoiseSlip{Code::kNoiseDiscrete,
               [](double density, double root_rate, bool walk) { return walk ? density / root_rate : density * root_rate; }},
-    NoiseSlip{"imu-noise-discrete", "holds densities divided by sqrt(rate): they were taken for discrete deviations",
+    NoiseSlip{Code::kNoiseDividedByRate,
               [](double density, double root_rate, bool walk) { return walk ? density * root_rate : density / root_rate; }},
-    NoiseSlip{"imu-noise-variance", "holds variances (squares) where standard deviations belong",
-              [](double density, double, bool) { return density * density; }},
-    NoiseSlip{"imu-noise-variance", "holds square roots of the densities: they were taken for variances",
-              [](double density, double, bool) { return std::sqrt(density); }},
+    NoiseSlip{Code::kNoiseVariance, [](double density, double, bool) { return density * density; }},
+    NoiseSlip{Code::kNoiseOfVariances, [](double density, double, bool) { return std::sqrt(density); }},
 };
 
 /// A slip that explains every density that differs.
@@ -90,9 +85,7 @@ void find_noise_slip(const Imu& reference, const Imu& other, RigComparison& resu
       which.emplace_back(density.name);
     }
     if (!explains || which.empty()) continue;
-    std::string names;
-    for (const std::string& name : which) names += (names.empty() ? "" : ", ") + name;
-    result.mistakes.push_back({slip.code, other.name, std::string(slip.message) + ": " + names, {}});
+    result.mistakes.push_back({{slip.code, {other.name, which}}});
     return;
   }
 }
@@ -111,9 +104,9 @@ void compare_baselines(const Rig& reference, const Rig& other, RigComparison& re
   if (!fact.reference || !fact.other) return;
   constexpr double kMillimetres = 1000.0;
   if (near(*fact.reference * kMillimetres, *fact.other)) {
-    result.mistakes.push_back({"translation-in-mm", "the baseline", "is in millimetres", {}});
+    result.mistakes.push_back({{Code::kBaselineInMillimetres, {"the baseline"}}});
   } else if (near(*fact.reference, *fact.other * kMillimetres)) {
-    result.mistakes.push_back({"translation-in-mm", "the baseline", "is 1000 times too small", {}});
+    result.mistakes.push_back({{Code::kBaselineTooSmall, {"the baseline"}}});
   }
 }
 

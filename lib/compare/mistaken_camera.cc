@@ -3,6 +3,7 @@
 
 #include "camera_difference.h"
 
+#include <fca/code.h>
 #include <fca/rig/image_change.h>
 
 #include <algorithm>
@@ -16,46 +17,34 @@ namespace {
 
 /// What the other would be without the slip.
 struct Candidate {
-  std::string code;
-  std::string message;
+  Code code;
   CameraModel undone;
+  std::vector<Argument> more = {};  ///< Behind the camera's name.
 };
 using Candidates = std::vector<Candidate>;
 
 void add_shifts(const CameraModel& other, double scale, Candidates& candidates) {
   struct Shift {
     double own_px;
-    const char* code;
-    const char* message;
+    Code code;
   };
-  constexpr std::array kShifts = {
-      Shift{
-          0.5, "half-pixel",
-          "has its principal point half a pixel too far to the lower right: it counts from the corner of the first pixel, not "
-          "from its centre"},
-      Shift{-0.5, "half-pixel",
-            "has its principal point half a pixel too far to the upper left: half a pixel was taken off that belongs to it"},
-      Shift{1.0, "one-pixel",
-            "has its principal point one pixel too far to the lower right: it counts from 1, as MATLAB does, not from 0"},
-      Shift{-1.0, "one-pixel", "has its principal point one pixel too far to the upper left: 1 was subtracted once too often"}};
+  constexpr std::array kShifts = {Shift{0.5, Code::kHalfPixelTooFar}, Shift{-0.5, Code::kHalfPixelTooNear},
+                                  Shift{1.0, Code::kOnePixelTooFar}, Shift{-1.0, Code::kOnePixelTooNear}};
   for (const Shift& shift : kShifts) {
     const double px = -shift.own_px * scale;
-    candidates.push_back({shift.code, shift.message, with_pixels(other, {{1.0, 1.0}, {px, px}})});
+    candidates.push_back({shift.code, with_pixels(other, {{1.0, 1.0}, {px, px}})});
   }
   if (scale == 1.0) return;
   // Whoever scales cx alone forgets that the centre of the first pixel is half a pixel from its corner.
   const double px = 0.5 * (1.0 - scale);
-  candidates.push_back({"scaled-without-half-pixel",
-                        "was scaled from the larger or smaller image as cx s; pixels are areas: (cx + 0.5) s - 0.5",
-                        with_pixels(other, {{1.0, 1.0}, {px, px}})});
+  candidates.push_back({Code::kScaledWithoutHalfPixel, with_pixels(other, {{1.0, 1.0}, {px, px}})});
 }
 
 void add_exchanged_centre(const CameraModel& other, Candidates& candidates) {
   const Pixel centre = principal_point(other);
   const double difference = centre[1] - centre[0];
   if (difference == 0.0) return;
-  candidates.push_back({"centre-swapped", "has row and column of its principal point exchanged",
-                        with_pixels(other, {{1.0, 1.0}, {difference, -difference}})});
+  candidates.push_back({Code::kCentreSwapped, with_pixels(other, {{1.0, 1.0}, {difference, -difference}})});
 }
 
 void add_scales(const CameraModel& other, double scale, Candidates& candidates) {
@@ -63,15 +52,9 @@ void add_scales(const CameraModel& other, double scale, Candidates& candidates) 
     const double shift = 0.5 * (factor - 1.0);
     return with_pixels(other, {{factor, factor}, {shift, shift}});
   };
-  for (const double factor : {0.5, 2.0}) {
-    candidates.push_back({"other-resolution",
-                          std::string("holds the numbers of images ") + (factor < 1.0 ? "twice" : "half") + " that size",
-                          scaled_by(factor)});
-  }
-  if (scale != 1.0) {
-    candidates.push_back(
-        {"other-resolution", "states another image size and holds the numbers of the reference's", scaled_by(1.0 / scale)});
-  }
+  candidates.push_back({Code::kOfImagesTwiceThatSize, scaled_by(0.5)});
+  candidates.push_back({Code::kOfImagesHalfThatSize, scaled_by(2.0)});
+  if (scale != 1.0) candidates.push_back({Code::kOfImagesOfTheReference, scaled_by(1.0 / scale)});
 }
 
 /// The model with the value of `parameters[i]` where `parameters[i + 1]` is, and the last one's where the first is.
@@ -87,19 +70,21 @@ std::optional<CameraModel> cycled(const CameraModel& model, std::span<const Para
 void add_other_orders(const CameraModel& other, Candidates& candidates) {
   struct Order {
     std::vector<ParameterId> cycle;
-    const char* message;
+    Code code;
+    const char* first;   ///< A parameter, or the order in which they stand.
+    const char* second;  ///< A parameter, or the names under which they stand.
   };
   static const std::vector<Order> kOrders = {
-      {{"xi", "alpha"}, "has xi and alpha exchanged"},
-      {{"alpha", "beta"}, "has alpha and beta exchanged"},
-      {{"fx", "fy"}, "has fx and fy exchanged"},
-      {{"p1", "p2"}, "has p1 and p2 exchanged"},
-      {{"p1", "k3", "p2"}, "has its coefficients in the order k1 k2 k3 p1 p2 under the names k1 k2 p1 p2 k3"},
-      {{"p1", "p2", "k3"}, "has its coefficients in the order k1 k2 p1 p2 k3 under the names k1 k2 k3 p1 p2"},
+      {{"xi", "alpha"}, Code::kParametersExchanged, "xi", "alpha"},
+      {{"alpha", "beta"}, Code::kParametersExchanged, "alpha", "beta"},
+      {{"fx", "fy"}, Code::kParametersExchanged, "fx", "fy"},
+      {{"p1", "p2"}, Code::kParametersExchanged, "p1", "p2"},
+      {{"p1", "k3", "p2"}, Code::kCoefficientsInOrder, "k1 k2 k3 p1 p2", "k1 k2 p1 p2 k3"},
+      {{"p1", "p2", "k3"}, Code::kCoefficientsInOrder, "k1 k2 p1 p2 k3", "k1 k2 k3 p1 p2"},
   };
   for (const Order& order : kOrders) {
     const std::optional<CameraModel> undone = cycled(other, order.cycle);
-    if (undone && *undone != other) candidates.push_back({"parameters-swapped", order.message, *undone});
+    if (undone && *undone != other) candidates.push_back({order.code, *undone, {order.first, order.second}});
   }
 }
 
@@ -116,12 +101,11 @@ void add_other_name(const CameraModel& reference, const CameraModel& other, Cand
   if (count <= kBefore || std::ranges::any_of(numbers.subspan(count), [](double value) { return value != 0.0; })) return;
   std::fill(values.begin(), values.end(), 0.0);
   std::copy_n(numbers.begin(), count, values.begin());
-  const std::string message = "holds the numbers of " + std::string(right.id) + " under the name of " + std::string(wrong.id);
-  candidates.push_back({"wrong-model", message, undone});
+  candidates.push_back({Code::kUnderAnotherName, undone, {right.id, wrong.id}});
   if (count != kBefore + 2) return;
   // Double Sphere's two are xi alpha in most files, and alpha xi in some.
   std::swap(values[kBefore], values[kBefore + 1]);
-  candidates.push_back({"wrong-model", message, undone});
+  candidates.push_back({Code::kUnderAnotherName, undone, {right.id, wrong.id}});
 }
 
 }  // namespace
@@ -147,7 +131,8 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
     const double misfit = misfit_px(reference.model, candidate.undone, domain);
     if (!(misfit <= best)) continue;
     best = misfit;
-    mistake = {candidate.code, other.name, candidate.message, {}};
+    mistake = {{candidate.code, {other.name}}};
+    mistake->message.arguments.insert(mistake->message.arguments.end(), candidate.more.begin(), candidate.more.end());
   }
   return mistake;
 }

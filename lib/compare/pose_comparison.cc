@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pose_comparison.h"
 
+#include <fca/code.h>
 #include <fca/rig/pose_slip.h>
 #include <fca/rig/rotation.h>
 
@@ -66,12 +67,12 @@ PoseTask::PoseTask(const Rig& the_reference, const Rig& the_other, const Matchin
 void compare_poses(const PoseTask& task, RigComparison& result) {
   Rig other;
   other.poses = task.poses;
-  const auto compare = [&](const std::string& a, const std::string& b, const std::string& what) {
+  const auto compare = [&](const std::string& a, const std::string& b, const Message& what) {
     const std::optional<Transform> right = task.reference.resolve(a, b);
     const std::optional<Transform> left = other.resolve(a, b);
     if (right && left) result.poses.push_back(comparison_of(a, b, *right, *left));
     if (right.has_value() == left.has_value()) return;
-    std::vector<std::string>& only = right ? result.only_in_reference : result.only_in_other;
+    std::vector<Message>& only = right ? result.only_in_reference : result.only_in_other;
     if (std::ranges::find(only, what) == only.end()) only.push_back(what);
   };
   const auto name_of = [&task](const Match& match) { return task.reference.cameras[match.reference].name; };
@@ -79,15 +80,15 @@ void compare_poses(const PoseTask& task, RigComparison& result) {
   add_further_frames(task.reference, task.reference.poses, frames);
   add_further_frames(task.reference, task.poses, frames);
   for (const std::string& frame : frames) {
-    for (const Match& match : task.matching.cameras) compare(name_of(match), frame, "the pose of " + frame);
+    for (const Match& match : task.matching.cameras) compare(name_of(match), frame, {Code::kOnlyPose, {frame}});
   }
   if (task.reference.cameras.empty()) {  // files of poses alone: stereo_calib's extrinsics.yml
-    for (const PoseEdge& edge : task.reference.poses) compare(edge.a, edge.b, "the pose of " + edge.a + " to " + edge.b);
+    for (const PoseEdge& edge : task.reference.poses) compare(edge.a, edge.b, {Code::kOnlyPoseBetween, {edge.a, edge.b}});
   }
   for (std::size_t i = 1; i < task.matching.cameras.size(); ++i) {
     const std::string a = name_of(task.matching.cameras[i]);
     const std::string b = name_of(task.matching.cameras[i - 1]);
-    compare(a, b, "the pose of " + a + " to " + b);
+    compare(a, b, {Code::kOnlyPoseBetween, {a, b}});
   }
 }
 
@@ -122,16 +123,15 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
     const PoseEdge& own = task.other.poses[i];  // in its own names
     // As near as two honest calibrations are, a slip is one only if without it nothing differs.
     double best = apart > kFar ? std::min(kNear, kExplainedShare * apart) : kExact;
+    const std::string name = "T_" + own.a + "_" + own.b;
     std::optional<Mistake> mistake;
     for (const PoseSlip& slip : pose_slips()) {
       const std::optional<Transform> undone = slip.undo(stated);
       const double rest = undone ? distance_of_poses(*right, *undone) : best;
       if (!(rest < best)) continue;
       best = rest;
-      const bool inverted = slip.code == "pose-inverted";
-      mistake = {std::string(slip.code), "T_" + own.a + "_" + own.b,
-                 inverted ? "is the inverse of what it should be: it holds T_" + own.b + "_" + own.a : std::string(slip.does),
-                 i};
+      mistake = {{slip.code, {name}}, i};
+      if (slip.code == Code::kPoseHoldsInverse) mistake->message = {Code::kPoseInverted, {name, "T_" + own.b + "_" + own.a}};
     }
     // Of a pair whose poses are all exchanged the exchange is told (exchange_explains_poses()); here a copied block.
     const PoseEdge& edge = task.poses[i];
@@ -143,7 +143,7 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
       const double rest = of_it ? distance_of_poses(*of_it, stated) : best;
       if (!(rest < best)) continue;
       best = rest;
-      mistake = {"pose-of-another-camera", "T_" + own.a + "_" + own.b, "is that of the reference's " + camera.name, i};
+      mistake = {{Code::kPoseOfAnotherCamera, {name, camera.name}}, i};
     }
     if (mistake) mistakes.push_back(*std::move(mistake));
   }

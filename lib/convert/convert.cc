@@ -6,6 +6,7 @@
 #include "judge_stages.h"
 #include "minimax.h"
 
+#include <fca/code.h>
 #include <fca/convert/domain.h>
 #include <fca/convert/judge.h>
 #include <fca/convert/reach.h>
@@ -24,45 +25,26 @@ constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 using internal::FitTask;
 
 void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics) {
-  const auto degrees = std::to_string(std::lround(cone_rad / kRadiansPerDegree));
-  diagnostics.warning("target-cannot-reach",
-                      task.camera.name + ": " + std::string(task.target.id) +
-                          " cannot describe this lens as far as the domain goes; it was fitted inside " + degrees +
-                          " deg from the axis, is scored there, and gives wrong pixels or none beyond",
-                      {}, "another model may reach further: fca-io models FILE compares all models");
+  diagnostics.add(Code::kTargetCannotReach, {task.camera.name, task.target.id, cone_rad / kRadiansPerDegree});
 }
 
 /// A model of a plane goes on to 90 degrees: where a part of the image has no ray, its distortion folds.
 void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& diagnostics) {
   constexpr double kCorners = 1e-3;
   if (!sees_ahead_only(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
-  const auto degrees = std::to_string(std::lround(max_angle(camera.model) / kRadiansPerDegree));
-  const auto tenths = std::lround(1000.0 * coverage.outside_lens);
-  const std::string percent = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
-  diagnostics.warning("folds-inside-image",
-                      camera.name + ": its distortion folds at " + degrees +
-                          " deg from the axis, inside the image: " + percent + " % of the image has no ray",
-                      {},
-                      "calibrate anew with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)");
+  diagnostics.add(Code::kFoldsInsideImage, {camera.name, max_angle(camera.model) / kRadiansPerDegree, coverage.outside_lens});
 }
 
 /// What no lens has, but arithmetic can convert all the same. `check` asks for more; this is what cannot be meant.
 void warn_of_odd_camera(const Camera& camera, const ImageSize& size, Diagnostics& diagnostics) {
   constexpr double kNoSensor = 2.0;
-  const auto rounded = [](double px) { return std::to_string(std::lround(px)); };
   const auto [f_u, f_v] = central_focal_lengths(camera.model);
   if (std::max(f_u, f_v) > kNoSensor * std::min(f_u, f_v)) {
-    diagnostics.warning("focal-lengths-differ",
-                        camera.name + ": the focal lengths along u and v, " + rounded(f_u) + " and " + rounded(f_v) +
-                            " px, differ more than the sides of any sensor's pixels do",
-                        {}, "compare both with the calibration's result");
+    diagnostics.add(Code::kFocalLengthsDiffer, {camera.name, std::lround(f_u), std::lround(f_v)});
   }
   const auto [u, v] = principal_point(camera.model);
   if (!(u >= -0.5 && u <= size.width - 0.5 && v >= -0.5 && v <= size.height - 0.5)) {
-    diagnostics.warning("centre-outside",
-                        camera.name + ": the principal point (" + rounded(u) + ", " + rounded(v) + ") lies outside the " +
-                            std::to_string(size.width) + " x " + std::to_string(size.height) + " image",
-                        {}, "right for a part cut out of a larger image; else compare it with the calibration's result");
+    diagnostics.add(Code::kCentreOutside, {camera.name, std::lround(u), std::lround(v), size.width, size.height});
   }
 }
 
@@ -120,19 +102,17 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   internal::DomainFit found = internal::fit_domain(task);
   const internal::SampledFit& fitted = found.fitted;
   if (internal::too_few(fitted.samples, task.target)) {
-    diagnostics.error("domain-too-small",
-                      task.camera.name + ": too few pixels of the image have a ray to fit " + std::string(task.target.id));
+    diagnostics.add(Code::kTooFewRaysToFit, {task.camera.name, task.target.id});
     return std::nullopt;
   }
   const ImageSize& size = task.domain.size;
   const double pixels = found.score.judgement.coverage.scored * size.width * size.height;
   if (fitted.model && 2.0 * pixels < static_cast<double>(task.target.parameters.size())) {
-    diagnostics.error("domain-too-small", task.camera.name + ": too few pixels of the image lie in the domain to fit " +
-                                              std::string(task.target.id) + ", however many samples are taken between them");
+    diagnostics.add(Code::kTooFewPixelsToFit, {task.camera.name, task.target.id});
     return std::nullopt;
   }
   if (!fitted.model) {
-    diagnostics.error("fit-failed", task.camera.name + ": no " + std::string(task.target.id) + " camera comes near this one");
+    diagnostics.add(Code::kFitFailed, {task.camera.name, task.target.id});
     return std::nullopt;
   }
   Conversion conversion{task.camera, {}};
@@ -152,17 +132,16 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
 bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics& diagnostics) {
   constexpr int kMostSamples = 100'000;
   if (options.samples < 1 || options.samples > kMostSamples) {
-    diagnostics.error("samples-invalid", "a fit wants between 1 and " + std::to_string(kMostSamples) + " samples");
+    diagnostics.add(Code::kSamplesInvalid, {kMostSamples});
     return false;
   }
   for (const ParameterRange& range : options.ranges) {
     if (std::ranges::find(target.parameters, range.parameter.name(), &Parameter::name) == target.parameters.end()) {
-      diagnostics.error("unknown-parameter",
-                        std::string(target.id) + " has no parameter '" + std::string(range.parameter.name()) + "'");
+      diagnostics.add(Code::kModelHasNoParameter, {target.id, range.parameter.name()});
       return false;
     }
     if (!(range.lower <= range.upper)) {
-      diagnostics.error("range-empty", "the range of " + std::string(range.parameter.name()) + " holds no number");
+      diagnostics.add(Code::kRangeEmpty, {range.parameter.name()});
       return false;
     }
   }
@@ -181,7 +160,7 @@ bool within(const CameraModel& model, std::span<const ParameterRange> ranges) {
 std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& options, Diagnostics& diagnostics) {
   const ModelInfo* target = find_model(options.model);
   if (target == nullptr) {
-    diagnostics.error("unknown-model", "there is no camera model '" + options.model + "'");
+    diagnostics.add(Code::kUnknownModel, {options.model});
     return std::nullopt;
   }
   if (!usable(options, *target, diagnostics)) return std::nullopt;
@@ -199,8 +178,7 @@ std::optional<Conversion> convert(const Camera& camera, const ConvertOptions& op
   conversion->report.to_model = target->id;
   if (options.reach) conversion->report.reach = reach_table(camera, options, conversion->report, diagnostics);
   if (!(conversion->report.judgement.coverage.scored > 0.0)) {
-    diagnostics.error("nothing-to-compare",
-                      camera.name + ": no part of the image could be compared with " + std::string(target->id));
+    diagnostics.add(Code::kNoPartCompared, {camera.name, target->id});
     return std::nullopt;
   }
   return conversion;

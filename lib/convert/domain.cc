@@ -3,6 +3,7 @@
 
 #include "batch.h"
 
+#include <fca/code.h>
 #include <fca/rig/limits.h>
 
 #include <algorithm>
@@ -113,11 +114,11 @@ bool border_is_covered(const Lens& lens, const ImageSize& size) {
 /// What counts as lens, and who says so.
 struct Limit {
   double rad = std::numbers::pi;
-  std::string who;   ///< Where it cuts something off.
-  std::string kept;  ///< Where it does not.
+  Code who{};   ///< Where it cuts something off.
+  Code kept{};  ///< Where it does not.
 };
 
-Limit of_option(double rad) { return {rad, "given (--max-angle)", "the whole image (it ends inside --max-angle)"}; }
+Limit as_given(double rad) { return {rad, Code::kDomainGiven, Code::kDomainInsideGiven}; }
 
 std::array<Pixel, 4> corners_of(const ImageSize& size) {
   const double right = size.width - 1.0;
@@ -163,12 +164,12 @@ std::optional<double> largest_angle_in(const LensCircle& circle, const Lens& len
 
 /// Are image and limit such that there can be a domain? False with an error.
 bool is_usable(const ImageSize& size, std::optional<double> limit_rad, const std::string& name, Diagnostics& diagnostics) {
-  if (const std::optional<std::string> problem = problem_with_image_size(size)) {
-    diagnostics.error("image-size-invalid", name + ": " + *problem);
+  if (const Message problem = problem_with_image_size(size); problem.is_said()) {
+    diagnostics.add(Code::kImageSizeInvalid, {name, problem});
     return false;
   }
   if (limit_rad && !(*limit_rad > 0.0 && *limit_rad <= std::numbers::pi)) {
-    diagnostics.error("max-angle-invalid", "the largest angle from the axis must lie in (0, 180] degrees");
+    diagnostics.add(Code::kMaxAngleInvalid);
     return false;
   }
   return true;
@@ -182,14 +183,11 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
   // A few degrees may lie between the lattice's points.
   if (largest < 0.0 && given) largest = RayLattice(lens, around_axis(lens, size, limit)).largest_angle(limit);
   if (largest < 0.0 && given && rays.largest_angle(std::numbers::pi) >= 0.0) {
-    diagnostics.error("no-pixel-in-the-lens", name + ": no pixel of the image lies within that angle of the axis", {},
-                      "a larger --max-angle");
+    diagnostics.add(Code::kNoPixelInTheLens, {name});
     return std::nullopt;
   }
   if (largest < 0.0) {
-    diagnostics.error("no-pixel-has-a-ray", name + ": the model gives no ray for any pixel of the " +
-                                                std::to_string(size.width) + " x " + std::to_string(size.height) +
-                                                " image; are focal length and principal point in pixels of this image?");
+    diagnostics.add(Code::kNoPixelHasARay, {name, size.width, size.height});
     return std::nullopt;
   }
   Domain domain;
@@ -197,14 +195,14 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
   const double model_limit = lens.max_angle_rad();
   if (given && rays.largest_angle(std::numbers::pi) > limit) {
     domain.max_angle_rad = limit;
-    domain.why = given->who;
+    domain.why = {given->who};
   } else if (!border_is_covered(lens, size)) {
     domain.max_angle_rad = std::min(model_limit, limit);
-    domain.why = given && limit < model_limit ? given->who : "the source model ends there, inside the image";
+    domain.why = {given && limit < model_limit ? given->who : Code::kDomainModelEnds};
   } else {
     // Corners are lattice points, so this is the image's own largest angle; the slack keeps rounding from dropping them.
     domain.max_angle_rad = std::min(largest * (1.0 + 1e-12), std::numbers::pi);
-    domain.why = given ? given->kept : "the whole image (nothing states the lens's angle)";
+    domain.why = {given ? given->kept : Code::kDomainWholeImage};
   }
   return domain;
 }
@@ -213,19 +211,19 @@ std::optional<Domain> domain_within(const Lens& lens, const ImageSize& size, con
 void cut_by_circle(const LensCircle& circle, const Camera& camera, const Limit* limit, Domain& domain) {
   const auto is_lit = [&circle](const Pixel& pixel) { return circle.contains(pixel); };
   if (std::ranges::all_of(corners_of(domain.size), is_lit)) {
-    domain.why = "the whole image (it ends inside " + circle.why + ")";
+    domain.why = {Code::kDomainInsideCircle, {circle.why}};
     return;
   }
   const std::optional<double> largest = largest_angle_in(circle, camera.model, domain.size);
   domain.circle = circle;
   if (!largest) {
-    domain.why += ", and inside " + circle.why;
+    domain.why = {Code::kDomainAndInsideCircle, {domain.why, circle.why}};
     return;
   }
   constexpr double kSlack = 1.0 + 1e-9;  // rounding must not cut the rim
   const bool limited = limit != nullptr && domain.max_angle_rad == limit->rad;
   domain.max_angle_rad = std::min(domain.max_angle_rad, *largest * kSlack);
-  domain.why = limited ? limit->who + ", and " + circle.why : circle.why;
+  domain.why = limited ? Message{Code::kDomainAndCircle, {Message{limit->who}, circle.why}} : circle.why;
 }
 
 }  // namespace
@@ -239,18 +237,18 @@ std::optional<Ray> Domain::ray(const Lens& source, const Pixel& pixel) const {
 
 std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limit_rad, Diagnostics& diagnostics) {
   bool usable = true;
-  for (const std::string& problem : validate(camera.model)) {
-    diagnostics.error("not-a-camera", camera.name + ": " + problem);
+  for (const Message& problem : validate(camera.model)) {
+    diagnostics.add(Code::kNotACamera, {camera.name, problem});
     usable = false;
   }
   if (!camera.image_size) {
-    diagnostics.error("image-size-missing", camera.name + ": the image size is not known", {}, "give it: --size WIDTHxHEIGHT");
+    diagnostics.add(Code::kImageSizeNotKnown, {camera.name});
     return std::nullopt;
   }
   if (!usable) return std::nullopt;
   if (!is_usable(*camera.image_size, limit_rad, camera.name, diagnostics)) return std::nullopt;
   std::optional<Limit> limit;
-  if (limit_rad) limit = of_option(*limit_rad);
+  if (limit_rad) limit = as_given(*limit_rad);
   std::optional<Domain> domain = domain_within(camera.model, *camera.image_size, limit, camera.name, diagnostics);
   if (domain && camera.lens_circle) cut_by_circle(*camera.lens_circle, camera, limit ? &*limit : nullptr, *domain);
   return domain;
@@ -259,7 +257,7 @@ std::optional<Domain> domain_of(const Camera& camera, std::optional<double> limi
 std::optional<Domain> domain_of(const Lens& lens, const ImageSize& size, std::optional<double> limit_rad,
                                 const std::string& name, Diagnostics& diagnostics) {
   if (!is_usable(size, limit_rad, name, diagnostics)) return std::nullopt;
-  return domain_within(lens, size, limit_rad ? std::optional(of_option(*limit_rad)) : std::nullopt, name, diagnostics);
+  return domain_within(lens, size, limit_rad ? std::optional(as_given(*limit_rad)) : std::nullopt, name, diagnostics);
 }
 
 }  // namespace fca

@@ -3,8 +3,50 @@
 #include "rows.h"
 #include "topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> conversion_codes() { return {}; }
+std::span<const CodeInfo> conversion_codes() {
+  static constexpr std::array kRows = {
+      bad_request(Code::kUnknownModel, "unknown-model", "there is no camera model '{0}'"),
+      bad_request(Code::kSamplesInvalid, "samples-invalid", "a fit wants between 1 and {0} samples"),
+      bad_request(Code::kModelHasNoParameter, "unknown-parameter", "{0} has no parameter '{1}'"),
+      bad_request(Code::kRangeEmpty, "range-empty", "the range of {0} holds no number"),
+      bad_request(Code::kMaxAngleInvalid, "max-angle-invalid", "the largest angle from the axis must lie in (0, 180] degrees"),
+      error(Code::kImageSizeNotKnown, "image-size-missing", "{0}: the image size is not known", "state it"),
+      bad_request(Code::kNoPixelInTheLens, "no-pixel-in-the-lens",
+                  "{0}: no pixel of the image lies within that angle of the axis", "a larger angle"),
+      error(Code::kNoPixelHasARay, "no-pixel-has-a-ray",
+            "{0}: the model gives no ray for any pixel of the {1} x {2} image; are focal length and principal point in pixels "
+            "of this image?"),
+      error(Code::kTooFewRaysToFit, "domain-too-small", "{0}: too few pixels of the image have a ray to fit {1}"),
+      error(Code::kTooFewPixelsToFit, "domain-too-small",
+            "{0}: too few pixels of the image lie in the domain to fit {1}, however many samples are taken between them"),
+      error(Code::kFitFailed, "fit-failed", "{0}: no {1} camera comes near this one"),
+      error(Code::kNoPartCompared, "nothing-to-compare", "{0}: no part of the image could be compared with {1}"),
+      warning(Code::kTargetCannotReach, "target-cannot-reach",
+              "{0}: {1} cannot describe this lens as far as the domain goes; it was fitted inside {2:.0f} deg from the axis, "
+              "is scored there, and gives wrong pixels or none beyond",
+              "another model may reach further: compare all models"),
+      warning(Code::kFoldsInsideImage, "folds-inside-image",
+              "{0}: its distortion folds at {1:.0f} deg from the axis, inside the image: {2:%} of the image has no ray",
+              "calibrate anew with observations up to the corners, or with a model for wide lenses (kb4, ds, eucm)"),
+      warning(Code::kFocalLengthsDiffer, "focal-lengths-differ",
+              "{0}: the focal lengths along u and v, {1} and {2} px, differ more than the sides of any sensor's pixels do",
+              "compare both with the calibration's result"),
+      warning(Code::kCentreOutside, "centre-outside", "{0}: the principal point ({1}, {2}) lies outside the {3} x {4} image",
+              "right for a part cut out of a larger image; else compare it with the calibration's result"),
+      clause(Code::kDomainGiven, "given"),
+      clause(Code::kDomainInsideGiven, "the whole image (it ends inside the given angle)"),
+      clause(Code::kDomainModelEnds, "the source model ends there, inside the image"),
+      clause(Code::kDomainWholeImage, "the whole image (nothing states the lens's angle)"),
+      clause(Code::kDomainInsideCircle, "the whole image (it ends inside {0})"),
+      clause(Code::kDomainAndInsideCircle, "{0}, and inside {1}"),
+      clause(Code::kDomainAndCircle, "{0}, and {1}"),
+      clause(Code::kDomainWithoutRay, "no pixel has a ray"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/models/camera_model.h>
 
+#include <fca/code.h>
 #include <fca/folded_name.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace fca {
 
@@ -23,19 +24,11 @@ constexpr auto info_table(internal::TypeList<Ms...> /*models*/) {
 
 constexpr auto kModels = info_table(ModelList{});
 
-std::string spelled(double value) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), result.ptr};
-}
-
 /// "lie in [0, 1]", "be greater than -1", ...
-std::string range_of(const Parameter& p) {
-  if (!std::isfinite(p.lower)) return (p.open ? "be less than " : "be at most ") + spelled(p.upper);
-  if (std::isfinite(p.upper)) {
-    return std::string("lie in ") + (p.open ? "(" : "[") + spelled(p.lower) + ", " + spelled(p.upper) + (p.open ? ")" : "]");
-  }
-  return (p.open ? "be greater than " : "be at least ") + spelled(p.lower);
+Message range_of(const Parameter& p) {
+  if (!std::isfinite(p.lower)) return {p.open ? Code::kBeLessThan : Code::kBeAtMost, {p.upper}};
+  if (std::isfinite(p.upper)) return {p.open ? Code::kLieBetween : Code::kLieWithin, {p.lower, p.upper}};
+  return {p.open ? Code::kBeGreaterThan : Code::kBeAtLeast, {p.lower}};
 }
 
 bool is_finite(const Ray& ray) { return std::isfinite(ray[0]) && std::isfinite(ray[1]) && std::isfinite(ray[2]); }
@@ -148,27 +141,25 @@ std::array<double, 2> central_focal_lengths(const CameraModel& model) {
   return std::visit([]<class M>(const Intrinsics<M>& m) { return M::central_focal_lengths(m.values.data()); }, model);
 }
 
-std::optional<std::string> problem_with(const Parameter& parameter, double value) {
-  const std::string what = std::string(parameter.name) + " is " + spelled(value);
-  if (!std::isfinite(value)) return what + ", not a finite number";
-  if (std::abs(value) > kLargestParameter) return what + ", too large to compute with";
-  if (parameter.group == ParameterGroup::kFocalLength && parameter.lower == 0.0 && !(value > 0.0))
-    return what + "; a focal length is positive";
+Message problem_with(const Parameter& parameter, double value) {
+  const auto problem = [&](Code code) { return Message{code, {parameter.name, value}}; };
+  if (!std::isfinite(value)) return problem(Code::kParameterNotFinite);
+  if (std::abs(value) > kLargestParameter) return problem(Code::kParameterTooLarge);
+  const bool positive = parameter.group == ParameterGroup::kFocalLength && parameter.lower == 0.0;
+  if (positive && !(value > 0.0)) return problem(Code::kFocalLengthNotPositive);
   constexpr double kSmallestFocalLength = 1e-6;  // px: less comes out as 0 where it is multiplied
-  if (parameter.group == ParameterGroup::kFocalLength && parameter.lower == 0.0 && value < kSmallestFocalLength)
-    return what + ", too small to compute with";
+  if (positive && value < kSmallestFocalLength) return problem(Code::kParameterTooSmall);
   const bool at_open_end = parameter.open && (value == parameter.lower || value == parameter.upper);
-  if (value < parameter.lower || value > parameter.upper || at_open_end) return what + "; it must " + range_of(parameter);
-  return std::nullopt;
+  if (value >= parameter.lower && value <= parameter.upper && !at_open_end) return {};
+  return {Code::kParameterOutOfRange, {parameter.name, value, range_of(parameter)}};
 }
 
-std::vector<std::string> validate(const CameraModel& model) {
-  std::vector<std::string> problems;
+std::vector<Message> validate(const CameraModel& model) {
+  std::vector<Message> problems;
   const std::span<const Parameter> parameters = model_info(model).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (std::optional<std::string> problem = problem_with(parameters[i], parameter_values(model)[i])) {
-      problems.push_back(*std::move(problem));
-    }
+    Message problem = problem_with(parameters[i], parameter_values(model)[i]);
+    if (problem.is_said()) problems.push_back(std::move(problem));
   }
   return problems;
 }

@@ -1,55 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/rig/limits.h>
 
+#include <fca/code.h>
+
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace fca {
 
 namespace {
 
-std::string spelled(double value, std::chars_format format = std::chars_format::general, int precision = 3) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
-  return {buffer.data(), result.ptr};
-}
-
-/// "1000000"
-std::string whole(double limit) { return spelled(limit, std::chars_format::fixed, 0); }
-
 /// What a rig's facts are called, and what is wrong with them.
 class Findings {
  public:
-  void add(const std::string& what, const std::optional<std::string>& problem) {
-    if (problem) problems_.push_back(what + ": " + *problem);
+  void add(const std::string& owner, Message problem) {
+    if (problem.is_said()) problems_.push_back({Code::kRigOutOfRange, {owner, std::move(problem)}});
   }
-  void add_unless_finite(const std::string& what, const std::optional<double>& value) {
-    if (value && !std::isfinite(*value)) problems_.push_back(what + " is " + spelled(*value) + ", not a finite number");
+  void add_unless_finite(const std::string& owner, std::string_view what, const std::optional<double>& value) {
+    if (value && !std::isfinite(*value)) problems_.push_back({Code::kRigNumberNotFinite, {owner, what, *value}});
   }
-  [[nodiscard]] std::vector<std::string> problems() const { return problems_; }
+  [[nodiscard]] std::vector<Message> problems() const { return problems_; }
 
  private:
-  std::vector<std::string> problems_;
+  std::vector<Message> problems_;
 };
 
 void check(const Camera& camera, Findings& findings) {
   const std::span<const Parameter> parameters = model_info(camera.model).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    findings.add_unless_finite(camera.name + ": " + std::string(parameters[i].name), parameter_values(camera.model)[i]);
+    findings.add_unless_finite(camera.name, parameters[i].name, parameter_values(camera.model)[i]);
   }
   if (camera.image_size) findings.add(camera.name, problem_with_image_size(*camera.image_size));
   if (camera.time_offset_s) findings.add(camera.name, problem_with_time_offset(*camera.time_offset_s));
-  findings.add_unless_finite(camera.name + ": the frame rate", camera.frame_rate_hz);
+  findings.add_unless_finite(camera.name, "the frame rate", camera.frame_rate_hz);
 }
 
 void check(const Imu& imu, Findings& findings) {
-  findings.add_unless_finite(imu.name + ": the gyroscope's noise density", imu.gyroscope_noise_density);
-  findings.add_unless_finite(imu.name + ": the gyroscope's random walk", imu.gyroscope_random_walk);
-  findings.add_unless_finite(imu.name + ": the accelerometer's noise density", imu.accelerometer_noise_density);
-  findings.add_unless_finite(imu.name + ": the accelerometer's random walk", imu.accelerometer_random_walk);
-  findings.add_unless_finite(imu.name + ": the rate", imu.rate_hz);
+  findings.add_unless_finite(imu.name, "the gyroscope's noise density", imu.gyroscope_noise_density);
+  findings.add_unless_finite(imu.name, "the gyroscope's random walk", imu.gyroscope_random_walk);
+  findings.add_unless_finite(imu.name, "the accelerometer's noise density", imu.accelerometer_noise_density);
+  findings.add_unless_finite(imu.name, "the accelerometer's random walk", imu.accelerometer_random_walk);
+  findings.add_unless_finite(imu.name, "the rate", imu.rate_hz);
 }
 
 void check(const PoseEdge& edge, Findings& findings) {
@@ -60,47 +55,43 @@ void check(const PoseEdge& edge, Findings& findings) {
 
 }  // namespace
 
-std::optional<std::string> problem_with_image_size(const ImageSize& size) {
-  const std::string what =
-      "an image of " + std::to_string(size.width) + " x " + std::to_string(size.height) + " pixels cannot be";
-  if (size.width < 1 || size.height < 1) return what;
-  if (size.width <= kLargestImageSide && size.height <= kLargestImageSide) return std::nullopt;
-  const std::string side = std::to_string(kLargestImageSide);
-  return what + ": no image is larger than " + side + " x " + side;
+Message problem_with_image_size(const ImageSize& size) {
+  if (size.width < 1 || size.height < 1) return {Code::kImageOfNoSize, {size.width, size.height}};
+  if (size.width <= kLargestImageSide && size.height <= kLargestImageSide) return {};
+  return {Code::kImageTooLarge, {size.width, size.height, kLargestImageSide}};
 }
 
-std::optional<std::string> problem_with_translation(double metres) {
-  if (std::abs(metres) <= kLongestDistance) return std::nullopt;
-  return "a translation of " + spelled(metres) + " m; no rig is longer than " + whole(kLongestDistance) + " m";
+Message problem_with_translation(double metres) {
+  if (std::abs(metres) <= kLongestDistance) return {};
+  return {Code::kTranslationTooLong, {metres, kLongestDistance}};
 }
 
-std::optional<std::string> problem_with_baseline(double metres) {
-  if (metres > 0.0 && metres < kLongestDistance) return std::nullopt;
-  return "a baseline of " + spelled(metres) + " m; it must be greater than 0 and less than " + whole(kLongestDistance) + " m";
+Message problem_with_baseline(double metres) {
+  if (metres > 0.0 && metres < kLongestDistance) return {};
+  return {Code::kBaselineImpossible, {metres, kLongestDistance}};
 }
 
-std::optional<std::string> problem_with_time_offset(double seconds) {
-  if (std::abs(seconds) <= kLongestTimeOffset) return std::nullopt;
-  return "a time offset of " + spelled(seconds) + " s; it must lie within " + whole(kLongestTimeOffset) + " s";
+Message problem_with_time_offset(double seconds) {
+  if (std::abs(seconds) <= kLongestTimeOffset) return {};
+  return {Code::kTimeOffsetImpossible, {seconds, kLongestTimeOffset}};
 }
 
-std::optional<std::string> problem_with_rotation(const Transform& T_a_b) {
-  const std::string what = "its 3 x 3 part is not a rotation, ";
+Message problem_with_rotation(const Transform& T_a_b) {
   // First, so that what follows cannot overflow.
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       const double element = T_a_b(row, column);
-      if (!(std::abs(element) <= kLargestRotationElement)) return what + "an element is " + spelled(element);
+      if (!(std::abs(element) <= kLargestRotationElement)) return {Code::kRotationElementTooLarge, {element}};
     }
   }
   // Whoever writes it may write its inverse, which is to be read again.
   const std::optional<Transform> back = inverse(T_a_b);
   const double defect = std::max(rotation_defect(T_a_b), back ? rotation_defect(*back) : 1.0);
-  if (defect <= kCoarsestRotation) return std::nullopt;
-  return what + "R^T R differs from the identity by " + spelled(defect);
+  if (defect <= kCoarsestRotation) return {};
+  return {Code::kNotOrthonormal, {defect}};
 }
 
-std::vector<std::string> validate(const Rig& rig) {
+std::vector<Message> validate(const Rig& rig) {
   Findings findings;
   for (const Camera& camera : rig.cameras) check(camera, findings);
   for (const Imu& imu : rig.imus) check(imu, findings);

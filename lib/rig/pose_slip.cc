@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/rig/pose_slip.h>
 
+#include <fca/code.h>
+
 #include <array>
 
 namespace fca {
@@ -22,13 +24,10 @@ std::optional<Transform> scaled(const Transform& T, double factor) {
 }
 
 constexpr std::array kSlips = {
-    PoseSlip{"pose-inverted", "holds the other direction (its inverse agrees with the other poses)",
-             "invert it: R^T and -R^T t", [](const Transform& T) { return inverse(T); }},
-    PoseSlip{"pose-transposed", "holds the transposed rotation", "write the rotation's columns as rows", &transposed},
-    PoseSlip{"translation-in-mm", "has its translation in millimetres", "divide the translation by 1000",
-             [](const Transform& T) { return scaled(T, 1e-3); }},
-    PoseSlip{"translation-in-mm", "has its translation 1000 times too small", "multiply the translation by 1000",
-             [](const Transform& T) { return scaled(T, 1e3); }},
+    PoseSlip{Code::kPoseHoldsInverse, [](const Transform& T) { return inverse(T); }},
+    PoseSlip{Code::kPoseTransposed, &transposed},
+    PoseSlip{Code::kPoseInMillimetres, [](const Transform& T) { return scaled(T, 1e-3); }},
+    PoseSlip{Code::kPoseInKilometres, [](const Transform& T) { return scaled(T, 1e3); }},
 };
 
 }  // namespace

@@ -31,7 +31,8 @@ std::string judged(const fs::path& path) {
   std::string text = parsed.rendered();
   if (!calibration) return text;
   for (const Camera& camera : calibration->rig.cameras) {
-    for (const std::string& problem : validate(camera.model)) text += "no camera: " + camera.name + ": " + problem + "\n";
+    for (const std::string& problem : text::texts_of(validate(camera.model)))
+      text += "no camera: " + camera.name + ": " + problem + "\n";
   }
   const bool cameras = !calibration->rig.cameras.empty();
   const Readers readers = ask_readers(calibration->format->id, parsed.source.bytes, cameras);

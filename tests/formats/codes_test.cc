@@ -20,6 +20,7 @@ std::array<std::string_view, 4> sentences_of_row(const CodeInfo& row) { return {
 /// What {N:how} can write.
 Argument sample(const std::string& how) {
   if (how == "s") return 2;
+  if (how == ",") return std::vector<std::string>{"a", "b"};
   if (how == "or") return std::vector<std::string>{"a", "b"};
   if (how == "short" || how == "_" || how.empty()) return "name";
   return 0.125;
@@ -87,6 +88,8 @@ TEST(Messages, ArgumentsAreWrittenAsTheirPlaceSays) {
   EXPECT_EQ(said("{0} key{0:s}, {1} key{1:s}", {1, 2}), "1 key, 2 keys");
   const std::vector<std::string> names = {"a", "b", "c"};
   EXPECT_EQ(said("{0}; {0:or}; name{0:s}", {names}), "a, b and c; a, b or c; names");
+  EXPECT_EQ(said("{0:,}", {names}), "a, b, c");
+  EXPECT_EQ(said("{0:all} {1:all} {2:all}", {1.5, -1.0, 0.1}), "1.5 -1 0.1");
   EXPECT_EQ(said("{{}} {0}", {"x"}), "{} x");
   EXPECT_EQ(said("{0:_}{1}", {"cam0", "topic"}), "cam0 topic");
   EXPECT_EQ(said("{0:_}{1}", {"", "topic"}), "topic");

@@ -93,12 +93,12 @@ RigComparison compared(const Rig& reference, const Rig& other) {
 std::string said(const RigComparison& comparison) {
   std::string text;
   for (const Mistake& mistake : comparison.mistakes)
-    text += mistake.code + ": " + mistake.subject + " " + mistake.message + "\n";
+    text += id_of(mistake.message) + ": " + text::text_of(mistake.message) + "\n";
   return text;
 }
 
 bool claims(const RigComparison& comparison, const std::string& code) {
-  return std::ranges::find(comparison.mistakes, code, &Mistake::code) != comparison.mistakes.end();
+  return std::ranges::any_of(comparison.mistakes, [&](const Mistake& each) { return id_of(each.message) == code; });
 }
 
 TEST(CompareFiles, AFileIsExactlyItself) {
@@ -395,7 +395,8 @@ TEST(CompareFiles, PlantedSlipsAreNamed) {
       ++planted;
       const RigComparison result = compared(rig, other);
       EXPECT_TRUE(claims(result, plant.code)) << i << ", " << plant.code << " in " << name << " is called\n" << said(result);
-      for (const Mistake& mistake : result.mistakes) EXPECT_EQ(mistake.code, plant.code) << name << ": " << said(result);
+      for (const Mistake& mistake : result.mistakes)
+        EXPECT_EQ(id_of(mistake.message), plant.code) << name << ": " << said(result);
     }
     EXPECT_GE(planted, plant.fewest) << i << ", " << plant.code;
   }

@@ -3,6 +3,7 @@
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
 #include "shell/judgement_json.h"
+#include "shell/option_hints.h"
 #include "toolkit/compare/difference_words.h"
 #include "toolkit/words.h"
 
@@ -76,8 +77,8 @@ bool is_identical(const ComparedFile& compared) {
 void put_comparison(Json& json, const RigComparison& comparison) {
   json.array("mistakes", comparison.mistakes, [&](const Mistake& mistake) {
     json.object([&] {
-      json.put("code", mistake.code);
-      json.put("subject", mistake.subject);
+      json.put("code", id_of(mistake.message));
+      json.put("subject", subject_of(mistake));
       json.put("message", sentence(mistake));
     });
   });
@@ -103,8 +104,10 @@ void put_comparison(Json& json, const RigComparison& comparison) {
       json.put("value", fact.other);
     });
   });
-  json.put("only_in_reference", std::span<const std::string>(comparison.only_in_reference));
-  json.put("only_in_file", std::span<const std::string>(comparison.only_in_other));
+  const std::vector<std::string> in_reference = text::texts_of(comparison.only_in_reference, with_options);
+  const std::vector<std::string> in_other = text::texts_of(comparison.only_in_other, with_options);
+  json.put("only_in_reference", std::span<const std::string>(in_reference));
+  json.put("only_in_file", std::span<const std::string>(in_other));
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
 #include "shell/judgement_text.h"
+#include "shell/option_hints.h"
 #include "toolkit/compare/difference_words.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -152,9 +154,10 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
   }
   text += poses_text(comparison.poses) + facts_text(comparison.facts) + "\n";
   if (!comparison.only_in_reference.empty())
-    text += paragraph("only in " + reference_name + ": " + enumerated(comparison.only_in_reference, "and"), "");
+    text += paragraph(
+        "only in " + reference_name + ": " + enumerated(text::texts_of(comparison.only_in_reference, with_options), "and"), "");
   if (!comparison.only_in_other.empty())
-    text += paragraph("only in " + name + ": " + enumerated(comparison.only_in_other, "and"), "");
+    text += paragraph("only in " + name + ": " + enumerated(text::texts_of(comparison.only_in_other, with_options), "and"), "");
   constexpr std::size_t kInVerdict = 3;
   if (comparison.mistakes.size() > kInVerdict) {
     for (const Mistake& mistake : comparison.mistakes) text += paragraph("explained: " + sentence(mistake), "");

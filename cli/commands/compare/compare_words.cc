@@ -74,11 +74,11 @@ std::string different_poses(const std::vector<PoseComparison>& poses) {
 std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
   std::vector<std::string> result;
   for (auto first = mistakes.begin(); first != mistakes.end(); ++first) {
-    const auto like_first = [&first](const Mistake& mistake) { return mistake.message == first->message; };
+    const auto like_first = [&first](const Mistake& mistake) { return mistake.is_like(*first); };
     if (std::find_if(mistakes.begin(), first, like_first) != first) continue;
     std::vector<std::string> others;
     for (auto other = std::next(first); other != mistakes.end(); ++other) {
-      if (like_first(*other)) others.push_back(other->subject);
+      if (like_first(*other)) others.push_back(subject_of(*other));
     }
     result.push_back(sentence(*first) + (others.empty() ? "" : " (" + enumerated(others, "and") + " as well)"));
   }

@@ -3,9 +3,11 @@
 
 #include "options/inputs.h"
 #include "shell/json.h"
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
 
 #include <fca/convert/domain.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <array>
@@ -111,7 +113,7 @@ ExitCode run_mapping(const ProjectArguments& arguments, bool forwards, Console& 
                           "the file holds " + std::to_string(cameras.size()) + " cameras; choose one with --camera");
   }
   const CameraModel& model = cameras.front().model;
-  const std::vector<std::string> problems = validate(model);
+  const std::vector<std::string> problems = text::texts_of(validate(model), with_options);
   if (!problems.empty()) return console.refuse(ExitCode::kBadInput, cameras.front().name + ": " + enumerated(problems));
   const double limit_rad = arguments.inputs.max_angle_rad.value_or(std::numbers::pi);
   if (forwards) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "shell/option_hints.h"
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
 #include "show_command.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
 #include <fca/rig/fields_of_view.h>
@@ -44,7 +46,7 @@ std::string camera_text(const Camera& camera, std::span<const ExtraField> extras
   }
   text += "  model    " +
           (validate(camera.model).empty() ? "valid up to " + angle_in_words(max_angle(camera.model) * kDegreesPerRadian)
-                                          : enumerated(validate(camera.model))) +
+                                          : enumerated(text::texts_of(validate(camera.model), with_options))) +
           "\n";
   if (camera.time_offset_s) text += "  time     t_imu = t_cam " + signed_in_words(*camera.time_offset_s) + " s\n";
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";

@@ -5,6 +5,7 @@
 
 #include <fca/compare/compare.h>
 #include <fca/formats/stated_as.h>
+#include <fca/formats/text/message.h>
 #include <fca/toolkit/compare.h>
 
 #include <algorithm>
@@ -44,7 +45,7 @@ void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& 
   for (Mistake& mistake : mistakes) {
     if (!mistake.pose) continue;
     const std::string key = key_of_pose(calibration, *mistake.pose);
-    if (!key.empty()) mistake.subject = key;
+    if (!key.empty()) mistake.message.arguments.front() = key;
   }
 }
 
@@ -94,7 +95,8 @@ void judge_rest(ComparedFile& compared) {
     if (!fact.alike()) exceed(compared, in_words(fact) + ", more than --strict allows (1 ms for times, else 5 %)");
   }
   if (!comparison.only_in_reference.empty())
-    exceed(compared, "it does not say what the reference does: " + enumerated(comparison.only_in_reference, "and"));
+    exceed(compared,
+           "it does not say what the reference does: " + enumerated(text::texts_of(comparison.only_in_reference), "and"));
 }
 
 void apply_limits(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {

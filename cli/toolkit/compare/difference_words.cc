@@ -3,6 +3,7 @@
 
 #include "words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <cmath>
@@ -30,6 +31,8 @@ std::string in_words(const FactComparison& fact) {
   return what + "is " + text::format_short(fact.other / fact.reference, 3) + " times the reference's";
 }
 
-std::string sentence(const Mistake& mistake) { return mistake.subject + " " + mistake.message; }
+std::string sentence(const Mistake& mistake) { return text::text_of(mistake.message); }
+
+std::string subject_of(const Mistake& mistake) { return text::filled("{0}", mistake.message.arguments); }
 
 }  // namespace fca

@@ -203,7 +203,7 @@ bool add_circle(const SampleImages& sample, const ImageChange& change, Files& fi
   if (!leave_out_others(camera, paths, change, files, *seen, diagnostics)) return false;
   LensCircle& circle = *seen->camera.lens_circle;
   const std::vector<std::string> shown_by = witnesses(seen->search, circle, paths);
-  circle.why = "the lit circle of " + named(shown_by);
+  circle.why = in_words("the lit circle of " + named(shown_by));
   warn_of_doubts(seen->camera, shown_by.front(), diagnostics);
   camera.lens_circle = in_image_of(camera, change, seen->camera);
   if (!camera.lens_circle) {

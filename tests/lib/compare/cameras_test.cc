@@ -18,7 +18,7 @@ namespace {
 CameraComparison compared(const Camera& reference, const Camera& other, const CompareOptions& options = {}) {
   Diagnostics diagnostics;
   const std::optional<CameraComparison> result = compare(reference, other, options, diagnostics);
-  EXPECT_TRUE(result) << (diagnostics.entries().empty() ? "" : diagnostics.entries().front().message);
+  EXPECT_TRUE(result) << (diagnostics.entries().empty() ? "" : id_of(diagnostics.entries().front()));
   return result.value_or(CameraComparison());
 }
 

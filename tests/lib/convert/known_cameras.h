@@ -2,6 +2,7 @@
 // Cameras with published parameters.
 #pragma once
 
+#include <fca/code.h>
 #include <fca/rig/rig.h>
 
 #include <numbers>
@@ -23,7 +24,7 @@ inline Camera make_camera(const CameraModel& model, ImageSize size) {
 
 /// The camera, whose image is lit in a circle only.
 inline Camera lit_in(Camera camera, const Pixel& centre, double radius_px) {
-  camera.lens_circle = LensCircle{centre, radius_px, 1.0, 0.0, "a circle of the test"};
+  camera.lens_circle = LensCircle{centre, radius_px, 1.0, 0.0, {Code::kOnlyThing, {"a circle of the test"}}};
   return camera;
 }
 

@@ -2,6 +2,8 @@
 // The linear start of a fit: what every model promises, and what those that are linear find exactly.
 #include "model_test_support.h"
 
+#include <fca/diagnostics.h>
+
 namespace fca::test {
 namespace {
 
@@ -108,7 +110,7 @@ TEST(Initialise, StartsAreCamerasWithTheGivenCentre) {
         const LensCentre centre = centre_of(lens);
         Intrinsics<M> found;
         M::initialise(samples, centre, start, found.values.data());
-        EXPECT_TRUE(validate(found).empty()) << lens.name << ": " << validate(found)[0];
+        EXPECT_TRUE(validate(found).empty()) << lens.name << ": " << id_of(validate(found)[0]);
         if constexpr (requires { M::kStartsFindCentre; }) {
           // What it finds does not depend on the focal length that it is given.
           LensCentre longer = centre;
@@ -141,7 +143,7 @@ TEST(Initialise, PoorSamplesGiveACamera) {
       for (int start = 0; start < M::kStarts; ++start) {
         Intrinsics<M> found;
         M::initialise(samples, {{300, 300}, {320, 240}}, start, found.values.data());
-        EXPECT_TRUE(validate(found).empty()) << samples.size() << ": " << validate(found)[0];
+        EXPECT_TRUE(validate(found).empty()) << samples.size() << ": " << id_of(validate(found)[0]);
       }
     });
   }

@@ -2,6 +2,8 @@
 // validate(): which parameters are a camera, and what is said of those that are not.
 #include "model_test_support.h"
 
+#include <fca/code.h>
+
 namespace fca::test {
 namespace {
 
@@ -17,7 +19,7 @@ CameraModel with(const char* id, std::initializer_list<double> values) {
 TEST(Validate, EveryCameraOfTheTablesIsOne) {
   for_each_model([]<CameraModelType M>() {
     for (const TestCamera<M>& camera : cameras_and_neighbours_of<M>(5)) {
-      EXPECT_TRUE(validate(camera.intrinsics).empty()) << camera.name << ": " << validate(camera.intrinsics)[0];
+      EXPECT_TRUE(validate(camera.intrinsics).empty()) << camera.name << ": " << id_of(validate(camera.intrinsics)[0]);
     }
   });
 }
@@ -29,9 +31,10 @@ TEST(Validate, EveryParameterMustBeAReasonableNumber) {
       for (const double value : {kNaN, kInf, -kInf, 1e308, -1e308}) {
         Intrinsics<M> broken = camera.intrinsics;
         broken.values[i] = value;
-        const std::vector<std::string> problems = validate(broken);
+        const std::vector<Message> problems = validate(broken);
         ASSERT_EQ(problems.size(), 1U) << M::kParameters[i].name << ' ' << value;
-        EXPECT_TRUE(problems[0].starts_with(std::string(M::kParameters[i].name) + " is ")) << problems[0];
+        EXPECT_EQ(id_of(problems[0]), "not-a-camera");
+        EXPECT_EQ(problems[0].arguments.at(0), Argument(M::kParameters[i].name));
       }
     }
   });
@@ -74,19 +77,27 @@ TEST(Validate, ValidCamerasSeeTheAxis) {
 }
 
 TEST(Validate, SaysWhatIsWrong) {
-  using Problems = std::vector<std::string>;
-  EXPECT_EQ(validate(with("pinhole", {-400, 0, 320, kNaN})),
-            (Problems{"fx is -400; a focal length is positive", "fy is 0; a focal length is positive",
-                      "cy is nan, not a finite number"}));
+  using Problems = std::vector<Message>;
+  const Problems of_pinhole = validate(with("pinhole", {-400, 0, 320, kNaN}));
+  ASSERT_EQ(of_pinhole.size(), 3U);
+  EXPECT_EQ(of_pinhole[0], (Message{Code::kFocalLengthNotPositive, {"fx", -400.0}}));
+  EXPECT_EQ(of_pinhole[1], (Message{Code::kFocalLengthNotPositive, {"fy", 0.0}}));
+  EXPECT_EQ(of_pinhole[2].code, Code::kParameterNotFinite);
+  EXPECT_EQ(of_pinhole[2].arguments.at(0), Argument("cy"));
   EXPECT_EQ(validate(with("eucm", {400, 400, 320, 240, 1.5, 0})),
-            (Problems{"alpha is 1.5; it must lie in [0, 1]", "beta is 0; it must be greater than 0"}));
-  EXPECT_EQ(validate(with("ds", {400, 400, 320, 240, 0.5, -1})), (Problems{"xi is -1; it must be greater than -1"}));
+            (Problems{{Code::kParameterOutOfRange, {"alpha", 1.5, Message{Code::kLieWithin, {0.0, 1.0}}}},
+                      {Code::kParameterOutOfRange, {"beta", 0.0, Message{Code::kBeGreaterThan, {0.0}}}}}));
+  EXPECT_EQ(validate(with("ds", {400, 400, 320, 240, 0.5, -1})),
+            (Problems{{Code::kParameterOutOfRange, {"xi", -1.0, Message{Code::kBeGreaterThan, {-1.0}}}}}));
   EXPECT_EQ(validate(with("ocamcalib", {320, 240, 0, 0, 0, 209.3})),
-            (Problems{"c is 0; it must be greater than 0", "a0 is 209.3; it must be less than 0"}));
+            (Problems{{Code::kParameterOutOfRange, {"c", 0.0, Message{Code::kBeGreaterThan, {0.0}}}},
+                      {Code::kParameterOutOfRange, {"a0", 209.3, Message{Code::kBeLessThan, {0.0}}}}}));
   EXPECT_EQ(validate(with("woodscape", {-339, 0, 0, 0, -1, 640, 480})),
-            (Problems{"k1 is -339; a focal length is positive", "aspect_ratio is -1; it must be greater than 0"}));
+            (Problems{{Code::kFocalLengthNotPositive, {"k1", -339.0}},
+                      {Code::kParameterOutOfRange, {"aspect_ratio", -1.0, Message{Code::kBeGreaterThan, {0.0}}}}}));
   EXPECT_EQ(validate(with("mei", {400, 400, 320, 240, -0.5, 0, 0, 0, 1e308})),
-            (Problems{"xi is -0.5; it must be at least 0", "p2 is 1e+308, too large to compute with"}));
+            (Problems{{Code::kParameterOutOfRange, {"xi", -0.5, Message{Code::kBeAtLeast, {0.0}}}},
+                      {Code::kParameterTooLarge, {"p2", 1e308}}}));
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(FieldsOfView, OfAFisheyeGoBeyondHalfATurn) {
 
 TEST(FieldsOfView, EndAtTheLensCircle) {
   Camera camera = fisheye();
-  camera.lens_circle = LensCircle{{265.5, 255.5}, 200.0, 1.0, 0.0, "a test"};
+  camera.lens_circle = LensCircle{{265.5, 255.5}, 200.0, 1.0, 0.0};
   const FieldsOfView view = fields_of_view(camera);
   EXPECT_FALSE(view.horizontal) << "the border is dark";
   const Pixel furthest = {465.5, 255.5};

@@ -2,6 +2,7 @@
 // Images cropped, binned and resized after the calibration: the new camera's pixels are the old ones, mapped.
 #include "../models/model_test_support.h"
 
+#include <fca/code.h>
 #include <fca/rig/image_change.h>
 
 #include <rapidcheck/gtest.h>
@@ -134,7 +135,7 @@ TEST(ImageChange, ALensCircleChangesWithTheImage) {
   Camera camera;
   camera.model = Intrinsics<Pinhole>{{400.0, 400.0, 320.0, 240.0}};
   camera.image_size = {640, 480};
-  camera.lens_circle = LensCircle{{310.0, 250.0}, 200.0, 1.0, 0.5, "a.png"};
+  camera.lens_circle = LensCircle{{310.0, 250.0}, 200.0, 1.0, 0.5, {Code::kOnlyThing, {"a.png"}}};
   const auto change = [&camera](const ImageChange& how, Diagnostics& diagnostics) {
     return with_changed_images(camera, how, diagnostics).value();
   };

@@ -15,7 +15,7 @@ namespace {
 struct Scene {
   int width = 640;
   int height = 480;
-  LensCircle circle = {{310.3, 247.8}, 220.4, 0.0, 0.0, ""};
+  LensCircle circle = {{310.3, 247.8}, 220.4, 0.0, 0.0};
   double brightness = 140.0;
   double noise = 2.0;
   double vignette_px = 2.0;  ///< The rim's softness.
@@ -73,9 +73,8 @@ TEST(LitCircle, IsFoundWhole) {
 }
 
 TEST(LitCircle, IsFoundWhereTheImageCutsIt) {
-  for (const LensCircle& circle :
-       {LensCircle{{320.0, 240.0}, 300.0, 0.0, 0.0, ""}, LensCircle{{300.0, 250.0}, 330.0, 0.0, 0.0, ""},
-        LensCircle{{330.0, 235.0}, 370.0, 0.0, 0.0, ""}}) {
+  for (const LensCircle& circle : {LensCircle{{320.0, 240.0}, 300.0, 0.0, 0.0}, LensCircle{{300.0, 250.0}, 330.0, 0.0, 0.0},
+                                   LensCircle{{330.0, 235.0}, 370.0, 0.0, 0.0}}) {
     SCOPED_TRACE(circle.radius_px);
     Scene scene;
     scene.circle = circle;
@@ -85,7 +84,7 @@ TEST(LitCircle, IsFoundWhereTheImageCutsIt) {
 
 TEST(LitCircle, IsFoundFarFromTheMiddleAndSmall) {
   Scene scene;
-  scene.circle = {{180.0, 300.0}, 95.0, 0.0, 0.0, ""};
+  scene.circle = {{180.0, 300.0}, 95.0, 0.0, 0.0};
   expect_found(rendered(scene), scene.circle);
 }
 
@@ -156,7 +155,7 @@ TEST(LitCircle, IsFoundInMuchNoise) {
 
 TEST(LitCircle, IsNoLampBesideTheAxis) {
   Scene lamp;
-  lamp.circle = {{420.0, 160.0}, 85.0, 0.0, 0.0, ""};
+  lamp.circle = {{420.0, 160.0}, 85.0, 0.0, 0.0};
   EXPECT_FALSE(find_lit_circle(rendered(lamp), kMiddle));
   EXPECT_TRUE(find_lit_circle(rendered(lamp), lamp.circle.centre));
 }
@@ -202,7 +201,7 @@ TEST(LitCircleSearch, IsNotSpoiltByFurtherImages) {
 TEST(LitCircleSearch, NamesImagesOfAnotherCircle) {
   const Scene scene;
   Scene other;
-  other.circle = {{300.0, 240.0}, 170.0, 0.0, 0.0, ""};
+  other.circle = {{300.0, 240.0}, 170.0, 0.0, 0.0};
   std::vector<std::size_t> contradicting;
   ASSERT_TRUE(best_of({scene, other, scene}, &contradicting));
   EXPECT_FALSE(contradicting.empty());
@@ -219,7 +218,7 @@ TEST(LitCircleSearch, BelievesTheImagesThatAgree) {
   Scene other_half = scene;
   other_half.lit_from = 1.2;
   Scene other;
-  other.circle = {{300.0, 240.0}, 190.0, 0.0, 0.0, ""};
+  other.circle = {{300.0, 240.0}, 190.0, 0.0, 0.0};
   other.noise = 0.5;
   Scene noisy = scene;
   noisy.noise = 12.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/convert/report.h>
+#include <fca/message.h>
 #include <fca/rig/rig.h>
 
 #include <cstddef>
@@ -17,10 +18,11 @@ inline constexpr double kSamePx = 0.25;
 
 /// A slip of the pen that explains a difference: with it undone the two agree, without they do not.
 struct Mistake {
-  std::string code;                 ///< Stable, kebab-case: "pose-inverted".
-  std::string subject;              ///< What it is about, in the other's names: "cam0", "T_imu0_cam0".
-  std::string message;              ///< Behind the subject: "is the inverse of what it should be: it holds T_cam0_imu0".
-  std::optional<std::size_t> pose;  ///< Which of the other's poses it is about.
+  Message message;                       ///< {0}: what it is about, in the other's names: "cam0", "T_imu0_cam0".
+  std::optional<std::size_t> pose = {};  ///< Which of the other's poses it is about.
+
+  /// The same slip, of whatever else.
+  [[nodiscard]] bool is_like(const Mistake& mistake) const;
 };
 
 /// Angles between the rays that the two give for the same pixel, between two angles from the reference's axis.
@@ -103,8 +105,8 @@ struct RigComparison {
   std::vector<PoseComparison> poses;
   std::vector<FactComparison> facts;  ///< Time offsets, IMU noise and rates, baseline, frame rates.
   std::vector<Mistake> mistakes;
-  std::vector<std::string> only_in_reference;  ///< What one of them does not say, in words: "cam1", "imu0 rate".
-  std::vector<std::string> only_in_other;
+  std::vector<Message> only_in_reference;  ///< What one of them does not say, clauses: "cam1", "imu0 rate".
+  std::vector<Message> only_in_other;
 
   /// Does nothing that both say differ? Cameras and numbers to the last bit, poses but for rounding.
   [[nodiscard]] bool identical() const;

@@ -4,6 +4,7 @@
 
 #include <fca/convert/lens.h>
 #include <fca/diagnostics.h>
+#include <fca/message.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/rig.h>
 
@@ -17,7 +18,7 @@ namespace fca {
 struct Domain {
   ImageSize size;
   double max_angle_rad = 0.0;             ///< From the axis; the largest angle in the domain.
-  std::string why;                        ///< What decided where it ends, in words for people.
+  Message why = {};                       ///< What decided where it ends, a clause.
   std::optional<LensCircle> circle = {};  ///< Only if it cuts a corner off the image.
 
   /// Does light fall there? Everywhere without a circle.

@@ -2,6 +2,7 @@
 // How good a conversion is, measured where people need it: pixel -> ray by the source -> pixel by the target.
 #pragma once
 
+#include <fca/message.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/lens_circle.h>
 
@@ -40,7 +41,7 @@ struct ErrorBand {
 /// Which part of the image was scored, as shares of its area; they sum to 1.
 struct Coverage {
   double max_angle_deg = 0.0;
-  std::string why;
+  Message why = {};                  ///< What decided that, a clause.
   std::optional<LensCircle> circle;  ///< Of images, if that decided.
   double scored = 0.0;
   double outside_lens = 0.0;     ///< No ray of the source, or beyond the domain's angle.

@@ -2,6 +2,7 @@
 // The list of camera models, and one value type that holds any of them. A new model is one header and one line in ModelList.
 #pragma once
 
+#include <fca/message.h>
 #include <fca/models/ds.h>
 #include <fca/models/eucm.h>
 #include <fca/models/fov.h>
@@ -146,10 +147,10 @@ bool set_parameter(CameraModel& model, ParameterId id, double value);
 /// mei and fov is something else.)
 [[nodiscard]] std::array<double, 2> central_focal_lengths(const CameraModel& model);
 
-/// Why this value cannot be that parameter, in a sentence; nothing if it can.
-[[nodiscard]] std::optional<std::string> problem_with(const Parameter& parameter, double value);
+/// Why this value cannot be that parameter; says nothing if it can.
+[[nodiscard]] Message problem_with(const Parameter& parameter, double value);
 
-/// Why these parameters are not a camera, one sentence each: not finite, outside their range, focal length not positive.
-[[nodiscard]] std::vector<std::string> validate(const CameraModel& model);
+/// Why these parameters are not a camera: not finite, outside their range, focal length not positive.
+[[nodiscard]] std::vector<Message> validate(const CameraModel& model);
 
 }  // namespace fca

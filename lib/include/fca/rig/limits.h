@@ -4,11 +4,10 @@
 // Readers ask at the number's place, the command of its options, writers of the whole rig.
 #pragma once
 
+#include <fca/message.h>
 #include <fca/rig/rig.h>
 
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace fca {
@@ -26,17 +25,18 @@ inline constexpr double kCoarsestRotation = 0.25;
 /// What an element of such a rotation may be at most: sqrt(1 + 0.25), rounded up.
 inline constexpr double kLargestRotationElement = 1.12;
 
-/// What is wrong with an image's size; nothing if it may be.
-[[nodiscard]] std::optional<std::string> problem_with_image_size(const ImageSize& size);
-/// What is wrong with an element of a translation [m]; nothing if it may be.
-[[nodiscard]] std::optional<std::string> problem_with_translation(double metres);
+/// What is wrong with an image's size; says nothing if it may be.
+[[nodiscard]] Message problem_with_image_size(const ImageSize& size);
+/// What is wrong with an element of a translation [m]; says nothing if it may be.
+[[nodiscard]] Message problem_with_translation(double metres);
 /// The same of a baseline, which is positive besides.
-[[nodiscard]] std::optional<std::string> problem_with_baseline(double metres);
-[[nodiscard]] std::optional<std::string> problem_with_time_offset(double seconds);
+[[nodiscard]] Message problem_with_baseline(double metres);
+[[nodiscard]] Message problem_with_time_offset(double seconds);
 /// The same of the 3 x 3 part of a pose.
-[[nodiscard]] std::optional<std::string> problem_with_rotation(const Transform& T_a_b);
+[[nodiscard]] Message problem_with_rotation(const Transform& T_a_b);
 
-/// Everything that must not be written: facts beyond these limits and numbers that are not finite, with what they belong to.
-[[nodiscard]] std::vector<std::string> validate(const Rig& rig);
+/// Everything that must not be written, "out-of-range": facts beyond these limits and numbers that are not finite. {0} is what
+/// they belong to: "cam0", "T_cam0_imu0", "rig".
+[[nodiscard]] std::vector<Message> validate(const Rig& rig);
 
 }  // namespace fca

@@ -2,19 +2,17 @@
 // The slips of the pen by which a pose becomes another one.
 #pragma once
 
+#include <fca/message.h>
 #include <fca/rig/transform.h>
 
 #include <optional>
 #include <span>
-#include <string_view>
 
 namespace fca {
 
 /// A slip of the pen that turns one statement of a pose into another.
 struct PoseSlip {
-  std::string_view code;  ///< "pose-inverted", "pose-transposed", "translation-in-mm"
-  std::string_view does;  ///< What the file does instead, behind "T_a_b ".
-  std::string_view fix;
+  Code code;                                                  ///< What the file does instead, and the fix; {0}: "T_a_b".
   std::optional<Transform> (*undo)(const Transform& stated);  ///< The pose as it should be.
 };
 

@@ -3,9 +3,11 @@
 //   text     {0} as it is      {0:short} a beginning of a long one
 //            {0:_} and a blank behind it; nothing of an empty one
 //   number   {0} 6 digits      {0:.3} 3 significant digits     {0:.1f} 1 decimal      {0:real} all digits, always with a point
+//            {0:all} all digits ("1.5", "-1", "1e+308")
 //            {0:px} an error in pixels ("0", "0.113", "4e-14")  {0:%} a share ("12.5 %")
 //   count    {0} in digits     {0:s} nothing of 1, else the "s" of a plural
 //   names    {0} "a, b and c"  {0:or} "a, b or c"               {0:s} as of their number
+//            {0:,} "a, b, c"
 //   clauses  {0} one behind the other; nothing of none
 // A brace that is one is written twice.
 #pragma once
@@ -16,6 +18,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fca {
 
@@ -32,6 +35,7 @@ using Wording = std::string_view (*)(Code code, Part part);
 [[nodiscard]] std::string rendered(const Message& message, Part part, Wording wording = table_wording);
 
 [[nodiscard]] std::string text_of(const Message& message, Wording wording = table_wording);
+[[nodiscard]] std::vector<std::string> texts_of(std::span<const Message> messages, Wording wording = table_wording);
 [[nodiscard]] std::string why_of(const Message& message, Wording wording = table_wording);
 [[nodiscard]] std::string consequence_of(const Message& message, Wording wording = table_wording);
 [[nodiscard]] std::string fix_of(const Message& message, Wording wording = table_wording);
