@@ -80,7 +80,7 @@ double sharpness_of(const Circle& circle, const std::vector<Pixel>& on, const Gr
 
 /// The share of the rim inside the image that the steps confirm, and how far these are from it.
 LensCircle confirmed(const Circle& circle, const std::vector<Steps>& all, const GreyView& view) {
-  LensCircle result{circle.centre, circle.radius, 0.0, 0.0, "", 0.0};
+  LensCircle result{circle.centre, circle.radius, 0.0, 0.0, {}, 0.0};
   const std::vector<Pixel> on = steps_on(circle, all);
   for (const Pixel& step : on) result.rms_px += circle.distance(step) * circle.distance(step) / static_cast<double>(on.size());
   result.rms_px = std::sqrt(result.rms_px);

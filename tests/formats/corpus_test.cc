@@ -4,6 +4,7 @@
 #include "formats/test_files.h"
 
 #include <fca/formats/proof.h>
+#include <fca/formats/text/message.h>
 
 #include <cstdio>
 #include <map>
@@ -123,12 +124,12 @@ TEST(Corpus, EveryFileIsReadOrRefusedForItsDefect) {
     }
     ++refused;
     ASSERT_NE(error, nullptr) << name << " is refused without a word";
-    ++counted[folder + ": refused by " + error->code];
-    std::printf("%s: refused by %s: %s\n", name.c_str(), error->code.c_str(), error->message.c_str());
+    ++counted[folder + ": refused by " + id_of(*error)];
+    std::printf("%s: refused by %s: %s\n", name.c_str(), id_of(*error).c_str(), message_of(*error).c_str());
     if (expected == nullptr) {
-      ADD_FAILURE() << name << " is refused: " << error->message << " [" << error->code << "]";
+      ADD_FAILURE() << name << " is refused: " << message_of(*error) << " [" << id_of(*error) << "]";
     } else {
-      EXPECT_EQ(error->code, expected->code) << name << ": " << expected->why;
+      EXPECT_EQ(id_of(*error), expected->code) << name << ": " << expected->why;
     }
   }
   for (const auto& [what, count] : counted) std::printf("%4d %s\n", count, what.c_str());
@@ -150,7 +151,7 @@ TEST(Corpus, ReadAndWrittenBackIsTheSameBytes) {
     const std::optional<Written> written =
         calibration.format->write(&calibration.documents.front(), calibration.rig, {}, diagnostics);
     const Diagnostic* error = first_error(diagnostics);
-    ASSERT_TRUE(written) << name_of(path) << ": " << (error != nullptr ? error->message : "nothing said");
+    ASSERT_TRUE(written) << name_of(path) << ": " << (error != nullptr ? message_of(*error) : "nothing said");
     ASSERT_EQ(written->files.size(), 1U) << name_of(path);
     EXPECT_EQ(written->files.front().document.bytes(), read_file(path)) << name_of(path);
     ++compared;
