@@ -6,8 +6,7 @@
 #include "lost_poses.h"
 #include "remedies.h"
 
-#include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
+#include <fca/code.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/contradictions.h>
 #include <fca/rig/limits.h>
@@ -31,19 +30,16 @@ std::optional<DetectedFormat> detect_format(const text::Document& document, Diag
   }
   const SourceRange where = {document.source().name, 0, 0};
   if (surest.empty()) {
-    const std::string known = looks_like(document);
-    diagnostics.error("unknown-format",
-                      known.empty() ? "none of the formats fca-io reads: no key of it stands here"
-                                    : "looks like " + known + ", which fca-io does not read",
-                      where, "'fca-io formats' lists them; --from FORMAT forces one");
+    const Message known = looks_like(document);
+    diagnostics.add(known.is_said() ? known.code : Code::kFormatUnknown, known.arguments, where);
     return std::nullopt;
   }
   if (surest.size() > 1) {
-    std::vector<std::string> candidates;
+    std::vector<Message> candidates;
     candidates.reserve(surest.size());
     for (const DetectedFormat& candidate : surest)
-      candidates.push_back(std::string(candidate.format->id) + " (" + candidate.why + ")");
-    diagnostics.error("ambiguous-format", "could be " + text::enumerated(candidates, "or"), where, "say which with --from");
+      candidates.push_back({Code::kFormatCandidate, {candidate.format->id, candidate.why}});
+    diagnostics.add(Code::kFormatAmbiguous, {candidates}, where);
     return std::nullopt;
   }
   return surest.front();
@@ -103,7 +99,7 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
   const SourceRange where = {document.source().name, 0, 0};
   for (const Camera& camera : part.cameras) {
     if (rig.find_camera(camera.name) != nullptr) {
-      diagnostics.error("stated-twice", "a camera " + camera.name + " stands here and in the main file", where);
+      diagnostics.add(Code::kCameraInMainFile, {camera.name}, where);
       good = false;
     } else {
       rig.cameras.push_back(camera);
@@ -114,7 +110,7 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
     if (same_name == rig.imus.end()) {
       rig.imus.push_back(imu);
     } else if (*same_name != imu) {
-      diagnostics.error("stated-twice", "an IMU " + imu.name + " stands here and in the main file, with other numbers", where);
+      diagnostics.add(Code::kImuInMainFile, {imu.name}, where);
       good = false;
     }
   }
@@ -147,17 +143,10 @@ void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, 
     const PoseEdge& edge = rig.poses[loop.edge];
     if (is_second_statement(rig, loop) && files[loop.path.front()] != files[loop.edge]) {
       const std::size_t i = loop.path.front();
-      diagnostics.warning("poses-contradict",
-                          "T_" + edge.a + "_" + edge.b + " is stated here and in " + files[loop.edge] +
-                              ", and the two differ by up to " + text::format_short(worst, 3) + " in an element",
-                          {files[i], 0, 0}, "that of " + files[i] + " is used; take out the one that is wrong");
+      diagnostics.add(Code::kPoseInTwoFiles, {edge.a, edge.b, files[loop.edge], worst, files[i]}, {files[i], 0, 0});
       continue;
     }
-    diagnostics.warning("poses-contradict",
-                        "T_" + edge.a + "_" + edge.b + " as stated and as it follows from the other poses (" +
-                            text::enumerated(names_of_path(rig, loop)) + ") differ by up to " + text::format_short(worst, 3) +
-                            " in an element",
-                        {files[loop.edge], 0, 0}, "one of them is wrong; stated poses are used before derived ones");
+    diagnostics.add(Code::kPosesContradict, {edge.a, edge.b, names_of_path(rig, loop), worst}, {files[loop.edge], 0, 0});
   }
 }
 
@@ -204,9 +193,7 @@ void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
   for (const auto& [frame, cameras] : at_origin) {
     if (cameras.size() < 2) continue;
     std::erase_if(rig.poses, [&of = frame](const PoseEdge& edge) { return edge.a == of && edge.T_a_b == Transform{}; });
-    diagnostics.warning("pose-unstated", "the files of " + text::enumerated(cameras) +
-                                             " say the same place for each, as a camera's alone does: " +
-                                             "how they sit to each other is not known");
+    diagnostics.add(Code::kPoseOfEachUnstated, {cameras});
   }
 }
 
@@ -228,10 +215,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     std::optional<Rig> rig = detected.format->read(parts, options, diagnostics);
     if (!rig) return std::nullopt;
     if (const std::size_t count = result.rig.cameras.size() + rig->cameras.size(); count > kMostCameras) {
-      diagnostics.error(
-          "too-many-cameras",
-          std::to_string(count) + " cameras; fca-io reads at most " + std::to_string(kMostCameras) + " of one rig",
-          {document.source().name, 0, 0}, "split the file");
+      diagnostics.add(Code::kTooManyCameras, {count, kMostCameras}, {document.source().name, 0, 0});
       return std::nullopt;
     }
     if (main_file) {
@@ -264,7 +248,7 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
   for (const Written::File& file : written->files) {
     if (file.document.edited()) add_lost_comments(file.document, written->losses);
   }
-  const std::string_view why = format.many_cameras ? "several files become one" : "";
+  const Message why = format.many_cameras ? Message{Code::kSeveralFilesBecomeOne} : Message{};
   for (const text::Document& document : options.joined)
     add_composed_anew(document, written->files.front().document, why, written->losses);
   const std::vector<Loss> poses = lost_poses(format, rig, *written);

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <fca/formats/text/document.h>
-
-#include <string>
+#include <fca/message.h>
 
 namespace fca {
 
-/// "py-OCamCalib's JSON (taylor_coefficient and distortion_center)"; empty if the document looks like none that is known.
-[[nodiscard]] std::string looks_like(const text::Document& document);
+/// That it looks like py-OCamCalib's JSON (taylor_coefficient and distortion_center); nothing if the document looks like none
+/// that is known.
+[[nodiscard]] Message looks_like(const text::Document& document);
 
 }  // namespace fca

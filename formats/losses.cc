@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -75,9 +76,14 @@ void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses) 
   }
   constexpr std::size_t kNamed = 3;  // of more, their number
   if (gone.empty()) return;
-  std::vector<std::string> named(gone.begin(), gone.begin() + static_cast<std::ptrdiff_t>(std::min(kNamed, gone.size())));
-  if (gone.size() > kNamed) named.push_back(std::to_string(gone.size() - kNamed) + " more");
-  losses.push_back(lost(Code::kCommentsReplaced, "", "", {Message{Code::kReplacedOrRemoved}, named}));
+  const std::size_t unnamed = gone.size() - std::min(kNamed, gone.size());
+  gone.resize(gone.size() - unnamed);
+  const Message why{Code::kReplacedOrRemoved};
+  if (unnamed == 0) {
+    losses.push_back(lost(Code::kCommentsReplaced, "", "", {why, gone}));
+  } else {
+    losses.push_back(lost(Code::kManyCommentsReplaced, "", "", {why, gone, unnamed}));
+  }
 }
 
 void add_not_carried(std::span<const ExtraField> extras, const Message& why, std::vector<Loss>& losses) {

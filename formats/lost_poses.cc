@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "lost_poses.h"
 
+#include <fca/code.h>
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/read_back.h>
-#include <fca/formats/text/message.h>
-#include <fca/formats/text/prose.h>
 #include <fca/rig/leave_out.h>
 
 #include <algorithm>
@@ -83,14 +82,14 @@ std::string program_of(const Format& format, const Written& written) {
 }
 
 Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group& b, const std::string& program,
-             const std::string& remedy) {
-  std::string why = "what is written for " + program + " does not say it";
-  std::vector<std::string> kept;
+             const Message& remedy) {
+  std::vector<Message> groups;
   for (const Group* group : {&a, &b}) {
-    if (group->size() > 1) kept.push_back(text::enumerated(std::vector<std::string>(group->begin(), group->end())));
+    if (group->size() > 1) groups.push_back({Code::kPosesOfGroup, {std::vector<std::string>(group->begin(), group->end())}});
   }
-  if (!kept.empty() && a != b) why += "; how " + text::enumerated(kept) + " sit to each other is kept";
-  return {"pose-dropped", text::enumerated(poses), why, remedy};
+  std::vector<Message> kept;
+  if (!groups.empty() && a != b) kept.push_back({Code::kPosesKept, {groups}});
+  return lost(Code::kPoseDropped, "", "", {poses, program, kept, remedy.is_said() ? remedy : Message{Code::kKeepTheInput}});
 }
 
 }  // namespace
@@ -128,8 +127,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
   std::vector<Loss> losses;
   losses.reserve(lost.size());
   for (const auto& [groups, poses] : lost)
-    losses.push_back(
-        loss_of(poses, groups.first, groups.second, program_of(format, written), text::text_of(written.pose_remedy)));
+    losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written), written.pose_remedy));
   return losses;
 }
 

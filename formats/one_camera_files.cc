@@ -5,7 +5,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -13,19 +12,16 @@
 
 namespace fca {
 
-bool writable_alone(const Format& format, const Rig& rig, std::string_view size_use, Diagnostics& diagnostics) {
+bool writable_alone(const Format& format, const Rig& rig, const Message& size_use, Diagnostics& diagnostics) {
   if (rig.cameras.empty()) {
-    diagnostics.error("no-camera", "a " + std::string(format.title) + " needs a camera and the input has none");
+    diagnostics.add(Code::kFormatNeedsCamera, {format.title});
     return false;
   }
   bool good = can_store(format, rig, nullptr, diagnostics);
   for (const Camera& camera : rig.cameras) {
-    const std::vector<Message> problems = validate(camera.model);
-    for (const Message& problem : problems) diagnostics.add(Code::kNotACamera, {camera.name, problem});
-    if (!camera.image_size) {
-      diagnostics.error("image-size-missing", camera.name + ": " + std::string(size_use) + " and the input has no size", {},
-                        "give it: --size WIDTHxHEIGHT");
-    }
+    const auto problems = validate(camera.model);
+    for (const auto& problem : problems) diagnostics.add(Code::kNotWritableCamera, {camera.name, problem});
+    if (!camera.image_size) diagnostics.add(Code::kFormatNeedsSize, {camera.name, size_use});
     good = good && problems.empty() && camera.image_size;
   }
   return good;
@@ -37,8 +33,10 @@ std::optional<text::Document> fresh_file(const Format& format, const Camera& cam
   std::optional<text::Document> document = text::parse_document(std::move(source), found);
   if (document && format.read(std::span(&*document, 1), {}, found)) return document;
   for (const Diagnostic& entry : found.entries()) {
-    if (entry.severity == Severity::kError)
-      diagnostics.error(id_of(entry), camera.name + " cannot be written: " + message_of(entry), {}, fix_of(entry));
+    if (entry.severity != Severity::kError) continue;
+    const Argument why = entry.message.empty() ? Argument(entry.facts) : Argument(entry.message);
+    // By the id of what is wrong, and mended as that.
+    diagnostics.add({Severity::kError, id_of(entry), {}, fix_of(entry), {}, {Code::kNotWrittenBecause, {camera.name, why}}});
   }
   return std::nullopt;
 }
@@ -48,12 +46,10 @@ bool is_camera_of(const std::optional<Rig>& there, const Rig& rig, const Camera&
 }
 
 void list_camera_losses(const Rig& rig, std::string_view program, std::vector<Loss>& losses) {
-  const std::string no_place = "files of " + std::string(program) + " have no place for it";
+  const Message no_place{Code::kFilesHaveNoPlace, {program}};
   for (const Camera& camera : rig.cameras) add_stream(camera, no_place, losses);
-  for (const Imu& imu : rig.imus) losses.push_back({"imu-dropped", imu.name + " noise and rate", no_place, ""});
-  if (rig.baseline_m) {
-    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
-  }
+  for (const Imu& imu : rig.imus) losses.push_back(lost(Code::kImuDropped, imu.name, "noise and rate", {no_place}));
+  if (rig.baseline_m) losses.push_back(lost(Code::kBaselineDropped, "", "baseline", {no_place, *rig.baseline_m}));
 }
 
 }  // namespace fca

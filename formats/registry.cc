@@ -12,8 +12,8 @@
 #include "woodscape/woodscape.h"
 #include "write_guard.h"
 
+#include <fca/code.h>
 #include <fca/folded_name.h>
-#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -55,20 +55,15 @@ bool can_store(const Format& format, const Camera& camera, Diagnostics& diagnost
   const std::string model(model_info(camera.model).id);
   const StoredModel* stored = find_stored_model(format, model, false);
   if (stored == nullptr) {
-    diagnostics.error("model-not-storable", camera.name + ": " + std::string(format.title) + " has no " + model + " model", {},
-                      "convert the camera to a model of this format first");
+    diagnostics.add(Code::kFormatHasNoModel, {camera.name, format.title, model});
     return false;
   }
   if (within(camera.model, stored->ranges)) return true;
   for (const ParameterRange& range : stored->ranges) {
     const std::optional<double> value = parameter(camera.model, range.parameter);
     if (!value || (*value >= range.lower && *value <= range.upper)) continue;
-    diagnostics.error("parameter-not-storable",
-                      camera.name + ": " + std::string(range.parameter.name()) + " = " + text::format_short(*value) +
-                          " cannot be stored as " + std::string(stored->file_name) + " (" + std::string(format.title) +
-                          "); it must lie in [" + text::format_short(range.lower) + ", " + text::format_short(range.upper) +
-                          "]",
-                      {}, "convert the camera to this format's ranges first");
+    diagnostics.add(Code::kFormatHasNoValue,
+                    {camera.name, range.parameter.name(), *value, stored->file_name, format.title, range.lower, range.upper});
   }
   return false;
 }

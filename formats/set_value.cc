@@ -4,6 +4,7 @@
 #include "default_comment.h"
 #include "fields.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace fca {
 
@@ -67,27 +69,29 @@ bool is_plain(std::string_view value) {
   });
 }
 
+/// An error; `wanted`: a clause.
+std::nullopt_t refuse_type(const KeyValue& setting, Code wanted, SourceRange where, Diagnostics& diagnostics) {
+  diagnostics.add(Code::kSetWrongType, {setting.key, Message{wanted}, setting.value}, std::move(where));
+  return std::nullopt;
+}
+
 /// `value` as what stands there is spelled; nothing with an error if it is of another type.
 std::optional<std::string> spelled_like(const text::Document& document, const Node& there, const KeyValue& setting,
                                         Diagnostics& diagnostics) {
-  const auto refuse = [&](const std::string& wanted) {
-    diagnostics.error("set-wrong-type", "--set " + setting.key + " wants " + wanted + ", not '" + setting.value + "'",
-                      document.range(there));
-    return std::nullopt;
-  };
+  const auto refuse = [&](Code wanted) { return refuse_type(setting, wanted, document.range(there), diagnostics); };
   const bool whole = text::parse_int(setting.value).has_value();
   const std::optional<double> number = text::parse_real(setting.value);
-  if (number && !std::isfinite(*number)) return refuse("a number that a double can hold");
+  if (number && !std::isfinite(*number)) return refuse(Code::kWantsFiniteNumber);
   switch (text::scalar_type(there, dialect_of(document))) {
     case ScalarType::kInteger:
-      return whole ? std::optional(setting.value) : refuse("a whole number");
+      return whole ? std::optional(setting.value) : refuse(Code::kWantsWholeNumber);
     case ScalarType::kReal:
-      return number ? std::optional(text::format_real(*number)) : refuse("a number");
+      return number ? std::optional(text::format_real(*number)) : refuse(Code::kWantsNumber);
     case ScalarType::kText:
       break;
   }
-  if (!is_plain(setting.value)) return refuse("letters, digits and ._-+/~ only");
-  if (!there.quoted) return number ? refuse("a word") : std::optional(setting.value);
+  if (!is_plain(setting.value)) return refuse(Code::kWantsPlainText);
+  if (!there.quoted) return number ? refuse(Code::kWantsWord) : std::optional(setting.value);
   const char quote = document.source().bytes[there.span.offset];
   return quote + setting.value + quote;
 }
@@ -96,22 +100,19 @@ std::optional<std::string> spelled_like(const text::Document& document, const No
 /// its mapping. Nothing with an error if the value is of another type.
 std::optional<text::Document> with_added(const text::Document& document, ValueType type, const KeyValue& setting,
                                          Diagnostics& diagnostics) {
-  const auto refuse = [&](const std::string& wanted) {
-    diagnostics.error("set-wrong-type", "--set " + setting.key + " wants " + wanted + ", not '" + setting.value + "'");
-    return std::nullopt;
-  };
+  const auto refuse = [&](Code wanted) { return refuse_type(setting, wanted, {}, diagnostics); };
   const std::optional<double> number = text::parse_real(setting.value);
   std::string token = setting.value;
   switch (type) {
     case ValueType::kInteger:
-      if (!text::parse_int(setting.value)) return refuse("a whole number");
+      if (!text::parse_int(setting.value)) return refuse(Code::kWantsWholeNumber);
       break;
     case ValueType::kReal:
-      if (!number || !std::isfinite(*number)) return refuse("a number");
+      if (!number || !std::isfinite(*number)) return refuse(Code::kWantsNumber);
       token = text::format_real(*number);
       break;
     case ValueType::kText:
-      if (number || !is_plain(setting.value)) return refuse("a word of letters, digits and ._-+/~");
+      if (number || !is_plain(setting.value)) return refuse(Code::kWantsPlainWord);
       // As Kalibr writes topics; cv::FileStorage takes only what is quoted for text whatever it is.
       if (dialect_of(document) == text::Dialect::kOpenCv || !setting.value.starts_with('/'))
         token = fields::quote(setting.value);
@@ -156,10 +157,9 @@ bool in_range(const Format& format, const Rig& rig, const KeyValue& setting, con
   if (!range || !number) return true;
   const auto [lowest, highest] = *range;
   if (*number >= lowest && *number <= highest) return true;
-  const std::string wanted = lowest == std::numeric_limits<double>::min()
-                                 ? "a number above 0"
-                                 : "a number from " + text::format_short(lowest) + " to " + text::format_short(highest);
-  diagnostics.error("set-out-of-range", "--set " + setting.key + " wants " + wanted + ", not " + setting.value, where);
+  const Message wanted = lowest == std::numeric_limits<double>::min() ? Message{Code::kWantsNumberAboveZero}
+                                                                      : Message{Code::kWantsNumberBetween, {lowest, highest}};
+  diagnostics.add(Code::kSetOutOfRange, {setting.key, wanted, setting.value}, where);
   return false;
 }
 
@@ -196,15 +196,14 @@ std::optional<text::Document> with_other_value(const text::Document& document, c
 /// An error: there is no such key, or what stands there is no single value.
 void refuse_key(const text::Document& document, const std::string& key, Diagnostics& diagnostics) {
   if (const text::Entry* entry = find_nested(document, key)) {
-    diagnostics.error(
-        "set-unknown-key",
-        "--set sets single values, and '" + key + "' is " + (entry->value.is_sequence() ? "a list" : "a group of values"),
-        document.range(entry->value), "change the input where it is a part of the calibration");
+    const Message what{entry->value.is_sequence() ? Code::kValueIsList : Code::kValueIsGroup};
+    diagnostics.add(Code::kSetNoSingleValue, {key, what}, document.range(entry->value));
     return;
   }
   const std::vector<std::string> near = text::nearest(key, scalar_keys(document));
-  diagnostics.error("set-unknown-key", "--set: the file written has no value under '" + key + "'" +
-                                           (near.empty() ? "" : "; did you mean " + text::enumerated(near, "or") + "?"));
+  std::vector<Message> meant;
+  if (!near.empty()) meant.push_back({Code::kSetDidYouMean, {near}});
+  diagnostics.add(Code::kSetUnknownKey, {key, meant});
 }
 
 }  // namespace
@@ -247,13 +246,11 @@ std::optional<text::Document> set_value(const Format& format, const text::Docume
   if (!after) return std::nullopt;
   const std::optional<Rig> changed = rig_of(format, *after, options);
   if (is_of_layout(*before, setting.key) || (rig && !changed)) {
-    diagnostics.error("set-contradicts",
-                      "--set: " + setting.key + " is how the file states its calibration, which would be lost", {}, "leave it");
+    diagnostics.add(Code::kSetLayout, {setting.key});
     return std::nullopt;
   }
   if (without_settings(rig, rig) != without_settings(changed, rig)) {
-    diagnostics.error("set-contradicts", "--set: " + setting.key + " is a part of the calibration, which says otherwise", {},
-                      "change the input; --resize, --crop and --binning are for other images");
+    diagnostics.add(Code::kSetCalibration, {setting.key});
     return std::nullopt;
   }
   return after;

@@ -17,6 +17,8 @@ struct OptionHint {
   std::string_view words;
 };
 
+constexpr std::string_view kListedFormats = "'fca-io formats' lists them; --from FORMAT forces one";
+
 constexpr std::array kHints = {
     OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     // Conversion.
@@ -32,6 +34,22 @@ constexpr std::array kHints = {
     // Fields.
     OptionHint{Code::kPoseMirrors, text::Part::kFix,
                "mend the sign or the order of its rows first; fca-io check shows the place"},
+
+    // Files and formats, whichever, and what they cannot hold.
+    OptionHint{Code::kFormatUnknown, text::Part::kFix, kListedFormats},
+    OptionHint{Code::kFormatLooksLikeKeysBeside, text::Part::kFix, kListedFormats},
+    OptionHint{Code::kFormatLooksLikeKeysInside, text::Part::kFix, kListedFormats},
+    OptionHint{Code::kFormatAmbiguous, text::Part::kFix, "say which with --from"},
+    OptionHint{Code::kFormatNeedsSize, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    OptionHint{Code::kSetWrongType, text::Part::kText, "--set {0} wants {1}, not '{2}'"},
+    OptionHint{Code::kSetOutOfRange, text::Part::kText, "--set {0} wants {1}, not {2}"},
+    OptionHint{Code::kSetNoSingleValue, text::Part::kText, "--set sets single values, and '{0}' is {1}"},
+    OptionHint{Code::kSetUnknownKey, text::Part::kText, "--set: the file written has no value under '{0}'{1}"},
+    OptionHint{Code::kSetLayout, text::Part::kText, "--set: {0} is how the file states its calibration, which would be lost"},
+    OptionHint{Code::kSetCalibration, text::Part::kText, "--set: {0} is a part of the calibration, which says otherwise"},
+    OptionHint{Code::kSetCalibration, text::Part::kFix,
+               "change the input; --resize, --crop and --binning are for other images"},
+    OptionHint{Code::kImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
 };
 
 }  // namespace

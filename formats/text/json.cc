@@ -75,10 +75,7 @@ class TreeBuilder {
     refusal_ = std::move(refusal);
     return false;
   }
-  bool refuse_place(std::size_t offset) {
-    return refuse(
-        {"json-place", "the JSON parser read something else than what stands here", "report this file: it is a bug", offset});
-  }
+  bool refuse_place(std::size_t offset) { return refuse({{Code::kJsonMisread}, offset}); }
 
   bool add_word(NodeKind kind, std::string_view word) {
     Node node;
@@ -110,9 +107,7 @@ class TreeBuilder {
   bool open(NodeKind kind, char bracket) {
     const std::size_t start = next_token();
     if (start >= source_.bytes.size() || source_.bytes[start] != bracket) return refuse_place(start);
-    if (stack_.size() >= static_cast<std::size_t>(kMaxDepth)) {
-      return refuse({"too-deep", "nested deeper than " + std::to_string(kMaxDepth) + " levels", "", start});
-    }
+    if (stack_.size() >= static_cast<std::size_t>(kMaxDepth)) return refuse(too_deep(start));
     Open opened;
     opened.node.kind = kind;
     opened.node.flow = true;
@@ -161,7 +156,7 @@ bool is_word_character(char c) {
 }
 
 /// What stands at `offset`, where no value can be.
-std::string describe_value(std::string_view bytes, std::size_t offset) {
+Message describe_value(std::string_view bytes, std::size_t offset) {
   std::size_t end = offset;
   while (end < bytes.size() && is_word_character(bytes[end])) ++end;
   std::string word(bytes.substr(offset, end - offset));
@@ -169,33 +164,29 @@ std::string describe_value(std::string_view bytes, std::size_t offset) {
   for (const char c : word) {
     if (c != '.' && c != '+' && c != '-') letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
-  if (letters == "nan" || letters == "inf" || letters == "infinity") return "JSON has no NaN and no infinity";
+  if (letters == "nan" || letters == "inf" || letters == "infinity") return {Code::kJsonNotANumber};
   const char first = bytes[offset];
-  if (first == '+') return "a JSON number begins without '+'";
-  if (first == '.') return "a JSON number has a digit before its point";
-  if (first == '-' && word.size() > 1) return "no JSON number";
-  if (word.empty()) return "a value is missing here";
+  if (first == '+') return {Code::kJsonPlus};
+  if (first == '.') return {Code::kJsonPointFirst};
+  if (first == '-' && word.size() > 1) return {Code::kJsonNoNumber};
+  if (word.empty()) return {Code::kJsonValueMissing};
   constexpr std::size_t kLongest = 40;
-  return "'" + word.substr(0, kLongest) + "' is no JSON value; text stands in double quotes";
+  return {Code::kJsonNoValue, {word.substr(0, kLongest)}};
 }
 
-/// RapidJSON's error in words for the owner of the file, at the place where the mending is to be done.
+/// RapidJSON's error for the owner of the file, at the place where the mending is to be done.
 Refusal describe(rapidjson::ParseErrorCode code, std::size_t offset, const TreeBuilder& builder, const Source& source) {
   const std::string_view bytes = source.bytes;
-  const auto refusal = [](const std::string& what, std::size_t at, const char* fix = "") {
-    return Refusal{"json-syntax", "JSON syntax error: " + what, fix, at};
-  };
+  const auto refusal = [](Code what, std::size_t at) { return Refusal{{what}, at}; };
   const std::size_t token = std::min(bytes.find_first_not_of(kBetweenTokens, builder.last_end()), bytes.size());
   const bool in_string = token < bytes.size() && bytes[token] == '"' && offset > token;
-  if (code == rapidjson::kParseErrorStringMissQuotationMark) return refusal("a string that is never closed", token, "close it");
+  if (code == rapidjson::kParseErrorStringMissQuotationMark) return refusal(Code::kJsonStringOpen, token);
   if (in_string) {
     const char c = offset < bytes.size() ? bytes[offset] : '\0';
-    if (c == '\n' || c == '\r') return refusal("a string that is not closed on its line", token, "close it");
-    if (static_cast<unsigned char>(c) < 0x20) return refusal("a control character inside a string", offset, "escape it: \\t");
-    if (code == rapidjson::kParseErrorStringInvalidEncoding) {
-      return refusal("a byte that is no UTF-8", offset, "save the file as UTF-8");
-    }
-    return refusal("a wrong escape inside a string", offset, "a backslash is spelled \\\\");
+    if (c == '\n' || c == '\r') return refusal(Code::kJsonStringOfLines, token);
+    if (static_cast<unsigned char>(c) < 0x20) return refusal(Code::kJsonControlCharacter, offset);
+    const bool encoding = code == rapidjson::kParseErrorStringInvalidEncoding;
+    return refusal(encoding ? Code::kJsonNotUtf8 : Code::kJsonWrongEscape, offset);
   }
 
   // Words are reported where they begin, not where RapidJSON gave up.
@@ -204,41 +195,40 @@ Refusal describe(rapidjson::ParseErrorCode code, std::size_t offset, const TreeB
     while (offset > builder.last_end() && is_word_character(bytes[offset - 1])) --offset;
   }
   if (offset >= bytes.size()) {
-    if (const std::optional<std::size_t> open = builder.open_bracket()) {
-      return refusal(std::string("a '") + bytes[*open] + "' that is never closed", *open, "is the file cut off?");
-    }
-    return refusal("the file ends too early", bytes.empty() ? 0 : bytes.size() - 1);
+    if (const std::optional<std::size_t> open = builder.open_bracket())
+      return {{Code::kJsonBracketOpen, {bytes.substr(*open, 1)}}, *open};
+    return refusal(Code::kJsonEndsEarly, bytes.empty() ? 0 : bytes.size() - 1);
   }
   const char c = bytes[offset];
   const std::size_t before = offset == 0 ? std::string_view::npos : bytes.find_last_not_of(kBlanks, offset - 1);
   const char previous = before == std::string_view::npos ? '\0' : bytes[before];
-  if ((c == '}' || c == ']') && previous == ',') return refusal("a comma behind the last value", before, "remove the comma");
-  if (c == '\'') return refusal("single quotes; JSON has double quotes", offset, "replace ' by \"");
-  if (c == '/' || c == '#') return refusal("a comment; JSON has none", offset, "remove the comment");
+  if ((c == '}' || c == ']') && previous == ',') return refusal(Code::kJsonCommaBehindLast, before);
+  if (c == '\'') return refusal(Code::kJsonSingleQuotes, offset);
+  if (c == '/' || c == '#') return refusal(Code::kJsonComment, offset);
   switch (code) {
     case rapidjson::kParseErrorDocumentRootNotSingular:
-      return refusal("something stands behind the closing bracket", offset);
+      return refusal(Code::kJsonBehindRoot, offset);
     case rapidjson::kParseErrorObjectMissName:
-      return refusal("a key in double quotes is wanted", offset);
+      return refusal(Code::kJsonKeyWanted, offset);
     case rapidjson::kParseErrorObjectMissColon:
-      return refusal("a key without its colon", offset);
+      return refusal(Code::kJsonColonMissing, offset);
     case rapidjson::kParseErrorObjectMissCommaOrCurlyBracket:
     case rapidjson::kParseErrorArrayMissCommaOrSquareBracket: {
       const bool digits = previous == '0' && before + 1 == offset && std::isdigit(static_cast<unsigned char>(c)) != 0;
-      if (digits) return refusal("a JSON number has no leading zeros", before);
+      if (digits) return refusal(Code::kJsonLeadingZeros, before);
       const bool object = code == rapidjson::kParseErrorObjectMissCommaOrCurlyBracket;
-      return refusal(object ? "a comma or '}' is missing" : "a comma or ']' is missing", offset);
+      return {{Code::kJsonCommaMissing, {object ? "}" : "]"}}, offset};
     }
     case rapidjson::kParseErrorNumberMissFraction:
-      return refusal("a JSON number has a digit behind its point", offset);
+      return refusal(Code::kJsonPointLast, offset);
     case rapidjson::kParseErrorNumberMissExponent:
-      return refusal("a number without digits in its exponent", offset);
+      return refusal(Code::kJsonExponentEmpty, offset);
     case rapidjson::kParseErrorNumberTooBig:
-      return refusal("a number too large for a double", offset);
+      return refusal(Code::kJsonNumberTooBig, offset);
     case rapidjson::kParseErrorValueInvalid:
-      return refusal(describe_value(bytes, offset), offset);
+      return {describe_value(bytes, offset), offset};
     default:
-      return refusal(rapidjson::GetParseError_En(code), offset);
+      return {{Code::kJsonSyntax, {rapidjson::GetParseError_En(code)}}, offset};
   }
 }
 

@@ -4,6 +4,7 @@
 #include <fca/formats/text/node.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace fca::text {
@@ -111,10 +112,8 @@ class Checker {
       at = markup->span.end();
     }
     check_text(at, bytes_.size());
-    if (!open_.empty()) {
-      refuse("<" + name(open_.back()) + "> is never closed", open_.back().span.offset, "is the file cut off?");
-    }
-    if (!has_root_) refuse("no element at all", at == bytes_.size() && at > 0 ? at - 1 : at, "is the file cut off?");
+    if (!open_.empty()) refuse({Code::kXmlElementOpen, {name(open_.back())}}, open_.back().span.offset);
+    if (!has_root_) refuse({Code::kXmlNoElement}, at == bytes_.size() && at > 0 ? at - 1 : at);
   }
 
  private:
@@ -123,28 +122,25 @@ class Checker {
     return std::string(source_.text(markup.name).substr(0, kLongest));
   }
 
-  [[noreturn]] static void refuse(const std::string& what, std::size_t offset, const std::string& fix = "") {
-    throw Refusal{"xml-syntax", "XML syntax error: " + what, fix, offset};
-  }
+  [[noreturn]] static void refuse(Message message, std::size_t offset) { throw Refusal{std::move(message), offset}; }
 
   void check_text(std::size_t from, std::size_t to) const {
     if (!open_.empty()) return;
     const std::size_t text = bytes_.find_first_not_of(kBlanks, from);
-    if (text < to) refuse("text outside the root element", text);
+    if (text < to) refuse({Code::kXmlTextOutside}, text);
   }
 
   void check_one(const Markup& markup) {
     switch (markup.kind) {
       case Markup::Kind::kUnfinished:
-        refuse("a '<' whose '>' is missing", markup.span.offset, "is the file cut off? A '<' in a text is spelled &lt;");
+        refuse({Code::kXmlTagOpen}, markup.span.offset);
       case Markup::Kind::kComment:
         return;
       case Markup::Kind::kInstruction:
         if (bytes_.find_first_not_of(kBlanks, source_.byte_order_mark()) == markup.span.offset) return;
-        refuse("<?..?> is taken at the beginning only", markup.span.offset);
+        refuse({Code::kXmlInstruction}, markup.span.offset);
       case Markup::Kind::kOther:
-        throw Refusal{"xml-declaration", "a document type, entity or CDATA section (<!..>); calibration files have none",
-                      "write the text out", markup.span.offset};
+        refuse({Code::kXmlDeclaration}, markup.span.offset);
       case Markup::Kind::kClose:
         return close(markup);
       case Markup::Kind::kOpen:
@@ -154,22 +150,19 @@ class Checker {
   }
 
   void open(const Markup& markup) {
-    if (markup.name.length == 0) refuse("a tag without a name", markup.span.offset, "a '<' in a text is spelled &lt;");
-    if (open_.empty() && has_root_) refuse("a second root element", markup.span.offset, "keep one <opencv_storage>");
+    if (markup.name.length == 0) refuse({Code::kXmlTagWithoutName}, markup.span.offset);
+    if (open_.empty() && has_root_) refuse({Code::kXmlSecondRoot}, markup.span.offset);
     has_root_ = true;
-    if (open_.size() >= static_cast<std::size_t>(kMaxDepth)) {
-      throw Refusal{"too-deep", "nested deeper than " + std::to_string(kMaxDepth) + " levels", "", markup.span.offset};
-    }
+    if (open_.size() >= static_cast<std::size_t>(kMaxDepth)) throw too_deep(markup.span.offset);
     if (markup.kind == Markup::Kind::kOpen) open_.push_back(markup);
   }
 
   void close(const Markup& markup) {
-    if (open_.empty()) refuse("</" + name(markup) + "> closes nothing", markup.span.offset);
+    if (open_.empty()) refuse({Code::kXmlClosesNothing, {name(markup)}}, markup.span.offset);
     const Markup& opened = open_.back();
     if (source_.text(opened.name) != source_.text(markup.name)) {
-      refuse("</" + name(markup) + "> where </" + name(opened) + "> is wanted, which line " +
-                 std::to_string(source_.position(opened.span.offset).line) + " opens",
-             markup.span.offset);
+      const int line = source_.position(opened.span.offset).line;
+      refuse({Code::kXmlClosesAnother, {name(markup), name(opened), line}}, markup.span.offset);
     }
     open_.pop_back();
   }

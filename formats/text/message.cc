@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <numeric>
 #include <optional>
 
 #include <fmt/args.h>
@@ -84,10 +85,12 @@ struct InWords {
   }
 
   std::string operator()(const std::vector<Message>& clauses) const {
+    std::vector<std::string> texts;
+    texts.reserve(clauses.size());
+    for (const Message& clause : clauses) texts.push_back(text_of(clause, wording));
+    if (how == "and" || how == "or") return enumerated(texts, how);
     if (!how.empty()) refuse(how);
-    std::string text;
-    for (const Message& clause : clauses) text += text_of(clause, wording);
-    return text;
+    return std::accumulate(texts.begin(), texts.end(), std::string());
   }
 };
 

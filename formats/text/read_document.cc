@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/code.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/text/read_stream.h>
 
@@ -68,20 +69,20 @@ std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& dia
 Source read_stream(std::string name, std::istream& stream) { return {std::move(name), read_limited(stream)}; }
 
 std::optional<Source> read_source(const std::string& path, Diagnostics& diagnostics) {
-  const auto cannot_read = [&](const std::string& why) {
-    diagnostics.error("cannot-read", "cannot read the file: " + why, {path, 0, 0});
+  const auto cannot_read = [&](Argument why) {
+    diagnostics.add(Code::kFileUnreadable, {std::move(why)}, {path, 0, 0});
     return std::nullopt;
   };
   if (path == "-") return read_stream(kStandardInput, std::cin);
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) return cannot_read("it does not exist");
-  if (status.type() == std::filesystem::file_type::directory) return cannot_read("it is a directory");
+  if (status.type() == std::filesystem::file_type::not_found) return cannot_read(Message{Code::kFileMissing});
+  if (status.type() == std::filesystem::file_type::directory) return cannot_read(Message{Code::kFileIsDirectory});
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return cannot_read(std::strerror(errno != 0 ? errno : EIO));
   std::string bytes = read_limited(stream);
-  if (stream.bad()) return cannot_read("reading failed");
+  if (stream.bad()) return cannot_read(Message{Code::kFileReadingFailed});
   return Source{path, std::move(bytes)};
 }
 
@@ -89,17 +90,15 @@ std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) 
   const std::string_view text = std::string_view(source.bytes).substr(source.byte_order_mark());
   const SourceRange file = {source.name, 0, 0};
   if (source.bytes.size() > kMaxFileBytes) {
-    diagnostics.error("too-large", "larger than " + std::to_string(kMaxFileBytes / 1024 / 1024) + " MiB; no calibration is",
-                      file);
+    diagnostics.add(Code::kFileTooLarge, {kMaxFileBytes / 1024 / 1024}, file);
     return std::nullopt;
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    diagnostics.error("empty-file", "the file is empty", file);
+    diagnostics.add(Code::kFileEmpty, {}, file);
     return std::nullopt;
   }
   if (const std::size_t zero = source.bytes.find('\0'); zero != std::string::npos) {
-    diagnostics.error("binary-file", "a zero byte: this is no text file (UTF-16 or binary?)", source.range({zero, 1}),
-                      "save it as UTF-8 text");
+    diagnostics.add(Code::kFileBinary, {}, source.range({zero, 1}));
     return std::nullopt;
   }
   Syntax syntax = choose_syntax(source);

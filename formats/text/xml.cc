@@ -71,10 +71,8 @@ class TreeBuilder {
     const tinyxml2::XMLElement* root = document.RootElement();
     const Span name = name_span(*root);
     if (source_.text(name) != "opencv_storage") {
-      throw Refusal{"xml-root",
-                    "the outermost element is <" + std::string(source_.text(name).substr(0, 40)) +
-                        ">; XML calibrations are OpenCV's, with <opencv_storage>",
-                    "", name.offset};
+      constexpr std::size_t kLongest = 40;
+      throw Refusal{{Code::kXmlRoot, {source_.text(name).substr(0, kLongest)}}, name.offset};
     }
     return value_of(*root, name);
   }
@@ -88,10 +86,7 @@ class TreeBuilder {
     return static_cast<std::size_t>(value - base_) - kPrefix.size() + source_.byte_order_mark();
   }
 
-  [[noreturn]] static void refuse_place(std::size_t offset) {
-    throw Refusal{"xml-place", "the XML parser read something else than what stands here", "report this file: it is a bug",
-                  offset};
-  }
+  [[noreturn]] static void refuse_place(std::size_t offset) { throw Refusal{{Code::kXmlMisread}, offset}; }
 
   [[nodiscard]] Span name_span(const tinyxml2::XMLElement& element) const {
     const std::string_view name = element.Name();
@@ -112,10 +107,7 @@ class TreeBuilder {
       } else if (c == '&') {
         const std::size_t semicolon = bytes_.find(';', i);
         const bool known = semicolon < span.end() && append_entity(text, source_.text({i + 1, semicolon - i - 1}));
-        if (!known) {
-          throw Refusal{"xml-syntax", "XML syntax error: an entity that XML does not know", "a '&' in a text is spelled &amp;",
-                        i};
-        }
+        if (!known) throw Refusal{{Code::kXmlUnknownEntity}, i};
         i = semicolon;
       } else {
         text += c;
@@ -137,17 +129,14 @@ class TreeBuilder {
       node.quoted = bytes[at] == '"';
       std::size_t end = std::min(bytes.find_first_of(node.quoted ? std::string_view("\"") : kBlanks, at + 1), whole.end());
       if (node.quoted) {
-        if (end == whole.end()) throw Refusal{"xml-syntax", "XML syntax error: a quote that is never closed", "close it", at};
+        if (end == whole.end()) throw Refusal{{Code::kXmlQuoteOpen}, at};
         node.value = resolved({at + 1, end - at - 1});
         ++end;
         const bool separate = end == whole.end() || kBlanks.find(bytes[end]) != std::string_view::npos;
-        if (!separate) throw Refusal{"xml-syntax", "XML syntax error: a blank is missing behind the quote", "", end};
+        if (!separate) throw Refusal{{Code::kXmlBlankMissing}, end};
       } else {
         const std::size_t quote = source_.text({at, end - at}).find('"');
-        if (quote != std::string_view::npos) {
-          throw Refusal{"xml-syntax", "XML syntax error: a quote inside a word", "spell it &quot;, or put all of it in quotes",
-                        at + quote};
-        }
+        if (quote != std::string_view::npos) throw Refusal{{Code::kXmlQuoteInWord}, at + quote};
         node.value = resolved({at, end - at});
       }
       node.span = {at, end - at};
@@ -192,10 +181,7 @@ class TreeBuilder {
         refuse_place(name.offset);
       }
     }
-    if (!node.entries.empty() && !node.items.empty()) {
-      throw Refusal{"xml-mixed", "<" + std::string(source_.text(name)) + "> holds both named elements and values", "",
-                    name.offset};
-    }
+    if (!node.entries.empty() && !node.items.empty()) throw Refusal{{Code::kXmlMixed, {source_.text(name)}}, name.offset};
     if (node.items.size() == 1 && !has_item_elements) {
       node = Node(std::move(node.items.front()));
     } else if (!node.items.empty()) {
@@ -227,9 +213,7 @@ Refusal describe(const tinyxml2::XMLDocument& document, const Source& source) {
   const std::size_t content = source.bytes.find_first_not_of(kBlanks, offset);
   if (content < source.line_at(offset).end()) offset = content;
   const bool attribute = document.ErrorID() == tinyxml2::XML_ERROR_PARSING_ATTRIBUTE;
-  return {"xml-syntax",
-          std::string("XML syntax error") + (attribute ? ": an attribute is written name=\"value\"" : " on this line"), "",
-          offset};
+  return {{attribute ? Code::kXmlAttribute : Code::kXmlLine}, offset};
 }
 
 }  // namespace

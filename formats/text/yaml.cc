@@ -23,6 +23,8 @@ namespace fca::text {
 
 namespace {
 
+constexpr std::string_view kSyntax = "yaml-syntax";
+
 /// Where a quoted scalar that opens at `open` ends (behind the closing quote). yaml-cpp forgives a quote that the file's end
 /// cuts off.
 std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
@@ -38,12 +40,10 @@ std::size_t end_of_quotes(std::string_view bytes, std::size_t open) {
       }
     }
   }
-  throw Refusal{"yaml-syntax", "YAML syntax error: a quote that is never closed", "close it", open};
+  throw Refusal{{Code::kYamlQuoteOpen}, open};
 }
 
-Refusal alias_at(std::size_t offset) {
-  return {"yaml-alias", "a YAML alias (*name); calibration files have none", "write the value out", offset};
-}
+Refusal alias_at(std::size_t offset) { return {{Code::kYamlAlias}, offset}; }
 
 /// Where a flow collection that opens at `open` ends (behind its bracket).
 std::size_t end_of_flow(std::string_view bytes, std::size_t open) {
@@ -123,8 +123,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) const {
-    if (anchor == 0) return;
-    throw Refusal{"yaml-anchor", "a YAML anchor (&name); calibration files have none", "write the value out", offset(mark)};
+    if (anchor != 0) throw Refusal{{Code::kYamlAnchor}, offset(mark)};
   }
 
   /// Plain scalars on one line stand there letter by letter; of others (several lines, block scalars) only the start is known.
@@ -138,9 +137,7 @@ class TreeBuilder : public YAML::EventHandler {
   void open(NodeKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
             YAML::EmitterStyle::value style) {
     refuse_anchor(mark, anchor);
-    if (stack_.size() >= kMaxDepth) {
-      throw Refusal{"too-deep", "nested deeper than " + std::to_string(kMaxDepth) + " levels", "", offset(mark)};
-    }
+    if (stack_.size() >= kMaxDepth) throw too_deep(offset(mark));
     Open opened;
     opened.node.kind = kind;
     opened.node.flow = style == YAML::EmitterStyle::Flow;
@@ -197,12 +194,11 @@ class TreeBuilder : public YAML::EventHandler {
   /// A key is a name. yaml-cpp also takes lists for keys, no key at all, and, on the last line of a file, a name without a
   /// colon.
   void refuse_odd_key(const Node& key, bool flow) const {
-    if (!key.is_scalar()) throw Refusal{"yaml-key", "a key that is no name", "", key.span.offset};
+    if (!key.is_scalar()) throw Refusal{{Code::kYamlKeyIsNoName}, key.span.offset};
     if (flow || key.span.length == 0) return;
     const std::size_t next = source_.bytes.find_first_not_of(" \t", key.span.end());
     if (next != std::string::npos && source_.bytes[next] == ':') return;
-    throw Refusal{"yaml-syntax", "YAML syntax error: a key without its colon", "is a blank missing behind the colon?",
-                  key.span.offset};
+    throw Refusal{{Code::kYamlKeyWithoutColon}, key.span.offset};
   }
 
   const Source& source_;
@@ -225,8 +221,7 @@ std::optional<Refusal> blank_missing(const Source& source, std::size_t offset) {
     constexpr std::size_t kLongestKey = 200;  // std::regex recurses with every character
     const std::string_view text = source.text(line).substr(0, kLongestKey);
     if (std::regex_search(text.data(), text.data() + text.size(), match, kUnspaced)) {
-      last = {"blank-missing", "a blank is missing behind the colon", "write a blank behind it",
-              line.offset + static_cast<std::size_t>(match.length())};
+      last = {{Code::kYamlBlankMissing}, line.offset + static_cast<std::size_t>(match.length())};
     }
     const std::size_t end = source.bytes.find('\n', line.offset);
     if (end == std::string::npos) break;
@@ -235,19 +230,16 @@ std::optional<Refusal> blank_missing(const Source& source, std::size_t offset) {
   return last;
 }
 
-/// What often goes wrong, in better words than a parser's.
+/// What often goes wrong, better than a parser says it.
 Refusal describe(const YAML::ParserException& error, const Source& source, std::size_t offset) {
   const Span line = source.line_at(offset);
   const std::string_view text = source.text(line);
   const std::size_t content = text.find_first_not_of(" \t");
   const std::size_t tab = text.substr(0, content == std::string_view::npos ? text.size() : content).find('\t');
-  if (tab != std::string_view::npos) {
-    return {"yaml-tab", "a TAB as indentation; YAML takes only blanks there", "replace the TAB by blanks", line.offset + tab};
-  }
+  if (tab != std::string_view::npos) return {{Code::kYamlTab}, line.offset + tab};
   if (error.msg.starts_with(YAML::ErrorMsg::UNKNOWN_ANCHOR)) return alias_at(offset);
-  std::string fix;
-  if (error.msg == "illegal map value") fix = "is a blank missing behind the colon of a key?";
-  return {"yaml-syntax", "YAML syntax error: " + error.msg, fix, offset};
+  if (error.msg == YAML::ErrorMsg::MAP_VALUE) return {{Code::kYamlMapValue}, offset};
+  return {{Code::kYamlSyntax, {error.msg}}, offset};
 }
 
 }  // namespace
@@ -266,30 +258,24 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     TreeBuilder further(source, spaced, skipped);
     std::size_t last_start = builder.document_start();
     while (parser.HandleNextDocument(further)) {
-      if (further.has_content()) {
-        throw Refusal{"yaml-documents",
-                      "several YAML documents in one file, which programs read differently: cv::FileStorage looks keys up "
-                      "in all of them, PyYAML (Kalibr) refuses the file",
-                      "keep one document", further.take_root().span.offset};
-      }
+      if (further.has_content()) throw Refusal{{Code::kYamlDocuments}, further.take_root().span.offset};
       // On a token that begins nothing yaml-cpp reports empty documents without end.
-      if (further.document_start() <= last_start) {
-        throw Refusal{"yaml-syntax", "YAML syntax error: nothing can begin here", "", further.document_start()};
-      }
+      if (further.document_start() <= last_start) throw Refusal{{Code::kYamlNothingBegins}, further.document_start()};
       last_start = further.document_start();
     }
     return builder.take_root();
   } catch (const Refusal& refusal) {
-    const bool of_structure = refusal.code == "yaml-syntax" || refusal.code == "yaml-key" || refusal.code == "yaml-documents";
+    const std::string id = id_of(refusal.message);
+    const bool of_structure = id == kSyntax || id == "yaml-key" || id == "yaml-documents";
     report((of_structure ? blank_missing(source, refusal.offset) : std::nullopt).value_or(refusal), source, diagnostics);
   } catch (const YAML::ParserException& error) {
     const std::size_t in_text = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
     const std::size_t offset = std::min(skipped + spaced.original_offset(in_text), source.bytes.size());
     const Refusal refusal = describe(error, source, offset);
-    report((refusal.code == "yaml-syntax" ? blank_missing(source, offset) : std::nullopt).value_or(refusal), source,
+    report((id_of(refusal.message) == kSyntax ? blank_missing(source, offset) : std::nullopt).value_or(refusal), source,
            diagnostics);
   } catch (const YAML::Exception& error) {
-    diagnostics.error("yaml-syntax", "YAML error: " + error.msg, source.range({}));
+    diagnostics.add(Code::kYamlError, {error.msg}, source.range({}));
   }
   return std::nullopt;
 }

@@ -20,6 +20,7 @@ std::span<const CodeInfo> loss_codes() {
       loss(Code::kOtherTimeOffset, "time-offset-dropped", "{0} {1} {3:.9} s", "{2}, {4:.9} s",
            "add {5:.9} s to every image time stamp of {0}"),
       loss(Code::kCommentsReplaced, "comments-dropped", "comment{3:s} {3}", "{2}", kCopyThem),
+      loss(Code::kManyCommentsReplaced, "comments-dropped", "comments {3:,} and {4} more", "{2}", kCopyThem),
       loss(Code::kCommentsOfFileDropped, "comments-dropped", "comments of {0}", "{2}", kCopyThem),
       loss(Code::kHeaderDropped, "header-dropped", "first line {3} of {0}", "{2}",
            "cv::FileStorage (OpenVINS) reads no file without it"),
@@ -55,6 +56,16 @@ std::span<const CodeInfo> loss_codes() {
                .text = "extrinsic.{1}",
                .why = "it is kept as it was, and the pose beside it is another one",
                .fix = "remove it, or write the new pose's"},
+      clause(Code::kSeveralFilesBecomeOne, "several files become one"),
+      clause(Code::kFilesHaveNoPlace, "files of {0} have no place for it"),
+      loss(Code::kImuDropped, "imu-dropped", "{0} {1}", "{2}",
+           "keep its file, or write it to a file of its own, in a format that holds a complete IMU"),
+      loss(Code::kBaselineDropped, "baseline-dropped", "{1} {3} m", "{2}", "keep it for programs that ask for it by itself"),
+      // {2}: the poses' names, {3}: a program, {4} and {5}: clauses.
+      loss(Code::kPoseDropped, "pose-dropped", "{2}", "what is written for {3} does not say it{4}", "{5}"),
+      clause(Code::kPosesKept, "; how {0:and} sit to each other is kept"),
+      clause(Code::kPosesOfGroup, "{0}"),
+      clause(Code::kKeepTheInput, kKeepTheInput),
   };
   return kRows;
 }

@@ -3,8 +3,102 @@
 #include "rows.h"
 #include "topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> syntax_codes() { return {}; }
+namespace {
+
+constexpr std::string_view kYaml = "yaml-syntax";
+constexpr std::string_view kJson = "json-syntax";
+constexpr std::string_view kXml = "xml-syntax";
+
+constexpr std::string_view kCloseIt = "close it";
+constexpr std::string_view kIsCutOff = "is the file cut off?";
+constexpr std::string_view kOurBug = "report this file: it is a bug";
+constexpr std::string_view kWriteValueOut = "write the value out";
+
+}  // namespace
+
+std::span<const CodeInfo> syntax_codes() {
+  static constexpr std::array kRows = {
+      error(Code::kTooDeep, "too-deep", "nested deeper than {0} levels"),
+      error(Code::kListTooLong, "too-long", "more than {0} values in one list; no calibration has so many"),
+      error(Code::kMergeConflict, "merge-conflict", "a git merge-conflict marker: the file holds two versions of these lines",
+            "keep one version and delete the marker lines"),
+
+      error(Code::kYamlQuoteOpen, kYaml, "YAML syntax error: a quote that is never closed", kCloseIt),
+      error(Code::kYamlAlias, "yaml-alias", "a YAML alias (*name); calibration files have none", kWriteValueOut),
+      error(Code::kYamlAnchor, "yaml-anchor", "a YAML anchor (&name); calibration files have none", kWriteValueOut),
+      error(Code::kYamlKeyIsNoName, "yaml-key", "a key that is no name"),
+      error(Code::kYamlKeyWithoutColon, kYaml, "YAML syntax error: a key without its colon",
+            "is a blank missing behind the colon?"),
+      error(Code::kYamlBlankMissing, "blank-missing", "a blank is missing behind the colon", "write a blank behind it"),
+      error(Code::kYamlTab, "yaml-tab", "a TAB as indentation; YAML takes only blanks there", "replace the TAB by blanks"),
+      error(Code::kYamlDocuments, "yaml-documents",
+            "several YAML documents in one file, which programs read differently: cv::FileStorage looks keys up in all of "
+            "them, PyYAML (Kalibr) refuses the file",
+            "keep one document"),
+      error(Code::kYamlNothingBegins, kYaml, "YAML syntax error: nothing can begin here"),
+      error(Code::kYamlMapValue, kYaml, "YAML syntax error: illegal map value",
+            "is a blank missing behind the colon of a key?"),
+      // In the parser's words.
+      error(Code::kYamlSyntax, kYaml, "YAML syntax error: {0}"),
+      error(Code::kYamlError, kYaml, "YAML error: {0}"),
+
+      error(Code::kJsonMisread, "json-place", "the JSON parser read something else than what stands here", kOurBug),
+      error(Code::kJsonNotANumber, kJson, "JSON syntax error: JSON has no NaN and no infinity"),
+      error(Code::kJsonPlus, kJson, "JSON syntax error: a JSON number begins without '+'"),
+      error(Code::kJsonPointFirst, kJson, "JSON syntax error: a JSON number has a digit before its point"),
+      error(Code::kJsonPointLast, kJson, "JSON syntax error: a JSON number has a digit behind its point"),
+      error(Code::kJsonLeadingZeros, kJson, "JSON syntax error: a JSON number has no leading zeros"),
+      error(Code::kJsonNoNumber, kJson, "JSON syntax error: no JSON number"),
+      error(Code::kJsonExponentEmpty, kJson, "JSON syntax error: a number without digits in its exponent"),
+      error(Code::kJsonNumberTooBig, kJson, "JSON syntax error: a number too large for a double"),
+      error(Code::kJsonValueMissing, kJson, "JSON syntax error: a value is missing here"),
+      error(Code::kJsonNoValue, kJson, "JSON syntax error: '{0}' is no JSON value; text stands in double quotes"),
+      error(Code::kJsonStringOpen, kJson, "JSON syntax error: a string that is never closed", kCloseIt),
+      error(Code::kJsonStringOfLines, kJson, "JSON syntax error: a string that is not closed on its line", kCloseIt),
+      error(Code::kJsonControlCharacter, kJson, "JSON syntax error: a control character inside a string", "escape it: \\t"),
+      error(Code::kJsonNotUtf8, kJson, "JSON syntax error: a byte that is no UTF-8", "save the file as UTF-8"),
+      error(Code::kJsonWrongEscape, kJson, "JSON syntax error: a wrong escape inside a string", "a backslash is spelled \\\\"),
+      error(Code::kJsonBracketOpen, kJson, "JSON syntax error: a '{0}' that is never closed", kIsCutOff),
+      error(Code::kJsonEndsEarly, kJson, "JSON syntax error: the file ends too early"),
+      error(Code::kJsonCommaBehindLast, kJson, "JSON syntax error: a comma behind the last value", "remove the comma"),
+      error(Code::kJsonSingleQuotes, kJson, "JSON syntax error: single quotes; JSON has double quotes", "replace ' by \""),
+      error(Code::kJsonComment, kJson, "JSON syntax error: a comment; JSON has none", "remove the comment"),
+      error(Code::kJsonBehindRoot, kJson, "JSON syntax error: something stands behind the closing bracket"),
+      error(Code::kJsonKeyWanted, kJson, "JSON syntax error: a key in double quotes is wanted"),
+      error(Code::kJsonColonMissing, kJson, "JSON syntax error: a key without its colon"),
+      error(Code::kJsonCommaMissing, kJson, "JSON syntax error: a comma or '{0}' is missing"),
+      // In the parser's words.
+      error(Code::kJsonSyntax, kJson, "JSON syntax error: {0}"),
+
+      error(Code::kXmlMisread, "xml-place", "the XML parser read something else than what stands here", kOurBug),
+      error(Code::kXmlElementOpen, kXml, "XML syntax error: <{0}> is never closed", kIsCutOff),
+      error(Code::kXmlNoElement, kXml, "XML syntax error: no element at all", kIsCutOff),
+      error(Code::kXmlTextOutside, kXml, "XML syntax error: text outside the root element"),
+      error(Code::kXmlTagOpen, kXml, "XML syntax error: a '<' whose '>' is missing",
+            "is the file cut off? A '<' in a text is spelled &lt;"),
+      error(Code::kXmlInstruction, kXml, "XML syntax error: <?..?> is taken at the beginning only"),
+      error(Code::kXmlDeclaration, "xml-declaration",
+            "a document type, entity or CDATA section (<!..>); calibration files have none", "write the text out"),
+      error(Code::kXmlTagWithoutName, kXml, "XML syntax error: a tag without a name", "a '<' in a text is spelled &lt;"),
+      error(Code::kXmlSecondRoot, kXml, "XML syntax error: a second root element", "keep one <opencv_storage>"),
+      error(Code::kXmlClosesNothing, kXml, "XML syntax error: </{0}> closes nothing"),
+      error(Code::kXmlClosesAnother, kXml, "XML syntax error: </{0}> where </{1}> is wanted, which line {2} opens"),
+      error(Code::kXmlRoot, "xml-root", "the outermost element is <{0}>; XML calibrations are OpenCV's, with <opencv_storage>"),
+      error(Code::kXmlUnknownEntity, kXml, "XML syntax error: an entity that XML does not know",
+            "a '&' in a text is spelled &amp;"),
+      error(Code::kXmlQuoteOpen, kXml, "XML syntax error: a quote that is never closed", kCloseIt),
+      error(Code::kXmlBlankMissing, kXml, "XML syntax error: a blank is missing behind the quote"),
+      error(Code::kXmlQuoteInWord, kXml, "XML syntax error: a quote inside a word",
+            "spell it &quot;, or put all of it in quotes"),
+      error(Code::kXmlMixed, "xml-mixed", "<{0}> holds both named elements and values"),
+      error(Code::kXmlAttribute, kXml, "XML syntax error: an attribute is written name=\"value\""),
+      error(Code::kXmlLine, kXml, "XML syntax error on this line"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

@@ -20,8 +20,7 @@ std::array<std::string_view, 4> sentences_of_row(const CodeInfo& row) { return {
 /// What {N:how} can write.
 Argument sample(const std::string& how) {
   if (how == "s") return 2;
-  if (how == ",") return std::vector<std::string>{"a", "b"};
-  if (how == "or") return std::vector<std::string>{"a", "b"};
+  if (how == "or" || how == "and" || how == ",") return std::vector<std::string>{"a", "b"};
   if (how == "short" || how == "_" || how.empty()) return "name";
   return 0.125;
 }
@@ -87,9 +86,8 @@ TEST(Messages, ArgumentsAreWrittenAsTheirPlaceSays) {
   EXPECT_EQ(said("{0:real} {1:px} {2:px} {3:px} {4:%}", {2.0, 0.0, 0.1234, 4e-14, 0.125}), "2.0 0 0.123 4e-14 12.5 %");
   EXPECT_EQ(said("{0} key{0:s}, {1} key{1:s}", {1, 2}), "1 key, 2 keys");
   const std::vector<std::string> names = {"a", "b", "c"};
-  EXPECT_EQ(said("{0}; {0:or}; name{0:s}", {names}), "a, b and c; a, b or c; names");
-  EXPECT_EQ(said("{0:,}", {names}), "a, b, c");
   EXPECT_EQ(said("{0:all} {1:all} {2:all}", {1.5, -1.0, 0.1}), "1.5 -1 0.1");
+  EXPECT_EQ(said("{0}; {0:or}; {0:,}; name{0:s}", {names}), "a, b and c; a, b or c; a, b, c; names");
   EXPECT_EQ(said("{{}} {0}", {"x"}), "{} x");
   EXPECT_EQ(said("{0:_}{1}", {"cam0", "topic"}), "cam0 topic");
   EXPECT_EQ(said("{0:_}{1}", {"", "topic"}), "topic");
@@ -103,6 +101,7 @@ TEST(Messages, ClausesStandOneBehindTheOther) {
   EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{clause}), "x" + alone);
   EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{std::vector<Message>{clause, clause}}), "x" + alone + alone);
   EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{std::vector<Message>()}), "x");
+  EXPECT_EQ(text::filled("{0:or}", std::vector<Argument>{std::vector<Message>{clause, clause}}), alone + " or " + alone);
 }
 
 TEST(Messages, DiagnosticsTakeSeverityAndWordsFromTheTable) {
