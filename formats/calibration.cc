@@ -146,7 +146,7 @@ void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, 
       diagnostics.add(Code::kPoseInTwoFiles, {edge.a, edge.b, files[loop.edge], worst, files[i]}, {files[i], 0, 0});
       continue;
     }
-    diagnostics.add(Code::kPosesContradict, {edge.a, edge.b, names_of_path(rig, loop), worst}, {files[loop.edge], 0, 0});
+    diagnostics.add(Code::kPoseContradictsOthers, {edge.a, edge.b, names_of_path(rig, loop), worst}, {files[loop.edge], 0, 0});
   }
 }
 

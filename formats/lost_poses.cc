@@ -88,7 +88,7 @@ Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group&
     if (group->size() > 1) groups.push_back({Code::kPosesOfGroup, {std::vector<std::string>(group->begin(), group->end())}});
   }
   std::vector<Message> kept;
-  if (!groups.empty() && a != b) kept.push_back({Code::kPosesKept, {groups}});
+  if (!groups.empty() && a != b) kept.push_back({Code::kPosesOfGroupsKept, {groups}});
   return lost(Code::kPoseDropped, "", "", {poses, program, kept, remedy.is_said() ? remedy : Message{Code::kKeepTheInput}});
 }
 

@@ -46,7 +46,7 @@ std::span<const CodeInfo> file_codes() {
       warning(Code::kPoseInTwoFiles, kContradict,
               "T_{0}_{1} is stated here and in {2}, and the two differ by up to {3:.3} in an element",
               "that of {4} is used; take out the one that is wrong"),
-      warning(Code::kPosesContradict, kContradict,
+      warning(Code::kPoseContradictsOthers, kContradict,
               "T_{0}_{1} as stated and as it follows from the other poses ({2}) differ by up to {3:.3} in an element",
               "one of them is wrong; stated poses are used before derived ones"),
       warning(Code::kPoseOfEachUnstated, "pose-unstated",

@@ -63,7 +63,7 @@ std::span<const CodeInfo> loss_codes() {
       loss(Code::kBaselineDropped, "baseline-dropped", "{1} {3} m", "{2}", "keep it for programs that ask for it by itself"),
       // {2}: the poses' names, {3}: a program, {4} and {5}: clauses.
       loss(Code::kPoseDropped, "pose-dropped", "{2}", "what is written for {3} does not say it{4}", "{5}"),
-      clause(Code::kPosesKept, "; how {0:and} sit to each other is kept"),
+      clause(Code::kPosesOfGroupsKept, "; how {0:and} sit to each other is kept"),
       clause(Code::kPosesOfGroup, "{0}"),
       clause(Code::kKeepTheInput, kKeepTheInput),
   };

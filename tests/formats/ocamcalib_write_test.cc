@@ -248,10 +248,10 @@ TEST(OCamCalibWrite, WhatItCannotHoldIsAnError) {
   rig.cameras[0].image_size.reset();
   Diagnostics without_size;
   EXPECT_FALSE(ocamcalib_format().write(nullptr, rig, {}, without_size));
-  EXPECT_EQ(without_size.entries().at(0).code, "image-size-missing");
+  EXPECT_EQ(id_of(without_size.entries().at(0)), "image-size-missing");
   Diagnostics empty;
   EXPECT_FALSE(ocamcalib_format().write(nullptr, Rig(), {}, empty));
-  EXPECT_EQ(empty.entries().at(0).code, "no-camera");
+  EXPECT_EQ(id_of(empty.entries().at(0)), "no-camera");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ enum class Code : std::uint16_t {
   kImuDropped,
   kBaselineDropped,
   kPoseDropped,
-  kPosesKept,
+  kPosesOfGroupsKept,
   kPosesOfGroup,
   kKeepTheInput,
 
@@ -292,7 +292,7 @@ enum class Code : std::uint16_t {
   kCameraInMainFile,
   kImuInMainFile,
   kPoseInTwoFiles,
-  kPosesContradict,
+  kPoseContradictsOthers,
   kPoseOfEachUnstated,
   kFormatHasNoModel,
   kFormatHasNoValue,
