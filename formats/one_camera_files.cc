@@ -20,7 +20,7 @@ bool writable_alone(const Format& format, const Rig& rig, const Message& size_us
   bool good = can_store(format, rig, nullptr, diagnostics);
   for (const Camera& camera : rig.cameras) {
     const auto problems = validate(camera.model);
-    for (const auto& problem : problems) diagnostics.add(Code::kNotWritableCamera, {camera.name, problem});
+    for (const auto& problem : problems) diagnostics.add(Code::kNotACamera, {camera.name, problem});
     if (!camera.image_size) diagnostics.add(Code::kFormatNeedsSize, {camera.name, size_use});
     good = good && problems.empty() && camera.image_size;
   }

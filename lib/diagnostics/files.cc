@@ -61,7 +61,6 @@ std::span<const CodeInfo> file_codes() {
                   "convert the camera to this format's ranges first"),
       bad_request(Code::kFormatNeedsCamera, "no-camera", "a {0} needs a camera and the input has none"),
       error(Code::kFormatNeedsSize, "image-size-missing", "{0}: {1} and the input has no size", "state it"),
-      error(Code::kNotWritableCamera, "not-a-camera", "{0}: {1}"),
       // As severe as, and by the id of, what is {1}.
       error(Code::kNotWrittenBecause, "not-written", "{0} cannot be written: {1}"),
 

@@ -298,7 +298,6 @@ enum class Code : std::uint16_t {
   kFormatHasNoValue,
   kFormatNeedsCamera,
   kFormatNeedsSize,
-  kNotWritableCamera,
   kNotWrittenBecause,
   kSetWrongType,
   kSetOutOfRange,
