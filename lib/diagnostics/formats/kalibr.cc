@@ -3,8 +3,59 @@
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> kalibr_codes() { return {}; }
+std::span<const CodeInfo> kalibr_codes() {
+  static constexpr std::array kRows = {
+      // What speaks for the format.
+      clause(Code::kCamchainWithKey, "a top-level {0} with {1}"),
+      clause(Code::kCamchainBlock, "a top-level {0}"),
+      clause(Code::kCamchainImuKeys, "the noise keys of Kalibr's imu.yaml"),
+
+      warning(Code::kCamchainMisnamedCamera, "key-misspelt",
+              "'{0}' holds a camera and is not read: cameras are cam0, cam1, ...", "rename it to the next free of them"),
+      error(Code::kCamchainNoMapping, "not-a-mapping", "{0} holds no keys"),
+      error(Code::kCamchainMissingKey, "missing-key", "{0} has no {1}"),
+      error(Code::kCamchainUnknownCamera, "unknown-model", "{0}: Kalibr has no camera_model '{1}'; it knows {2}", "{3}"),
+      clause(Code::kCamchainNearNames, "did you mean {0:or}?"),
+      error(Code::kCamchainUnknownDistortion, "unknown-model",
+            "{0}: Kalibr has no camera_model {1} with distortion_model '{2}'"),
+      CodeInfo{.code = Code::kCamchainOutsideRange,
+               .id = "program-refuses",
+               .severity = Severity::kWarning,
+               .about = About::kReader,
+               .text = "{0}: {1} = {2}: {3}"},
+      clause(Code::kCamchainAlphaBelowOne, "Kalibr demands alpha < 1"),
+      clause(Code::kCamchainRadtanNoK3, "Kalibr's radtan has no k3"),
+      error(Code::kCamchainWrongLength, "wrong-length", "{0} has {1} numbers; {2} are wanted"),
+      error(Code::kCamchainNoList, "wrong-length", "{0} must be a list of {1} numbers"),
+      error(Code::kCamchainResolution, "wrong-length", "{0} must be [width, height]"),
+      error(Code::kCamchainNothing, "no-calibration", "neither a camera (cam0) nor an IMU's noise stands here"),
+
+      // Of OpenVINS' chains, too.
+      bad_request(Code::kCamchainNoCamera, "no-camera", "{0} needs a camera and the input has none"),
+      bad_request(Code::kCamchainImuNotStated, "no-camera", "{0} demands what the input does not state: {1}"),
+      loss(Code::kCamchainImuDropped, "imu-dropped", "{0} noise and rate", "{2}",
+           "keep its file; converted to Kalibr's format into a folder, a complete IMU is a file there"),
+      clause(Code::kCamchainImuDemands, "{0} demands {1}, too"),
+
+      error(Code::kCamchainSizeMissing, "image-size-missing", "{0}: Kalibr demands a resolution and the input has none",
+            "state it"),
+      loss(Code::kCamchainBaselineDropped, "baseline-dropped", "{1} {2} m of a rectified pair or depth sensor",
+           "a camchain states poses of cameras, and the second camera is not in the input",
+           "keep it for programs that ask for it by itself"),
+      clause(Code::kCamchainNoKey, "a camchain has no key for it"),
+      clause(Code::kCamchainNoPlace, "the camchain written has no place for it"),
+      clause(Code::kCamchainComposedAnew, "the file is composed anew, of what every camchain says"),
+      clause(Code::kCamchainOverlapsNoList, "it is no list of this chain's cameras, which are counted anew"),
+      clause(Code::kCamchainOverlapsOfAbsent, "a camera of which it speaks is not in the chain written"),
+      clause(Code::kCamchainOverlapsOfItsFile, "it counts the cameras of the file it stands in"),
+      clause(Code::kCamchainHeadline, "a camchain for Kalibr"),
+      clause(Code::kCamchainImuHeadline, "an imu.yaml for Kalibr"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics
