@@ -50,6 +50,22 @@ constexpr std::array kHints = {
     OptionHint{Code::kSetCalibration, text::Part::kFix,
                "change the input; --resize, --crop and --binning are for other images"},
     OptionHint{Code::kImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
+constexpr std::string_view kFromKalibr =
+    "--from kalibr reads it by its names: convert it with that and --to openvins, and the lens is fitted";
+
+constexpr std::array kHints = {
+    OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    // Kalibr's, OpenVINS' and OCamCalib's files.
+    OptionHint{Code::kCamchainSizeMissing, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    OptionHint{Code::kCamchainImuDropped, text::Part::kFix,
+               "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
+    OptionHint{Code::kOpenvinsChainOtherLens, text::Part::kFix, kFromKalibr},
+    OptionHint{Code::kOpenvinsChainTakenForRadtan, text::Part::kFix, kFromKalibr},
+    OptionHint{Code::kCalibResultsInverseMissing, text::Part::kFix,
+               "fca-io convert FILE --to ocamcalib fits one to the direct polynomial"},
+    OptionHint{Code::kCalibResultsInverseStale, text::Part::kFix, "fca-io convert FILE --to ocamcalib rebuilds it"},
+    OptionHint{Code::kCalibResultsInverseInexact, text::Part::kFix,
+               "--max-angle DEG leaves out the border, where the direct polynomial turns; or another model"},
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "../sibling.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 
 namespace fca::kalibr {
@@ -154,8 +156,7 @@ void Editor::count_overlaps(const text::Entry& camera, std::vector<Loss>& losses
     return;
   }
   document_.remove_entry(camera.value, *overlaps);
-  losses.push_back(
-      {"not-carried", camera.key.value + " cam_overlaps", "it is no list of this chain's cameras, which are counted anew", ""});
+  losses.push_back(lost(Code::kNotCarried, camera.key.value, std::string(kOverlaps), {Message{Code::kCamchainOverlapsNoList}}));
 }
 
 }  // namespace fca::kalibr

@@ -5,7 +5,7 @@
 
 #include "../fields.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 #include <fca/formats/text/prose.h>
 
 #include <algorithm>
@@ -54,15 +54,13 @@ class ChainReader {
   /// What it holds would be lost without a word.
   void warn_of_misnamed_camera(const text::Entry& entry) {
     if (!entry.value.is_mapping() || text::find(entry.value, "camera_model", reader_.dialect()) == nullptr) return;
-    reader_.warning(entry.key, "key-misspelt",
-                    "'" + entry.key.value + "' holds a camera and is not read: cameras are cam0, cam1, ...",
-                    "rename it to the next free of them");
+    reader_.say(entry.key, Code::kCamchainMisnamedCamera, {entry.key.value});
   }
 
   void read_camera(const Node& node, const Node& key, Rig& rig) {
     const std::string& name = key.value;
     if (!node.is_mapping()) {
-      reader_.error(key, "not-a-mapping", name + " holds no keys");
+      reader_.say(key, Code::kCamchainNoMapping, {name});
       return;
     }
     reader_.warn_of_duplicates(node);
@@ -94,7 +92,7 @@ class ChainReader {
     const auto string_at = [&](std::string_view k) -> std::optional<std::string> {
       const Node* value = reader_.find(node, k);
       if (value == nullptr) {
-        reader_.error(key, "missing-key", name + " has no " + std::string(k));
+        reader_.say(key, Code::kCamchainMissingKey, {name, k});
         return std::nullopt;
       }
       return reader_.string(*value, name + " " + std::string(k));
@@ -110,15 +108,14 @@ class ChainReader {
     if (!known_camera) {
       const std::vector<std::string> names = {"pinhole", "omni", "eucm", "ds"};
       const std::vector<std::string> near = text::nearest(*camera_model, names);
-      reader_.error(*reader_.find(node, "camera_model"), "unknown-model",
-                    name + ": Kalibr has no camera_model '" + *camera_model + "'; it knows " + text::enumerated(names),
-                    near.empty() ? "" : "did you mean " + text::enumerated(near, "or") + "?");
+      std::vector<Message> meant;
+      if (!near.empty()) meant = {{Code::kCamchainNearNames, {near}}};
+      reader_.say(*reader_.find(node, "camera_model"), Code::kCamchainUnknownCamera, {name, *camera_model, names, meant});
       return false;
     }
     if (layout == rows.end()) {
-      reader_.error(
-          *reader_.find(node, "distortion_model"), "unknown-model",
-          name + ": Kalibr has no camera_model " + *camera_model + " with distortion_model '" + *distortion_model + "'");
+      reader_.say(*reader_.find(node, "distortion_model"), Code::kCamchainUnknownDistortion,
+                  {name, *camera_model, *distortion_model});
       return false;
     }
     camera.model = *make_model(layout->model);
@@ -129,10 +126,9 @@ class ChainReader {
     const StoredModel* stored = find_stored_model(kFormat, layout->model, true);
     for (const ParameterRange& range : stored->ranges) {
       if (within(camera.model, std::span(&range, 1))) continue;
-      reader_.warning(*reader_.find(node, "intrinsics"), "program-refuses",
-                      name + ": " + std::string(range.parameter.name()) + " = " +
-                          text::format_short(parameter(camera.model, range.parameter).value()) + ": " +
-                          std::string(stored->why));
+      const Code why = range.parameter == ParameterId("alpha") ? Code::kCamchainAlphaBelowOne : Code::kCamchainRadtanNoK3;
+      reader_.say(*reader_.find(node, "intrinsics"), Code::kCamchainOutsideRange,
+                  {name, range.parameter.name(), parameter(camera.model, range.parameter).value(), Message{why}});
     }
     return true;
   }
@@ -141,16 +137,16 @@ class ChainReader {
     const Node* list = reader_.find(node, list_key);
     if (list == nullptr) {
       if (slots.empty()) return true;
-      reader_.error(key, "missing-key", key.value + " has no " + std::string(list_key));
+      reader_.say(key, Code::kCamchainMissingKey, {key.value, list_key});
       return false;
     }
     const std::string what = key.value + " " + std::string(list_key);
-    if (!list->is_sequence() || list->items.size() != slots.size()) {
-      const std::string wanted = std::to_string(slots.size());
-      reader_.error(*list, "wrong-length",
-                    list->is_sequence()
-                        ? what + " has " + std::to_string(list->items.size()) + " numbers; " + wanted + " are wanted"
-                        : what + " must be a list of " + wanted + " numbers");
+    if (!list->is_sequence()) {
+      reader_.say(*list, Code::kCamchainNoList, {what, slots.size()});
+      return false;
+    }
+    if (list->items.size() != slots.size()) {
+      reader_.say(*list, Code::kCamchainWrongLength, {what, list->items.size(), slots.size()});
       return false;
     }
     bool good = true;
@@ -165,7 +161,7 @@ class ChainReader {
     const Node* resolution = reader_.find(node, "resolution");
     if (resolution == nullptr) return;
     if (!resolution->is_sequence() || resolution->items.size() != 2) {
-      reader_.error(*resolution, "wrong-length", name + " resolution must be [width, height]");
+      reader_.say(*resolution, Code::kCamchainResolution, {name + " resolution"});
       return;
     }
     if (const std::optional<ImageSize> size = reader_.image_size(resolution->items[0], resolution->items[1], name + " "))
@@ -227,8 +223,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     if (found.has_errors()) return std::nullopt;
   }
   if (rig.cameras.empty() && rig.imus.empty()) {
-    diagnostics.error("no-calibration", "neither a camera (cam0) nor an IMU's noise stands here",
-                      {documents.front().source().name, 0, 0});
+    diagnostics.add(Code::kCamchainNothing, {}, {documents.front().source().name, 0, 0});
     return std::nullopt;
   }
   return rig;

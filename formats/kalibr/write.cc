@@ -8,8 +8,7 @@
 #include "../composed.h"
 #include "../losses.h"
 
-#include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
+#include <fca/code.h>
 
 #include <algorithm>
 #include <functional>
@@ -81,12 +80,13 @@ bool check_sizes(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
   bool good = true;
   for (const Camera& camera : rig.cameras) {
     if (camera.image_size || (old != nullptr && old->find_camera(camera.name) != nullptr)) continue;
-    diagnostics.error("image-size-missing", camera.name + ": Kalibr demands a resolution and the input has none", {},
-                      "give it: --size WIDTHxHEIGHT");
+    diagnostics.add(Code::kCamchainSizeMissing, {camera.name});
     good = false;
   }
   return good;
 }
+
+constexpr std::string_view kImuFile = "Kalibr's imu.yaml";
 
 /// What Kalibr's imu.yaml demands and the IMU lacks.
 std::vector<std::string> missing_in(const Imu& imu) {
@@ -106,8 +106,8 @@ std::vector<std::string> missing_in(const Imu& imu) {
 void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
   const std::vector<std::string> missing = missing_in(imu);
   if (!missing.empty()) {
-    written.losses.push_back(
-        {"imu-dropped", imu.name + " noise and rate", "Kalibr's imu.yaml demands " + text::enumerated(missing) + ", too", ""});
+    const Message why{Code::kCamchainImuDemands, {kImuFile, missing}};
+    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "noise and rate", {why}));
     return;
   }
   if (imu.topic.empty()) {
@@ -134,36 +134,30 @@ std::vector<ExtraField> taken_over(const text::Document& base, const Rig& old, c
   return result;
 }
 
-constexpr std::string_view kAnew = "the file is composed anew, of what every camchain says";
-
 /// What the input says beside its rig, and the chain, which says `there`, does not. `of_rig`: are the numbers of this
 /// cam_overlaps those of the rig's cameras?
 void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField> there,
                  const std::function<bool(const ExtraField&)>& of_rig, std::vector<Loss>& losses) {
-  const auto list = [&](std::string_view why, const std::function<bool(const ExtraField&)>& those) {
+  const auto list = [&](Code why, const std::function<bool(const ExtraField&)>& those) {
     std::vector<ExtraField> some;
     std::ranges::copy_if(extras, std::back_inserter(some), those);
-    add_beyond_base(some, there, why, losses);
+    add_beyond_base(some, there, Message{why}, losses);
   };
-  list("the camchain written has no place for it", std::not_fn(is_overlaps));
-  list("a camera of which it speaks is not in the chain written",
-       [&of_rig](const ExtraField& extra) { return is_overlaps(extra) && of_rig(extra); });
-  list("it counts the cameras of the file it stands in",
-       [&of_rig](const ExtraField& extra) { return is_overlaps(extra) && !of_rig(extra); });
+  list(Code::kCamchainNoPlace, std::not_fn(is_overlaps));
+  list(Code::kCamchainOverlapsOfAbsent, [&of_rig](const ExtraField& extra) { return is_overlaps(extra) && of_rig(extra); });
+  list(Code::kCamchainOverlapsOfItsFile, [&of_rig](const ExtraField& extra) { return is_overlaps(extra) && !of_rig(extra); });
 }
 
 /// What a camchain has no key for.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   for (const Camera& camera : rig.cameras) {
     if (camera.frame_rate_hz) {
-      losses.push_back({"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz",
-                        "a camchain has no key for it", ""});
+      losses.push_back(
+          lost(Code::kFrameRateDropped, camera.name, "frame rate", {Message{Code::kCamchainNoKey}, *camera.frame_rate_hz}));
     }
   }
   if (rig.baseline_m) {
-    losses.push_back({"baseline-dropped",
-                      "baseline " + text::format_short(*rig.baseline_m) + " m of a rectified pair or depth sensor",
-                      "a camchain states poses of cameras, and the second camera is not in the input", ""});
+    losses.push_back(lost(Code::kCamchainBaselineDropped, "", "baseline", {*rig.baseline_m}));
   }
 }
 
@@ -186,7 +180,7 @@ std::optional<text::Document> edited_imu_file(const text::Document& base, const 
 std::optional<Written> write_imu_files(const text::Document* base, const Rig* old, const Rig& rig, const WriteOptions& options,
                                        Diagnostics& diagnostics) {
   Written written;
-  written.headline = in_words("an imu.yaml for Kalibr");
+  written.headline = {Code::kCamchainImuHeadline};
   if (old != nullptr && !options.anew) {
     if (std::optional<text::Document> document = edited_imu_file(*base, *old, rig)) {
       written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
@@ -195,12 +189,14 @@ std::optional<Written> write_imu_files(const text::Document* base, const Rig* ol
   }
   for (const Imu& imu : rig.imus) add_imu_file(imu, written, diagnostics);
   if (written.files.empty()) {
-    diagnostics.error("no-camera", rig.imus.empty() ? "a camchain needs a camera and the input has none"
-                                                    : "Kalibr's imu.yaml demands what the input does not state: " +
-                                                          text::enumerated(missing_in(rig.imus.front())));
+    if (rig.imus.empty()) {
+      diagnostics.add(Code::kCamchainNoCamera, {"a camchain"});
+    } else {
+      diagnostics.add(Code::kCamchainImuNotStated, {kImuFile, missing_in(rig.imus.front())});
+    }
     return std::nullopt;
   }
-  if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
+  if (base != nullptr) add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
   list_extras(
       rig.extra_fields, {}, [](const ExtraField&) { return false; }, written.losses);
   return written;
@@ -246,12 +242,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const auto of_base = std::stable_partition(extras.begin(), extras.end(), [&](const ExtraField& extra) {
       return is_overlaps(extra) || std::ranges::find(old->extra_fields, extra) == old->extra_fields.end();
     });
-    add_not_carried({of_base, extras.end()}, std::string(kAnew), written.losses);
+    add_not_carried({of_base, extras.end()}, Message{Code::kCamchainComposedAnew}, written.losses);
     extras.erase(of_base, extras.end());
   }
   list_extras(extras, kept, of_rig, written.losses);
   if (old && !editor) {
-    add_composed_anew(*base, written.files.front().document, "", written.losses);
+    add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
     std::vector<ExtraField> gone = extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), kept);
     // Of a camera that nobody asked for nothing is missed.
     std::erase_if(gone, [&old, &rig_as_named](const ExtraField& extra) {
@@ -260,10 +256,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
     const auto overlaps_gone = std::stable_partition(gone.begin(), gone.end(), std::not_fn(is_overlaps));
     list_extras({overlaps_gone, gone.end()}, {}, of_rig, written.losses);
     gone.erase(overlaps_gone, gone.end());
-    add_not_carried(gone, std::string(kAnew), written.losses);
+    add_not_carried(gone, Message{Code::kCamchainComposedAnew}, written.losses);
   }
   list_losses(rig_as_named, written.losses);
-  written.headline = in_words("a camchain for Kalibr");
+  written.headline = {Code::kCamchainHeadline};
   return written;
 }
 

@@ -3,6 +3,7 @@
 
 #include "inverse.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -69,16 +70,17 @@ class BlockFinder {
     return lengths == std::vector<std::size_t>{2, 3, 2};
   }
 
-  void error(const Node& word, std::string code, std::string message, std::string fix) {
-    diagnostics_.error(std::move(code), std::move(message), document_.range(word), std::move(fix));
-  }
-  bool ended_before(const std::string& what) {
-    const std::size_t size = document_.source().bytes.size();
-    diagnostics_.error("missing-block", "the file ends before the " + what, document_.source().range({size, 0}),
-                       "five blocks are wanted: direct polynomial, inverse polynomial, centre, affine parameters, image size");
+  /// Always false.
+  bool error(const Node& word, Code code, std::vector<Argument> arguments) {
+    diagnostics_.add(code, std::move(arguments), document_.range(word));
     return false;
   }
-  static std::string shown(const Node& word) { return "'" + word.value.substr(0, 40) + "'"; }
+  bool ended_before(Argument what) {
+    const std::size_t size = document_.source().bytes.size();
+    diagnostics_.add(Code::kCalibResultsEndsBefore, {std::move(what)}, document_.source().range({size, 0}));
+    return false;
+  }
+  static std::string shown(const Node& word) { return word.value.substr(0, 40); }
 
   /// The one line before a block. Behind a block the program goes on where its last number ended: what else stands on that line
   /// is the comment.
@@ -88,22 +90,13 @@ class BlockFinder {
     if (!first && peek() == nullptr) return ended_before(block);
     const Node& line = lines_[line_];
     if (rest_of_line && is_number(line.items[word_])) {
-      error(line.items[word_], "wrong-count",
-            "more numbers than announced: OCamCalib's reader takes the rest of this line for the comment before the " + block,
-            "correct the number of coefficients, or remove what is too many");
-      return false;
+      return error(line.items[word_], Code::kCalibResultsMoreNumbers, {block});
     }
     if (!rest_of_line && !line.items.empty() && std::ranges::all_of(line.items, is_number)) {
-      error(line.items.front(), "comment-missing",
-            "no comment line before the " + block + ": OCamCalib's reader skips one line there, these numbers with it",
-            "put one line of text before them, such as  #" + block);
-      return false;
+      return error(line.items.front(), Code::kCalibResultsCommentMissing, {block});
     }
     if (line.span.end() - document_.source().line_at(line.span.offset).offset > kLongestComment) {
-      error(line.items.front(), "comment-too-long",
-            "the comment before the " + block + " has more than 1023 characters, which OCamCalib's reader does not skip whole",
-            "shorten it");
-      return false;
+      return error(line.items.front(), Code::kCalibResultsCommentTooLong, {block});
     }
     const bool blank = line.items.empty();
     ++line_;
@@ -112,18 +105,10 @@ class BlockFinder {
     if (word == nullptr) return ended_before(block);
     if (is_number(*word)) return true;
     if (meant_as_number(*word)) return not_a_number(*word, block);
-    if (blank) {
-      error(*word, "comment-lines",
-            "a blank line before the first comment: OCamCalib's reader skips that one instead and takes " + shown(*word) +
-                " for a number",
-            "remove the blank line");
-    } else {
-      error(*word, "comment-lines",
-            "OCamCalib's reader skips exactly one line before the " + block +
-                (rest_of_line ? ", the rest of the one above" : "") + ", and takes " + shown(*word) + " for a number",
-            "leave one line of comment");
-    }
-    return false;
+    if (blank) return error(*word, Code::kCalibResultsBlankLine, {shown(*word)});
+    std::vector<Message> above;
+    if (rest_of_line) above = {{Code::kCalibResultsRestOfLine}};
+    return error(*word, Code::kCalibResultsCommentLines, {block, above, shown(*word)});
   }
 
   /// "1,5", "nan", "1.5px"
@@ -133,41 +118,31 @@ class BlockFinder {
            word.value == "NaN" || word.value == "inf" || word.value == "Inf";
   }
   bool not_a_number(const Node& word, const std::string& what) {
-    const bool comma = word.value.find(',') != std::string::npos;
-    error(word, "not-a-number", what + ": " + shown(word) + " is no finite number", comma ? "write a decimal point" : "");
-    return false;
+    std::vector<Message> fix;
+    if (word.value.find(',') != std::string::npos) fix = {{Code::kCalibResultsDecimalPoint}};
+    return error(word, Code::kCalibResultsNotFinite, {what, shown(word), fix});
   }
 
-  bool whole(const Node& word, const std::string& what) {
+  bool whole(const Node& word, Argument what) {
     if (is_whole(word)) return true;
-    error(word, "not-an-integer", what + ": " + shown(word) + "; OCamCalib's reader takes whole numbers only here",
-          is_number(word) ? "write it without a point" : "");
-    return false;
+    std::vector<Message> fix;
+    if (is_number(word)) fix = {{Code::kCalibResultsWithoutPoint}};
+    return error(word, Code::kCalibResultsNotWhole, {std::move(what), shown(word), fix});
   }
 
   bool polynomial(PolynomialNodes& nodes, const std::string& what, int most) {
     nodes.count = next();
-    if (!whole(*nodes.count, "number of coefficients of the " + what)) return false;
+    if (!whole(*nodes.count, Message{Code::kCalibResultsCountOf, {what}})) return false;
     const int count = *text::parse_int(nodes.count->value);
     const int most_of_reader = static_cast<int>(kMostCoefficients);
     const int fewest = what == "inverse polynomial" ? 0 : 1;  // a missing one can be rebuilt
     if (count < fewest || count > most_of_reader) {
-      error(*nodes.count, "wrong-count",
-            "the " + what + " announces " + nodes.count->value + " coefficients; OCamCalib's reader has places for 1 to 64 " +
-                "and does not check",
-            "");
-      return false;
+      return error(*nodes.count, Code::kCalibResultsCountOutside, {what, nodes.count->value});
     }
-    if (count > most) {
-      error(*nodes.count, "degree-too-high",
-            "the " + what + " has degree " + std::to_string(count - 1) + "; fca-io's model ends at degree " +
-                std::to_string(most - 1) + " (the toolbox's default is 4)",
-            "calibrate with a lower degree");
-      return false;
-    }
+    if (count > most) return error(*nodes.count, Code::kCalibResultsDegreeTooHigh, {what, count - 1, most - 1});
     for (int i = 0; i < count; ++i) {
       const Node* word = next();
-      if (word == nullptr) return ended_before("last of the " + std::to_string(count) + " coefficients of the " + what);
+      if (word == nullptr) return ended_before(Message{Code::kCalibResultsLastCoefficient, {count, what}});
       if (!is_number(*word)) return too_few(*word, what, count, i);
       nodes.coefficients.push_back(word);
     }
@@ -178,7 +153,7 @@ class BlockFinder {
   bool numbers(std::array<const Node*, kCount>& nodes, const std::string& what) {
     for (std::size_t i = 0; i < kCount; ++i) {
       nodes[i] = next();
-      if (nodes[i] == nullptr) return ended_before("last number of the " + what);
+      if (nodes[i] == nullptr) return ended_before(Message{Code::kCalibResultsLastNumber, {what}});
       if (!is_number(*nodes[i])) return too_few(*nodes[i], what, static_cast<int>(kCount), static_cast<int>(i));
     }
     return true;
@@ -186,11 +161,7 @@ class BlockFinder {
 
   bool too_few(const Node& word, const std::string& what, int wanted, int found) {
     if (meant_as_number(word)) return not_a_number(word, what);
-    error(word, "wrong-count",
-          shown(word) + " stands where number " + std::to_string(found + 1) + " of " + std::to_string(wanted) + " of the " +
-              what + " is wanted",
-          "");
-    return false;
+    return error(word, Code::kCalibResultsTooFewNumbers, {shown(word), found + 1, wanted, what});
   }
 
   const text::Document& document_;
@@ -204,7 +175,7 @@ class BlockFinder {
 
 std::optional<Blocks> find_blocks(const text::Document& document, Diagnostics& diagnostics) {
   if (document.syntax() != text::Syntax::kWords) {
-    diagnostics.error("wrong-syntax", "a calib_results.txt is lines of numbers; this is none", {document.source().name, 0, 0});
+    diagnostics.add(Code::kCalibResultsNoLines, {}, {document.source().name, 0, 0});
     return std::nullopt;
   }
   return BlockFinder(document, diagnostics).run();

@@ -2,6 +2,9 @@
 #include "blocks.h"
 #include "ocamcalib.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
+
 #include <algorithm>
 #include <array>
 
@@ -44,14 +47,14 @@ ProbeResult probe(const text::Document& document) {
   const std::vector<Node>& lines = document.root().items;
   for (const Node& line : lines) {
     if (!is_numbers(line) && mentions(line, "direct") && mentions(line, "mapping"))
-      return {95, "a comment on the direct mapping function"};
+      return {95, text::text_of({Code::kCalibResultsDirectComment})};
   }
   Diagnostics ignored;
-  if (find_blocks(document, ignored)) return {90, "five blocks of numbers behind one line each"};
-  if (has_shape(lines)) return {70, "lines of numbers that end with a centre, three affine parameters and a size"};
+  if (find_blocks(document, ignored)) return {90, text::text_of({Code::kCalibResultsBlocks})};
+  if (has_shape(lines)) return {70, text::text_of({Code::kCalibResultsShape})};
   const auto comment = std::ranges::find_if(
       lines, [](const Node& line) { return !is_numbers(line) && (mentions(line, "polynomial") || mentions(line, "affine")); });
-  if (comment != lines.end()) return {50, "a comment on a polynomial or affine parameters"};
+  if (comment != lines.end()) return {50, text::text_of({Code::kCalibResultsComment})};
   return {};
 }
 

@@ -5,6 +5,8 @@
 
 #include "../fields.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/models/ocamcalib_parameters.h>
 
@@ -46,17 +48,15 @@ class ResultsReader {
     if (!good || !inverse) return std::nullopt;
     const bool swapped = warn_if_swapped(*blocks, camera);
     if (inverse->empty()) {
-      reader_.warning(blocks->inverse.count != nullptr ? *blocks->inverse.count : *blocks->centre[0], "inverse-missing",
-                      "there is no inverse polynomial: OCamCalib's world2cam cannot project without it",
-                      "fca-io convert FILE --to ocamcalib fits one to the direct polynomial");
+      reader_.say(blocks->inverse.count != nullptr ? *blocks->inverse.count : *blocks->centre[0],
+                  Code::kCalibResultsInverseMissing);
       rig.cameras.push_back(std::move(camera));
       return rig;
     }
     const double error = inverse_error(camera, *inverse);
     if (!swapped) warn_if_stale(*blocks, error);  // else the lens is not where the centre says
     rig.extra_fields.push_back({"cam0", std::string(kInverse),
-                                std::to_string(inverse->size()) + " coefficients, up to " + text::format_short(error, 3) +
-                                    " px from the exact inverse of the direct polynomial: " + listed(*inverse)});
+                                text::text_of({Code::kCalibResultsInverse, {inverse->size(), error, listed(*inverse)}})});
     rig.cameras.push_back(std::move(camera));
     return rig;
   }
@@ -65,9 +65,7 @@ class ResultsReader {
   bool read_direct(const PolynomialNodes& nodes, Camera& camera) {
     const text::Node& first = *nodes.coefficients.front();
     if (text::parse_real(first.value).value_or(0.0) > 0.0) {
-      reader_.error(first, "polynomial-sign",
-                    "a0 = " + first.value + " is positive: OCamCalib's z points to the back of the lens, so a0 is negative",
-                    "change the sign of all direct and of the odd inverse coefficients (b1, b3, ...)");
+      reader_.say(first, Code::kCalibResultsSign, {first.value});
       return false;
     }
     bool good = true;
@@ -95,7 +93,7 @@ class ResultsReader {
       good = reader_.parameter(*blocks.affine[i], "affine parameter", kAffine.at(i), camera.model) && good;
     const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
     if (good && !(value("c") - value("d") * value("e") > 0.0)) {
-      reader_.error(*blocks.affine[0], "not-a-camera", "c - d e is not positive: [c d; e 1] mirrors the image or is singular");
+      reader_.say(*blocks.affine[0], Code::kCalibResultsMirrors);
       good = false;
     }
     camera.image_size = reader_.image_size(*blocks.size[1], *blocks.size[0], "image ");
@@ -112,11 +110,8 @@ class ResultsReader {
     const bool swapped = near(row, size.width) && near(column, size.height);
     if (straight || swapped) return true;
     const bool by_row = !near(row, size.height);
-    reader_.error(*blocks.centre[by_row ? 0 : 1], "centre-outside",
-                  "the centre is row " + blocks.centre[0]->value + ", column " + blocks.centre[1]->value +
-                      ", far outside an image of " + std::to_string(size.height) + " rows and " + std::to_string(size.width) +
-                      " columns",
-                  "the image size is its height and its width: is one of the two numbers cut short?");
+    reader_.say(*blocks.centre[by_row ? 0 : 1], Code::kCalibResultsCentreOutside,
+                {blocks.centre[0]->value, blocks.centre[1]->value, size.height, size.width});
     return false;
   }
 
@@ -129,23 +124,14 @@ class ResultsReader {
     const double straight = std::hypot(row - 0.5 * size.height, column - 0.5 * size.width);
     const double swapped = std::hypot(row - 0.5 * size.width, column - 0.5 * size.height);
     if (swapped > kSwappedRatio * straight || straight < kSwappedDiagonals * std::hypot(size.width, size.height)) return false;
-    reader_.warning(*blocks.centre[0], "centre-swapped",
-                    "the centre is row " + blocks.centre[0]->value + ", column " + blocks.centre[1]->value +
-                        " of an image of " + std::to_string(size.height) + " rows and " + std::to_string(size.width) +
-                        " columns; the other way round it would be nearer to the middle",
-                    "one of the two pairs is swapped: write  " + blocks.centre[1]->value + " " + blocks.centre[0]->value +
-                        "  for the centre, or  " + std::to_string(size.width) + " " + std::to_string(size.height) +
-                        "  (height width) for the image's size; most images are wider than high");
+    reader_.say(*blocks.centre[0], Code::kCalibResultsCentreSwapped,
+                {blocks.centre[0]->value, blocks.centre[1]->value, size.height, size.width});
     return true;
   }
 
   void warn_if_stale(const Blocks& blocks, double error) {
     if (error <= kStalePx) return;
-    reader_.warning(*blocks.inverse.count, "stale-inverse",
-                    "the inverse polynomial is up to " + text::format_short(error, 3) +
-                        " px from the inverse of the direct one: programs that project (world2cam) and those that unproject " +
-                        "(cam2world) see two different lenses; fca-io goes by the direct one",
-                    "fca-io convert FILE --to ocamcalib rebuilds it");
+    reader_.say(*blocks.inverse.count, Code::kCalibResultsInverseStale, {error});
   }
 
   fields::Reader reader_;
@@ -155,8 +141,7 @@ class ResultsReader {
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
   if (documents.size() != 1) {
-    diagnostics.error("one-camera",
-                      "a calib_results.txt holds one camera; these are " + std::to_string(documents.size()) + " documents");
+    diagnostics.add(Code::kCalibResultsManyDocuments, {documents.size()});
     return std::nullopt;
   }
   Diagnostics found;

@@ -7,7 +7,9 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/code.h>
 #include <fca/formats/file_name.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
@@ -57,15 +59,9 @@ std::string compose(const Camera& camera, const InversePolynomial& inverse) {
 void tell_inverse(const Camera& camera, const InversePolynomial& inverse, Written& written, Diagnostics& diagnostics) {
   constexpr double kGoal = 1e-6;
   const bool good = inverse.error_px <= kGoal;
-  const std::string error = text::format_short(inverse.error_px, 2) + " px";
-  written.defaults.push_back(
-      {camera.name + " inverse polynomial",
-       std::to_string(inverse.coefficients.size()) + " coefficients, fitted to the direct one within " + error, !good});
-  if (good) return;
-  diagnostics.warning("inverse-inexact",
-                      camera.name + ": no inverse polynomial of up to 64 coefficients comes nearer to the direct one than " +
-                          error + "; OCamCalib's world2cam is off by as much",
-                      {}, "--max-angle DEG leaves out the border, where the direct polynomial turns; or another model");
+  const Message fitted{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}};
+  written.defaults.push_back({camera.name + " " + std::string(kInverse), text::text_of(fitted), !good});
+  if (!good) diagnostics.add(Code::kCalibResultsInverseInexact, {camera.name, inverse.error_px});
 }
 
 /// A word that has the value already is not touched: scanf's %lf takes "0" and "0.0" alike.
@@ -168,7 +164,7 @@ void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written
   std::vector<ExtraField> extras = rig.extra_fields;
   if (!old || old->cameras.front().model != rig.cameras.front().model)
     std::erase_if(extras, [](const ExtraField& extra) { return extra.key == kInverse; });
-  add_beyond_base(extras, old ? old->extra_fields : std::vector<ExtraField>(), "a calib_results.txt has no place for it",
+  add_beyond_base(extras, old ? old->extra_fields : std::vector<ExtraField>(), Message{Code::kCalibResultsNoPlace},
                   written.losses);
 }
 
@@ -176,7 +172,8 @@ void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  if (!writable_alone(kFormat, rig, "a calib_results.txt ends with the image size", diagnostics)) return std::nullopt;
+  const std::string size_use = text::text_of({Code::kCalibResultsEndsWithSize});
+  if (!writable_alone(kFormat, rig, size_use, diagnostics)) return std::nullopt;
 
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
@@ -197,8 +194,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   list_camera_losses(rig, "OCamCalib", written.losses);
   list_extras(rig, old, written);
-  written.headline = in_words(rig.cameras.size() == 1 ? "a calib_results.txt for OCamCalib"
-                                                      : "one calib_results.txt for OCamCalib per camera");
+  written.headline = {rig.cameras.size() == 1 ? Code::kCalibResultsHeadline : Code::kCalibResultsHeadlineEach};
   return written;
 }
 

@@ -10,7 +10,8 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
 
@@ -65,12 +66,12 @@ ProbeResult probe(const text::Document& document) {
     const std::string& name = entry.key.value;
     for (const std::string_view key : {"T_imu_cam", "T_cam_imu"}) {
       if (kalibr::index_in(name, "cam") && text::find(entry.value, key, kDialect) != nullptr)
-        return {evidence::kCamera + 1, "%YAML:1.0 and " + std::string(key) + " below " + name};
+        return {evidence::kCamera + 1, text::text_of({Code::kOpenvinsChainWithKey, {key, name}})};
     }
     if (!kalibr::index_in(name, "imu")) continue;
     for (const Intrinsic& intrinsic : kIntrinsics) {
       if (text::find(entry.value, intrinsic.key, kDialect) != nullptr)
-        return {evidence::kPart + 1, "%YAML:1.0 and " + std::string(intrinsic.key) + " below " + name};
+        return {evidence::kPart + 1, text::text_of({Code::kOpenvinsChainWithKey, {intrinsic.key, name}})};
     }
   }
   return {};
@@ -93,9 +94,9 @@ Transform pose_of(const Rig& rig, const Camera& camera, std::vector<DefaultedVal
   if (const std::optional<Transform> T = pose_in(rig, imu_of(rig), camera)) return *T;
   const Camera& first = rig.cameras.front();
   const std::optional<Transform> T = pose_in(rig, first.name, camera);
-  const std::string value = T && first.name != camera.name ? "the pose in " + first.name : "identity";
-  defaults.push_back(
-      {camera.name + " T_imu_cam", value + ": its pose in the IMU is not in the input, and OpenVINS stops without it", true});
+  const bool known = T && first.name != camera.name;
+  const Argument value = known ? Argument(Message{Code::kOpenvinsChainPoseInFrame, {first.name}}) : Argument("identity");
+  defaults.push_back({camera.name + " T_imu_cam", text::text_of({Code::kOpenvinsChainPoseMadeUp, {value}}), true});
   return T.value_or(Transform{});
 }
 
@@ -130,8 +131,8 @@ std::vector<std::string> missing_in(const Imu& imu) {
 void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& written, Diagnostics& diagnostics) {
   Imu imu = rig.imus.front();
   if (const std::vector<std::string> missing = missing_in(imu); !missing.empty()) {
-    written.losses.push_back(
-        {"imu-dropped", imu.name + " noise and rate", "OpenVINS demands " + text::enumerated(missing) + ", too", ""});
+    const Message why{Code::kCamchainImuDemands, {"OpenVINS", missing}};
+    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "noise and rate", {why}));
     return;
   }
   if (imu.topic.empty()) {
@@ -158,25 +159,24 @@ void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& writte
     }
   }
   if (!made_up.empty())
-    written.defaults.push_back({"IMU intrinsics (" + text::enumerated(made_up) + ")", "those of a calibrated IMU", false});
+    written.defaults.push_back(
+        {"IMU intrinsics (" + text::enumerated(made_up) + ")", text::text_of({Code::kOpenvinsChainCalibratedImu}), false});
   if (std::optional<text::Document> document = text::parse_document({"kalibr_imu_chain.yaml", bytes}, diagnostics))
     written.files.push_back({*std::move(document), {}, {"openvins-imu"}});
 }
 
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
-  const std::string no_place = "OpenVINS' chains have no key for it";
   for (const Camera& camera : rig.cameras) {
     if (camera.frame_rate_hz) {
-      losses.push_back(
-          {"frame-rate-dropped", camera.name + " " + text::format_short(*camera.frame_rate_hz) + " Hz", no_place, ""});
+      losses.push_back(lost(Code::kFrameRateDropped, camera.name, "frame rate",
+                            {Message{Code::kOpenvinsChainNoKey}, *camera.frame_rate_hz}));
     }
   }
-  add_other_time_offsets(rig, rig.cameras.front().time_offset_s.value_or(0.0),
-                         "OpenVINS takes that of the first camera for all", losses);
+  add_other_time_offsets(rig, rig.cameras.front().time_offset_s.value_or(0.0), Message{Code::kOpenvinsChainOneOffset}, losses);
   for (std::size_t i = 1; i < rig.imus.size(); ++i)
-    losses.push_back({"imu-dropped", rig.imus[i].name + " noise and rate", "OpenVINS has one IMU", ""});
-  if (rig.baseline_m)
-    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
+    losses.push_back(
+        lost(Code::kCamchainImuDropped, rig.imus[i].name, "noise and rate", {Message{Code::kOpenvinsChainOneImu}}));
+  if (rig.baseline_m) losses.push_back(lost(Code::kOpenvinsChainBaselineDropped, "", "baseline", {*rig.baseline_m}));
 }
 
 /// The base's own text with what differs, by Kalibr's editor: its layout is the same. Nothing if that cannot be.
@@ -206,18 +206,12 @@ void refuse_misread(const text::Document& document, Diagnostics& diagnostics) {
   for (const text::Entry& entry : document.root().entries) {
     const std::string& name = entry.key.value;
     if (!kalibr::index_in(name, "cam")) continue;
-    const std::string fix =
-        "--from kalibr reads it by its names: convert it with that and --to openvins, and the lens is fitted";
     const Node* model = reader.find(entry.value, "camera_model");
     const Node* distortion = reader.find(entry.value, "distortion_model");
     if (model != nullptr && model->value != "pinhole") {
-      reader.error(*model, "unknown-model",
-                   name + ": OpenVINS never reads camera_model: it would take the first four intrinsics of this " +
-                       model->value + " camera for fx fy cx cy",
-                   fix);
+      reader.say(*model, Code::kOpenvinsChainOtherLens, {name, model->value});
     } else if (distortion != nullptr && distortion->value != "radtan" && distortion->value != "equidistant") {
-      reader.error(*distortion, "unknown-model",
-                   name + ": OpenVINS takes distortion_model " + distortion->value + " for radtan", fix);
+      reader.say(*distortion, Code::kOpenvinsChainTakenForRadtan, {name, distortion->value});
     }
   }
 }
@@ -234,17 +228,18 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   if (rig.cameras.empty() ? rig.imus.empty()
                           : !can_store(kFormat, rig, old && is_opencv_yaml(*base) ? &*old : nullptr, diagnostics)) {
-    if (rig.cameras.empty()) diagnostics.error("no-camera", "an OpenVINS chain needs a camera and the input has none");
+    if (rig.cameras.empty()) diagnostics.add(Code::kCamchainNoCamera, {"an OpenVINS chain"});
     return std::nullopt;
   }
   if (old) {
     if (std::optional<Written> written = edited(*base, *old, rig, options, diagnostics)) {
       if (!rig.cameras.empty()) list_losses(rig, written->losses);
-      written->headline = in_words("a chain for OpenVINS");
+      written->headline = {Code::kOpenvinsChainHeadline};
       return written;
     }
   }
-  if (!rig.cameras.empty() && !writable_alone(kFormat, rig, "OpenVINS demands a resolution", diagnostics)) return std::nullopt;
+  const std::string size_use = text::text_of({Code::kOpenvinsChainDemandsSize});
+  if (!rig.cameras.empty() && !writable_alone(kFormat, rig, size_use, diagnostics)) return std::nullopt;
 
   Written written;
   std::vector<ExtraField> said;
@@ -256,18 +251,17 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   if (!rig.imus.empty()) add_imu_file(rig, said, written, diagnostics);
   if (written.files.empty()) {
-    diagnostics.error("no-camera",
-                      "OpenVINS demands what the input does not state: " + text::enumerated(missing_in(rig.imus.front())));
+    diagnostics.add(Code::kCamchainImuNotStated, {"OpenVINS", missing_in(rig.imus.front())});
     return std::nullopt;
   }
-  add_beyond_base(rig.extra_fields, said, "OpenVINS' chains have no place for it", written.losses);
-  if (base != nullptr) add_composed_anew(*base, written.files.front().document, "", written.losses);
+  add_beyond_base(rig.extra_fields, said, Message{Code::kOpenvinsChainNoPlace}, written.losses);
+  if (base != nullptr) add_composed_anew(*base, written.files.front().document, Message{}, written.losses);
   if (old) {
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
                     written.losses);
   }
   if (!rig.cameras.empty()) list_losses(rig, written.losses);
-  written.headline = in_words(rig.cameras.empty() ? "an IMU's chain for OpenVINS" : "a chain for OpenVINS");
+  written.headline = {rig.cameras.empty() ? Code::kOpenvinsChainImuHeadline : Code::kOpenvinsChainHeadline};
   return written;
 }
 

@@ -3,6 +3,8 @@
 
 #include "../fields.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -138,10 +140,7 @@ class CameraTxtReader {
       refuse_first_line(first);
       return std::nullopt;
     }
-    if (first.lens->name == "ATAN") {
-      reader_.warning(lines_.front().items.front(), "program-refuses",
-                      "DSO knows no lens ATAN and stops; it is PTAM's name for DSO's FOV", "write FOV");
-    }
+    if (first.lens->name == "ATAN") reader_.say(lines_.front().items.front(), Code::kCameraTxtAtan);
     const std::optional<ImageSize> size = read_size();
     if (!size) return std::nullopt;
     Camera camera;
@@ -163,24 +162,19 @@ class CameraTxtReader {
     if (&at == &root) where.length = 0;
     const std::size_t read = (first.named ? 1 : 0) + first.numbers.size();
     if (first.lens != nullptr && read < at.items.size()) {
-      reader_.error(at.items[read], "not-a-number", "line 1: '" + at.items[read].value.substr(0, 40) + "' is no number");
-      return;
+      reader_.say(at.items[read], Code::kCameraTxtNotANumber, {at.items[read].value.substr(0, 40)});
+    } else if (first.lens != nullptr) {
+      reader_.diagnostics().add(Code::kCameraTxtTooFewNumbers, {first.numbers.size(), first.lens->name, first.lens->numbers},
+                                where);
+    } else {
+      reader_.diagnostics().add(Code::kCameraTxtNoLens, {}, where);
     }
-    std::string message = "line 1 is no lens of DSO's";
-    if (first.lens != nullptr) {
-      message = "line 1 has " + std::to_string(first.numbers.size()) + " numbers; " + std::string(first.lens->name) + " has " +
-                std::to_string(first.lens->numbers);
-    }
-    reader_.diagnostics().error(
-        "unknown-model", message, where,
-        "EquiDistant, KannalaBrandt or RadTan with 8 numbers (fx fy cx cy and four coefficients), FOV or "
-        "Pinhole with 5");
   }
 
   std::optional<ImageSize> read_size() {
     if (lines_.size() < 2 || lines_[1].items.size() < 2 || !is_whole(lines_[1].items[0]) || !is_whole(lines_[1].items[1])) {
       const Node& at = lines_.size() < 2 || lines_[1].items.empty() ? lines_.front() : lines_[1];
-      reader_.error(at, "missing-block", "line 2 must be the image's width and height, two whole numbers");
+      reader_.say(at, Code::kCameraTxtSize);
       return std::nullopt;
     }
     return reader_.image_size(lines_[1].items[0], lines_[1].items[1], "image ");
@@ -197,8 +191,7 @@ class CameraTxtReader {
     const bool relative = is_relative(numbers);
     constexpr double kLargestShare = 10.0;
     if (relative && (numbers[0] > kLargestShare || numbers[1] > kLargestShare)) {
-      reader_.warning(*first.numbers[2], "relative-by-centre",
-                      "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height");
+      reader_.say(*first.numbers[2], Code::kCameraTxtSharesByCentre);
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double value = relative ? to_pixels(numbers[i], i, size) : numbers[i];
@@ -208,7 +201,7 @@ class CameraTxtReader {
       good = reader_.parameter(*first.numbers[4 + i], "line 1", first.lens->coefficients[i], camera.model) && good;
     }
     if (first.lens->model == "pinhole" && text::parse_real(first.numbers[4]->value) != 0.0) {
-      reader_.warning(*first.numbers[4], "program-ignores", "the fifth number of Pinhole is read by DSO and used for nothing");
+      reader_.say(*first.numbers[4], Code::kCameraTxtFifthNumber);
     }
     return good;
   }
@@ -217,29 +210,22 @@ class CameraTxtReader {
   void read_output(const Camera& camera, const ImageSize& size, Rig& rig) {
     if (lines_.size() < 4 || lines_[2].items.empty() || lines_[3].items.size() < 2) {
       const Node& last = lines_[std::min<std::size_t>(lines_.size() - 1, 3)];
-      reader_.warning(
-          last.items.empty() ? lines_[1] : last, "program-refuses",
-          "DSO wants a line 3 (crop, none or five numbers) and a line 4 (width and height of its images), and stops");
+      reader_.say(last.items.empty() ? lines_[1] : last, Code::kCameraTxtNoOutput);
       return;
     }
     const Node& mode = lines_[2];
     const std::string_view line = whole_line(reader_.document(), mode);
     const bool numbers = mode.items.size() >= 5 && std::ranges::all_of(std::span(mode.items).first(5), is_number);
     if (line == "full") {
-      reader_.warning(mode, "program-refuses", "DSO has not written \"full\" yet and stops", "write  crop");
+      reader_.say(mode, Code::kCameraTxtFull);
     } else if (!numbers && line != "crop" && line != "none") {
-      reader_.warning(mode, "program-refuses",
-                      "line 3 must be exactly crop or none (no blank, no CR behind it) or five numbers; DSO stops", "");
+      reader_.say(mode, Code::kCameraTxtMode);
     }
     const Node& output = lines_[3];
     const bool same_size =
         output.items[0].value == std::to_string(size.width) && output.items[1].value == std::to_string(size.height);
-    if (line == "none" && !same_size)
-      reader_.warning(output, "program-refuses", "line 3 is none, but the sizes of the lines 2 and 4 differ: DSO stops");
-    if (line == "none" && model_info(camera.model).id != "pinhole") {
-      reader_.warning(mode, "program-ignores",
-                      "line 3 is none: DSO takes the images as they are, and ignores the distortion of line 1", "write  crop");
-    }
+    if (line == "none" && !same_size) reader_.say(output, Code::kCameraTxtSizesDiffer);
+    if (line == "none" && model_info(camera.model).id != "pinhole") reader_.say(mode, Code::kCameraTxtNotRectified);
     std::string words;
     for (const Node& word : mode.items) words += word.value + " ";
     rig.extra_fields.push_back(
@@ -261,13 +247,13 @@ ProbeResult probe_camera_txt(const text::Document& document) {
   const FirstLine first = first_line(lines.front());
   const bool sized = lines.size() > 1 && lines[1].items.size() == 2 && std::ranges::all_of(lines[1].items, is_whole);
   if (first.named && first.lens != nullptr && !first.numbers.empty())
-    return {sized ? 95 : 60, "a first line " + lines.front().items.front().value + " as in DSO's camera.txt"};
+    return {sized ? 95 : 60, text::text_of({Code::kCameraTxtNamedLens, {lines.front().items.front().value}})};
   if (!sized || first.numbers.size() < 4) return {};
   const bool mode = lines.size() > 2 && !lines[2].items.empty() &&
                     (lines[2].items.size() == 5 || lines[2].items.front().value == "crop" ||
                      lines[2].items.front().value == "none" || lines[2].items.front().value == "full");
-  if (mode) return {90, "a line of numbers, a size and a mode as in DSO's camera.txt"};
-  if (first.named || first.lens != nullptr) return {50, "a line of numbers and a size as in DSO's camera.txt"};
+  if (mode) return {90, text::text_of({Code::kCameraTxtWithMode})};
+  if (first.named || first.lens != nullptr) return {50, text::text_of({Code::kCameraTxtNumbers})};
   return {};
 }
 
@@ -275,16 +261,15 @@ std::optional<Rig> read_camera_txt(const text::Document& document, Diagnostics& 
   return CameraTxtReader(document, diagnostics).run();
 }
 
-std::string problem_with_camera_txt(const Rig& rig) {
-  if (rig.cameras.size() != 1) return "it holds one camera, and here are " + std::to_string(rig.cameras.size());
+Message problem_with_camera_txt(const Rig& rig) {
+  if (rig.cameras.size() != 1) return {Code::kCameraTxtManyCameras, {rig.cameras.size()}};
   const Camera& camera = rig.cameras.front();
   const std::string model(model_info(camera.model).id);
-  if (lens_of(model) == nullptr) return "DSO knows no model " + model + " (it reads pinhole, radtan, kb4 and fov)";
-  if (model == "radtan" && value_of(camera, "k3") != 0.0) return "DSO's RadTan has no k3";
-  if (!camera.image_size) return "it states the image's size, and the input has none";
-  if (value_of(camera, "cx") < 1.0 && value_of(camera, "cy") < 1.0)
-    return "DSO takes a centre below (1, 1) for shares of the image's size";
-  return "";
+  if (lens_of(model) == nullptr) return {Code::kCameraTxtUnknownModel, {model}};
+  if (model == "radtan" && value_of(camera, "k3") != 0.0) return {Code::kCameraTxtNoK3};
+  if (!camera.image_size) return {Code::kCameraTxtSizeMissing};
+  if (value_of(camera, "cx") < 1.0 && value_of(camera, "cy") < 1.0) return {Code::kCameraTxtCentreBelowOne};
+  return {};
 }
 
 std::string fresh_camera_txt(const Camera& camera) {

@@ -23,8 +23,8 @@ namespace fca::tumvi {
 [[nodiscard]] bool camera_txt_holds(std::string_view model);
 
 /// Why a camera.txt cannot say this rig (several cameras, another model, a centre that DSO would take for a relative one, no
-/// image size), for people; "" if one can.
-[[nodiscard]] std::string problem_with_camera_txt(const Rig& rig);
+/// image size), a clause; none if one can.
+[[nodiscard]] Message problem_with_camera_txt(const Rig& rig);
 
 /// The base with the camera's numbers in place of its own, and the lens's name where the model is another one; nothing if it
 /// cannot say them, in the form (pixels or shares) that it has.

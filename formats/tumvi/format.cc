@@ -10,6 +10,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/file_name.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -86,23 +87,23 @@ bool wants_camera_txt(const text::Document* base, const WriteOptions& options) {
 }
 
 /// The base, a camera.txt, with the numbers of the rig's one camera. Nothing, and `why` says why, if it cannot say them.
-std::optional<text::Document> edited_base(const text::Document& base, const Rig& rig, std::string& why) {
+std::optional<text::Document> edited_base(const text::Document& base, const Rig& rig, Message& why) {
   why = problem_with_camera_txt(rig);
   // In shares of the image's size, the base can say another centre than in pixels.
-  if (!why.empty() && rig.cameras.size() != 1) return std::nullopt;
+  if (why.is_said() && rig.cameras.size() != 1) return std::nullopt;
   std::optional<text::Document> document = edited_camera_txt(base, rig.cameras.front());
-  if (!document && why.empty()) why = "its numbers are shares of the image's size, and these cannot be";
+  if (!document && !why.is_said()) why = {Code::kCameraTxtCentreNoShare};
   return document;
 }
 
 /// A fresh camera.txt per camera. Nothing, and `why` says why, if one of them cannot be.
-std::vector<Written::File> fresh_files(const Rig& rig, std::string& why, Diagnostics& diagnostics) {
+std::vector<Written::File> fresh_files(const Rig& rig, Message& why, Diagnostics& diagnostics) {
   std::vector<Written::File> files;
   for (const Camera& camera : rig.cameras) {
     Rig alone;
     alone.cameras = {camera};
     why = problem_with_camera_txt(alone);
-    if (!why.empty()) return {};
+    if (why.is_said()) return {};
     const std::string name = rig.cameras.size() == 1 ? "camera.txt" : as_file_name(camera.name) + ".txt";
     std::optional<text::Document> document = text::parse_document({name, fresh_camera_txt(camera)}, diagnostics);
     if (document) files.push_back({*std::move(document), {camera.name}, {"dso"}});
@@ -111,8 +112,8 @@ std::vector<Written::File> fresh_files(const Rig& rig, std::string& why, Diagnos
 }
 
 /// DSO's text: the base with the camera's numbers, or fresh ones. Nothing, and `why` says why, if it cannot say the rig.
-std::optional<Written> write_camera_txt(const text::Document* base, const std::optional<Rig>& old, const Rig& rig,
-                                        std::string& why, Diagnostics& diagnostics) {
+std::optional<Written> write_camera_txt(const text::Document* base, const std::optional<Rig>& old, const Rig& rig, Message& why,
+                                        Diagnostics& diagnostics) {
   const bool edits = old && is_camera_txt(*base);
   Written written;
   if (edits) {
@@ -123,12 +124,12 @@ std::optional<Written> write_camera_txt(const text::Document* base, const std::o
     written.files = fresh_files(rig, why, diagnostics);
     if (written.files.empty()) return std::nullopt;
     written.defaults.push_back({"rectification (line 3)", "crop", false});
-    written.defaults.push_back({"size of DSO's images (line 4)", "the camera's", false});
+    written.defaults.push_back({"size of DSO's images (line 4)", text::text_of({Code::kCameraTxtSizeOfCamera}), false});
   }
   list_camera_losses(rig, "DSO", written.losses);
   const std::vector<ExtraField> there = edits ? old->extra_fields : std::vector<ExtraField>();
-  add_beyond_base(rig.extra_fields, there, "a camera.txt has no place for it", written.losses);
-  written.headline = in_words(written.files.size() == 1 ? "a camera.txt for DSO" : "a camera.txt for DSO per camera");
+  add_beyond_base(rig.extra_fields, there, Message{Code::kCameraTxtNoPlace}, written.losses);
+  written.headline = {written.files.size() == 1 ? Code::kCameraTxtHeadline : Code::kCameraTxtHeadlineEach};
   return written;
 }
 
@@ -145,15 +146,15 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   const std::optional<Rig> there = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const std::optional<Rig> old = options.anew ? std::nullopt : there;
   const auto list_replaced = [&there](const Rig& said, Written& written) {
-    add_not_carried(extras_beyond(there->extra_fields, said.extra_fields), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(there->extra_fields, said.extra_fields), Message{Code::kComposedAnew}, written.losses);
   };
   if (wants_camera_txt(base, options)) {
-    std::string why;
+    Message why;
     if (std::optional<Written> written = write_camera_txt(base, old, rig_as_named, why, diagnostics)) {
       if (there && !(old && is_camera_txt(*base))) list_replaced(rig_as_named, *written);
       return written;
     }
-    diagnostics.note("not-a-camera-txt", "a camchain, not DSO's camera.txt: " + why);
+    diagnostics.add(Code::kCameraTxtCamchainInstead, {why});
   }
   const text::Document* chain = base != nullptr && !is_camera_txt(*base) ? base : nullptr;
   const bool own_chain = chain != nullptr && !options.adopted;
@@ -167,7 +168,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig_as_named
   written->losses.insert(written->losses.begin(), losses.begin(), losses.end());
   written->restated = std::move(restated);
   if (there && chain == nullptr) list_replaced(rig, *written);
-  written->headline = in_words("a camchain as TUM-VI's, for Kalibr");
+  written->headline = {Code::kTumviHeadline};
   return written;
 }
 

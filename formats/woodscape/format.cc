@@ -2,7 +2,9 @@
 #include "layout.h"
 #include "woodscape.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/dialect.h>
+#include <fca/formats/text/message.h>
 
 #include <array>
 
@@ -26,14 +28,16 @@ ProbeResult probe(const text::Document& document) {
   const Node* intrinsic = text::find(root, "intrinsic", kDialect);
   if (intrinsic == nullptr || !intrinsic->is_mapping()) return {};
   const Node* model = text::find(*intrinsic, "model", kDialect);
-  if (model != nullptr && model->value == "radial_poly") return {evidence::kCamera, "intrinsic with model \"radial_poly\""};
+  if (model != nullptr && model->value == "radial_poly")
+    return {evidence::kCamera, text::text_of({Code::kWoodscapeJsonWithKey, {"model \"radial_poly\""}})};
   for (const std::string_view key : {"cx_offset", "cy_offset", "poly_order"}) {
-    if (text::find(*intrinsic, key, kDialect) != nullptr) return {evidence::kPart, "intrinsic with " + std::string(key)};
+    if (text::find(*intrinsic, key, kDialect) != nullptr)
+      return {evidence::kPart, text::text_of({Code::kWoodscapeJsonWithKey, {key}})};
   }
   const Node* extrinsic = text::find(root, "extrinsic", kDialect);
   if (extrinsic != nullptr && extrinsic->is_mapping() && text::find(*extrinsic, "quaternion", kDialect) != nullptr &&
       text::find(*intrinsic, "k1", kDialect) != nullptr)
-    return {evidence::kHint, "intrinsic with k1 beside an extrinsic with quaternion"};
+    return {evidence::kHint, text::text_of({Code::kWoodscapeJsonWithQuaternion})};
   return {};
 }
 

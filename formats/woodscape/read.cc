@@ -4,6 +4,7 @@
 
 #include "../fields.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/rotation.h>
 
@@ -51,21 +52,18 @@ class CameraReader {
   }
 
  private:
-  static std::string key_error(std::string_view key) { return "projection.py stops with KeyError: '" + std::string(key) + "'"; }
+  /// A missing part of the pose is a warning.
+  static std::vector<Message> pose_not_known() { return {{Code::kWoodscapeJsonPoseNotKnown}}; }
 
   /// A mapping under a key; an error (or, if it may be missing, a warning) if it is not there.
   const Node* mapping(const Node& owner, std::string_view key, bool required) {
     const Node* node = reader_.find(owner, key);
     if (node != nullptr && node->is_mapping()) return node;
-    const std::string problem =
-        node == nullptr ? "there is no " + std::string(key) : std::string(key) + " is no object of keys and values";
     SourceRange where = reader_.document().range(node == nullptr ? owner : *node);
     where.length = 1;
-    if (required) {
-      reader_.diagnostics().error("missing-key", problem + ": " + key_error(key), where);
-    } else {
-      reader_.diagnostics().warning("missing-key", problem + ": " + key_error(key) + "; the pose is not known", where);
-    }
+    reader_.diagnostics().add(required ? Severity::kError : Severity::kWarning,
+                              node == nullptr ? Code::kWoodscapeJsonMissing : Code::kWoodscapeJsonNoObject,
+                              {key, required ? std::vector<Message>() : pose_not_known()}, where);
     return nullptr;
   }
 
@@ -74,7 +72,7 @@ class CameraReader {
     if (node == nullptr) {
       SourceRange where = reader_.document().range(intrinsic);
       where.length = 1;
-      reader_.diagnostics().error("missing-key", "intrinsic has no " + std::string(key) + ": " + key_error(key), where);
+      reader_.diagnostics().add(Code::kWoodscapeJsonMissingKey, {"intrinsic", key, std::vector<Message>()}, where);
     }
     return node;
   }
@@ -85,16 +83,12 @@ class CameraReader {
     bool good = true;
     const Node* model = reader_.find(intrinsic, "model");
     if (model != nullptr && model->value != "radial_poly") {
-      reader_.error(
-          *model, "unknown-model",
-          "model is '" + model->value + "'; fca-io reads WoodScape's \"radial_poly\" (rho = k1 theta + ... + k4 theta^4)");
+      reader_.say(*model, Code::kWoodscapeJsonOtherModel, {model->value});
       good = false;
     }
     const Node* order = reader_.find(intrinsic, "poly_order");
     if (order != nullptr && text::parse_real(order->value) != 4.0) {
-      reader_.error(*order, "unknown-model",
-                    "poly_order is " + order->value + "; projection.py reads k1 to k4, whatever stands here",
-                    "write the coefficients as k1 to k4 and poly_order as 4");
+      reader_.say(*order, Code::kWoodscapeJsonOtherOrder, {order->value});
       good = false;
     }
     return good;
@@ -105,16 +99,11 @@ class CameraReader {
     constexpr double kFewestPixels = 20.0;  // 10.3 are a dataset camera's pixels per degree
     const double value = parameter(model, "k1").value();
     if (value >= kFewestPixels) return true;
-    const double per_radian = value * 180.0 / std::numbers::pi;
-    std::string guess = "normalised Kannala-Brandt coefficients (theta + k1 theta^3 + ...) under WoodScape's names";
     if (value > 1.0) {
-      guess = "pixels per degree (" + k1.value + " per degree are " + text::format_short(per_radian, 4) + " per radian)";
+      reader_.say(k1, Code::kWoodscapeJsonPerDegree, {k1.value, value * 180.0 / std::numbers::pi});
+    } else {
+      reader_.say(k1, Code::kWoodscapeJsonKannalaBrandt, {k1.value});
     }
-    reader_.error(k1, "not-in-pixels",
-                  "k1 = " + k1.value +
-                      " is no number of pixels per radian (the dataset's are 200 to 600): the file probably holds " + guess,
-                  value > 1.0 ? "multiply k1 .. k4 by 57.29578 to the power of 1 .. 4"
-                              : "if so, the focal length is missing here; write the camera as Kalibr's pinhole-equidistant");
     return false;
   }
 
@@ -135,7 +124,7 @@ class CameraReader {
     for (const std::string_view key : {"k5", "k6"}) {
       const Node* more = reader_.find(intrinsic, key);
       if (more == nullptr || text::parse_real(more->value) == 0.0) continue;
-      reader_.warning(*more, "program-ignores", std::string(key) + " is read by nobody: projection.py takes k1 to k4");
+      reader_.say(*more, Code::kWoodscapeJsonReadByNobody, {key});
     }
     return good;
   }
@@ -157,8 +146,8 @@ class CameraReader {
       if (node != nullptr) continue;
       SourceRange where = reader_.document().range(*extrinsic);
       where.length = 1;
-      reader_.diagnostics().warning(
-          "missing-key", "extrinsic has no " + std::string(key) + ": " + key_error(key) + "; the pose is not known", where);
+      reader_.diagnostics().add(Severity::kWarning, Code::kWoodscapeJsonMissingKey, {"extrinsic", key, pose_not_known()},
+                                where);
     }
     if (quaternion == nullptr || translation == nullptr) return true;
     const std::optional<std::vector<double>> q = reader_.reals(*quaternion, 4, "quaternion (x y z w)");
@@ -166,7 +155,7 @@ class CameraReader {
     if (!q || !t) return false;
     const double norm = std::hypot(std::hypot((*q)[0], (*q)[1]), std::hypot((*q)[2], (*q)[3]));
     if (!(norm > 0.0)) {
-      reader_.error(*quaternion, "not-a-rotation", "the quaternion is 0: scipy stops with ValueError");
+      reader_.say(*quaternion, Code::kWoodscapeJsonQuaternionZero);
       return false;
     }
     // scipy normalises any length whose square neither over- nor underflows; a far other one is no quaternion of a rotation.
@@ -174,16 +163,11 @@ class CameraReader {
     if (norm > kLongest || norm < 1.0 / kLongest) {
       const auto beyond = std::ranges::find_if(*q, [](double value) { return std::abs(value) > kLongest; });
       const Node& place = beyond == q->end() ? *quaternion : quaternion->items[static_cast<std::size_t>(beyond - q->begin())];
-      reader_.error(place, "not-a-rotation", "the quaternion has length " + text::format_short(norm, 4) + ", not 1",
-                    "a rotation by an angle a about the axis n is [n sin(a/2), cos(a/2)]");
+      reader_.say(place, Code::kWoodscapeJsonQuaternionLength, {norm});
       return false;
     }
     constexpr double kPrinted = 1e-3;
-    if (std::abs(norm - 1.0) > kPrinted) {
-      reader_.warning(*quaternion, "not-a-rotation",
-                      "the quaternion has length " + text::format_short(norm, 4) + ", not 1; projection.py normalises it",
-                      "divide its four numbers by that length");
-    }
+    if (std::abs(norm - 1.0) > kPrinted) reader_.say(*quaternion, Code::kWoodscapeJsonQuaternionNormalised, {norm});
     const std::optional<Transform> T =
         reader_.checked(pose_of(normalised({(*q)[0], (*q)[1], (*q)[2], (*q)[3]}), {(*t)[0], (*t)[1], (*t)[2]}),
                         {*quaternion, "quaternion"}, {*translation, "translation"});
@@ -197,12 +181,7 @@ class CameraReader {
   bool warn_of_carla(const Node& extrinsic) {
     const text::Entry* carla = text::find_entry(extrinsic, kCarlaTranslation, reader_.dialect());
     if (carla == nullptr) return false;
-    reader_.warning(
-        carla->key, "carla-translation",
-        "SynWoodScape's translation in CARLA's frame stands where \"translation\" should: " + key_error("translation") +
-            ". CARLA is left-handed, its origin is another, and the published files differ in the order of y and z, so "
-            "that the pose is left out",
-        "add \"translation\": [x, y, z] of the camera in the vehicle (metres; x forward, y left, z up)");
+    reader_.say(carla->key, Code::kWoodscapeJsonCarla);
     return true;
   }
 
@@ -220,8 +199,7 @@ class CameraReader {
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
   if (documents.size() != 1 || !documents.front().root().is_mapping()) {
-    diagnostics.error("wrong-syntax", "a WoodScape calibration is one JSON object",
-                      {documents.empty() ? "" : documents.front().source().name, 0, 0});
+    diagnostics.add(Code::kWoodscapeJsonOneObject, {}, {documents.empty() ? "" : documents.front().source().name, 0, 0});
     return std::nullopt;
   }
   return CameraReader(documents.front(), diagnostics).run();

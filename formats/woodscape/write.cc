@@ -8,6 +8,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/file_name.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/rotation.h>
@@ -129,9 +130,8 @@ void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField>
     return !extra.key.ends_with("extrinsic.quaternion") && !extra.key.ends_with("extrinsic.translation");
   });
   const auto count = static_cast<std::size_t>(halves - others.begin());
-  add_beyond_base(std::span(others).first(count), there, "a WoodScape JSON has no place for it", losses);
-  add_beyond_base(std::span(others).subspan(count), there,
-                  "it is half a pose: quaternion and translation in the vehicle do not stand beside each other", losses);
+  add_beyond_base(std::span(others).first(count), there, Message{Code::kWoodscapeJsonNoPlace}, losses);
+  add_beyond_base(std::span(others).subspan(count), there, Message{Code::kWoodscapeJsonHalfAPose}, losses);
 }
 
 /// The frame that stands for the vehicle: its own, else the first camera's. Identities for all would state that they sit in one
@@ -146,8 +146,8 @@ std::string reference_frame(const Rig& rig) {
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  if (!writable_alone(kFormat, rig, "WoodScape counts the centre from the middle of the image", diagnostics))
-    return std::nullopt;
+  const std::string size_use = text::text_of({Code::kWoodscapeJsonCentreFromMiddle});
+  if (!writable_alone(kFormat, rig, size_use, diagnostics)) return std::nullopt;
 
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr && !options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt;
@@ -169,9 +169,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       document = fresh_file(kFormat, camera, {as_file_name(camera.name) + ".json", compose(camera, pose.value_or(Transform{}))},
                             diagnostics);
       if (frame != kVehicle || !pose) {
-        const std::string value = pose && frame != camera.name ? "the pose in " + frame : "identity";
-        written.defaults.push_back({camera.name + " extrinsic",
-                                    value + ": the vehicle is not in the input, and projection.py stops without it", true});
+        const bool known = pose && frame != camera.name;
+        const Argument value = known ? Argument(Message{Code::kOpenvinsChainPoseInFrame, {frame}}) : Argument("identity");
+        written.defaults.push_back(
+            {camera.name + " extrinsic", text::text_of({Code::kWoodscapeJsonPoseMadeUp, {value}}), true});
       }
     }
     if (!document) return std::nullopt;
@@ -182,12 +183,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
               written.losses);
   if (const std::optional<Rig> replaced =
           base != nullptr && options.anew ? read(std::span(base, 1), {}, ignored) : std::nullopt)
-    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), "the file is composed anew", written.losses);
+    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
   const bool for_projection_py =
       std::ranges::none_of(written.files, [](const Written::File& file) { return file.programs.empty(); });
-  written.headline = in_words(!for_projection_py        ? "a WoodScape JSON without the pose that projection.py wants"
-                              : rig.cameras.size() == 1 ? "a WoodScape JSON for projection.py"
-                                                        : "one WoodScape JSON per camera for projection.py");
+  written.headline = {!for_projection_py        ? Code::kWoodscapeJsonHeadlineNoPose
+                      : rig.cameras.size() == 1 ? Code::kWoodscapeJsonHeadline
+                                                : Code::kWoodscapeJsonHeadlineEach};
   return written;
 }
 

@@ -11,8 +11,7 @@ namespace {
 
 /// What DSO makes of the file, which is right but for that.
 constexpr CodeInfo of_dso(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
-  return {
-      .code = code, .id = id, .severity = Severity::kWarning, .about = About::kReader, .text = text, .fix = fix};
+  return {.code = code, .id = id, .severity = Severity::kWarning, .about = About::kReader, .text = text, .fix = fix};
 }
 
 constexpr std::string_view kLenses =
@@ -35,8 +34,7 @@ std::span<const CodeInfo> tumvi_codes() {
       error(Code::kCameraTxtSize, "missing-block", "line 2 must be the image's width and height, two whole numbers"),
       of_dso(Code::kCameraTxtSharesByCentre, "relative-by-centre",
              "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
-      of_dso(Code::kCameraTxtFifthNumber, "program-ignores",
-             "the fifth number of Pinhole is read by DSO and used for nothing"),
+      of_dso(Code::kCameraTxtFifthNumber, "program-ignores", "the fifth number of Pinhole is read by DSO and used for nothing"),
       of_dso(Code::kCameraTxtNoOutput, "program-refuses",
              "DSO wants a line 3 (crop, none or five numbers) and a line 4 (width and height of its images), and stops"),
       of_dso(Code::kCameraTxtFull, "program-refuses", "DSO has not written \"full\" yet and stops", "write  crop"),
