@@ -37,9 +37,9 @@ TEST(OpenVinsFormat, WhatIsToBeAddedIsTheDifferenceToTheFirstCameras) {
   for (const auto& [offset, remedy] : {std::pair(0.02, "add 0.01 s"), std::pair(0.0, "add -0.01 s")}) {
     rig.cameras[1].time_offset_s = offset;
     const Written written = written_by(openvins(), nullptr, rig);
-    const auto loss = std::ranges::find(written.losses, "time-offset-dropped", &Loss::code);
+    const auto loss = std::ranges::find(written.losses, Code::kOtherTimeOffset, &Loss::kind);
     ASSERT_NE(loss, written.losses.end());
-    EXPECT_TRUE(loss->remedy.starts_with(remedy)) << loss->remedy;
+    EXPECT_TRUE(remedy_of(*loss).starts_with(remedy)) << remedy_of(*loss);
   }
 }
 

@@ -9,6 +9,8 @@ namespace fca::diagnostics {
 
 namespace {
 
+constexpr std::string_view kNoKey = "OpenVINS' chains have no key for it";
+
 /// A lens that the program takes for another one.
 constexpr CodeInfo other_lens(Code code, std::string_view text) {
   return {.code = code,
@@ -32,9 +34,9 @@ std::span<const CodeInfo> openvins_codes() {
       clause(Code::kOpenvinsChainPoseMadeUp, "{0}: its pose in the IMU is not in the input, and OpenVINS stops without it"),
       clause(Code::kOpenvinsChainPoseInFrame, "the pose in {0}"),
       clause(Code::kOpenvinsChainCalibratedImu, "those of a calibrated IMU"),
-      loss(Code::kOpenvinsChainBaselineDropped, "baseline-dropped", "{1} {2} m", "OpenVINS' chains have no key for it",
+      loss(Code::kOpenvinsChainBaselineDropped, "baseline-dropped", "{1} {2} m", kNoKey,
            "keep it for programs that ask for it by itself"),
-      clause(Code::kOpenvinsChainNoKey, "OpenVINS' chains have no key for it"),
+      clause(Code::kOpenvinsChainNoKey, kNoKey),
       clause(Code::kOpenvinsChainNoPlace, "OpenVINS' chains have no place for it"),
       clause(Code::kOpenvinsChainOneImu, "OpenVINS has one IMU"),
       clause(Code::kOpenvinsChainOneOffset, "OpenVINS takes that of the first camera for all"),
