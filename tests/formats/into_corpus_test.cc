@@ -89,7 +89,8 @@ void expect_bases_take(Rig (*change)(Rig), int fewest_tried, int fewest_proven) 
       continue;
     }
     // A comment behind a coefficient that the new lens has not goes with it, and is listed.
-    const bool listed = std::ranges::find(written->losses, "comments-dropped", &Loss::code) != written->losses.end();
+    const bool listed =
+        std::ranges::any_of(written->losses, [](const Loss& loss) { return id_of(loss) == "comments-dropped"; });
     EXPECT_EQ(kept_by_the_owner(document.bytes(), !listed), kept_by_the_owner(bytes, !listed));
     // A file's own defects are its owner's.
     if (!refusal(bytes, *written).empty()) continue;

@@ -189,7 +189,7 @@ TEST(KalibrWrite, WhatItCannotHoldIsALossOrAnError) {
   rig.baseline_m = 0.1;
   const Written written = write(rig);
   const auto has = [&written](const std::string& code) {
-    return std::ranges::find(written.losses, code, &Loss::code) != written.losses.end();
+    return std::ranges::any_of(written.losses, [&code](const Loss& loss) { return id_of(loss) == code; });
   };
   EXPECT_TRUE(has("frame-rate-dropped"));
   EXPECT_TRUE(has("baseline-dropped"));

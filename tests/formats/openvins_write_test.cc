@@ -3,6 +3,7 @@
 #include "formats/oracle_table.h"
 #include "formats/rigs.h"
 
+#include <fca/code.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/wording.h>
 
@@ -14,7 +15,7 @@ const consumers::Consumer& program() { return *consumers::find_consumer("openvin
 std::string good(const std::string& name) { return read_file(testdata_dir() / "openvins" / "good" / name); }
 
 bool loses(const Written& written, const std::string& code) {
-  return std::ranges::find(written.losses, code, &Loss::code) != written.losses.end();
+  return std::ranges::any_of(written.losses, [&code](const Loss& loss) { return id_of(loss) == code; });
 }
 
 // One line tells them apart: Kalibr's PyYAML refuses it, OpenVINS' cv::FileStorage nothing without it.
