@@ -66,6 +66,20 @@ constexpr std::array kHints = {
     OptionHint{Code::kCalibResultsInverseStale, text::Part::kFix, "fca-io convert FILE --to ocamcalib rebuilds it"},
     OptionHint{Code::kCalibResultsInverseInexact, text::Part::kFix,
                "--max-angle DEG leaves out the border, where the direct polynomial turns; or another model"},
+
+    // OpenCV's and Basalt's files.
+    OptionHint{Code::kOpencvForeignModel, text::Part::kFix,
+               "if the numbers are one of theirs all the same, say which: --opencv-model pinhole or --opencv-model fisheye"},
+    OptionHint{Code::kOpencvAmbiguousModel, text::Part::kFix, "say which: --opencv-model pinhole or --opencv-model fisheye"},
+    OptionHint{Code::kOpencvToldInVain, text::Part::kText,
+               "{0}: --opencv-model fisheye, which is about four coefficients, has no effect on this camera"},
+    OptionHint{Code::kOpencvWrittenAmbiguous, text::Part::kFix, "--opencv-model {0} reads it so"},
+    OptionHint{Code::kOpencvLayoutNotServed, text::Part::kFix, "leave out --opencv-layout, or choose {2}"},
+    OptionHint{Code::kOpencvImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
+    OptionHint{Code::kOpencvCameraDropped, text::Part::kFix,
+               "--to opencv -o OTHER.yml writes the cameras into a file of their own"},
+    OptionHint{Code::kOpencvSizeDropped, text::Part::kFix, "--opencv-layout cameras has a size for each"},
+    OptionHint{Code::kBasaltImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
 };
 
 }  // namespace

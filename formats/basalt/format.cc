@@ -2,6 +2,9 @@
 #include "basalt.h"
 #include "layout.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
+
 #include <array>
 
 namespace fca::basalt {
@@ -26,14 +29,16 @@ constexpr std::array kDemands = {Demand{"pose in the IMU", "T_imu_cam"},
                                  Demand{"IMU noise", "_std", nullptr, &Format::needs_imu},
                                  Demand{"IMU rate", "imu_update_rate", nullptr, &Format::needs_imu}};
 
+ProbeResult found(int score, std::string_view key) { return {score, text::text_of({Code::kBasaltFound, {key}})}; }
+
 ProbeResult probe(const text::Document& document) {
   const Node* value = text::find(document.root(), "value0", kDialect);
   if (value == nullptr || !value->is_mapping()) return {};
   for (const std::string_view key : {"intrinsics", "T_imu_cam"}) {
-    if (text::find(*value, key, kDialect) != nullptr) return {evidence::kCamera, "value0 with " + std::string(key)};
+    if (text::find(*value, key, kDialect) != nullptr) return found(evidence::kCamera, key);
   }
   for (const std::string_view key : kRequired) {
-    if (text::find(*value, key, kDialect) != nullptr) return {evidence::kHint, "value0 with " + std::string(key)};
+    if (text::find(*value, key, kDialect) != nullptr) return found(evidence::kHint, key);
   }
   return {};
 }

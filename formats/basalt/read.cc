@@ -5,8 +5,8 @@
 #include "../fields.h"
 
 #include <fca/formats/text/message.h>
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
 #include <fca/rig/limits.h>
 #include <fca/rig/rotation.h>
 
@@ -20,6 +20,8 @@ using text::Node;
 
 namespace {
 
+constexpr std::size_t kLongestWord = 40;  ///< Of the file, in a message.
+
 class CalibrationReader {
  public:
   CalibrationReader(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics)
@@ -29,7 +31,7 @@ class CalibrationReader {
     const Node* value = reader_.require(reader_.document().root(), "value0", "a Basalt calibration");
     if (value == nullptr) return std::nullopt;
     if (!value->is_mapping()) {
-      reader_.error(*value, "not-a-mapping", "value0 is no object of keys and values");
+      reader_.say(*value, Code::kBasaltNoObject, {"value0"});
       return std::nullopt;
     }
     reader_.warn_of_duplicates(*value);
@@ -51,8 +53,7 @@ class CalibrationReader {
     for (const std::string_view key : kRequired) {
       if (key != "intrinsics" && reader_.find(value, key) == nullptr) missing.emplace_back(key);
     }
-    if (missing.empty()) return;
-    reader_.diagnostics().warning("missing-key", "value0 has no " + text::enumerated(missing, "or") + ": Basalt stops", where);
+    if (!missing.empty()) reader_.diagnostics().add(Code::kBasaltMissingKeys, {missing}, where);
   }
 
   /// The list under a key with an item for each of `count` cameras; null, with an error if it is something else.
@@ -60,10 +61,11 @@ class CalibrationReader {
     const Node* node = reader_.find(value, key);
     if (node == nullptr) return nullptr;
     if (node->is_sequence() && node->items.size() == count) return node;
-    reader_.error(*node, node->is_sequence() ? "wrong-length" : "not-a-list",
-                  std::string(key) +
-                      (node->is_sequence() ? " has " + std::to_string(node->items.size()) + " items" : " is no list") +
-                      "; one is wanted for each camera of intrinsics (" + std::to_string(count) + ")");
+    if (node->is_sequence()) {
+      reader_.say(*node, Code::kBasaltItemCount, {key, node->items.size(), count});
+    } else {
+      reader_.say(*node, Code::kBasaltNoList, {key, count});
+    }
     good = false;
     return nullptr;
   }
@@ -72,7 +74,7 @@ class CalibrationReader {
     const Node* intrinsics = reader_.require(value, "intrinsics", "value0");
     if (intrinsics == nullptr) return false;
     if (!intrinsics->is_sequence() || intrinsics->items.empty()) {
-      reader_.error(*intrinsics, "not-a-list", "intrinsics is no list of cameras");
+      reader_.say(*intrinsics, Code::kBasaltNoCameraList, {"intrinsics"});
       return false;
     }
     bool good = true;
@@ -96,7 +98,7 @@ class CalibrationReader {
 
   bool read_lens(const Node& node, Camera& camera, Rig& rig) {
     if (!node.is_mapping()) {
-      reader_.error(node, "not-a-mapping", camera.name + " is no object of keys and values");
+      reader_.say(node, Code::kBasaltNoObject, {camera.name});
       return false;
     }
     const Node* type = reader_.require(node, "camera_type", camera.name);
@@ -104,13 +106,11 @@ class CalibrationReader {
     if (type == nullptr || parameters == nullptr) return false;
     const std::optional<CameraModel> model = make_model(model_of(type->value));
     if (!model) {
-      reader_.error(*type, "unknown-model",
-                    camera.name + " camera_type '" + type->value.substr(0, 40) +
-                        "' is none of ds, eucm, ucm, kb4, fov, pinhole and pinhole-radtan8");
+      reader_.say(*type, Code::kBasaltUnknownModel, {camera.name, type->value.substr(0, kLongestWord)});
       return false;
     }
     if (!parameters->is_mapping()) {
-      reader_.error(*parameters, "not-a-mapping", camera.name + " intrinsics is no object of keys and values");
+      reader_.say(*parameters, Code::kBasaltNoObject, {camera.name + " intrinsics"});
       return false;
     }
     camera.model = *model;
@@ -125,16 +125,15 @@ class CalibrationReader {
       rig.extra_fields.push_back({camera.name, std::string(kMaxRadius), radius->value});
     for (const text::Entry& entry : parameters->entries) {
       if (known.contains(entry.key.value)) continue;
-      reader_.warning(
-          entry.key, "program-ignores",
-          camera.name + " " + entry.key.value.substr(0, 40) + " is no parameter of " + type->value + " and is not read");
+      reader_.say(entry.key, Code::kBasaltUnknownParameter,
+                  {camera.name, entry.key.value.substr(0, kLongestWord), type->value});
     }
     return good;
   }
 
   bool read_size(const Node& node, Camera& camera) {
     if (!node.is_sequence() || node.items.size() != 2) {
-      reader_.error(node, "wrong-length", camera.name + " resolution is no list of width and height");
+      reader_.say(node, Code::kBasaltNoSize, {camera.name});
       return false;
     }
     camera.image_size = reader_.image_size(node.items[0], node.items[1], camera.name + " resolution ");
@@ -144,7 +143,7 @@ class CalibrationReader {
   bool read_pose(const Node& node, const std::string& name, Rig& rig) {
     const std::string what = name + " T_imu_cam";
     if (!node.is_mapping()) {
-      reader_.error(node, "not-a-mapping", what + " is no object of px py pz qx qy qz qw");
+      reader_.say(node, Code::kBasaltNoPose, {what});
       return false;
     }
     std::array<double, 7> numbers{};
@@ -161,14 +160,10 @@ class CalibrationReader {
     constexpr double kFarthest = 0.05;
     constexpr double kPrinted = 1e-3;
     if (!(std::abs(norm - 1.0) <= kPrinted)) {
-      const std::string problem =
-          what + ": the quaternion has length " + text::format_short(norm, 4) + ", not 1, and Basalt does not normalise it";
-      const std::string fix = "divide qx, qy, qz and qw by that length";
-      if (!(std::abs(norm - 1.0) <= kFarthest)) {
-        reader_.error(*reader_.find(node, "qx"), "not-a-rotation", problem, norm > 0.0 ? fix : "");
-        return false;
-      }
-      reader_.warning(*reader_.find(node, "qx"), "not-a-rotation", problem, fix);
+      const bool near = std::abs(norm - 1.0) <= kFarthest;
+      reader_.say(near ? Severity::kWarning : Severity::kError, *reader_.find(node, "qx"),
+                  norm > 0.0 ? Code::kBasaltQuaternionLength : Code::kBasaltQuaternionZero, {what, norm});
+      if (!near) return false;
     }
     const std::optional<Transform> T = reader_.checked(pose_of(normalised(q), {numbers[0], numbers[1], numbers[2]}),
                                                        {*reader_.find(node, "qx"), what}, {*first_too_long(node), what});
@@ -247,8 +242,7 @@ class CalibrationReader {
     const std::optional<double> offset = reader_.real(*node, "cam_time_offset_ns");
     if (!offset) return false;
     if (*offset != std::floor(*offset)) {
-      reader_.error(*node, "not-an-integer", "cam_time_offset_ns is '" + node->value + "'; a whole number is wanted",
-                    "it counts nanoseconds");
+      reader_.say(*node, Code::kBasaltOffsetNotWhole, {"cam_time_offset_ns", node->value});
       return false;
     }
     const double in_seconds = seconds(*offset);
@@ -277,8 +271,7 @@ class CalibrationReader {
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.size() != 1 || !documents.front().root().is_mapping()) {
-    diagnostics.error("wrong-syntax", "a Basalt calibration is one JSON object",
-                      {documents.empty() ? "" : documents.front().source().name, 0, 0});
+    diagnostics.add(Code::kBasaltWrongSyntax, {}, {documents.empty() ? "" : documents.front().source().name, 0, 0});
     return std::nullopt;
   }
   return CalibrationReader(documents.front(), options, diagnostics).run();

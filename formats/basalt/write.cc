@@ -6,8 +6,9 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/rotation.h>
 
@@ -59,11 +60,9 @@ void list_time_losses(const Rig& rig, std::vector<Loss>& losses) {
   const std::optional<double> common = common_time_offset(rig);
   if (!common) return;
   constexpr double kExact = 1e-12;
-  if (std::abs(seconds(static_cast<double>(nanoseconds(*common))) - *common) > kExact) {
-    losses.push_back({"time-offset-rounded", "the time offset " + text::format_short(*common, 12) + " s",
-                      "Basalt counts whole nanoseconds", "nothing: no camera's clock is that fine"});
-  }
-  add_other_time_offsets(rig, *common, "Basalt has one for all cameras", losses);
+  if (std::abs(seconds(static_cast<double>(nanoseconds(*common))) - *common) > kExact)
+    losses.push_back(lost(Code::kBasaltOffsetRounded, "", "time offset", {*common}));
+  add_other_time_offsets(rig, *common, Message{Code::kBasaltOneOffset}, losses);
 }
 
 std::vector<Field> imu_fields(const Imu& imu) {
@@ -104,10 +103,7 @@ void list_restated(const ImuPoses& poses, const Camera& camera, const Transform&
   const double off = largest_difference(said, T).distance;
   if (!poses.known() || off <= kRounding) return;
   written.restated.push_back({poses.frame(), camera.name, said});
-  written.losses.push_back(
-      {"pose-recomputed", "pose of " + camera.name + " in " + poses.frame(),
-       "its matrix is a rotation only to " + text::format_short(off, 2) + ", and Basalt's quaternion says the nearest one",
-       "nothing: the nearest rotation is meant"});
+  written.losses.push_back(lost(Code::kBasaltPoseRecomputed, camera.name, "T_imu_cam", {poses.frame(), off}));
 }
 
 std::string with_indentation(const std::vector<Field>& fields, std::size_t indentation) {
@@ -144,11 +140,10 @@ bool is_carried(const ExtraField& extra) {
 /// The IMU with what Basalt begins from in place of what is not known.
 Imu completed(const Rig& rig, std::vector<DefaultedValue>& defaults) {
   Imu imu = rig.imus.empty() ? Imu{} : rig.imus.front();
-  const std::string why = " (Basalt's own initial value: it stops without one)";
   const auto complete = [&](std::optional<double>& value, std::string_view key, double initial) {
     if (value) return;
     value = initial;
-    defaults.push_back({std::string(key), text::format_short(initial) + why, true});
+    defaults.push_back({std::string(key), text::text_of({Code::kBasaltInitialValue, {initial}}), true});
   };
   complete(imu.rate_hz, kRate, kInitialRate);
   for (const Noise& noise : kNoises) complete(imu.*noise.member, noise.key, noise.initial);
@@ -162,9 +157,9 @@ std::string compose(const Rig& rig, const ImuPoses& poses, Written& written) {
   for (const Camera& camera : rig.cameras) {
     const std::optional<Transform> T = poses.pose(camera);
     if (!poses.known() || !T) {
-      const std::string value = T && poses.frame() != camera.name ? "the pose in " + poses.frame() : "identity";
-      written.defaults.push_back(
-          {camera.name + " T_imu_cam", value + ": its pose in the IMU is not in the input, and Basalt stops without it", true});
+      const bool in_frame = T && poses.frame() != camera.name;
+      const Message value = in_frame ? Message{Code::kBasaltPoseInFrame, {poses.frame()}} : Message{Code::kBasaltIdentity};
+      written.defaults.push_back({camera.name + " T_imu_cam", text::text_of(value), true});
     }
     std::vector<Field> fields = translation_fields(T.value_or(Transform{}));
     std::ranges::move(rotation_fields(nearest_quaternion(T.value_or(Transform{}))), std::back_inserter(fields));
@@ -236,11 +231,11 @@ class Editor {
     const Field no_limit = fields::real(std::string(kMaxRadius), kNoMaxRadius);
     if (is_radtan8(before)) from.push_back(no_limit);
     if (is_radtan8(after)) to.push_back(no_limit);
-    const std::string limit = after.name + " " + std::string(kMaxRadius);
     if (old_.find_extra_field(after.name, kMaxRadius) != nullptr) {
-      is_radtan8(after) ? losses.push_back({"stale-derived", limit, "it is kept, and the lens beside it is another one",
-                                            "write where the new lens ends, or -1 for no limit"})
-                        : losses.push_back({"not-carried", limit, after.name + "'s model has no such limit", ""});
+      const std::string limit(kMaxRadius);
+      losses.push_back(is_radtan8(after)
+                           ? lost(Code::kBasaltStaleRadius, after.name, limit)
+                           : lost(Code::kNotCarried, after.name, limit, {Message{Code::kBasaltNoRadiusLimit, {after.name}}}));
     }
     fields::apply(document_, *text::find(camera, "intrinsics", kDialect), kDialect, from, to);
   }
@@ -306,8 +301,7 @@ bool are_rotations(const Rig& rig, Diagnostics& diagnostics) {
   for (const Camera& camera : rig.cameras) {
     const std::optional<Transform> T = poses.pose(camera);
     if (!T || rotation_determinant(*T) > 0.0) continue;
-    diagnostics.error("not-a-rotation", camera.name + ": its pose in " + poses.frame() +
-                                            " is a mirror image, which no quaternion of T_imu_cam says");
+    diagnostics.add(Code::kBasaltMirror, {camera.name, poses.frame()});
     good = false;
   }
   return good;
@@ -315,18 +309,17 @@ bool are_rotations(const Rig& rig, Diagnostics& diagnostics) {
 
 /// What a Basalt calibration has no place for.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
-  const std::string no_place = "a Basalt calibration has no place for it";
+  const Message no_place = {Code::kBasaltNoPlace};
   for (Camera camera : rig.cameras) {
     camera.time_offset_s.reset();
     add_stream(camera, no_place, losses);
   }
   for (std::size_t i = 0; i < rig.imus.size(); ++i) {
     const Imu& imu = rig.imus[i];
-    if (i > 0) losses.push_back({"imu-dropped", imu.name + " noise and rate", "Basalt has one IMU", ""});
-    if (i == 0 && !imu.topic.empty()) losses.push_back({"topic-dropped", imu.name + " " + imu.topic, no_place, ""});
+    if (i > 0) losses.push_back(lost(Code::kBasaltImuDropped, imu.name, "noise and rate"));
+    if (i == 0 && !imu.topic.empty()) losses.push_back(lost(Code::kTopicDropped, imu.name, "topic", {no_place, imu.topic}));
   }
-  if (rig.baseline_m)
-    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
+  if (rig.baseline_m) losses.push_back(lost(Code::kBasaltBaselineDropped, "", "baseline", {no_place, *rig.baseline_m}));
 }
 
 }  // namespace
@@ -337,7 +330,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const bool edits = old && !options.anew && Editor::possible(*old, rig);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
-            : !writable_alone(kFormat, rig, "Basalt demands a resolution", diagnostics))
+            : !writable_alone(kFormat, rig, text::text_of({Code::kBasaltDemandsSize}), diagnostics))
     return std::nullopt;
   if (!are_rotations(rig, diagnostics)) return std::nullopt;
 
@@ -354,14 +347,14 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!document) return std::nullopt;
   written.files.push_back({*std::move(document), {}, {"basalt"}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
-  add_beyond_base(rig.extra_fields, said, "a Basalt calibration has no place for it", written.losses);
+  add_beyond_base(rig.extra_fields, said, Message{Code::kBasaltNoPlace}, written.losses);
   if (old && !edits) {
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
                     written.losses);
   }
   list_time_losses(rig, written.losses);
   list_losses(rig, written.losses);
-  written.headline = in_words("a calibration for Basalt");
+  written.headline = {Code::kBasaltWrote};
   return written;
 }
 

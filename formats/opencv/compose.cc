@@ -3,6 +3,7 @@
 
 #include "blocks.h"
 
+#include <fca/code.h>
 #include <fca/formats/file_name.h>
 #include <fca/formats/text/read_document.h>
 
@@ -111,23 +112,23 @@ bool same_syntax(Syntax a, Syntax b) {
   return plain(a) == plain(b);
 }
 
-std::string problem_with_layout(std::string_view layout, const Rig& rig) {
+Message problem_with_layout(std::string_view layout, const Rig& rig) {
   const bool omnidir = any_omnidir(rig);
-  if (layout == "omnidir") return all_of_kind(rig, Kind::kOmnidir) ? "" : "it is for the model mei alone";
-  if (layout == "calibration") return "";
-  if (layout == "cameras") return omnidir ? "it has no key for the xi of mei" : "";
-  if (rig.cameras.size() != 2) return "it holds two cameras, not " + std::to_string(rig.cameras.size());
-  if (!one_size(rig)) return "it has one image size for both cameras, and theirs differ";
-  if (layout == "left-right" && omnidir) return "it has no key for the xi of mei";
+  if (layout == "omnidir") return all_of_kind(rig, Kind::kOmnidir) ? Message{} : Message{Code::kOpencvMeiAlone};
+  if (layout == "calibration") return {};
+  if (layout == "cameras") return omnidir ? Message{Code::kOpencvNoKeyForXi} : Message{};
+  if (rig.cameras.size() != 2) return {Code::kOpencvTwoCameras, {rig.cameras.size()}};
+  if (!one_size(rig)) return {Code::kOpencvSizesDiffer};
+  if (layout == "left-right" && omnidir) return {Code::kOpencvNoKeyForXi};
   const Kind kind = kind_of(rig.cameras.front().model);
-  return all_of_kind(rig, kind) ? "" : "its cameras must be of one kind, and theirs differ";
+  return all_of_kind(rig, kind) ? Message{} : Message{Code::kOpencvKindsDiffer};
 }
 
 std::string default_layout(const Rig& rig) {
   const bool all_omnidir = all_of_kind(rig, Kind::kOmnidir);
   if (rig.cameras.size() == 1) return all_omnidir ? "omnidir" : "calibration";
   const bool posed = rig.cameras.size() == 2 && rig.resolve(rig.cameras[1].name, rig.cameras[0].name).has_value();
-  if (posed && problem_with_layout("stereo", rig).empty()) return all_omnidir ? "omnidir" : "stereo";
+  if (posed && !problem_with_layout("stereo", rig).is_said()) return all_omnidir ? "omnidir" : "stereo";
   if (any_omnidir(rig)) return "calibration";
   return "cameras";
 }

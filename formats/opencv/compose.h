@@ -18,8 +18,8 @@ namespace fca::opencv {
 /// Plain YAML (without its first line) and cv::FileStorage's count as one.
 [[nodiscard]] bool same_syntax(text::Syntax a, text::Syntax b);
 
-/// Why a layout (of kLayoutNames) cannot hold the rig; empty if it can.
-[[nodiscard]] std::string problem_with_layout(std::string_view layout, const Rig& rig);
+/// Why a layout (of kLayoutNames) cannot hold the rig; Message{} if it can.
+[[nodiscard]] Message problem_with_layout(std::string_view layout, const Rig& rig);
 /// What the stock programs read, for a rig of that many cameras of those models.
 [[nodiscard]] std::string default_layout(const Rig& rig);
 

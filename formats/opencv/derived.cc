@@ -3,8 +3,8 @@
 
 #include "names.h"
 
+#include <fca/code.h>
 #include <fca/folded_name.h>
-#include <fca/formats/text/prose.h>
 
 #include <algorithm>
 #include <array>
@@ -13,18 +13,15 @@
 namespace fca::opencv {
 
 struct Origin {
-  std::string_view why;  ///< For people: why such values are stale.
-  std::string_view remedy;
+  Code why;  ///< Why such values are stale.
+  Code remedy;
 };
 
 namespace {
 
-constexpr Origin kRectification = {
-    "computed from the old cameras and their pose (cv::stereoRectify, cv::stereoCalibrate) and kept unchanged",
-    "run cv::stereoRectify on the new numbers (E = [T]x R, F = inv(M2)' E inv(M1)), or remove the keys"};
-constexpr Origin kCalibration = {"left by the calibration that gave the old numbers and kept unchanged",
-                                 "remove the keys, or calibrate again"};
-constexpr Origin kSecondStatement = {"a second statement of the old cameras and kept unchanged", "remove the keys"};
+constexpr Origin kRectification = {Code::kOpencvOfRectification, Code::kOpencvRectifyAgain};
+constexpr Origin kCalibration = {Code::kOpencvOfCalibration, Code::kOpencvCalibrateAgain};
+constexpr Origin kSecondStatement = {Code::kOpencvOfSecondStatement, Code::kOpencvRemoveKeys};
 
 /// What a value was computed from or with.
 struct Derived {
@@ -110,11 +107,9 @@ void StaleKeys::tell(const text::Document& base, std::vector<Loss>& losses, Diag
       names.push_back(key.name);
     }
     if (first == nullptr) continue;
-    const std::string all = text::enumerated(names);
-    const std::string why(origin->why);
-    const std::string remedy(origin->remedy);
-    diagnostics.warning("stale-derived", all + ": " + why, base.range(*first), remedy);
-    losses.push_back({"stale-derived", all, why, remedy});
+    const std::vector<Argument> facts = {names, Message{origin->why}, Message{origin->remedy}};
+    diagnostics.add(Code::kOpencvStale, facts, base.range(*first));
+    losses.push_back(lost(Code::kOpencvStaleKept, "", "", facts));
   }
 }
 

@@ -7,6 +7,8 @@
 
 #include "../sibling.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 #include <array>
 
@@ -71,10 +73,10 @@ class Editor {
       : base_(base), rig_(rig), places_(std::move(places)), after_(base.layout), document_(base.document) {}
 
   /// Chooses the keys of the result; false, with a reason, if there are none.
-  bool plan(std::string& why) {
+  bool plan(Message& why) {
     const bool same_cameras = places_.size() == base_.rig.cameras.size() && std::ranges::find(places_, kNew) == places_.end();
     if (!same_cameras && !can_change_cameras()) {
-      why = "its cameras are other ones";
+      why = {Code::kOpencvOtherCameras};
       return false;
     }
     renumbered_ = !same_cameras;
@@ -85,7 +87,7 @@ class Editor {
       const Camera& before = base_.rig.cameras[like];
       if (places_[i] == kNew && keys.model.key.empty()) keys.model.key = "distortion_type";
       if (!adapt_keys(base_, before, rig_.cameras[i], keys)) {
-        why = "its keys cannot hold the model " + std::string(model_info(rig_.cameras[i].model).id);
+        why = {Code::kOpencvKeysCannotHoldModel, {model_info(rig_.cameras[i].model).id}};
         return false;
       }
       if (needs_model_key(before, rig_.cameras[i], keys)) {
@@ -100,15 +102,15 @@ class Editor {
     }
     if (begins_to_say_size()) after_.size = size_keys();
     if (!base_.layout.in_maps() && !one_kind()) {
-      why = "its cameras must be of one kind";
+      why = {Code::kOpencvOneKind};
       return false;
     }
     if (!base_.layout.in_maps() && !one_size()) {
-      why = "it has one image size for both cameras";
+      why = {Code::kOpencvOneSize};
       return false;
     }
     if (base_.layout.rotation_vector && pose_changes()) {
-      why = "it states the rotation as a vector";
+      why = {Code::kOpencvRotationVector};
       return false;
     }
     // A pair whose file holds no pose can begin to.
@@ -338,10 +340,10 @@ std::vector<ExtraField> extras_of(const text::Document& document) {
   return rig ? rig->extra_fields : std::vector<ExtraField>();
 }
 
-std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why) {
+std::optional<Edited> edit(const Base& base, const Rig& rig, Message& why) {
   std::optional<std::vector<std::size_t>> places = places_in(base.rig, rig);
   if (!places) {
-    why = "its cameras are other ones";
+    why = {Code::kOpencvOtherCameras};
     return std::nullopt;
   }
   Editor editor(base, rig, *std::move(places));

@@ -34,7 +34,7 @@ struct Edited {
 };
 
 /// Nothing, and `why` says why, where its keys cannot hold the rig.
-[[nodiscard]] std::optional<Edited> edit(const Base& base, const Rig& rig, std::string& why);
+[[nodiscard]] std::optional<Edited> edit(const Base& base, const Rig& rig, Message& why);
 
 /// Which of kLayoutNames a file's keys are nearest to.
 [[nodiscard]] std::string name_of_layout(const Layout& layout);

@@ -2,6 +2,8 @@
 #include "layout.h"
 #include "opencv.h"
 
+#include <fca/formats/text/message.h>
+
 #include <array>
 
 namespace fca::opencv {
@@ -20,7 +22,7 @@ constexpr std::array kModels = {
 ProbeResult probe(const text::Document& document) {
   const std::optional<Layout> layout = find_layout(document);
   if (!layout) return {};
-  return {layout->cameras.empty() ? evidence::kHint : evidence::kCamera, "opencv-matrix under " + layout->why};
+  return {layout->cameras.empty() ? evidence::kHint : evidence::kCamera, text::text_of(layout->why)};
 }
 
 }  // namespace

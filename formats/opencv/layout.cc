@@ -3,6 +3,7 @@
 
 #include "names.h"
 
+#include <fca/code.h>
 #include <fca/folded_name.h>
 #include <fca/formats/text/numbers.h>
 
@@ -219,12 +220,13 @@ bool is_some_matrix(const Node& root, const Layout& layout) {
          keys.matrix.size() <= kLongestLetters && !looks_like_a_camera(*text::find(root, keys.matrix, kDialect));
 }
 
-std::string said_by(const CameraKeys& keys) {
-  std::string why = (keys.map.empty() ? "" : keys.map + " with ") + keys.matrix;
+Message said_by(const CameraKeys& keys) {
+  std::vector<Message> further;
   for (const std::string& key : {keys.distortion, keys.radial, keys.xi}) {
-    if (!key.empty()) why += " and " + key;
+    if (!key.empty()) further.push_back({Code::kOpencvFoundFurtherKey, {key}});
   }
-  return why;
+  if (keys.map.empty()) return {Code::kOpencvFoundCamera, {keys.matrix, further}};
+  return {Code::kOpencvFoundMap, {keys.map, keys.matrix, further}};
 }
 
 }  // namespace
@@ -255,7 +257,7 @@ std::optional<Layout> find_layout(const text::Document& document) {
     if (R == nullptr || T == nullptr || !is_matrix(*R) || (!is_matrix(*T) && !T->is_sequence())) return std::nullopt;
     layout.rotation = "R";
     layout.translation = "T";
-    layout.why = "R and T of a stereo pair";
+    layout.why = {Code::kOpencvFoundPose};
     return layout;
   }
   layout.size = find_size(root);

@@ -4,6 +4,7 @@
 
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/document.h>
+#include <fca/message.h>
 #include <fca/models/camera_model.h>
 
 #include <array>
@@ -61,7 +62,7 @@ struct Layout {
   bool rotation_transposed = false;
   std::string count;         ///< "nb_camera" or empty.
   bool row_vectors = false;  ///< Of a fresh file: distortion coefficients in one row.
-  std::string why;           ///< "camera_matrix and distortion_coefficients"
+  Message why;               ///< By which keys it was found.
 
   [[nodiscard]] bool in_maps() const { return !cameras.empty() && !cameras.front().map.empty(); }
 };

@@ -3,7 +3,7 @@
 
 #include "numbers.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ class LensReader {
       std::optional<Numbers> read = read_numbers(node, what, reader_);
       if (!read) return std::nullopt;
       if (!read->is_vector()) {
-        reader_.error(node, "wrong-length", what + " is " + size_of(*read) + "; a vector is wanted");
+        reader_.say(node, Code::kOpencvNotVector, {what, read->rows, read->cols});
         return std::nullopt;
       }
       D = *std::move(read);
@@ -38,12 +38,12 @@ class LensReader {
     }
     if (!keys.xi.empty()) return read_omnidir(keys, map, *reader_.find(map, keys.xi), D);
     const Node& matrix = *reader_.find(map, keys.matrix);
-    const std::string missing = label(keys, keys.matrix) + " has no distortion coefficients beside it";
+    const Message missing = {Code::kOpencvNoCoefficients, {label(keys, keys.matrix)}};
     if (fisheye_said(keys).value_or(false)) {
-      reader_.error(matrix, "distortion-missing", missing + " and the file says fisheye; cv::fisheye wants 4");
+      reader_.say(matrix, Code::kOpencvFisheyeWithout, {missing});
       return std::nullopt;
     }
-    reader_.warning(matrix, "distortion-missing", missing + ": read as a lens without distortion");
+    reader_.say(matrix, Code::kOpencvReadWithout, {missing});
     warn_if_told_in_vain(matrix, missing);
     return make_model("pinhole");
   }
@@ -55,23 +55,18 @@ class LensReader {
     const ModelKey& model = own ? keys.model : layout_.model;
     if (!model.foreign || !keys.xi.empty()) return true;
     const Node& node = *reader_.find(own ? map : reader_.document().root(), model.key);
-    const std::string problem = (own ? label(keys, model.key) : model.key) + " is '" + node.value +
-                                "': a model that none of cv::projectPoints, cv::fisheye and cv::omnidir has";
+    const std::string what = own ? label(keys, model.key) : model.key;
     if (options_.opencv_model.empty()) {
-      reader_.error(
-          node, "unknown-model", problem,
-          "if the numbers are one of theirs all the same, say which: --opencv-model pinhole or --opencv-model fisheye");
+      reader_.say(node, Code::kOpencvForeignModel, {what, node.value});
       return false;
     }
-    reader_.warning(node, "unknown-model", problem + "; read as " + options_.opencv_model + ", as told");
+    reader_.say(node, Code::kOpencvForeignModelAsTold, {what, node.value, options_.opencv_model});
     return true;
   }
 
-  /// --opencv-model decides what four numbers are; `why`: why there is nothing to decide.
-  void warn_if_told_in_vain(const Node& node, const std::string& why) {
-    if (options_.opencv_model != "fisheye") return;
-    reader_.warning(node, "model-contradicts",
-                    why + ": --opencv-model fisheye, which is about four coefficients, has no effect on this camera");
+  /// ReadOptions::opencv_model decides what four numbers are; `why`: why there is nothing to decide.
+  void warn_if_told_in_vain(const Node& node, const Message& why) {
+    if (options_.opencv_model == "fisheye") reader_.say(node, Code::kOpencvToldInVain, {why});
   }
 
   std::optional<CameraModel> with(std::string_view id, ParameterIds parameters, const Numbers& D, const std::string& what) {
@@ -94,15 +89,13 @@ class LensReader {
       return with("radtan", {"k1", "k2", "p1", "p2"}, D, what);
     }
     if (said.value_or(false)) {
-      reader_.error(node, "wrong-length",
-                    what + " has " + std::to_string(count) + " numbers and the file says fisheye; cv::fisheye wants 4");
+      reader_.say(node, Code::kOpencvFisheyeWantsFour, {what, count});
       return std::nullopt;
     }
-    warn_if_told_in_vain(node, what + " has " + std::to_string(count) + " numbers");
+    warn_if_told_in_vain(node, {Code::kOpencvSomeCoefficients, {what, count}});
     if (count == 0) return make_model("pinhole");
     if (count != 5 && count != 8 && count != 12 && count != 14) {
-      reader_.error(node, "wrong-length",
-                    what + " has " + std::to_string(count) + " numbers; OpenCV knows vectors of 0, 4, 5, 8, 12 and 14");
+      reader_.say(node, Code::kOpencvCoefficientCount, {what, count});
       return std::nullopt;
     }
     if (!check_no_prism(what, D)) return std::nullopt;
@@ -118,19 +111,16 @@ class LensReader {
   /// s1..s4 and tau_x, tau_y: no model of ours has them.
   bool check_no_prism(const std::string& what, const Numbers& D) {
     constexpr std::array<std::string_view, 6> kTerms = {"s1", "s2", "s3", "s4", "tau_x", "tau_y"};
-    std::string found;
+    std::vector<Message> found;
     const Node* first = nullptr;
     for (std::size_t i = 8; i < D.values.size(); ++i) {
       if (D.values[i] == 0.0) continue;
       if (first == nullptr) first = D.nodes[i];
-      found += (found.empty() ? "" : ", ") + std::string(kTerms.at(i - 8)) + " = " + text::format_short(D.values[i]);
+      found.push_back({found.empty() ? Code::kOpencvTerm : Code::kOpencvFurtherTerm, {kTerms.at(i - 8), D.values[i]}});
     }
     if (found.empty()) return true;
     const bool tilt = D.values.size() > 12 && (D.values[12] != 0.0 || D.values[13] != 0.0);
-    reader_.error(*first, tilt ? "tilted-sensor" : "thin-prism",
-                  what + " has " + found + ": " + (tilt ? "a tilted sensor" : "thin-prism distortion") +
-                      ", which none of our models can hold",
-                  tilt ? "calibrate without CALIB_TILTED_MODEL" : "calibrate without CALIB_THIN_PRISM_MODEL");
+    reader_.say(*first, tilt ? Code::kOpencvTiltedSensor : Code::kOpencvThinPrism, {what, found});
     return false;
   }
 
@@ -145,37 +135,20 @@ class LensReader {
     if (!options_.opencv_model.empty()) {
       const bool fisheye = options_.opencv_model == "fisheye";
       if (said && *said != fisheye) {
-        reader_.warning(node, "model-contradicts",
-                        what + " is " + (*said ? "fisheye" : "pinhole") + " by the file and read as " + options_.opencv_model +
-                            ", as told");
+        reader_.say(node, Code::kOpencvToldOtherwise, {what, *said ? "fisheye" : "pinhole", options_.opencv_model});
       }
       return fisheye;
     }
     if (said) return said;
-    const auto spelled = [&D](std::initializer_list<const char*> names) {
-      std::string text;
-      std::size_t place = 0;
-      for (const char* name : names) {
-        if (place > 0) text += " ";
-        text += std::string(name) + "=" + text::format_short(D.values[place]);
-        ++place;
-      }
-      return text;
-    };
-    reader_.error(node, "ambiguous-model",
-                  what + " has four numbers and nothing in the file says of what: pinhole " +
-                      spelled({"k1", "k2", "p1", "p2"}) + " (cv::projectPoints), or fisheye " +
-                      spelled({"k1", "k2", "k3", "k4"}) + " (cv::fisheye)",
-                  "say which: --opencv-model pinhole or --opencv-model fisheye");
+    reader_.say(node, Code::kOpencvAmbiguousModel, {what, D.values[0], D.values[1], D.values[2], D.values[3]});
     return std::nullopt;
   }
 
   std::optional<CameraModel> read_omnidir(const CameraKeys& keys, const Node& map, const Node& place, const Numbers& D) {
-    warn_if_told_in_vain(place, label(keys, keys.xi) + " says cv::omnidir");
+    const Message omnidir = {Code::kOpencvSaysOmnidir, {label(keys, keys.xi)}};
+    warn_if_told_in_vain(place, omnidir);
     if (D.values.size() != 4) {
-      reader_.error(place, "wrong-length",
-                    label(keys, keys.xi) + " says cv::omnidir, which wants 4 distortion coefficients, not " +
-                        std::to_string(D.values.size()));
+      reader_.say(place, Code::kOpencvOmnidirWantsFour, {omnidir, D.values.size()});
       return std::nullopt;
     }
     const std::string what = label(keys, keys.xi);
@@ -189,7 +162,7 @@ class LensReader {
     const std::optional<Numbers> xi = read_numbers(node, what, reader_);
     if (!xi || !model) return std::nullopt;
     if (xi->values.size() != 1) {
-      reader_.error(node, "wrong-length", what + " has " + std::to_string(xi->values.size()) + " numbers; one is wanted");
+      reader_.say(node, Code::kOpencvXiNumbers, {what, xi->values.size()});
       return std::nullopt;
     }
     if (!set(*xi, 0, what, "xi", *model, reader_)) return std::nullopt;
@@ -198,12 +171,11 @@ class LensReader {
 
   std::optional<CameraModel> read_matlab_lens(const CameraKeys& keys, const Node& map) {
     const Node& node = *reader_.find(map, keys.radial);
-    warn_if_told_in_vain(node, keys.radial + " is MATLAB's");
+    warn_if_told_in_vain(node, {Code::kOpencvIsMatlabs, {keys.radial}});
     const std::optional<Numbers> radial = read_numbers(node, keys.radial, reader_);
     if (!radial) return std::nullopt;
     if (radial->values.size() != 2 && radial->values.size() != 3) {
-      reader_.error(node, "wrong-length",
-                    keys.radial + " has " + std::to_string(radial->values.size()) + " numbers; 2 or 3 are wanted");
+      reader_.say(node, Code::kOpencvRadialNumbers, {keys.radial, radial->values.size()});
       return std::nullopt;
     }
     std::optional<CameraModel> model = with("radtan", {"k1", "k2", "k3"}, *radial, keys.radial);
@@ -212,8 +184,7 @@ class LensReader {
     const std::optional<Numbers> tangential = read_numbers(second, keys.tangential, reader_);
     if (!tangential) return std::nullopt;
     if (tangential->values.size() != 2) {
-      reader_.error(second, "wrong-length",
-                    keys.tangential + " has " + std::to_string(tangential->values.size()) + " numbers; 2 are wanted");
+      reader_.say(second, Code::kOpencvNumbersWanted, {keys.tangential, tangential->values.size(), 2});
       return std::nullopt;
     }
     if (!set(*tangential, 0, keys.tangential, "p1", *model, reader_) ||

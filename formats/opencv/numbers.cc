@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "numbers.h"
 
+#include <fca/code.h>
+
 namespace fca::opencv {
 
 using text::Node;
@@ -10,11 +12,9 @@ namespace {
 bool is_float_type(const Node& type, const std::string& what, fields::Reader& reader) {
   if (type.value == "d" || type.value == "f") return true;
   if (type.value.ends_with('i') || type.value.ends_with('u') || type.value.ends_with('s') || type.value.ends_with('w')) {
-    reader.error(type, "matrix-type",
-                 what + " holds dt '" + type.value + "', whole numbers; OpenCV's functions want floating-point numbers",
-                 "write dt: d");
+    reader.say(type, Code::kOpencvMatrixOfIntegers, {what, type.value});
   } else {
-    reader.error(type, "matrix-type", what + " holds dt '" + type.value + "'; d (double) or f (float) is wanted");
+    reader.say(type, Code::kOpencvMatrixType, {what, type.value});
   }
   return false;
 }
@@ -27,8 +27,6 @@ bool is_empty(const Node& matrix, const fields::Reader& reader) {
 }
 
 }  // namespace
-
-std::string size_of(const Numbers& numbers) { return std::to_string(numbers.rows) + " x " + std::to_string(numbers.cols); }
 
 std::optional<Numbers> read_numbers(const Node& node, const std::string& what, fields::Reader& reader) {
   Numbers result;

@@ -21,9 +21,6 @@ struct Numbers {
   [[nodiscard]] bool is_vector() const { return rows <= 1 || cols <= 1; }
 };
 
-/// "3 x 4"
-[[nodiscard]] std::string size_of(const Numbers& numbers);
-
 /// Nothing, with an error, where neither a matrix of floating-point numbers nor a list of numbers stands.
 [[nodiscard]] std::optional<Numbers> read_numbers(const text::Node& node, const std::string& what, fields::Reader& reader);
 

@@ -6,7 +6,7 @@
 
 #include "../fields.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,7 @@ class CalibrationReader {
   void read_into(Rig& rig) {
     const bool yaml = document_.syntax() == text::Syntax::kYaml || document_.syntax() == text::Syntax::kOpenCvYaml;
     if (yaml && !document_.source().bytes.starts_with("%YAML")) {
-      reader_.warning(document_.root().entries.front().key, "program-refuses",
-                      "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0");
+      reader_.say(document_.root().entries.front().key, Code::kOpencvNoDirective);
     }
     reader_.warn_of_duplicates(document_.root());
     for (std::size_t i = 0; i < layout_.cameras.size(); ++i) read_camera(layout_.cameras[i], "cam" + std::to_string(i), rig);
@@ -64,41 +63,28 @@ class CalibrationReader {
 
   bool check_matrix(const Numbers& K, const Node& node, const std::string& what, bool transposed) {
     if (K.rows != 3 || K.cols != 3) {
-      reader_.error(node, "wrong-length", what + " is " + size_of(K) + "; a camera matrix is 3 x 3");
+      reader_.say(node, Code::kOpencvNotCameraMatrixSize, {what, K.rows, K.cols});
       return false;
     }
     const auto& k = K.values;
     const bool upper = k[2] != 0.0 || k[5] != 0.0;
     const bool lower = k[6] != 0.0 || k[7] != 0.0;
     if (!transposed && lower && !upper) {
-      reader_.error(node, "matrix-transposed",
-                    what + " is transposed: its principal point stands in the last row, as MATLAB writes it",
-                    "OpenCV wants fx 0 cx, 0 fy cy, 0 0 1 row by row");
+      reader_.say(node, Code::kOpencvMatrixTransposed, {what});
       return false;
     }
     if (transposed && upper && !lower) {
-      reader_.error(node, "matrix-transposed", what + " stands beside MATLAB's keys and is not transposed as MATLAB's is",
-                    "MATLAB writes fx 0 0, s fy 0, cx cy 1 row by row");
+      reader_.say(node, Code::kOpencvMatrixNotTransposed, {what});
       return false;
     }
     const std::vector<std::size_t> zeros = transposed ? std::vector<std::size_t>{1, 2, 5} : std::vector<std::size_t>{3, 6, 7};
     for (const std::size_t place : zeros) {
       if (k[place] == 0.0) continue;
-      reader_.error(*K.nodes[place], "not-a-camera-matrix",
-                    what + " has " + text::format_short(k[place]) + " where a camera matrix has 0");
+      reader_.say(*K.nodes[place], Code::kOpencvMatrixNonZero, {what, k[place]});
       return false;
     }
-    if (k[8] != 1.0) {
-      reader_.warning(*K.nodes[8], "matrix-corner",
-                      what + "(2, 2) is " + text::format_short(k[8]) +
-                          ", not 1; OpenCV's projections do not read it, but K * p and inv(K) come out wrong",
-                      "write 1.0");
-    }
-    if (transposed) {
-      reader_.warning(node, "matlab-origin",
-                      what + " is MATLAB's, which counts pixels from 1; its principal point is read as it stands",
-                      "if nothing has subtracted 1 from it yet (stereoParametersToOpenCV does), subtract 1 from both numbers");
-    }
+    if (k[8] != 1.0) reader_.say(*K.nodes[8], Code::kOpencvMatrixCorner, {what, k[8]});
+    if (transposed) reader_.say(node, Code::kOpencvMatlabOrigin, {what});
     return true;
   }
 
@@ -108,12 +94,7 @@ class CalibrationReader {
     const double skew = K.values[place];
     if (skew == 0.0) return true;
     const bool omnidir = kind_of(model) == Kind::kOmnidir;
-    reader_.error(*K.nodes[place], "skew",
-                  what + " has a skew of " + text::format_short(skew) + " px at (0, 1), which the model " +
-                      std::string(model_info(model).id) + " cannot hold" +
-                      (omnidir ? "; cv::omnidir uses it" : "; cv::projectPoints and cv::fisheye ignore it, others do not"),
-                  omnidir ? "calibrate with cv::omnidir::CALIB_FIX_SKEW"
-                          : "calibrate without skew, or write 0 there if the program that uses the file ignores it");
+    reader_.say(*K.nodes[place], omnidir ? Code::kOpencvSkewOfOmnidir : Code::kOpencvSkew, {what, skew, model_info(model).id});
     return false;
   }
 
@@ -129,7 +110,7 @@ class CalibrationReader {
     const Node& node = *reader_.find(mapping, size.pair);
     const Node* data = node.is_mapping() ? reader_.find(node, "data") : &node;
     if (data == nullptr || !data->is_sequence() || data->items.size() != 2) {
-      reader_.error(node, "wrong-length", size.pair + " must be two numbers");
+      reader_.say(node, Code::kOpencvSizeNotTwoNumbers, {size.pair});
       return std::nullopt;
     }
     const std::size_t width = size.rows_first ? 1 : 0;
@@ -144,7 +125,7 @@ class CalibrationReader {
     const std::optional<Numbers> values = read_numbers(node, what, reader_);
     if (!values) return;
     if (values->values.size() != 16 || values->rows != 4) {
-      reader_.error(node, "wrong-length", what + " is " + size_of(*values) + "; 4 x 4 is wanted");
+      reader_.say(node, Code::kOpencvPoseNotFourByFour, {what, values->rows, values->cols});
       return;
     }
     Transform T;
@@ -160,21 +141,15 @@ class CalibrationReader {
   void warn_of_units(const Transform& T, const Node& node, const std::string& what) {
     const double length = std::hypot(T(0, 3), T(1, 3), T(2, 3));
     constexpr double kLongerThanARig = 10.0;
-    if (length <= kLongerThanARig) return;
-    reader_.warning(
-        node, "units-not-stated",
-        what + " is " + text::format_short(length, 4) +
-            " long, in the units of the calibration board, which no file states; read as metres, probably millimetres",
-        "divide it by 1000 if they are millimetres");
+    if (length > kLongerThanARig) reader_.say(node, Code::kOpencvUnitsNotStated, {what, length});
   }
 
   void read_stereo_pose(Rig& rig) {
     const bool has_rotation = !layout_.rotation.empty();
     const bool has_translation = !layout_.translation.empty();
     if (has_rotation != has_translation) {
-      reader_.warning(
-          *reader_.find(document_.root(), has_rotation ? layout_.rotation : layout_.translation), "pose-missing",
-          "the pose of the second camera needs R and T, and " + std::string(has_rotation ? "T" : "R") + " is missing");
+      reader_.say(*reader_.find(document_.root(), has_rotation ? layout_.rotation : layout_.translation),
+                  Code::kOpencvPoseMissing, {has_rotation ? "T" : "R"});
     }
     if (!has_rotation || !has_translation) return;
     const Node& R_node = *reader_.find(document_.root(), layout_.rotation);
@@ -184,14 +159,12 @@ class CalibrationReader {
     if (!R || !T) return;
     const std::size_t wanted = layout_.rotation_vector ? 3 : 9;
     if (R->values.size() != wanted || (R_node.is_mapping() && !layout_.rotation_vector && R->rows != 3)) {
-      reader_.error(R_node, "wrong-length",
-                    layout_.rotation + " is " + size_of(*R) + "; " +
-                        (layout_.rotation_vector ? "a rotation vector of 3 numbers" : "a 3 x 3 rotation") + " is wanted");
+      reader_.say(R_node, layout_.rotation_vector ? Code::kOpencvNotRotationVector : Code::kOpencvNotRotationMatrix,
+                  {layout_.rotation, R->rows, R->cols});
       return;
     }
     if (T->values.size() != 3) {
-      reader_.error(T_node, "wrong-length",
-                    layout_.translation + " has " + std::to_string(T->values.size()) + " numbers; 3 are wanted");
+      reader_.say(T_node, Code::kOpencvNumbersWanted, {layout_.translation, T->values.size(), 3});
       return;
     }
     Transform T_c1_c0;
@@ -216,8 +189,7 @@ class CalibrationReader {
     constexpr double kLargestAngle = 100.0;  // rad
     const double angle = std::hypot(om.values[0], om.values[1], om.values[2]);
     if (angle <= kLargestAngle) return true;
-    reader_.error(node, "not-a-rotation", layout_.rotation + " turns by " + text::format_short(angle, 3) + " rad",
-                  "a rotation vector is an axis times the angle in radians");
+    reader_.say(node, Code::kOpencvAngleTooLarge, {layout_.rotation, angle});
     return false;
   }
 
@@ -241,9 +213,7 @@ class CalibrationReader {
     if (layout_.count.empty()) return;
     const Node& node = *reader_.find(document_.root(), layout_.count);
     if (node.value == std::to_string(layout_.cameras.size())) return;
-    reader_.warning(node, "program-refuses",
-                    layout_.count + " is " + node.value + ", but there are " + std::to_string(layout_.cameras.size()) +
-                        " cameras; MC-Calib's reader stops");
+    reader_.say(node, Code::kOpencvCameraCount, {layout_.count, node.value, layout_.cameras.size()});
   }
 
   /// A matrix says the same in every syntax.
@@ -282,19 +252,15 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   for (const text::Document& document : documents) {
     const std::optional<Layout> layout = find_layout(document);
     if (!layout) {
-      diagnostics.error(
-          "no-calibration", "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) stands here",
-          document.source().range({0, 1}), "OpenCV's calibration samples write camera_matrix and distortion_coefficients");
+      diagnostics.add(Code::kOpencvNoCalibration, {}, document.source().range({0, 1}));
       return std::nullopt;
     }
     Rig part;
     Diagnostics found;
     CalibrationReader(document, *layout, options, found).read_into(part);
     for (const Camera& camera : part.cameras) {
-      if (rig.find_camera(camera.name) != nullptr) {
-        found.error("stated-twice", "a camera " + camera.name + " stands here and in the file before",
-                    document.source().range({0, 1}));
-      }
+      if (rig.find_camera(camera.name) != nullptr)
+        found.add(Code::kOpencvCameraTwice, {camera.name}, document.source().range({0, 1}));
     }
     for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
     if (found.has_errors()) return std::nullopt;

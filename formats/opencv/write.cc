@@ -7,8 +7,7 @@
 
 #include "../losses.h"
 
-#include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
+#include <fca/code.h>
 
 #include <algorithm>
 #include <utility>
@@ -19,17 +18,10 @@ namespace {
 
 /// What none of OpenCV's samples has a key for.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
-  for (const Camera& camera : rig.cameras) add_stream(camera, "OpenCV's files have no key for it", losses);
-  for (const Imu& imu : rig.imus) {
-    losses.push_back({"imu-dropped", imu.name + " noise and rate", "OpenCV's files have no key for them", ""});
-  }
-  if (rig.baseline_m) {
-    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m",
-                      "OpenCV's files state poses of cameras, and the second camera is not in the input", ""});
-  }
+  for (const Camera& camera : rig.cameras) add_stream(camera, Message{Code::kOpencvHasNoKey}, losses);
+  for (const Imu& imu : rig.imus) losses.push_back(lost(Code::kOpencvImuDropped, imu.name, "noise and rate"));
+  if (rig.baseline_m) losses.push_back(lost(Code::kOpencvBaselineDropped, "", "baseline", {*rig.baseline_m}));
 }
-
-constexpr std::string_view kHolds = "only cameras, image sizes and poses are written into an OpenCV file";
 
 /// What was read elsewhere and stays there. A file that is edited keeps what it says itself.
 void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::vector<Loss>& losses) {
@@ -40,8 +32,9 @@ void list_extras(std::span<const ExtraField> extras, std::span<const ExtraField>
         there, [&extra](const ExtraField& own) { return own.owner == extra.owner && own.key == extra.key; });
     (known ? contradicting : unknown).push_back(extra);
   }
-  add_not_carried(contradicting, std::string(kHolds) + "; the one written into keeps its own", losses);
-  add_not_carried(unknown, kHolds, losses);
+  const Message holds = {Code::kOpencvHolds};
+  add_not_carried(contradicting, Message{Code::kOpencvKeepsItsOwn, {holds}}, losses);
+  add_not_carried(unknown, holds, losses);
 }
 
 /// stereo_calib's extrinsics.yml: R and T without a camera.
@@ -56,16 +49,16 @@ bool wants_other_syntax(const text::Document& base, const WriteOptions& options)
 }
 
 /// The base's edit, if there is a base that can be edited; else `why` says what stands against it.
-std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const WriteOptions& options, std::string& why) {
+std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const WriteOptions& options, Message& why) {
   if (base == nullptr || options.anew) return std::nullopt;
   const std::optional<Base> read = read_base(*base, rig);
   if (!read) return std::nullopt;
   if (!options.layout.empty() && options.layout != name_of_layout(read->layout)) {
-    why = "another layout was asked for";
+    why = {Code::kOpencvOtherLayout};
     return std::nullopt;
   }
   if (wants_other_syntax(*base, options)) {
-    why = "another syntax was asked for";
+    why = {Code::kOpencvOtherSyntax};
     return std::nullopt;
   }
   return edit(*read, rig, why);
@@ -74,11 +67,8 @@ std::optional<Edited> try_edit(const text::Document* base, const Rig& rig, const
 /// What the rig says of its cameras and a file of R and T alone cannot. write_calibration() speaks of the poses of cameras that
 /// a file holds, and this one holds none.
 void list_losses_beside_pose(const Rig& rig, const PoseEdge& kept, std::vector<Loss>& losses) {
-  for (const Camera& camera : rig.cameras) {
-    losses.push_back({"camera-dropped", camera.name + " (" + std::string(model_info(camera.model).id) + ")",
-                      "the file written into holds R and T of a pair and no camera",
-                      "--to opencv -o OTHER.yml writes the cameras into a file of their own"});
-  }
+  for (const Camera& camera : rig.cameras)
+    losses.push_back(lost(Code::kOpencvCameraDropped, camera.name, "", {model_info(camera.model).id}));
   Rig stated;
   stated.poses = {kept};
   std::vector<std::string> poses;
@@ -86,8 +76,7 @@ void list_losses_beside_pose(const Rig& rig, const PoseEdge& kept, std::vector<L
     const bool of_camera = rig.find_camera(edge.a) != nullptr || rig.find_camera(edge.b) != nullptr;
     if (of_camera && !stated.resolve(edge.a, edge.b)) poses.push_back("T_" + edge.a + "_" + edge.b);
   }
-  if (!poses.empty())
-    losses.push_back({"pose-dropped", text::enumerated(poses), "the file written into holds the pose of one pair", ""});
+  if (!poses.empty()) losses.push_back(lost(Code::kOpencvPosesDropped, "", "", {poses}));
 }
 
 /// Which frames of the rig R and T of a file without cameras are about: those that reading it names, else the first two
@@ -100,9 +89,9 @@ std::pair<std::string, std::string> pair_in(const Rig& rig) {
 }
 
 /// Files of one pair are for rectification and matching; MC-Calib's are for rigs of any shape.
-std::string why_first_is_left(const std::string& layout, const Rig& rig) {
-  if (rig.cameras.size() != 2 || layout == "cameras") return "";
-  return "StereoBM and StereoSGBM take the first camera of a rectified pair for the left one";
+Message why_first_is_left(const std::string& layout, const Rig& rig) {
+  if (rig.cameras.size() != 2 || layout == "cameras") return {};
+  return {Code::kOpencvFirstIsLeft};
 }
 
 /// Takes R and T from saying what they say to the pose of the rig's pair; a rig without one leaves them alone.
@@ -111,7 +100,7 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
   const std::optional<Layout> layout = find_layout(base);
   const std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);
   if (!layout || !old) {
-    diagnostics.error("no-calibration", "R and T of the file written into cannot be read", base.source().range({0, 1}));
+    diagnostics.add(Code::kOpencvPoseNotRead, {}, base.source().range({0, 1}));
     return std::nullopt;
   }
   const auto [first, second] = pair_in(rig);
@@ -121,8 +110,8 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
   if (!after.empty()) fields::apply(document, document.root(), kDialect, before, after);
   Written written;
   written.files.push_back({std::move(document), {}, {}});
-  written.headline = in_words("the pose of a stereo pair");
-  written.first_is_left = in_words(why_first_is_left("stereo", rig));
+  written.headline = {Code::kOpencvWrotePose};
+  written.first_is_left = why_first_is_left("stereo", rig);
   StaleKeys stale;
   const Transform* was = old->stated("cam1", "cam0");
   const bool moved = !after.empty() && was != nullptr && rig.resolve(second, first) != *was;
@@ -138,10 +127,9 @@ std::optional<Written> write_pose(const text::Document& base, const Rig& rig, Di
 std::optional<std::string> choose_layout(const text::Document* base, const Rig& rig, const WriteOptions& options,
                                          Diagnostics& diagnostics) {
   if (!options.layout.empty()) {
-    const std::string problem = problem_with_layout(options.layout, rig);
-    if (problem.empty()) return options.layout;
-    diagnostics.error("layout-not-served", "the layout " + options.layout + " cannot hold this rig: " + problem, {},
-                      "leave out --opencv-layout, or choose " + default_layout(rig));
+    const Message problem = problem_with_layout(options.layout, rig);
+    if (!problem.is_said()) return options.layout;
+    diagnostics.add(Code::kOpencvLayoutNotServed, {options.layout, problem, default_layout(rig)});
     return std::nullopt;
   }
   if (base != nullptr) {
@@ -150,20 +138,18 @@ std::optional<std::string> choose_layout(const text::Document* base, const Rig& 
       std::string name = name_of_layout(*layout);
       // A second camera wants another file, or another layout.
       const bool fits = layout->cameras.size() == rig.cameras.size() || layout->in_maps();
-      if (fits && problem_with_layout(name, rig).empty()) return name;
+      if (fits && !problem_with_layout(name, rig).is_said()) return name;
     }
   }
   return default_layout(rig);
 }
 
-std::string headline(const std::string& layout, const Rig& rig) {
-  if (layout == "calibration" && kind_of(rig.cameras.front().model) != Kind::kOmnidir)
-    return "the keys of OpenCV's camera_calibration sample";
-  if (layout == "stereo" && kind_of(rig.cameras.front().model) != Kind::kOmnidir)
-    return "the keys of OpenCV's stereo_calib sample, intrinsics and extrinsics in one file";
-  if (layout == "cameras") return "MC-Calib's keys, one camera_<i> per camera";
-  if (layout == "left-right") return "camera_matrix_left and camera_matrix_right";
-  return "the keys of ccalib's omnidir samples";
+Message headline(const std::string& layout, const Rig& rig) {
+  const bool omnidir = kind_of(rig.cameras.front().model) == Kind::kOmnidir;
+  if (layout == "calibration" && !omnidir) return {Code::kOpencvWroteCalibration};
+  if (layout == "stereo" && !omnidir) return {Code::kOpencvWroteStereo};
+  if (layout == "cameras") return {Code::kOpencvWroteMaps};
+  return {layout == "left-right" ? Code::kOpencvWroteLeftRight : Code::kOpencvWroteOmnidir};
 }
 
 /// Sizes that the edited file has no keys for: it would have to begin to state one for both cameras.
@@ -171,11 +157,8 @@ void list_lost_sizes(const Rig& rig, const Layout& layout, std::vector<Loss>& lo
   if (layout.in_maps() || layout.size.stated()) return;
   for (const Camera& camera : rig.cameras) {
     if (!camera.image_size) continue;
-    losses.push_back(
-        {"image-size-dropped",
-         camera.name + " " + std::to_string(camera.image_size->width) + "x" + std::to_string(camera.image_size->height),
-         "the keys written into hold one image size for both cameras, and theirs differ",
-         "--opencv-layout cameras has a size for each"});
+    const ImageSize size = *camera.image_size;
+    losses.push_back(lost(Code::kOpencvSizeDropped, camera.name, "image size", {size.width, size.height}));
   }
 }
 
@@ -183,10 +166,7 @@ void list_lost_sizes(const Rig& rig, const Layout& layout, std::vector<Loss>& lo
 void tell_ambiguous(const Rig& rig, Written& written, Diagnostics& diagnostics) {
   const bool fisheye = kind_of(rig.cameras.front().model) == Kind::kFisheye;
   written.opencv_model = fisheye ? "fisheye" : "pinhole";
-  diagnostics.note("ambiguous-model",
-                   "what is written does not say what its four coefficients are; they are meant as " + written.opencv_model +
-                       " (" + (fisheye ? "cv::fisheye" : "cv::projectPoints") + ")",
-                   {}, "--opencv-model " + written.opencv_model + " reads it so");
+  diagnostics.add(Code::kOpencvWrittenAmbiguous, {written.opencv_model, fisheye ? "cv::fisheye" : "cv::projectPoints"});
 }
 
 }  // namespace
@@ -197,14 +177,14 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const bool anew = options.anew || !options.layout.empty() || (base != nullptr && wants_other_syntax(*base, options));
   if (is_pose_alone(base) && (rig.cameras.empty() || !anew)) return write_pose(*base, rig, diagnostics);
   if (rig.cameras.empty()) {
-    diagnostics.error("no-camera", "an OpenCV calibration needs a camera and the input has none");
+    diagnostics.add(Code::kOpencvNoCamera);
     return std::nullopt;
   }
   if (!options.layout.empty() && std::ranges::find(kLayoutNames, options.layout) == kLayoutNames.end()) {
-    diagnostics.error("unknown-layout", "OpenCV files have no layout '" + options.layout + "'");
+    diagnostics.add(Code::kOpencvUnknownLayout, {options.layout});
     return std::nullopt;
   }
-  std::string why;
+  Message why;
   std::optional<Edited> edited = try_edit(base, rig, options, why);
   if (!can_store(kFormat, rig, edited ? &edited->old : nullptr, diagnostics)) return std::nullopt;
   if (edited) {
@@ -212,8 +192,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     for (const Camera& camera : rig.cameras) file.cameras.push_back(camera.name);
     if (samples_read(edited->layout, rig, edited->ambiguous)) file.programs = {"opencv"};
     written.files.push_back(std::move(file));
-    written.headline = in_words(headline(name_of_layout(edited->layout), rig));
-    written.first_is_left = in_words(why_first_is_left(name_of_layout(edited->layout), rig));
+    written.headline = headline(name_of_layout(edited->layout), rig);
+    written.first_is_left = why_first_is_left(name_of_layout(edited->layout), rig);
     if (edited->ambiguous) tell_ambiguous(rig, written, diagnostics);
     edited->stale.tell(*base, written.losses, diagnostics);
     list_extras(rig.extra_fields, edited->old.extra_fields, written.losses);
@@ -224,12 +204,12 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     const bool as_base = base != nullptr && !names_syntax(options.extension);
     const text::Syntax syntax = as_base ? base->syntax() : syntax_for(options.extension);
     if (!compose(rig, *layout, syntax, options.extension, written, diagnostics)) return std::nullopt;
-    written.headline = in_words(headline(*layout, rig));
-    written.first_is_left = in_words(why_first_is_left(*layout, rig));
+    written.headline = headline(*layout, rig);
+    written.first_is_left = why_first_is_left(*layout, rig);
     list_extras(rig.extra_fields, {}, written.losses);
     if (base != nullptr) {
       add_composed_anew(*base, written.files.front().document, why, written.losses);
-      add_not_carried(extras_beyond(extras_of(*base), rig.extra_fields), "the file is composed anew", written.losses);
+      add_not_carried(extras_beyond(extras_of(*base), rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
     }
   }
   list_losses(rig, written.losses);
