@@ -3,7 +3,9 @@
 #include "formats/oracle_table.h"
 #include "formats/rigs.h"
 
+#include <fca/code.h>
 #include <fca/formats/proof.h>
+#include <fca/formats/wording.h>
 #include <fca/rig/rotation.h>
 
 #include <random>
@@ -18,8 +20,8 @@ std::string good(const std::string& name) { return read_file(testdata_dir() / "b
 
 Rig read_back(const Written& written) { return calibration_of(written.files.front().document.bytes(), "file.json").rig; }
 
-bool loses(const Written& written, const std::string& code) {
-  return std::ranges::find(written.losses, code, &Loss::code) != written.losses.end();
+bool loses(const Written& written, const std::string& id) {
+  return std::ranges::any_of(written.losses, [&id](const Loss& loss) { return id_of(loss) == id; });
 }
 
 // calibration.hpp: "With raw image timestamp t_r and this offset o we can get a timestamp aligned with IMU clock as t_r + o".
@@ -119,8 +121,10 @@ TEST(Basalt, AnOffsetOfItsOwnIsSaidLost) {
   const Written written = written_by(basalt(), nullptr, rig);
   EXPECT_EQ(read_back(written).cameras[0].time_offset_s, 0.002);
   ASSERT_TRUE(loses(written, "time-offset-dropped"));
-  const auto loss = std::ranges::find(written.losses, "time-offset-dropped", &Loss::code);
-  EXPECT_EQ(loss->remedy, "add 0.001 s to every image time stamp of cam1");
+  const auto loss = std::ranges::find(written.losses, Code::kOtherTimeOffset, &Loss::kind);
+  ASSERT_NE(loss, written.losses.end());
+  EXPECT_EQ(loss->values.at(0), Argument(Message{Code::kBasaltOneOffset}));
+  EXPECT_EQ(remedy_of(*loss), "add 0.001 s to every image time stamp of cam1");
   rig.cameras[1].time_offset_s = rig.cameras[0].time_offset_s = 0.0020000004;
   EXPECT_TRUE(loses(written_by(basalt(), nullptr, rig), "time-offset-rounded"));
 }
