@@ -80,6 +80,73 @@ constexpr std::array kHints = {
                "--to opencv -o OTHER.yml writes the cameras into a file of their own"},
     OptionHint{Code::kOpencvSizeDropped, text::Part::kFix, "--opencv-layout cameras has a size for each"},
     OptionHint{Code::kBasaltImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
+constexpr std::string_view kImuAsFile = "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one";
+constexpr std::string_view kIntoConfiguration = "--into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's own configuration";
+
+constexpr std::array kHints = {
+    OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+
+    // ORB-SLAM3's settings.
+    OptionHint{Code::kOrbslam3SizeMissing, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    OptionHint{Code::kOrbslam3TypesDiffer, text::Part::kFix, "convert both with --model"},
+    OptionHint{Code::kOrbslam3PairNotStorable, text::Part::kFix,
+               "--orbslam3-layout v1 has both; --sensor mono writes the first camera alone; or rectify the images"},
+    OptionHint{Code::kOrbslam3PairVertical, text::Part::kFix,
+               "turn both images by 90 deg and calibrate those; --sensor mono takes one camera"},
+    OptionHint{Code::kOrbslam3PairNotRectified, text::Part::kFix,
+               "give the camera of the rectified images (P1 of cv::stereoRectify); --sensor mono leaves the pair out"},
+    OptionHint{Code::kOrbslam3NothingShared, text::Part::kFix,
+               "is their pose right (show says it in words)? --sensor mono takes one camera"},
+    OptionHint{Code::kOrbslam3ColumnsKept, text::Part::kFix, "--set KEY=VALUE writes another"},
+    OptionHint{Code::kOrbslam3ColumnsComputed, text::Part::kFix, "--set KEY=VALUE writes another"},
+    OptionHint{Code::kOrbslam3LacksSecond, text::Part::kText, "a second camera (--join CAM0 CAM1)"},
+    OptionHint{Code::kOrbslam3LacksSecondOrBaseline, text::Part::kText,
+               "a second camera (--join CAM0 CAM1, or --baseline METRES for one of a rectified pair)"},
+    OptionHint{Code::kOrbslam3LacksSecondRectified, text::Part::kText,
+               "a second camera (--join CAM0 CAM1): one camera and a baseline are a pair only where the images are rectified, "
+               "without distortion, and {0} is {1} with distortion (rectify with cv::stereoRectify, or --sensor rgbd for a "
+               "depth sensor)"},
+    OptionHint{Code::kOrbslam3LacksPose, text::Part::kText, "the pose of {0} to {1} (--with extrinsics.yml)"},
+    OptionHint{Code::kOrbslam3LacksOneSize, text::Part::kText, "one image size for both cameras (--resize WxH)"},
+    OptionHint{Code::kOrbslam3LacksBaseline, text::Part::kText, "the baseline (--baseline METRES)"},
+    OptionHint{Code::kOrbslam3LacksBaselineOfOne, text::Part::kText,
+               "the baseline of one camera (--camera {0} --baseline METRES)"},
+    OptionHint{Code::kOrbslam3LacksLensForDepth, text::Part::kText,
+               "a lens that ORB-SLAM3 takes in this mode: with KannalaBrandt8 it crashes (--sensor rgbd)"},
+    OptionHint{Code::kOrbslam3LacksImu, text::Part::kText, "the IMU's noise and rate (--with imu.yaml)"},
+    OptionHint{Code::kOrbslam3LacksImuNoise, text::Part::kText,
+               "the IMU's noise densities and random walks (add them to the file of --with imu.yaml)"},
+    OptionHint{Code::kOrbslam3LacksImuRate, text::Part::kText, "the IMU's rate (update_rate in the file of --with imu.yaml)"},
+    OptionHint{Code::kOrbslam3FrameRateRounded, text::Part::kFix, "--fps N writes another one"},
+    OptionHint{Code::kOrbslam3SecondCameraDropped, text::Part::kFix, "write it to a file of its own with --camera {0}"},
+    OptionHint{Code::kOrbslam3ThirdCameraDropped, text::Part::kFix, "write it to a file of its own with --camera {0}"},
+    OptionHint{Code::kOrbslam3ImuDropped, text::Part::kFix, kImuAsFile},
+    OptionHint{Code::kOrbslam3BaselineDropped, text::Part::kFix, "--sensor rgbd writes it"},
+    OptionHint{Code::kOrbslam3StockByModel, text::Part::kText, " (leave out --model for that)"},
+    OptionHint{Code::kOrbslam3StockByLayout, text::Part::kText, " (--orbslam3-layout v1 for that)"},
+    OptionHint{Code::kOrbslam3WriteOldStyle, text::Part::kText,
+               "--orbslam3-layout old: V1.0 also reads the older style, and there both cameras rightly"},
+    OptionHint{
+        Code::kOrbslam3RectifyFirst, text::Part::kText,
+        "rectify the images first (cv::stereoRectify) and convert one camera of the rectified pair with --baseline METRES "
+        "--sensor stereo; or --model kb4 --orbslam3-layout old, where V1.0 reads both cameras rightly"},
+
+    // VINS-Fusion's files.
+    OptionHint{Code::kVinsSizeMissing, text::Part::kFix, "--size WIDTHxHEIGHT gives it"},
+    OptionHint{Code::kVinsInverseMissing, text::Part::kFix, "fca-io convert FILE --to vins fits it to poly_parameters"},
+    OptionHint{Code::kVinsInverseStale, text::Part::kFix, "fca-io convert FILE --to vins --anew rebuilds it"},
+    OptionHint{Code::kVinsInverseInexact, text::Part::kFix,
+               "--max-angle DEG leaves out the border, where the direct polynomial turns; or another model"},
+    OptionHint{Code::kVinsSizesDiffer, text::Part::kFix, "--resize WxH"},
+    OptionHint{Code::kVinsCameraMisplaced, text::Part::kFix, "give both cameras (no --camera), or write  num_of_cam: 1"},
+    OptionHint{Code::kVinsOtherImages, text::Part::kFix, "--resize {0}x{1} if its images are the input's, scaled"},
+    OptionHint{Code::kVinsImuDropped, text::Part::kFix, kIntoConfiguration},
+    OptionHint{Code::kVinsSecondImuDropped, text::Part::kFix, kImuAsFile},
+    OptionHint{Code::kVinsCameraDropped, text::Part::kFix, "--camera chooses which"},
+    OptionHint{Code::kVinsTimeOffsetDropped, text::Part::kFix,
+               "add {2:.12} s to every image time stamp of {0}, or --into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's "
+               "own configuration"},
+    OptionHint{Code::kVinsIntoConfiguration, text::Part::kText, kIntoConfiguration},
 };
 
 }  // namespace

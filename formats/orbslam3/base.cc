@@ -6,8 +6,8 @@
 
 #include "../losses.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
 
 #include <algorithm>
 #include <array>
@@ -138,7 +138,7 @@ void list_left_keys(const Base& base, std::span<const fields::Field> after, cons
     if (is_of_a_mode(extra.key) && std::ranges::find(after, extra.key, &fields::Field::key) == after.end())
       left.push_back(extra);
   }
-  add_not_carried(left, std::string(target.sensor.id) + " settings have no such key", losses);
+  add_not_carried(left, Message{Code::kOrbslam3NoSuchKey, {target.sensor.id}}, losses);
 }
 
 void warn_of_other_baseline(const Base& base, std::span<const fields::Field> after, Diagnostics& diagnostics) {
@@ -152,10 +152,7 @@ void warn_of_other_baseline(const Base& base, std::span<const fields::Field> aft
   if (implied == before.end() || now == after.end() || *now == *implied) return;
   const double from_poses = text::parse_real(implied->tokens.front()).value_or(stated);
   if (std::abs(stated - from_poses) <= kAnother * std::abs(from_poses)) return;
-  diagnostics.warning("baseline-contradicts",
-                      "Camera.bf of the base is " + node->value + ", and its poses make it " +
-                          text::format_short(from_poses, 4) + ": what is written follows the poses",
-                      base.document.range(*node), "which of the two is right?");
+  diagnostics.add(Code::kOrbslam3OtherBaseline, {node->value, from_poses}, base.document.range(*node));
 }
 
 void warn_of_poorer_mode(const Base& base, const Rig& rig, const Target& target, Diagnostics& diagnostics) {
@@ -164,10 +161,8 @@ void warn_of_poorer_mode(const Base& base, const Rig& rig, const Target& target,
   const bool poorer = (before.two_cameras && !now.two_cameras) || (before.depth && !now.depth && !now.two_cameras) ||
                       (before.inertial && !now.inertial);
   if (!poorer) return;
-  const std::vector<std::string> missing = missing_for(rig, before, target.style);
-  if (missing.empty()) return;
-  diagnostics.warning("poorer-mode", "the base is for " + std::string(before.id) + ", and with the input's cameras it serves " +
-                                         std::string(now.id) + " only; it lacks " + text::enumerated(missing));
+  const std::vector<Message> missing = missing_for(rig, before, target.style);
+  if (!missing.empty()) diagnostics.add(Code::kOrbslam3PoorerMode, {before.id, now.id, enumerated(missing)});
 }
 
 std::vector<fields::Field> new_fields(const std::vector<fields::Field>& fields, const Base& base) {

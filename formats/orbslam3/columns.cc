@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "columns.h"
 
-#include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
+#include <fca/code.h>
 #include <fca/rig/overlap.h>
 
 #include <algorithm>
@@ -75,30 +74,23 @@ std::array<std::optional<std::size_t>, 2> same_images(const Rig& base, const Rig
 void tell_of_columns(const Rig& base, const Target& of_base, const Rig& rig, const Target& target,
                      std::span<const std::string> replaced, Diagnostics& diagnostics) {
   const bool same = std::ranges::equal(base.cameras, rig.cameras) && base.poses == rig.poses && !target.max_angle_rad;
-  std::vector<std::string> kept;
+  std::vector<Message> kept;
   for (const OverlapColumn& column : overlap_columns(rig, target)) {
     const std::optional<double> stated = target.tuning.stated(*column.key);
     if (same || !stated || *stated == column.computed) continue;
-    kept.push_back(target.tuning.field(*column.key, target.style).key + " " + text::format_short(*stated) + " (" +
-                   std::to_string(column.computed) + ")");
+    const std::string key = target.tuning.field(*column.key, target.style).key;
+    kept.push_back({Code::kOrbslam3KeptColumn, {key, *stated, column.computed}});
   }
-  if (!kept.empty()) {
-    diagnostics.note(
-        "columns-kept",
-        text::enumerated(kept, "and") + ": kept as the base has it; in brackets what follows from the poses and fields of view",
-        {}, "--set KEY=VALUE writes another");
-  }
+  if (!kept.empty()) diagnostics.add(Code::kOrbslam3ColumnsKept, {enumerated(kept)});
   const std::array<std::optional<std::size_t>, 2> from = same_images(base, rig, replaced);
-  std::vector<std::string> gone;
+  std::vector<Message> gone;
   for (const OverlapColumn& column : columns_set_by_hand(base, of_base)) {
     if (std::ranges::find(from, std::optional(column.camera)) != from.end()) continue;
     const fields::Field was = of_base.tuning.field(*column.key, of_base.style);
-    gone.push_back(was.key + " " + was.tokens.front());
+    gone.push_back({Code::kOrbslam3GoneColumn, {was.key, was.tokens.front()}});
   }
   if (gone.empty() || overlap_columns(rig, target).empty()) return;
-  diagnostics.note("columns-computed",
-                   text::enumerated(gone, "and") + " of the base: of other images, so the columns are computed anew", {},
-                   "--set KEY=VALUE writes another");
+  diagnostics.add(Code::kOrbslam3ColumnsComputed, {enumerated(gone)});
 }
 
 }  // namespace fca::orbslam3

@@ -3,7 +3,7 @@
 
 #include "columns.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 #include <fca/rig/stereo_order.h>
 
 #include <algorithm>
@@ -30,21 +30,15 @@ void warn_of_vertical_pair(const Rig& rig, const Target& target, Diagnostics& di
   if (layout == nullptr || is_fisheye(*layout)) return;
   const std::optional<double> below = second_below_first(rig);
   if (!below) return;
-  diagnostics.warning("stereo-vertical",
-                      rig.cameras[1].name + " sits " + text::format_short(100.0 * std::abs(*below), 3) + " cm " +
-                          (*below > 0.0 ? "below " : "above ") + rig.cameras[0].name +
-                          ", and ORB-SLAM3 looks for a pair's matches along the rows only",
-                      {}, "turn both images by 90 deg and calibrate those; --sensor mono takes one camera");
+  constexpr double kCmPerM = 100.0;
+  diagnostics.add(Code::kOrbslam3PairVertical,
+                  {rig.cameras[1].name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", rig.cameras[0].name});
 }
 
 /// Frame::ComputeStereoMatches searches the images as they are, along their rows; a lens with distortion bends those.
 void warn_of_unrectified_camera(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   if (!target.sensor.two_cameras || rig.cameras.size() != 1 || is_rectified_pair(rig)) return;
-  diagnostics.warning("not-rectified",
-                      "one camera and a baseline stand for a rectified pair, and " + rig.cameras.front().name +
-                          " has distortion: matches are looked for along the rows of images that are not rectified",
-                      {},
-                      "give the camera of the rectified images (P1 of cv::stereoRectify); --sensor mono leaves the pair out");
+  diagnostics.add(Code::kOrbslam3PairNotRectified, {rig.cameras.front().name});
 }
 
 /// One time stamp stands for both images of a pair.
@@ -53,11 +47,9 @@ void warn_of_unlike_times(const Rig& rig, Diagnostics& diagnostics) {
   const std::optional<double>& first = rig.cameras[0].time_offset_s;
   const std::optional<double>& second = rig.cameras[1].time_offset_s;
   if (!first || !second || std::abs(*first - *second) <= kSynchronous) return;
-  diagnostics.warning("pair-not-synchronous",
-                      "the time offsets of " + rig.cameras[0].name + " and " + rig.cameras[1].name + " differ by " +
-                          text::format_short(1e3 * std::abs(*first - *second), 3) +
-                          " ms, and ORB-SLAM3 takes the two images of a pair for taken at one moment",
-                      {}, "are they of one exposure? Then both have one offset");
+  constexpr double kMsPerS = 1e3;
+  diagnostics.add(Code::kOrbslam3PairNotSynchronous,
+                  {rig.cameras[0].name, rig.cameras[1].name, kMsPerS * std::abs(*first - *second)});
 }
 
 }  // namespace
@@ -68,23 +60,14 @@ bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) 
   const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
   const bool holds_two = layout != nullptr && is_fisheye(*layout);
   if (holds_two || is_posed_as_rectified(rig)) return true;
-  diagnostics.error(
-      "pose-not-storable",
-      "settings of pinhole cameras in the style before ORB-SLAM3 V1.0 are for rectified pairs: they have no place "
-      "for the pose between unrectified cameras nor for a second camera's own intrinsics",
-      {}, "--orbslam3-layout v1 has both; --sensor mono writes the first camera alone; or rectify the images");
+  diagnostics.add(Code::kOrbslam3PairNotStorable);
   return false;
 }
 
 void warn_of_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   warn_of_unrectified_camera(rig, target, diagnostics);
   if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
-  if (shares_no_columns(rig, target)) {
-    diagnostics.warning("nothing-shared",
-                        rig.cameras[0].name + " and " + rig.cameras[1].name +
-                            " see nothing in common, and ORB-SLAM3 matches a fisheye pair only where both see",
-                        {}, "is their pose right (show says it in words)? --sensor mono takes one camera");
-  }
+  if (shares_no_columns(rig, target)) diagnostics.add(Code::kOrbslam3NothingShared, {rig.cameras[0].name, rig.cameras[1].name});
   warn_of_vertical_pair(rig, target, diagnostics);
   warn_of_unlike_times(rig, diagnostics);
 }

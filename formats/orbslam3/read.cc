@@ -4,8 +4,8 @@
 
 #include "../fields.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +43,9 @@ class SettingsReader {
   }
 
  private:
+  /// The first key, for what the file lacks.
+  const Node& top() const { return document_.root().entries.front().key; }
+
   const Node* find(std::string_view key) {
     read_.emplace(key);
     return reader_.find(document_.root(), key);
@@ -52,15 +55,9 @@ class SettingsReader {
   void warn_of_version() {
     const Node* version = find("File.version");
     if (version == nullptr) {
-      if (style_ == Style::kV1) {
-        reader_.warning(document_.root().entries.front().key, "file-version-missing",
-                        "Camera1.* keys without File.version: ORB-SLAM3 runs its old parser and finds no camera",
-                        "add the line  File.version: \"1.0\"");
-      }
+      if (style_ == Style::kV1) reader_.say(top(), Code::kOrbslam3VersionMissing);
     } else if (!version->quoted || version->value != "1.0") {
-      reader_.warning(*version, "file-version-not-string",
-                      "File.version is not the string \"1.0\": ORB-SLAM3 silently runs its old parser",
-                      "write \"1.0\" with quotes");
+      reader_.say(*version, Code::kOrbslam3VersionNotString);
     }
   }
 
@@ -76,8 +73,7 @@ class SettingsReader {
   bool check_stella_model() {
     const Node* model = find_key(document_, "Camera.model");
     if (model == nullptr || find_key(document_, "Camera.type") != nullptr || model->value == "perspective") return true;
-    reader_.error(*model, "unknown-model",
-                  "Camera.model '" + model->value + "' is a model of stella_vslam; of its settings only 'perspective' is read");
+    reader_.say(*model, Code::kOrbslam3ModelOfStella, {model->value});
     return false;
   }
 
@@ -87,9 +83,19 @@ class SettingsReader {
     const bool fisheye =
         k4 != nullptr && find_key(document_, "Camera.p1") == nullptr && find_key(document_, "Camera.p2") == nullptr;
     if (!fisheye || text::parse_real(k4->value) == 0.0) return true;
-    reader_.error(*k4, "unknown-model", "k1 to k4 without p1 and p2 are a fisheye's, and there is no Camera.type",
-                  "Camera.type: \"KannalaBrandt8\", if they are Kannala-Brandt's");
+    reader_.say(*k4, Code::kOrbslam3FisheyeWithoutType);
     return false;
+  }
+
+  void say_unknown_type(const Node& type) {
+    std::vector<std::string_view> known;
+    for (const Layout& row : layouts()) {
+      if (row.style == style_ && std::ranges::find(known, row.type) == known.end()) known.push_back(row.type);
+    }
+    std::vector<Message> further;
+    for (const std::string_view name : std::span(known).subspan(1)) further.push_back({Code::kOrbslam3Further, {name}});
+    const bool of_forks = std::ranges::find(layouts(), type.value, &Layout::type) != layouts().end();
+    reader_.say(type, of_forks ? Code::kOrbslam3TypeOfForks : Code::kOrbslam3TypeUnknown, {type.value, known.front(), further});
   }
 
   const Layout* read_layout() {
@@ -97,8 +103,7 @@ class SettingsReader {
     const Node* type = find("Camera.type");
     const std::string name = type != nullptr ? type->value : "";
     if (type == nullptr && style_ == Style::kV1) {
-      reader_.error(document_.root().entries.front().key, "missing-key", "there is no Camera.type",
-                    "one of \"PinHole\", \"Rectified\", \"KannalaBrandt8\"");
+      reader_.say(top(), Code::kOrbslam3TypeMissing);
       return nullptr;
     }
     if (type == nullptr && !check_coefficients()) return nullptr;
@@ -108,15 +113,7 @@ class SettingsReader {
       return l.style == style_ && l.type == name && (distorted || style_ != Style::kV1 || l.model != "radtan");
     });
     if (found == rows.end()) {
-      std::string known;
-      for (const Layout& row : rows) {
-        const std::string type_name(row.type);
-        if (row.style == style_ && known.find(type_name) == std::string::npos) known += (known.empty() ? "" : ", ") + type_name;
-      }
-      const bool fork_type = std::ranges::any_of(rows, [&](const Layout& l) { return l.type == name; });
-      reader_.error(
-          *type, "unknown-model", "Camera.type '" + name + "' is none of " + known + ", which settings of this style know",
-          fork_type ? "forks read this type from files with Camera.fx (not Camera1.fx) and without File.version" : "");
+      say_unknown_type(*type);
       return nullptr;
     }
     return &*found;
@@ -131,7 +128,7 @@ class SettingsReader {
       const std::string key = joined(prefix, slot.key);
       const Node* node = find(key);
       if (node == nullptr && slot.required) {
-        reader_.error(document_.root().entries.front().key, "missing-key", "there is no " + key);
+        reader_.say(top(), Code::kOrbslam3KeyMissing, {key});
         good = false;
       }
       if (node != nullptr && !slot.parameter && text::parse_real(node->value) != 0.0)
@@ -174,10 +171,7 @@ class SettingsReader {
       for (const std::string_view key : {"k1", "k2", "p1", "p2"}) want(joined(camera_prefix(style_, 0), key));
     }
     if (missing.empty()) return;
-    reader_.warning(document_.root().entries.front().key, "missing-key",
-                    "there is no " + text::enumerated(missing) +
-                        (style_ == Style::kV1 ? ": ORB-SLAM3 stops" : "; read as 0, as ORB-SLAM2 does (ORB-SLAM3 stops)"),
-                    "is the file complete?");
+    reader_.say(top(), style_ == Style::kV1 ? Code::kOrbslam3StopsWithoutKeys : Code::kOrbslam3KeysReadAsZero, {missing});
   }
 
   /// ORB-SLAM2's layout says nothing of the model; fisheye-ORB-SLAM reads the same keys as EUCM.
@@ -186,11 +180,7 @@ class SettingsReader {
     const auto value = [&camera](ParameterId id) { return parameter(camera.model, id).value(); };
     const bool plausible_alpha_beta = value("k1") > 0.3 && value("k1") <= 1.0 && value("k2") > 0.5 && value("k2") < 3.0;
     if (!plausible_alpha_beta || value("p1") != 0.0 || value("p2") != 0.0 || value("k3") != 0.0) return;
-    reader_.warning(
-        *find("Camera.k1"), "eucm-without-type",
-        "no Camera.type, so this is read as ORB-SLAM2's radial-tangential model; but k1 and k2 look like EUCM's alpha and "
-        "beta, as fisheye-ORB-SLAM and slam_no_opt store them",
-        "if so, add the line  Camera.type: \"EUCM\"");
+    reader_.say(*find("Camera.k1"), Code::kOrbslam3EucmWithoutType);
   }
 
   void read_second_camera(const Layout& first, Rig& rig) {
@@ -225,9 +215,7 @@ class SettingsReader {
   }
 
   /// A warning at the top: there are two cameras, and not how they sit to each other.
-  void warn_of_missing_pose(const std::string& key) {
-    reader_.warning(document_.root().entries.front().key, "pose-missing", "there is a second camera but no " + key);
-  }
+  void warn_of_missing_pose(const std::string& key) { reader_.say(top(), Code::kOrbslam3PoseMissing, {key}); }
 
   /// 3 x 4 or 4 x 4.
   std::optional<Transform> read_affine(const Node& node, const std::string& key) {
@@ -235,7 +223,7 @@ class SettingsReader {
     const std::optional<fields::Reader::Matrix> matrix = reader_.opencv_matrix(node, key);
     if (!matrix) return std::nullopt;
     if (matrix->cols != 4 || (matrix->rows != 3 && matrix->rows != 4)) {
-      reader_.error(node, "wrong-length", key + " must be 4 x 4 (or 3 x 4)");
+      reader_.say(node, Code::kOrbslam3PoseOfOtherSize, {key});
       return std::nullopt;
     }
     Transform T;
@@ -252,14 +240,14 @@ class SettingsReader {
     const auto first_of_right = std::ranges::find_if(document_.root().entries, is_of_right_camera);
     if (first_of_right == document_.root().entries.end()) return;
     for (const auto& [node, key] : {std::pair{K, "RIGHT.K"}, std::pair{D, "RIGHT.D"}}) {
-      if (node == nullptr) reader_.error(first_of_right->key, "missing-key", std::string("there is no ") + key);
+      if (node == nullptr) reader_.say(first_of_right->key, Code::kOrbslam3KeyMissing, {key});
     }
     if (K == nullptr || D == nullptr) return;
     const std::optional<fields::Reader::Matrix> k = reader_.opencv_matrix(*K, "RIGHT.K");
     const std::optional<fields::Reader::Matrix> d = reader_.opencv_matrix(*D, "RIGHT.D");
     if (!k || !d) return;
     if (k->values.size() != 9 || d->values.size() < 4) {
-      reader_.error(*K, "wrong-length", "RIGHT.K must be 3 x 3 and RIGHT.D hold at least 4 numbers");
+      reader_.say(*K, Code::kOrbslam3RightLensOfOtherSize);
       return;
     }
     Camera camera = rig.cameras.front();
@@ -290,7 +278,7 @@ class SettingsReader {
     const std::optional<fields::Reader::Matrix> translation = reader_.opencv_matrix(*T, "CAMERA.T");
     if (!rotation || !translation) return;
     if (rotation->values.size() != 9 || translation->values.size() != 3) {
-      reader_.error(*R, "wrong-length", "CAMERA.R must be 3 x 3 and CAMERA.T hold 3 numbers");
+      reader_.say(*R, Code::kOrbslam3RightPoseOfOtherSize);
       return;
     }
     Transform T_right_left;
@@ -353,7 +341,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   Rig rig;
   for (const text::Document& document : documents) {
     if (!document.root().is_mapping() || document.root().entries.empty()) {
-      diagnostics.error("not-settings", "no keys at the top level", document.source().range({0, 1}));
+      diagnostics.add(Code::kOrbslam3NoKeys, {}, document.source().range({0, 1}));
       return std::nullopt;
     }
     Diagnostics found;

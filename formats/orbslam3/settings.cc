@@ -3,13 +3,14 @@
 
 #include "columns.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace fca::orbslam3 {
 
@@ -150,15 +151,11 @@ bool is_straight(const CameraModel& model) {
 }
 
 /// What one camera lacks to stand for a pair.
-std::string missing_for_pair(const Rig& rig) {
+Message missing_for_pair(const Rig& rig) {
   const Camera& camera = rig.cameras.front();
-  const std::string second = "a second camera (--join CAM0 CAM1";
-  if (is_straight(camera.model)) return second + ", or --baseline METRES for one of a rectified pair)";
-  const std::string model(model_info(camera.model).id);
-  if (!rig.baseline_m) return second + ")";
-  return second + "): one camera and a baseline are a pair only where the images are rectified, without distortion, and " +
-         camera.name + " is " + model +
-         " with distortion (rectify with cv::stereoRectify, or --sensor rgbd for a depth sensor)";
+  if (is_straight(camera.model)) return {Code::kOrbslam3LacksSecondOrBaseline};
+  if (!rig.baseline_m) return {Code::kOrbslam3LacksSecond};
+  return {Code::kOrbslam3LacksSecondRectified, {camera.name, model_info(camera.model).id}};
 }
 
 }  // namespace
@@ -176,40 +173,47 @@ bool crashes_with_depth_and_imu(const Rig& rig, Style style) {
   return (style == Style::kV1 || style == Style::kOld) && model_info(rig.cameras.front().model).id == "kb4";
 }
 
-std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style) {
-  std::vector<std::string> missing;
+std::vector<Message> missing_for(const Rig& rig, const Sensor& sensor, Style style) {
+  std::vector<Message> missing;
+  const auto lacks = [&missing](Code code, std::vector<Argument> arguments = {}) {
+    missing.push_back({code, std::move(arguments)});
+  };
   const Camera& first = rig.cameras.front();
   const bool second = rig.cameras.size() > 1;
   if (sensor.two_cameras && !second && !is_rectified_pair(rig)) missing.push_back(missing_for_pair(rig));
-  if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name)) {
-    missing.push_back("the pose of " + rig.cameras[1].name + " to " + first.name + " (--with extrinsics.yml)");
-  }
+  if (sensor.two_cameras && second && !rig.resolve(first.name, rig.cameras[1].name))
+    lacks(Code::kOrbslam3LacksPose, {rig.cameras[1].name, first.name});
   if (second && rig.cameras[0].image_size != rig.cameras[1].image_size && sensor.two_cameras)
-    missing.emplace_back("one image size for both cameras (--resize WxH)");
+    lacks(Code::kOrbslam3LacksOneSize);
   if (sensor.depth && !rig.baseline_m) {
-    missing.push_back(second ? "the baseline of one camera (--camera " + first.name + " --baseline METRES)"
-                             : "the baseline (--baseline METRES)");
+    missing.push_back(second ? Message{Code::kOrbslam3LacksBaselineOfOne, {first.name}}
+                             : Message{Code::kOrbslam3LacksBaseline});
   }
   if (!sensor.inertial) return missing;
-  if (sensor.depth && crashes_with_depth_and_imu(rig, style))
-    missing.emplace_back("a lens that ORB-SLAM3 takes in this mode: with KannalaBrandt8 it crashes (--sensor rgbd)");
+  if (sensor.depth && crashes_with_depth_and_imu(rig, style)) lacks(Code::kOrbslam3LacksLensForDepth);
   if (style == Style::kSlamNoOpt || style == Style::kOrbSlam2) {
-    missing.emplace_back(style == Style::kSlamNoOpt ? "an inertial mode in slam_no_opt" : "an inertial mode in ORB-SLAM2");
+    lacks(Code::kOrbslam3LacksInertialMode, {style == Style::kSlamNoOpt ? "slam_no_opt" : "ORB-SLAM2"});
     return missing;
   }
-  if (!rig.resolve("imu0", first.name)) {
-    missing.push_back("the pose of " + first.name + " to the IMU (T_cam_imu, in Kalibr's camchain-imucam.yaml)");
-  }
+  if (!rig.resolve("imu0", first.name)) lacks(Code::kOrbslam3LacksImuPose, {first.name});
   const Imu imu = rig.imus.empty() ? Imu{} : rig.imus.front();
   const bool noise = imu.gyroscope_noise_density && imu.accelerometer_noise_density && imu.gyroscope_random_walk &&
                      imu.accelerometer_random_walk;
   if (rig.imus.empty()) {
-    missing.emplace_back("the IMU's noise and rate (--with imu.yaml)");
+    lacks(Code::kOrbslam3LacksImu);
     return missing;
   }
-  if (!noise) missing.emplace_back("the IMU's noise densities and random walks (add them to the file of --with imu.yaml)");
-  if (!imu.rate_hz) missing.emplace_back("the IMU's rate (update_rate in the file of --with imu.yaml)");
+  if (!noise) lacks(Code::kOrbslam3LacksImuNoise);
+  if (!imu.rate_hz) lacks(Code::kOrbslam3LacksImuRate);
   return missing;
+}
+
+std::vector<Message> enumerated(std::vector<Message> clauses) {
+  for (std::size_t i = 1; i < clauses.size(); ++i) {
+    const Code joint = i + 1 == clauses.size() ? Code::kOrbslam3AndLast : Code::kOrbslam3Further;
+    clauses[i] = Message{joint, {std::move(clauses[i])}};
+  }
+  return clauses;
 }
 
 std::vector<Field> settings_fields(const Rig& rig, const Target& target) {

@@ -59,14 +59,17 @@ struct Target {
 /// (Tracking.cc), which no such file holds.
 [[nodiscard]] bool crashes_with_depth_and_imu(const Rig& rig, Style style);
 
-/// What the rig lacks for a sensor mode, in words with the option that would give it; empty: it serves.
-[[nodiscard]] std::vector<std::string> missing_for(const Rig& rig, const Sensor& sensor, Style style);
+/// What the rig lacks for a sensor mode, as clauses; empty: it serves.
+[[nodiscard]] std::vector<Message> missing_for(const Rig& rig, const Sensor& sensor, Style style);
+
+/// Clauses as those of one argument: "a, b and c".
+[[nodiscard]] std::vector<Message> enumerated(std::vector<Message> clauses);
 
 /// Which of the fields hold a value that no input states.
 [[nodiscard]] std::vector<DefaultedValue> defaulted(const std::vector<fields::Field>& fields, const Target& target,
                                                     const Rig& rig);
 
-/// A fresh file: `headline` as a comment, the fields under headings, a comment at every value that no input states.
+/// A fresh file: `headline` as its first comment, the fields under headings, a comment at every value that no input states.
 [[nodiscard]] std::optional<text::Document> compose(const std::vector<fields::Field>& fields, const Target& target,
                                                     const Rig& rig, std::string_view headline, Diagnostics& diagnostics);
 

@@ -6,8 +6,9 @@
 #include "../ocamcalib/inverse.h"
 #include "../ocamcalib/ocamcalib.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/text/prose.h>
 #include <fca/models/ocamcalib_parameters.h>
 
 #include <algorithm>
@@ -21,12 +22,12 @@ namespace {
 
 constexpr std::string_view kHeadKeys[] = {"model_type", "camera_name", "image_width", "image_height"};
 
-std::string types_in_words() {
-  std::vector<std::string> types;
+std::vector<std::string> types() {
+  std::vector<std::string> result;
   for (const Layout& layout : layouts()) {
-    if (std::ranges::find(types, layout.type) == types.end()) types.emplace_back(layout.type);
+    if (std::ranges::find(result, layout.type) == result.end()) result.emplace_back(layout.type);
   }
-  return text::enumerated(types, "or");
+  return result;
 }
 
 /// As camodocal's factory compares (boost::iequals).
@@ -47,10 +48,7 @@ class CameraReader {
       : document_(document), reader_(document, kDialect, diagnostics), options_(options) {}
 
   void read_into(Rig& rig) {
-    if (!document_.source().bytes.starts_with("%YAML")) {
-      reader_.warning(document_.root().entries.front().key, "program-refuses",
-                      "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0");
-    }
+    if (!document_.source().bytes.starts_with("%YAML")) reader_.say(top(), Code::kVinsFirstLineNotYaml);
     reader_.warn_of_duplicates(document_.root());
     const Layout* layout = read_type();
     if (layout == nullptr) return;
@@ -74,9 +72,7 @@ class CameraReader {
   const Layout* read_type() {
     const Node* type = reader_.find(document_.root(), "model_type");
     if (type == nullptr) {
-      reader_.error(top(), "missing-key",
-                    "there is no model_type: camodocal takes the camera for MEI and what it does not find for 0",
-                    "model_type: " + types_in_words());
+      reader_.say(top(), Code::kVinsTypeMissing, {types()});
       return nullptr;
     }
     const std::string name = type->value.substr(0, 40);
@@ -85,12 +81,9 @@ class CameraReader {
     const auto meant =
         std::ranges::find_if(layouts(), [&name](const Layout& layout) { return same_in_any_case(layout.type, name); });
     if (meant != layouts().end()) {
-      reader_.error(*type, "unknown-model",
-                    "model_type '" + name + "' is not spelled " + std::string(meant->type) +
-                        ": camodocal then reads every number as 0 and says nothing",
-                    "write  model_type: " + std::string(meant->type));
+      reader_.say(*type, Code::kVinsTypeMisspelt, {name, meant->type});
     } else {
-      reader_.error(*type, "unknown-model", "model_type '" + name + "' is none of camodocal's: " + types_in_words());
+      reader_.say(*type, Code::kVinsTypeUnknown, {name, types()});
     }
     return nullptr;
   }
@@ -103,10 +96,10 @@ class CameraReader {
     } else if (options_.image_size) {
       camera.image_size = options_.image_size;
     } else {
-      const std::string missing = width != nullptr    ? "image_height"
-                                  : height != nullptr ? "image_width"
-                                                      : "image_width and image_height";
-      reader_.error(top(), "missing-key", "there is no " + missing + ": camodocal reads 0", "--size WIDTHxHEIGHT gives it");
+      std::vector<std::string> missing;
+      if (width == nullptr) missing.emplace_back("image_width");
+      if (height == nullptr) missing.emplace_back("image_height");
+      reader_.say(top(), Code::kVinsSizeMissing, {missing});
     }
     return camera.image_size.has_value();
   }
@@ -116,10 +109,9 @@ class CameraReader {
     if (const Node* known = known_section(name)) return known;
     const Node* node = reader_.find(document_.root(), name);
     if (node == nullptr) {
-      reader_.error(top(), "missing-key",
-                    "there is no " + std::string(name) + ": camodocal reads 0 for every number that belongs there");
+      reader_.say(top(), Code::kVinsSectionMissing, {name});
     } else {
-      reader_.error(*node, "not-a-mapping", std::string(name) + " is no mapping of keys and numbers: camodocal reads zeros");
+      reader_.say(*node, Code::kVinsSectionNotAMapping, {name});
     }
     return nullptr;
   }
@@ -136,30 +128,26 @@ class CameraReader {
     if (missing.empty()) return true;
     SourceRange where = document_.range(section);
     where.length = 1;
-    reader_.diagnostics().error("missing-key",
-                                std::string(name) + " has no " + text::enumerated(missing) + ": camodocal reads 0 for " +
-                                    (missing.size() > 1 ? "them" : "it"),
-                                where, why_missing(missing.front()));
+    reader_.diagnostics().add(missing.size() > 1 ? Code::kVinsKeysMissing : Code::kVinsKeyMissing,
+                              {name, missing, why_missing(missing.front())}, where);
     return false;
   }
-  /// Kannala-Brandt's coefficients have other names and another place than one expects.
-  std::string why_missing(const std::string& key) {
+  /// A clause, or none: Kannala-Brandt's coefficients have other names and another place than one expects.
+  std::vector<Message> why_missing(const std::string& key) {
     const Node* type = reader_.find(document_.root(), "model_type");
-    if (type->value != "KANNALA_BRANDT" || !key.starts_with('k')) return "";
+    if (type->value != "KANNALA_BRANDT" || !key.starts_with('k')) return {};
     const Node* elsewhere = known_section("distortion_parameters");
-    if (elsewhere != nullptr && reader_.find(*elsewhere, key) != nullptr)
-      return "KANNALA_BRANDT has its coefficients in projection_parameters, not in distortion_parameters";
-    return "k2 .. k5 are what OpenCV and Kalibr call k1 .. k4";
+    const bool is_there = elsewhere != nullptr && reader_.find(*elsewhere, key) != nullptr;
+    return {Message{is_there ? Code::kVinsCoefficientsElsewhere : Code::kVinsCoefficientsByOtherNames}};
   }
 
+  /// `owner`: whose parameters are known, a model_type or a clause.
   void warn_of_others(const Node& section, std::string_view name, const std::set<std::string_view>& known,
-                      std::string_view type) {
+                      const Argument& owner) {
     reader_.warn_of_duplicates(section);
     for (const text::Entry& entry : section.entries) {
-      if (known.contains(entry.key.value)) continue;
-      reader_.warning(entry.key, "program-ignores",
-                      std::string(name) + " " + entry.key.value.substr(0, 40) + " is no parameter of " + std::string(type) +
-                          ": camodocal does not read it");
+      if (!known.contains(entry.key.value))
+        reader_.say(entry.key, Code::kVinsNoParameter, {name, entry.key.value.substr(0, 40), owner});
     }
   }
 
@@ -195,11 +183,8 @@ class CameraReader {
         set_parameter(straight, id, parameter(camera.model, id).value());
       camera.model = straight;
     }
-    if (layout.model == "rational" && none_of_four && !are_zero({"k3", "k4", "k5", "k6"})) {
-      reader_.warning(*known_section("distortion_parameters"), "program-ignores",
-                      "k1, k2, p1 and p2 are 0: camodocal takes that for a lens without distortion and ignores k3 to k6",
-                      "write  k1: 1.0e-12");
-    }
+    if (layout.model == "rational" && none_of_four && !are_zero({"k3", "k4", "k5", "k6"}))
+      reader_.say(*known_section("distortion_parameters"), Code::kVinsRationalIgnored);
     return true;
   }
 
@@ -236,7 +221,7 @@ class CameraReader {
       places.insert(keys[i]);
       read_real(*direct, kDirect, keys[i], numbers.direct.at(i));
     }
-    warn_of_others(*direct, kDirect, places, "the polynomial of degree 4");
+    warn_of_others(*direct, kDirect, places, Message{Code::kVinsPolynomial});
     warn_of_others(*affine, kAffine, {"ac", "ad", "ae", "cx", "cy"}, kScaramuzza);
     if (!good || !check(*direct, *affine, numbers)) return false;
     const CameraModel model = ocamcalib_of(numbers);
@@ -257,14 +242,11 @@ class CameraReader {
 
   bool check(const Node& direct, const Node& affine, const Scaramuzza& numbers) {
     if (numbers.direct[0] > 0.0) {
-      reader_.error(*reader_.find(direct, "p0"), "polynomial-sign",
-                    "p0 is positive: the polynomial's z points to the back of the lens, so p0 is negative",
-                    "change the sign of all poly_parameters and of p1, p3, .. of inv_poly_parameters");
+      reader_.say(*reader_.find(direct, "p0"), Code::kVinsPolynomialSign);
       return false;
     }
     if (numbers.ac > 0.0 && numbers.ac > numbers.ad * numbers.ae) return true;
-    reader_.error(*reader_.find(affine, "ac"), "not-a-camera",
-                  "ac and ac - ad ae must be positive: [ac ad; ae 1] mirrors the image or is singular");
+    reader_.say(*reader_.find(affine, "ac"), Code::kVinsAffineMirrors);
     return false;
   }
 
@@ -275,30 +257,21 @@ class CameraReader {
         const std::optional<std::size_t> index = index_of(entry.key.value);
         if (!reader_.real(entry.value, std::string(kInverse) + " " + entry.key.value.substr(0, 40))) return false;
         if (index && *index < kInverseCount) continue;
-        reader_.warning(entry.key, "program-ignores",
-                        std::string(kInverse) + " " + entry.key.value.substr(0, 40) + " is not read: camodocal has p0 to p19");
+        reader_.say(entry.key, Code::kVinsCoefficientIgnored, {kInverse, entry.key.value.substr(0, 40)});
       }
     }
     const std::vector<double> inverse = stated_inverse(document_);
     if (inverse.empty()) {
-      reader_.warning(top(), "inverse-missing", "there is no inv_poly_parameters: camodocal projects every point to the centre",
-                      "fca-io convert FILE --to vins fits it to poly_parameters");
+      reader_.say(top(), Code::kVinsInverseMissing);
       return true;
     }
     constexpr double kStalePx = 1.0;  // as for OCamCalib's own files
     const double error = ocamcalib::inverse_error(camera, inverse);
-    if (error > kStalePx) {
-      reader_.warning(*node, "stale-inverse",
-                      "inv_poly_parameters is up to " + text::format_short(error, 3) +
-                          " px from the inverse of poly_parameters: projecting and unprojecting see two different lenses; "
-                          "fca-io goes by poly_parameters",
-                      "fca-io convert FILE --to vins --anew rebuilds it");
-    }
+    if (error > kStalePx) reader_.say(*node, Code::kVinsInverseStale, {error});
     std::string listed;
-    for (const double value : inverse) listed += " " + text::format_real(value);
+    for (const double value : inverse) listed += (listed.empty() ? "" : " ") + text::format_real(value);
     rig.extra_fields.push_back({camera.name, std::string(ocamcalib::kInverse),
-                                std::to_string(inverse.size()) + " coefficients, up to " + text::format_short(error, 3) +
-                                    " px from the exact inverse of the direct polynomial:" + listed});
+                                text::text_of({Code::kVinsInverseStated, {inverse.size(), error, listed}})});
     return true;
   }
 

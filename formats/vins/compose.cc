@@ -6,7 +6,8 @@
 #include "../composed.h"
 #include "../ocamcalib/inverse.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 
 namespace fca::vins {
 
@@ -25,18 +26,11 @@ std::vector<double> fitted_inverse(const Camera& camera, Written& written, Diagn
   if (!is_scaramuzza(camera)) return {};
   const ocamcalib::InversePolynomial inverse = ocamcalib::fit_inverse(camera, kInverseCount);
   constexpr double kGoal = 1e-6;  // px
-  const std::string error = text::format_short(inverse.error_px, 2) + " px";
   const bool good = inverse.error_px <= kGoal;
-  written.defaults.push_back(
-      {camera.name + " inverse polynomial",
-       std::to_string(inverse.coefficients.size()) + " coefficients, fitted to the direct one within " + error, !good});
-  if (!good) {
-    diagnostics.warning("inverse-inexact",
-                        camera.name +
-                            ": no inverse polynomial of the 20 coefficients that camodocal holds comes nearer to the " +
-                            "direct one than " + error + "; it projects off by as much",
-                        {}, "--max-angle DEG leaves out the border, where the direct polynomial turns; or another model");
-  }
+  written.defaults.push_back({camera.name + " inverse polynomial",
+                              text::text_of({Code::kVinsInverseFitted, {inverse.coefficients.size(), inverse.error_px}}),
+                              !good});
+  if (!good) diagnostics.add(Code::kVinsInverseInexact, {camera.name, inverse.error_px});
   return inverse.coefficients;
 }
 

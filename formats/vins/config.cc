@@ -3,6 +3,7 @@
 
 #include "camera_file.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -29,10 +30,7 @@ class ConfigReader {
       : config_(config), reader_(config, kDialect, diagnostics), options_(options) {}
 
   void read_into(std::span<const text::Document> camera_files, Rig& rig) {
-    if (!config_.source().bytes.starts_with("%YAML")) {
-      reader_.warning(config_.root().entries.front().key, "program-refuses",
-                      "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0");
-    }
+    if (!config_.source().bytes.starts_with("%YAML")) reader_.say(top(), Code::kVinsFirstLineNotYaml);
     reader_.warn_of_duplicates(config_.root());
     const std::optional<std::size_t> count = read_count();
     const std::optional<ImageSize> size = read_size();
@@ -46,6 +44,9 @@ class ConfigReader {
   }
 
  private:
+  /// The top of the file, for what it lacks.
+  const Node& top() const { return config_.root().entries.front().key; }
+
   const Node* take(const std::string& key) {
     read_.insert(key);
     return reader_.find(config_.root(), key);
@@ -54,13 +55,12 @@ class ConfigReader {
   std::optional<std::size_t> read_count() {
     const Node* node = take("num_of_cam");
     if (node == nullptr) {
-      reader_.error(config_.root().entries.front().key, "missing-key", "there is no num_of_cam: VINS-Fusion stops",
-                    "num_of_cam: 1 or 2");
+      reader_.say(top(), Code::kVinsCountMissing);
       return std::nullopt;
     }
     const std::optional<int> count = reader_.integer(*node, "num_of_cam");
     if (count && (*count == 1 || *count == 2)) return static_cast<std::size_t>(*count);
-    if (count) reader_.error(*node, "out-of-range", "num_of_cam is " + node->value + "; VINS-Fusion takes 1 or 2");
+    if (count) reader_.say(*node, Code::kVinsCountOutOfRange, {node->value});
     return std::nullopt;
   }
 
@@ -79,13 +79,13 @@ class ConfigReader {
       if (i == 0 && estimated != nullptr && estimated->value == "2") continue;
       const Node* node = take(key);
       if (node == nullptr) {
-        reader_.error(config_.root().entries.front().key, "missing-key", "there is no " + key + ": VINS-Fusion stops");
+        reader_.say(top(), Code::kVinsPoseMissing, {key});
         continue;
       }
       const std::optional<fields::Reader::Matrix> matrix = reader_.opencv_matrix(*node, key);
       if (!matrix) continue;
       if (matrix->rows != 4 || matrix->cols != 4) {
-        reader_.error(*node, "wrong-length", key + " must be 4 x 4");
+        reader_.say(*node, Code::kVinsPoseOfOtherSize, {key});
         continue;
       }
       Transform T;
@@ -104,9 +104,7 @@ class ConfigReader {
     for (std::size_t i = 0; i < files.size(); ++i) {
       Rig one;
       if (is_config(files[i])) {
-        reader_.error(*camera_files_of(config_)[i], "no-calibration",
-                      "it names a configuration, not a camera file: camodocal finds no model_type there",
-                      "name the camera's file");
+        reader_.say(*camera_files_of(config_)[i], Code::kVinsNamesConfiguration);
         continue;
       }
       read_camera_file(files[i], options_, one, reader_.diagnostics());
@@ -128,11 +126,9 @@ class ConfigReader {
 
   void warn_of_size(const Camera& camera, const std::optional<ImageSize>& size, const text::Document& file) {
     if (!size || !camera.image_size || *size == *camera.image_size) return;
-    const auto words = [](const ImageSize& s) { return std::to_string(s.width) + " x " + std::to_string(s.height); };
-    reader_.warning(*find(config_, "image_width"), "size-contradicts",
-                    "the images are of " + words(*size) + " px here and of " + words(*camera.image_size) + " px in " +
-                        file.source().name + "; VINS-Fusion goes by this one",
-                    "which of the two is right?");
+    const ImageSize& other = *camera.image_size;
+    reader_.say(*find(config_, "image_width"), Code::kVinsSizeContradicts,
+                {size->width, size->height, other.width, other.height, file.source().name});
   }
 
   const text::Document& config_;

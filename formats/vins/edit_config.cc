@@ -6,6 +6,8 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -100,7 +102,7 @@ class Editor {
       if (T) {
         after.push_back(fields::matrix(key, T->values, 4, "d"));
       } else if (used_ > 0 && text::find(root_, key, kDialect) != nullptr) {
-        diagnostics.note("pose-kept", key + " stays as it is: nothing states the pose of " + camera + " in the IMU");
+        diagnostics.add(Code::kVinsPoseKept, {key, camera});
       }
     }
   }
@@ -111,18 +113,12 @@ class Editor {
     const Imu& imu = rig_.imus.front();
     const bool complete = std::ranges::all_of(kNoises, [&imu](const Noise& noise) { return (imu.*noise.density).has_value(); });
     if (!complete || !imu.rate_hz) {
-      written.losses.push_back(
-          {"imu-dropped", imu.name + " noise",
-           "acc_n, gyr_n, acc_w and gyr_w are of single samples: they want all four densities and the rate",
-           "add what is missing to the IMU's file (update_rate)"});
+      written.losses.push_back(lost(Code::kVinsNoiseDropped, imu.name, "noise"));
       return;
     }
     const double root = std::sqrt(*imu.rate_hz);
     for (const Noise& noise : kNoises) after.push_back(fields::real(std::string(noise.key), *(imu.*noise.density) * root));
-    diagnostics.note("imu-noise-converted", imu.name + ": acc_n, gyr_n, acc_w and gyr_w are the densities times sqrt(" +
-                                                text::format_short(*imu.rate_hz) +
-                                                " Hz), what VINS-Fusion takes for one sample's noise; its examples " +
-                                                "have far larger ones, to be safe");
+    diagnostics.add(Code::kVinsNoiseConverted, {imu.name, *imu.rate_hz});
   }
 
   /// What the configuration says under the keys of `after`, whatever its spelling.
@@ -153,14 +149,14 @@ class Editor {
 
 /// td [s]: what the configuration says in the end.
 void list_losses(const Rig& rig, double td, std::vector<Loss>& losses) {
-  const std::string no_place = "VINS-Fusion's configuration has no place for it";
+  const Message no_place{Code::kVinsConfigurationHasNoPlace};
   Rig used = rig;
   used.cameras.resize(std::min(rig.cameras.size(), kMostCameras));
-  add_other_time_offsets(used, td, "VINS-Fusion has one td for both cameras", losses);
+  add_other_time_offsets(used, td, Message{Code::kVinsHasOneTd}, losses);
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     Camera camera = rig.cameras[i];
     if (i >= kMostCameras) {
-      losses.push_back({"camera-dropped", camera.name, "VINS-Fusion uses two cameras", "--camera chooses which"});
+      losses.push_back(lost(Code::kVinsCameraDropped, camera.name, ""));
       continue;
     }
     camera.topic.clear();
@@ -169,12 +165,11 @@ void list_losses(const Rig& rig, double td, std::vector<Loss>& losses) {
   }
   for (std::size_t i = 0; i < rig.imus.size(); ++i) {
     const Imu& imu = rig.imus[i];
-    if (i > 0) losses.push_back({"imu-dropped", imu.name + " noise and rate", "VINS-Fusion has one IMU", ""});
+    if (i > 0) losses.push_back(lost(Code::kVinsSecondImuDropped, imu.name, ""));
     if (i == 0 && !imu.topic.empty())
-      losses.push_back({"topic-dropped", imu.name + " " + imu.topic, "imu_topic is not touched", ""});
+      losses.push_back(lost(Code::kTopicDropped, imu.name, "topic", {Message{Code::kVinsImuTopicNotTouched}, imu.topic}));
   }
-  if (rig.baseline_m)
-    losses.push_back({"baseline-dropped", "baseline " + text::format_short(*rig.baseline_m) + " m", no_place, ""});
+  if (rig.baseline_m) losses.push_back(lost(Code::kVinsBaselineDropped, "", "baseline", {*rig.baseline_m, no_place}));
 }
 
 /// td [s] as it will be; a note where the base's stays.
@@ -182,10 +177,7 @@ double td_of(const text::Document& base, const Rig& rig, Diagnostics& diagnostic
   if (!rig.cameras.empty() && rig.cameras.front().time_offset_s) return *rig.cameras.front().time_offset_s;
   const Node* node = text::find(base.root(), "td", kDialect);
   const double td = node != nullptr ? text::parse_real(node->value).value_or(0.0) : 0.0;
-  if (td != 0.0 && !rig.cameras.empty()) {
-    diagnostics.note("time-offset-kept",
-                     "td stays " + node->value + " s: nothing states the time offset of " + rig.cameras.front().name);
-  }
+  if (td != 0.0 && !rig.cameras.empty()) diagnostics.add(Code::kVinsTimeOffsetKept, {node->value, rig.cameras.front().name});
   return td;
 }
 
@@ -194,11 +186,7 @@ void warn_of_missing_cameras(const text::Document& base, std::size_t used, Diagn
   const Node* count = text::find(base.root(), "num_of_cam", kDialect);
   const int before = count != nullptr ? text::parse_int(count->value).value_or(0) : 0;
   if (used == 0 || before <= static_cast<int>(used)) return;
-  const std::string camera = numbered("cam", used, "");
-  diagnostics.warning("camera-kept",
-                      "num_of_cam stays " + count->value + ", and " + camera + " is the base's: VINS-Fusion reads " + camera +
-                          "_calib's file beside what is written and stops without it",
-                      base.range(*count), "put that file there, or write  num_of_cam: " + std::to_string(used));
+  diagnostics.add(Code::kVinsCameraKept, {count->value, numbered("cam", used, ""), used}, base.range(*count));
 }
 
 /// The second camera alone would be written as the first, beside the base's own second.
@@ -206,9 +194,7 @@ bool keeps_its_place(const text::Document& base, const Rig& rig, Diagnostics& di
   const Node* count = text::find(base.root(), "num_of_cam", kDialect);
   const bool pair = count != nullptr && text::parse_int(count->value) == static_cast<int>(kMostCameras);
   if (!pair || rig.cameras.size() != 1 || rig.cameras.front().name != "cam1") return true;
-  diagnostics.error("camera-misplaced",
-                    "a single camera becomes cam0 of the configuration, and cam1 is to be written into one of two",
-                    base.range(*count), "give both cameras (no --camera), or write  num_of_cam: 1");
+  diagnostics.add(Code::kVinsCameraMisplaced, {}, base.range(*count));
   return false;
 }
 
@@ -219,18 +205,12 @@ void warn_of_other_images(const text::Document& base, const Rig& old, const Rig&
   if (!old.cameras.empty() || rig.cameras.empty() || width == nullptr || height == nullptr) return;
   const ImageSize size = rig.cameras.front().image_size.value_or(ImageSize{});
   if (width->value == std::to_string(size.width) && height->value == std::to_string(size.height)) return;
-  diagnostics.warning("size-contradicts",
-                      "the configuration was for images of " + width->value + " x " + height->value +
-                          " px, and becomes one for the input's, of " + std::to_string(size.width) + " x " +
-                          std::to_string(size.height) + " px",
-                      base.range(*width),
-                      "--resize " + width->value + "x" + height->value + " if its images are the input's, scaled");
+  diagnostics.add(Code::kVinsOtherImages, {width->value, height->value, size.width, size.height}, base.range(*width));
 }
 
 bool same_size(const Rig& rig, Diagnostics& diagnostics) {
   if (rig.cameras.size() < 2 || rig.cameras[0].image_size == rig.cameras[1].image_size) return true;
-  diagnostics.error("image-sizes-differ", "VINS-Fusion has one image size for both cameras, and theirs differ", {},
-                    "--resize WxH");
+  diagnostics.add(Code::kVinsSizesDiffer);
   return false;
 }
 
@@ -238,12 +218,12 @@ bool same_size(const Rig& rig, Diagnostics& diagnostics) {
 
 std::optional<Written> write_config(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
   // Poses alone go there, too.
-  const bool writable = rig.cameras.empty() || writable_alone(kFormat, rig, "VINS-Fusion wants the image size", diagnostics);
+  const bool writable = rig.cameras.empty() || writable_alone(kFormat, rig, text::text_of({Code::kVinsWantsSize}), diagnostics);
   if (!writable || !same_size(rig, diagnostics) || !keeps_its_place(base, rig, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);
   if (!old) {
-    diagnostics.error("no-calibration", "the configuration to be written into cannot be read", base.source().range({0, 1}));
+    diagnostics.add(Code::kVinsConfigurationUnreadable, {}, base.source().range({0, 1}));
     return std::nullopt;
   }
   warn_of_other_images(base, *old, rig, diagnostics);
@@ -264,8 +244,8 @@ std::optional<Written> write_config(const text::Document& base, const Rig& rig, 
     written.files.push_back({*std::move(document), {camera.name}, {"vins"}, true});
   }
   list_losses(rig, td_of(base, rig, diagnostics), written.losses);
-  add_beyond_base(rig.extra_fields, old->extra_fields, "VINS-Fusion's configuration has no place for it", written.losses);
-  written.headline = in_words("VINS-Fusion's configuration and the camera files that it names");
+  add_beyond_base(rig.extra_fields, old->extra_fields, Message{Code::kVinsConfigurationHasNoPlace}, written.losses);
+  written.headline = {Code::kVinsConfiguration};
   return written;
 }
 

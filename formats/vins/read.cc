@@ -3,6 +3,8 @@
 #include "config.h"
 #include "vins.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 
 namespace fca::vins {
@@ -12,8 +14,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const text::Document& document = documents[i];
     if (!is_yaml(document)) {
-      diagnostics.error("wrong-syntax", "camodocal's camera files are YAML with keys at the top level",
-                        document.source().range({0, 1}));
+      diagnostics.add(Code::kVinsWrongSyntax, {}, document.source().range({0, 1}));
       return std::nullopt;
     }
     Diagnostics found;

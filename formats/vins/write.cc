@@ -9,8 +9,9 @@
 #include "../ocamcalib/ocamcalib.h"
 #include "../one_camera_files.h"
 
+#include <fca/code.h>
 #include <fca/formats/file_name.h>
-#include <fca/formats/wording.h>
+#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <utility>
@@ -21,9 +22,6 @@ using fields::Field;
 using text::Node;
 
 namespace {
-
-constexpr std::string_view kNoPlace = "camodocal's camera files have no place for it";
-constexpr std::string_view kIntoRemedy = "--into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's own configuration";
 
 bool same_keys(const Section& a, const Section& b) {
   return std::ranges::equal(a.fields, b.fields, {}, &Field::key, &Field::key);
@@ -109,19 +107,22 @@ class Editor {
 
 /// What a camera file has no place for.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
+  const Message no_place{Code::kVinsFilesHaveNoPlace};
   const std::size_t first = losses.size();
-  list_camera_losses(rig, "camodocal", losses);
+  for (const Camera& camera : rig.cameras) add_stream(camera, no_place, losses);
   for (Loss& loss : std::span(losses).subspan(first)) {
-    if (id_of(loss) == "time-offset-dropped" || id_of(loss) == "imu-dropped")
-      loss.remedy = remedy_of(loss) + (remedy_of(loss).empty() ? "" : ", or ") + std::string(kIntoRemedy);
+    if (loss.kind == Code::kTimeOffsetDropped) loss.kind = Code::kVinsTimeOffsetDropped;  // which can be had
   }
+  for (const Imu& imu : rig.imus) losses.push_back(lost(Code::kVinsImuDropped, imu.name, "", {no_place}));
+  if (rig.baseline_m) losses.push_back(lost(Code::kVinsBaselineDropped, "", "baseline", {*rig.baseline_m, no_place}));
 }
 
 /// An inverse polynomial that was read is no loss: the same lens has one fitted to it again.
 void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written) {
   std::vector<ExtraField> extras = rig.extra_fields;
   std::erase_if(extras, [](const ExtraField& extra) { return extra.key == ocamcalib::kInverse; });
-  add_beyond_base(extras, old ? old->extra_fields : std::vector<ExtraField>(), kNoPlace, written.losses);
+  add_beyond_base(extras, old ? old->extra_fields : std::vector<ExtraField>(), Message{Code::kVinsCameraFilesHaveNoPlace},
+                  written.losses);
 }
 
 }  // namespace
@@ -129,7 +130,7 @@ void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   if (base != nullptr && is_config(*base)) return write_config(*base, rig, diagnostics);
-  if (!writable_alone(kFormat, rig, "camodocal's camera files state the image size", diagnostics)) return std::nullopt;
+  if (!writable_alone(kFormat, rig, text::text_of({Code::kVinsFilesStateSize}), diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> replaced = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const std::optional<Rig> old = options.anew ? std::nullopt : replaced;
@@ -147,10 +148,9 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   list_losses(rig, written.losses);
   list_extras(rig, old, written);
   if (replaced && options.anew)
-    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), "the file is composed anew", written.losses);
-  written.pose_remedy = in_words(std::string(kIntoRemedy));
-  written.headline = in_words(rig.cameras.size() == 1 ? "a camera file for VINS-Mono and VINS-Fusion"
-                                                      : "one camera file per camera for VINS-Mono and VINS-Fusion");
+    add_not_carried(extras_beyond(replaced->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+  written.pose_remedy = {Code::kVinsIntoConfiguration};
+  written.headline = {rig.cameras.size() == 1 ? Code::kVinsCameraFile : Code::kVinsCameraFiles};
   return written;
 }
 
