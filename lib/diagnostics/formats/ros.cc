@@ -3,8 +3,125 @@
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> ros_codes() { return {}; }
+namespace {
+
+constexpr std::string_view kAloneTheIdentity = "of a camera that is no part of a stereo pair it is the identity";
+constexpr std::string_view kAloneItsMatrix =
+    "of a camera that is no part of a stereo pair it is camera_matrix with a column of zeros";
+
+/// What ROS makes of a file that says what it means all the same.
+constexpr CodeInfo reader_warning(Code code, std::string_view id, std::string_view text, std::string_view fix) {
+  return {.code = code, .id = id, .severity = Severity::kWarning, .about = About::kReader, .text = text, .fix = fix};
+}
+
+}  // namespace
+
+std::span<const CodeInfo> ros_codes() {
+  static constexpr std::array kRows = {
+      // The file and its keys.
+      error(Code::kRosNoMapping, "wrong-syntax", "a camera_info is a mapping of keys and values"),
+      error(Code::kRosOneFile, "wrong-syntax", "a camera_info is one file"),
+      warning(Code::kRosKeyMissing, "missing-key", "there is no {0}: ROS's parser refuses the file", "add it"),
+      warning(Code::kRosRectificationMissing, "missing-key", "there is no rectification_matrix: ROS's parser refuses the file",
+              kAloneTheIdentity),
+      warning(Code::kRosProjectionMissing, "missing-key", "there is no projection_matrix: ROS's parser refuses the file",
+              kAloneItsMatrix),
+      error(Code::kRosNotAMatrix, "not-a-matrix", "{0} is no mapping of rows, cols and data"),
+      error(Code::kRosMatrixSize, "wrong-length", "{0} is {1} x {2}; ROS's parser wants {3} x {4}"),
+      error(Code::kRosBinningImpossible, "out-of-range", "{0} is {1}; no sensor bins so",
+            "write how many pixels become one, or 0 for none"),
+      error(Code::kRosRoiNoMapping, "not-a-mapping", "roi has no x_offset, y_offset, width and height"),
+      error(Code::kRosRoiNegative, "out-of-range", "roi {0} is {1}"),
+      error(Code::kRosRoiOutside, "out-of-range",
+            "the roi of {0} x {1} pixels at ({2}, {3}) does not lie in an image of {4} x {5}",
+            "all zeros mean the whole image"),
+      error(Code::kRosNoPixelLeft, "image-size-invalid", "binned, not one pixel of the image is left"),
+      error(Code::kRosStatedTwice, "stated-twice", "a camera {0} stands here and before"),
+      // An .ini.
+      warning(Code::kRosIniNoImage, "missing-key",
+              "there is no section [image] before the camera: ROS takes its image for one of 0 x 0 pixels",
+              "add [image] with width and height"),
+      error(Code::kRosIniNoCamera, "missing-key", "no section of a camera stands here: [name], camera matrix, ..."),
+      reader_warning(Code::kRosIniManyCameras, "program-misreads",
+                     "the file holds {0} cameras, of which ROS's parser keeps the last",
+                     "write each camera into a file of its own"),
+      error(Code::kRosIniKeyMissing, "missing-key", "the section {0} has no {1}"),
+      error(Code::kRosIniRowLength, "wrong-length", "{0}, row {1}: {2} numbers; {3} are wanted, in {4} rows"),
+      error(Code::kRosIniCoefficientCount, "wrong-length",
+            "distortion has {0} numbers; plumb_bob has 5, rational_polynomial 8, and ROS's parser takes what is missing for "
+            "nan"),
+      // camera_matrix
+      error(Code::kRosMatrixTransposed, "matrix-transposed",
+            "camera_matrix is transposed: its principal point stands in the last row",
+            "write fx 0 cx, 0 fy cy, 0 0 1 row by row"),
+      error(Code::kRosSkew, "skew",
+            "camera_matrix has a skew of {0} px at (0, 1), which no model here holds; image_geometry ignores it, others do not",
+            "calibrate without skew, or write 0 there"),
+      error(Code::kRosNotACameraMatrix, "not-a-camera-matrix", "camera_matrix has {0} where a camera matrix has 0"),
+      warning(Code::kRosMatrixCorner, "matrix-corner", "camera_matrix(2, 2) is {0}, not 1", "write 1.0"),
+      // The lens.
+      warning(Code::kRosModelAssumed, "key-assumed",
+              "there is no distortion_model: ROS's parser takes plumb_bob, with a warning of its own",
+              "add  distortion_model: plumb_bob"),
+      error(Code::kRosUnknownModel, "unknown-model",
+            "distortion_model '{0}' is none that image_geometry knows (plumb_bob, rational_polynomial, equidistant): it throws "
+            "at the first point or image",
+            "convert the camera from the file of the program that made it"),
+      reader_warning(
+          Code::kRosModelOfOthers, "program-refuses",
+          "distortion_model '{0}' is none that image_geometry knows (plumb_bob, rational_polynomial, equidistant): it throws "
+          "at the first point or image; read as {1}",
+          "write {1}"),
+      error(Code::kRosFisheyeCount, "wrong-length",
+            "distortion_coefficients has {0} numbers; equidistant has k1 k2 k3 k4, and cv::fisheye stops at any other count"),
+      error(Code::kRosOpenCvCount, "wrong-length",
+            "distortion_coefficients has {0} numbers; cv::projectPoints, which image_geometry calls, takes 4, 5, 8, 12 or 14"),
+      error(Code::kRosTiltedSensor, "tilted-sensor",
+            "distortion_coefficients({0}) is {1}: a tilted sensor, which no model here holds", "calibrate without it"),
+      error(Code::kRosThinPrism, "thin-prism",
+            "distortion_coefficients({0}) is {1}: thin-prism distortion, which no model here holds", "calibrate without it"),
+      reader_warning(
+          Code::kRosRationalUnderPlumbBob, "program-ignores",
+          "plumb_bob has 5 coefficients, and here are {0}: image_geometry computes rational_polynomial, whatever the "
+          "name",
+          "write  distortion_model: rational_polynomial"),
+      reader_warning(Code::kRosFisheyeOfZeros, "program-misreads",
+                     "all coefficients are 0, which image_geometry takes for no distortion at all: a pinhole, not equidistant",
+                     "write a coefficient that bends nothing but is not 0, such as k4 = 1.0e-12"),
+      reader_warning(Code::kRosCoefficientsOfZeros, "program-misreads",
+                     "all coefficients are 0, which image_geometry takes for images that are rectified already: it applies "
+                     "neither rectification_matrix nor projection_matrix to them",
+                     "write a coefficient that bends nothing but is not 0, such as k1 = 1.0e-12"),
+      // rectification_matrix and projection_matrix
+      reader_warning(Code::kRosRectificationOfZeros, "program-misreads",
+                     "rectification_matrix is all 0: every rectified point is nan", kAloneTheIdentity),
+      reader_warning(Code::kRosProjectionOfZeros, "program-refuses",
+                     "projection_matrix is all 0: image_geometry divides by its focal length, and every point is nan",
+                     kAloneItsMatrix),
+      reader_warning(Code::kRosProjectionNoFocalLength, "program-refuses",
+                     "projection_matrix has a focal length of 0: image_geometry divides by it", kAloneItsMatrix),
+      reader_warning(Code::kRosProjectionLastRow, "program-refuses",
+                     "projection_matrix(2, {0}) is {1}, not {2}: image_geometry does not compute with such a camera",
+                     "write 0 0 1 0 as the last row"),
+      // As written.
+      error(Code::kRosIniHasNoModel, "model-not-storable", "{0}: an .ini of ROS has no {1} model",
+            "name the file .yaml, which holds it, or convert the camera to radtan"),
+      loss(Code::kRosPoseRecomputed, "pose-recomputed", "pose of {0} in {2}",
+           "its matrix is no exact rotation, and {1} says the nearest one", "nothing: the nearest rotation is meant"),
+      loss(Code::kRosCameraRenamed, "camera-renamed", "{1} {0}",
+           "an .ini would take it for something else: the section is [{2}]", "name the file .yaml, which holds every name"),
+      clause(Code::kRosHasNoPlace, "a camera_info has no place for it"),
+      clause(Code::kRosAnotherSyntax, "another syntax is written"),
+      clause(Code::kRosWroteCamera, "a camera_info for ROS"),
+      clause(Code::kRosWroteCameras, "one camera_info per camera for ROS"),
+      clause(Code::kRosWrotePair,
+             "camera_info files for ROS, the first two cameras a pair (rectified to fx = fy = {0}, cx = {1}, cy = {2})"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Basalt says to a file.
+// What Basalt says to a file. {0} is the key, where the sentence begins with one.
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> basalt_program_codes() { return {}; }
+std::span<const CodeInfo> basalt_program_codes() {
+  static constexpr std::array kRows = {
+      refusal(Code::kBasaltSaysNotParsed, "no JSON at byte {0}: {1}"),
+      refusal(Code::kBasaltSaysFileNoObject, "the file holds no JSON object"),
+      refusal(Code::kBasaltSaysMissing, "{0} is missing; Basalt stops"),
+      refusal(Code::kBasaltSaysNoObject, "{0} is no object; Basalt stops"),
+      refusal(Code::kBasaltSaysNoList, "{0} is no list; Basalt stops"),
+      refusal(Code::kBasaltSaysNoNumber, "{0} is no number; Basalt stops"),
+      refusal(Code::kBasaltSaysOneNumber, "{0} is one number; Basalt wants a list of {1} since 2020 and stops"),
+      refusal(Code::kBasaltSaysListLength, "{0} is no list of {1} numbers; Basalt stops"),
+      refusal(Code::kBasaltSaysFewerItems, "{0} has fewer items than intrinsics: Basalt reads beyond its end"),
+      refusal(Code::kBasaltSaysNoCamera, "{0} holds no camera"),
+      refusal(Code::kBasaltSaysSizeNoInts, "{0} resolution is no list of two ints; Basalt stops"),
+      refusal(Code::kBasaltSaysUnknownType, "{0} is none that Basalt knows; it stops"),
+      misreading(Code::kBasaltSaysQuaternionLength, "{0}: the quaternion's length is not 1, and Basalt does not normalise it"),
+      refusal(Code::kBasaltSaysTimeOffsetNoInt, "{0} is no int; Basalt stops"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

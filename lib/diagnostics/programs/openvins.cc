@@ -1,10 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What OpenVINS says to a file.
+// What OpenVINS says to a file. {0} is the key.
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> openvins_program_codes() { return {}; }
+std::span<const CodeInfo> openvins_program_codes() {
+  static constexpr std::array kRows = {
+      refusal(Code::kOpenVinsSaysKeyMissing, "{0} is missing; OpenVINS stops"),
+      refusal(Code::kOpenVinsSaysTooFewNumbers, "{0} has {1} numbers; OpenVINS takes {2} and stops"),
+      refusal(Code::kOpenVinsSaysNoNumbers, "{0} is no list of numbers; OpenVINS stops"),
+      refusal(Code::kOpenVinsSaysPoseMissing,
+              "{0} is missing, and T_imu_cam, too; OpenVINS wants one for every camera (T_cn_cnm1 is not read)"),
+      misreading(Code::kOpenVinsSaysPoseNotWhole,
+                 "{0} is no 4 x 4 list of rows; OpenVINS leaves what is missing at the identity"),
+      misreading(Code::kOpenVinsSaysModelNotRead,
+                 "{0} is {1}, which OpenVINS does not read: it takes the first four intrinsics for fx fy cx cy"),
+      misreading(Code::kOpenVinsSaysDistortionNotRead, "{0} is {1}; OpenVINS takes every name but equidistant for radtan"),
+      misreading(Code::kOpenVinsSaysTimeshiftNotRead, "{0} is not read: OpenVINS takes cam0's for all cameras"),
+      refusal(Code::kOpenVinsSaysImuMissing,
+              "{0} is missing: OpenVINS looks for the noise below it; Kalibr's own imu.yaml has it at the top"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics
