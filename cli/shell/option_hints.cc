@@ -147,6 +147,10 @@ constexpr std::array kHints = {
                "add {2:.12} s to every image time stamp of {0}, or --into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's "
                "own configuration"},
     OptionHint{Code::kVinsIntoConfiguration, text::Part::kText, kIntoConfiguration},
+
+    // ROS camera_info files.
+    OptionHint{Code::kRosIniHasNoModel, text::Part::kFix,
+               "name the file .yaml, which holds it, or convert the camera with --model radtan"},
 };
 
 }  // namespace

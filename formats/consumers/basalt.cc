@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fca/code.h"
 #include "programs.h"
 
 namespace fca::consumers {
@@ -146,37 +147,43 @@ class Archive {
  public:
   Archive(std::string_view bytes, ConsumerView& view) : view_(view) {
     if (bytes.size() > kMaxBytes) {
-      refuse("the file is larger than 2 MiB; not read");
+      refuse(Code::kProgramFileTooLarge);
       return;
     }
     constexpr unsigned kCereal = rapidjson::kParseFullPrecisionFlag | rapidjson::kParseNanAndInfFlag |
                                  rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag;
     document_.Parse<kCereal>(bytes.data(), bytes.size());
     if (!document_.HasParseError()) return;
-    refuse("no JSON at byte " + std::to_string(document_.GetErrorOffset()) + ": " +
-           rapidjson::GetParseError_En(document_.GetParseError()));
+    view_.refusals.emplace_back(
+        Code::kBasaltSaysNotParsed, "",
+        std::vector<Argument>{document_.GetErrorOffset(), rapidjson::GetParseError_En(document_.GetParseError())});
   }
 
-  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
+  /// Of the file as a whole.
+  void refuse(Code code) { view_.refusals.emplace_back(code, ""); }
+  /// Of sentences that begin with the key.
+  void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
+    arguments.insert(arguments.begin(), key);
+    view_.refusals.emplace_back(code, key, std::move(arguments));
+  }
 
   const Json* root() {
     if (!view_.loads()) return nullptr;
-    if (!document_.IsObject()) refuse("the file holds no JSON object");
+    if (!document_.IsObject()) refuse(Code::kBasaltSaysFileNoObject);
     return document_.IsObject() ? object(document_, "", "value0") : nullptr;
   }
 
   const Json* find(const Json& owner, const std::string& name, const char* key) {
     const auto member = owner.FindMember(key);
     if (member != owner.MemberEnd()) return &member->value;
-    refuse(path(name, key) + " is missing; Basalt stops");
+    refuse(Code::kBasaltSaysMissing, path(name, key));
     return nullptr;
   }
 
   const Json* object(const Json& owner, const std::string& name, const char* key) {
     const Json* found = find(owner, name, key);
     if (found == nullptr || found->IsObject()) return found;
-    refuse(path(name, key) + " is no object; Basalt stops");
+    refuse(Code::kBasaltSaysNoObject, path(name, key));
     return nullptr;
   }
 
@@ -184,14 +191,14 @@ class Archive {
   const Json* list(const Json& owner, const std::string& name, const char* key) {
     const Json* found = find(owner, name, key);
     if (found == nullptr || found->IsArray()) return found;
-    refuse(path(name, key) + " is no list; Basalt stops");
+    refuse(Code::kBasaltSaysNoList, path(name, key));
     return nullptr;
   }
 
   double number(const Json& owner, const std::string& name, const char* key) {
     const Json* found = find(owner, name, key);
     if (found == nullptr) return 0.0;
-    if (!found->IsNumber()) refuse(path(name, key) + " is no number; Basalt stops");
+    if (!found->IsNumber()) refuse(Code::kBasaltSaysNoNumber, path(name, key));
     return found->IsNumber() ? found->GetDouble() : 0.0;
   }
 
@@ -201,7 +208,7 @@ class Archive {
     std::vector<double> values;
     if (found == nullptr) return values;
     if (found->IsNumber()) {
-      refuse(path(name, key) + " is one number; Basalt wants a list of " + std::to_string(count) + " since 2020 and stops");
+      refuse(Code::kBasaltSaysOneNumber, path(name, key), {count});
       return values;
     }
     bool fits = found->IsArray() && found->Size() == count;
@@ -211,7 +218,7 @@ class Archive {
       if (fits) values.push_back(item.GetDouble());
     }
     if (fits) return values;
-    refuse(path(name, key) + " is no list of " + std::to_string(count) + " numbers; Basalt stops");
+    refuse(Code::kBasaltSaysListLength, path(name, key), {count});
     return {};
   }
 
@@ -236,8 +243,7 @@ class Calibration {
     archive_.list(*value, "value0", "vignette");
     read_imu(*value);
     read_time_offset(*value);
-    if (view_.poses.size() < view_.cameras.size() && view_.loads())
-      archive_.refuse("T_imu_cam has fewer items than intrinsics: Basalt reads beyond its end");
+    if (view_.poses.size() < view_.cameras.size() && view_.loads()) archive_.refuse(Code::kBasaltSaysFewerItems, "T_imu_cam");
   }
 
  private:
@@ -247,7 +253,7 @@ class Calibration {
     for (rapidjson::SizeType i = 0; i < list->Size(); ++i) {
       const std::string name = "T_imu_cam/" + std::to_string(i);
       if (!(*list)[i].IsObject()) {
-        archive_.refuse(name + " is no object; Basalt stops");
+        archive_.refuse(Code::kBasaltSaysNoObject, name);
         continue;
       }
       std::array<double, 7> p{};
@@ -266,8 +272,8 @@ class Calibration {
     const double length = std::sqrt(p[3] * p[3] + p[4] * p[4] + p[5] * p[5] + w * w);
     constexpr double kPrinted = 1e-6;
     if (!(std::abs(length - 1.0) <= kPrinted)) {
-      archive_.warn("T_imu_cam/" + std::to_string(index) +
-                    ": the quaternion's length is not 1, and Basalt does not normalise it");
+      const std::string name = "T_imu_cam/" + std::to_string(index);
+      view_.warnings.emplace_back(Code::kBasaltSaysQuaternionLength, name, std::vector<Argument>{name});
     }
     view_.poses.push_back({"imu0",
                            "cam" + std::to_string(index),
@@ -281,9 +287,9 @@ class Calibration {
     const Json* lenses = archive_.list(value, "value0", "intrinsics");
     const Json* sizes = archive_.list(value, "value0", "resolution");
     if (lenses == nullptr || sizes == nullptr) return;
-    if (lenses->Empty()) archive_.refuse("intrinsics holds no camera");
+    if (lenses->Empty()) archive_.refuse(Code::kBasaltSaysNoCamera, "intrinsics");
     if (sizes->Size() < lenses->Size()) {
-      archive_.refuse("resolution has fewer items than intrinsics: Basalt reads beyond its end");
+      archive_.refuse(Code::kBasaltSaysFewerItems, "resolution");
       return;
     }
     for (rapidjson::SizeType i = 0; i < lenses->Size(); ++i) {
@@ -296,7 +302,7 @@ class Calibration {
   /// Eigen::Vector2i
   bool read_size(const Json& size, ConsumerCamera& camera) {
     if (!size.IsArray() || size.Size() != 2 || !size[0].IsInt() || !size[1].IsInt()) {
-      archive_.refuse(camera.name + " resolution is no list of two ints; Basalt stops");
+      archive_.refuse(Code::kBasaltSaysSizeNoInts, camera.name);
       return false;
     }
     camera.width = size[0].GetInt();
@@ -306,14 +312,14 @@ class Calibration {
 
   bool read_lens(const Json& lens, ConsumerCamera& camera) {
     if (!lens.IsObject()) {
-      archive_.refuse(camera.name + " is no object; Basalt stops");
+      archive_.refuse(Code::kBasaltSaysNoObject, camera.name);
       return false;
     }
     const Json* type = archive_.find(lens, camera.name, "camera_type");
     if (type == nullptr) return false;
     const auto known = type->IsString() ? camera_types().find(type->GetString()) : camera_types().end();
     if (known == camera_types().end()) {
-      archive_.refuse(camera.name + "/camera_type is none that Basalt knows; it stops");
+      archive_.refuse(Code::kBasaltSaysUnknownType, camera.name + "/camera_type");
       return false;
     }
     const Json* values = archive_.object(lens, camera.name, "intrinsics");
@@ -349,7 +355,7 @@ class Calibration {
     const Json* offset = archive_.find(value, "value0", "cam_time_offset_ns");
     if (offset == nullptr) return;
     if (!offset->IsInt64()) {
-      archive_.refuse("cam_time_offset_ns is no int; Basalt stops");
+      archive_.refuse(Code::kBasaltSaysTimeOffsetNoInt, "cam_time_offset_ns");
       return;
     }
     if (!view_.cameras.empty()) view_.cameras.front().time_offset_s = static_cast<double>(offset->GetInt64()) * 1e-9;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "fca/code.h"
 #include "kalibr_formulas.h"
 #include "programs.h"
 #include "pyyaml.h"
@@ -51,7 +52,7 @@ class CameraReader {
   void read() {
     const std::size_t refusals_before = view_.refusals.size();
     if (block_.kind != Kind::kMap) {
-      refuse(name_ + " is " + pyyaml::describe(block_) + "; Kalibr wants a map of the camera's keys");
+      refuse(Code::kKalibrSaysCameraNoMap, name_, {pyyaml::describe(block_)});
       return;
     }
     read_models();
@@ -69,12 +70,21 @@ class CameraReader {
   }
 
  private:
-  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
+  /// The key is the sentence's first argument.
+  static Complaint complaint(Code code, const std::string& key, std::vector<Argument> arguments) {
+    arguments.insert(arguments.begin(), key);
+    return {code, key, std::move(arguments)};
+  }
+  void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
+    view_.refusals.push_back(complaint(code, key, std::move(arguments)));
+  }
+  void warn(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
+    view_.warnings.push_back(complaint(code, key, std::move(arguments)));
+  }
 
   const Value* require(std::string_view key) {
     const Value* value = block_.find(key);
-    if (value == nullptr) refuse(at(key) + " is missing; Kalibr stops");
+    if (value == nullptr) refuse(Code::kKalibrSaysKeyMissing, at(key));
     return value;
   }
 
@@ -86,10 +96,10 @@ class CameraReader {
     const ModelRule* model_rule = find_rule(kModels, model);
     const DistortionRule* distortion_rule = find_rule(kDistortions, distortion);
     if (model != nullptr && model_rule == nullptr) {
-      refuse(at("camera_model") + " is " + pyyaml::describe(*model) + "; Kalibr knows pinhole, omni, eucm, ds");
+      refuse(Code::kKalibrSaysUnknownModel, at("camera_model"), {pyyaml::describe(*model)});
     }
     if (distortion != nullptr && distortion_rule == nullptr) {
-      refuse(at("distortion_model") + " is " + pyyaml::describe(*distortion) + "; Kalibr knows radtan, equidistant, fov, none");
+      refuse(Code::kKalibrSaysUnknownDistortion, at("distortion_model"), {pyyaml::describe(*distortion)});
     }
     const Value* intrinsics = require("intrinsics");
     const Value* coeffs = require("distortion_coeffs");
@@ -101,14 +111,12 @@ class CameraReader {
   void read_intrinsics(const Value& list, const ModelRule& rule) {
     camera_.camera_model = std::string(rule.name);
     if (list.kind != Kind::kList || list.items.size() != rule.first_focal + 4) {
-      refuse(at("intrinsics") + " is " + pyyaml::describe(list) + "; Kalibr wants " + std::string(rule.layout) + " for " +
-             std::string(rule.name));
+      refuse(Code::kKalibrSaysIntrinsicsCount, at("intrinsics"), {pyyaml::describe(list), rule.layout, rule.name});
       return;
     }
     for (std::size_t i = 0; i < rule.first_focal; ++i) {
       if (!list.items[i]->is_number()) {
-        refuse(at("intrinsics") + " has " + pyyaml::describe(*list.items[i]) + " where " + std::string(rule.layout) +
-               " wants a number; Kalibr's Python raises a TypeError");
+        refuse(Code::kKalibrSaysIntrinsicsType, at("intrinsics"), {pyyaml::describe(*list.items[i]), rule.layout});
         return;
       }
       camera_.model.at(i) = list.items[i]->number;
@@ -122,60 +130,55 @@ class CameraReader {
 
   double read_pinhole_number(const Value& value, const std::string& what) {
     if (value.kind != Kind::kFloat) {
-      std::string fix;
-      if (value.kind == Kind::kInt) fix = ": write " + value.text + ".0";
-      if (value.kind == Kind::kString) fix = ": PyYAML reads a number as a float only in the form 190.0 or 1.9e+02";
-      refuse(at("intrinsics") + ": " + what + " is " + pyyaml::describe(value) + "; Kalibr wants a float and stops" + fix);
+      std::vector<Message> fix;
+      if (value.kind == Kind::kInt) fix = {{Code::kKalibrSaysWriteAsFloat, {value.text}}};
+      if (value.kind == Kind::kString) fix = {{Code::kKalibrSaysFormOfFloats}};
+      refuse(Code::kKalibrSaysNoFloat, at("intrinsics"), {what, pyyaml::describe(value), fix});
     } else if (value.number < 0.0) {
-      refuse(at("intrinsics") + ": " + what + " is " + value.text + "; Kalibr refuses negative values");
+      refuse(Code::kKalibrSaysNegative, at("intrinsics"), {what, value.text});
     }
     return value.number;
   }
 
   void check_model_ranges() {
-    const auto number = [](double value) { return std::to_string(value); };
     if (camera_.camera_model == "omni" && camera_.model[0] < 0.0) {
-      refuse(at("intrinsics") + ": xi is " + number(camera_.model[0]) + "; Kalibr wants xi >= 0 for omni");
+      refuse(Code::kKalibrSaysXiNegative, at("intrinsics"), {camera_.model[0]});
     }
     const bool eucm = camera_.camera_model == "eucm";
     if (!eucm && camera_.camera_model != "ds") return;
     const double alpha = eucm ? camera_.model[0] : camera_.model[1];
     if (alpha < 0.0 || alpha >= 1.0) {
-      refuse(at("intrinsics") + ": alpha is " + number(alpha) + "; Kalibr wants 0 <= alpha < 1 for " + camera_.camera_model);
+      refuse(Code::kKalibrSaysAlphaOutside, at("intrinsics"), {alpha, camera_.camera_model});
     }
     if (eucm && camera_.model[1] < 0.0) {
-      refuse(at("intrinsics") + ": beta is " + number(camera_.model[1]) + "; Kalibr wants beta >= 0");
+      refuse(Code::kKalibrSaysBetaNegative, at("intrinsics"), {camera_.model[1]});
     }
   }
 
   void read_coeffs(const Value& list, const DistortionRule& rule) {
     camera_.distortion_model = std::string(rule.name);
     if (list.kind != Kind::kList || list.items.size() != rule.count) {
-      refuse(at("distortion_coeffs") + " is " + pyyaml::describe(list) + "; Kalibr wants a list of " +
-             std::to_string(rule.count) + " for " + std::string(rule.name));
+      refuse(Code::kKalibrSaysCoefficientCount, at("distortion_coeffs"), {pyyaml::describe(list), rule.count, rule.name});
       return;
     }
     for (std::size_t i = 0; i < rule.count; ++i) {
       if (!list.items[i]->is_number()) {
-        refuse(at("distortion_coeffs") + " has " + pyyaml::describe(*list.items[i]) +
-               "; Kalibr wants numbers (PyYAML reads 1e-5 as a string: write 1.0e-05)");
+        refuse(Code::kKalibrSaysCoefficientType, at("distortion_coeffs"), {pyyaml::describe(*list.items[i])});
         return;
       }
       camera_.coeffs.at(i) = list.items[i]->number;
     }
     if (rule.name == "fov" && camera_.coeffs[0] != 0.0 && (camera_.coeffs[0] < 0.5 || camera_.coeffs[0] > 1.5)) {
-      warn(at("distortion_coeffs") + ": w is outside of 0.5 .. 1.5, where Kalibr regards its fov model as valid");
+      warn(Code::kKalibrSaysFovOutside, at("distortion_coeffs"));
     }
   }
 
   void check_combination(std::string_view model, std::string_view distortion) {
     const bool allowed = model == "pinhole" || distortion == "none" || (model == "omni" && distortion == "radtan");
     if (!allowed) {
-      refuse(name_ + ": Kalibr has no camera for " + std::string(model) + " with " + std::string(distortion));
+      refuse(Code::kKalibrSaysNoSuchCamera, name_, {model, distortion});
     } else if (model == "pinhole" && distortion == "none") {
-      warn(name_ +
-           ": Kalibr builds pinhole with none under a wrong attribute name, so its calibrators fail later: write radtan with "
-           "four zeros");
+      warn(Code::kKalibrSaysPinholeWithNone, name_);
     }
   }
 
@@ -183,12 +186,12 @@ class CameraReader {
     const Value* list = require("resolution");
     if (list == nullptr) return;
     if (list->kind != Kind::kList || list->items.size() != 2 || !list->items[0]->is_int() || !list->items[1]->is_int()) {
-      refuse(at("resolution") + " must be two ints [width, height]; Kalibr stops (512.0 is no int)");
+      refuse(Code::kKalibrSaysResolutionNoInts, at("resolution"));
       return;
     }
     constexpr double kMax = std::numeric_limits<int>::max();
     if (std::abs(list->items[0]->number) > kMax || std::abs(list->items[1]->number) > kMax) {
-      refuse(at("resolution") + " is larger than an int");
+      refuse(Code::kKalibrSaysResolutionTooLarge, at("resolution"));
       return;
     }
     camera_.width = static_cast<int>(list->items[0]->number);
@@ -198,9 +201,9 @@ class CameraReader {
   void read_rostopic() {
     const Value* topic = block_.find("rostopic");
     if (topic == nullptr) {
-      warn(at("rostopic") + " is missing; Kalibr stops when it looks for this camera's images in a bag");
+      warn(Code::kKalibrSaysTopicMissing, at("rostopic"));
     } else if (topic->kind != Kind::kString) {
-      refuse(at("rostopic") + " is " + pyyaml::describe(*topic) + "; Kalibr wants a string");
+      refuse(Code::kKalibrSaysTopicNoString, at("rostopic"), {pyyaml::describe(*topic)});
     }
   }
 
@@ -208,13 +211,12 @@ class CameraReader {
     const Value* list = block_.find("cam_overlaps");
     if (list == nullptr) return;
     if (list->kind != Kind::kList) {
-      refuse(at("cam_overlaps") + " is " + pyyaml::describe(*list) + "; Kalibr wants a list of camera numbers");
+      refuse(Code::kKalibrSaysOverlapsNoList, at("cam_overlaps"), {pyyaml::describe(*list)});
       return;
     }
     for (const pyyaml::ValuePtr& item : list->items) {
       if (!item->is_number() || item->number >= static_cast<double>(count_)) {
-        refuse(at("cam_overlaps") + " names " + pyyaml::describe(*item) + ", but the file has " + std::to_string(count_) +
-               " camera(s), counted from 0");
+        refuse(Code::kKalibrSaysOverlapsBeyond, at("cam_overlaps"), {pyyaml::describe(*item), count_});
         return;
       }
     }
@@ -227,15 +229,14 @@ class CameraReader {
       camera_.time_offset_s = shift->number;
       return;
     }
-    refuse(at("timeshift_cam_imu") + " is " + pyyaml::describe(*shift) +
-           "; Kalibr wants a float: write 0.0 or 1.0e-05, not 0 or 1e-5");
+    refuse(Code::kKalibrSaysTimeshiftNoFloat, at("timeshift_cam_imu"), {pyyaml::describe(*shift)});
   }
 
   void read_baseline() {
     if (index_ == 0) return;
     const std::string previous = "cam" + std::to_string(index_ - 1);
     if (block_.find("T_cn_cnm1") == nullptr) {
-      warn(at("T_cn_cnm1") + " is missing; Kalibr has no baseline from " + previous + " to " + name_);
+      warn(Code::kKalibrSaysBaselineMissing, at("T_cn_cnm1"), {previous, name_});
       return;
     }
     read_pose("T_cn_cnm1", previous);
@@ -257,7 +258,7 @@ class CameraReader {
     if (valid) {
       view_.poses.push_back(std::move(pose));
     } else {
-      refuse(at(key) + " must be four rows of four numbers; Kalibr stops (1e-5 is a string for PyYAML: write 1.0e-05)");
+      refuse(Code::kKalibrSaysPoseNoRows, at(key));
     }
   }
 
@@ -272,12 +273,12 @@ class CameraReader {
 /// The root map, or null with a refusal.
 pyyaml::ValuePtr load_map(std::string_view bytes, ConsumerView& view) {
   pyyaml::Loaded loaded = pyyaml::safe_load(bytes);
-  if (!loaded.error.empty()) {
-    view.refusals.emplace_back("Kalibr's PyYAML cannot read the file: " + loaded.error);
+  if (loaded.error.is_said()) {
+    view.refusals.emplace_back(Code::kKalibrSaysNotParsed, "", std::vector<Argument>{loaded.error});
     return nullptr;
   }
   if (loaded.root->kind != Kind::kMap) {
-    view.refusals.emplace_back("the file is " + pyyaml::describe(*loaded.root) + "; Kalibr wants a map");
+    view.refusals.emplace_back(Code::kKalibrSaysFileNoMap, "", std::vector<Argument>{pyyaml::describe(*loaded.root)});
     return nullptr;
   }
   return loaded.root;
@@ -294,9 +295,11 @@ bool is_camera_key(const Value& key, std::size_t count) {
 // ConfigReader.py, CameraChainParameters.numCameras: len(self.data), so a foreign key counts as a camera.
 void check_chain_keys(const Value& root, ConsumerView& view) {
   const std::size_t count = root.entries.size();
-  std::string foreign;
+  std::vector<Message> foreign;
   for (const auto& [key, value] : root.entries) {
-    if (!is_camera_key(*key, count)) foreign += (foreign.empty() ? "" : ", ") + key->text.substr(0, 80);
+    if (is_camera_key(*key, count)) continue;
+    const Code code = foreign.empty() ? Code::kKalibrSaysFirstKey : Code::kKalibrSaysNextKey;
+    foreign.push_back({code, {key->text.substr(0, 80)}});
   }
   if (foreign.empty()) return;
   std::string missing;
@@ -304,8 +307,7 @@ void check_chain_keys(const Value& root, ConsumerView& view) {
     const std::string name = "cam" + std::to_string(i);
     if (root.find(name) == nullptr) missing = name;
   }
-  view.refusals.emplace_back("Kalibr counts every top-level key as a camera (" + std::to_string(count) + " here, with " +
-                             foreign + ") and stops because " + missing + " is missing");
+  view.refusals.emplace_back(Code::kKalibrSaysForeignKeys, "", std::vector<Argument>{count, foreign, missing});
 }
 
 struct ImuKey {
@@ -323,13 +325,15 @@ constexpr std::array kImuKeys{
 void read_imu_number(const Value& root, const ImuKey& rule, ConsumerView& view) {
   const std::string key(rule.key);
   const Value* value = root.find(key);
+  const auto refuse = [&](Code code, std::vector<Argument> arguments) {
+    view.refusals.emplace_back(code, key, std::move(arguments));
+  };
   if (value == nullptr) {
-    view.refusals.emplace_back(key + " is missing; Kalibr stops");
+    refuse(Code::kKalibrSaysKeyMissing, {key});
   } else if (!value->is_number()) {
-    view.refusals.emplace_back(key + " is " + pyyaml::describe(*value) +
-                               "; Kalibr wants a number (PyYAML reads 2e-5 as a string: write 2.0e-05)");
+    refuse(Code::kKalibrSaysImuNoNumber, {key, pyyaml::describe(*value)});
   } else if (value->number <= 0.0) {
-    view.refusals.emplace_back(key + " is " + value->text + "; Kalibr wants more than 0 " + std::string(rule.unit));
+    refuse(Code::kKalibrSaysImuNotPositive, {key, value->text, rule.unit});
   } else {
     (*view.imu).*rule.held_as = value->number;
   }
@@ -342,7 +346,7 @@ ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& /*options*/)
   const pyyaml::ValuePtr root = load_map(bytes, view);
   if (!root) return view;
   check_chain_keys(*root, view);
-  if (root->entries.empty()) view.refusals.emplace_back("the file has no camera; Kalibr wants cam0, cam1, ...");
+  if (root->entries.empty()) view.refusals.emplace_back(Code::kKalibrSaysNoCamera, "");
   for (std::size_t i = 0; i < root->entries.size(); ++i) {
     const Value* block = root->find("cam" + std::to_string(i));
     if (block != nullptr) CameraReader(*block, i, root->entries.size(), view).read();
@@ -360,14 +364,14 @@ ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& /*option
   const pyyaml::ValuePtr root = load_map(bytes, view);
   if (!root) return view;
   if (root->find("imu0") != nullptr && root->find("update_rate") == nullptr) {
-    view.refusals.emplace_back(
-        "the values are inside imu0: (Kalibr's result file); as an input Kalibr wants them at the top level");
+    view.refusals.emplace_back(Code::kKalibrSaysImuNested, "imu0");
     return view;
   }
   view.imu.emplace();
   for (const ImuKey& rule : kImuKeys) read_imu_number(*root, rule, view);
   const Value* topic = root->find("rostopic");
-  if (topic == nullptr || topic->kind != Kind::kString) view.refusals.emplace_back("rostopic must be a string; Kalibr stops");
+  if (topic == nullptr || topic->kind != Kind::kString)
+    view.refusals.emplace_back(Code::kKalibrSaysImuTopic, "rostopic", std::vector<Argument>{"rostopic"});
   return view;
 }
 

@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
+#include "fca/code.h"
 #include "programs.h"
 #include "storage.h"
 
@@ -20,7 +21,7 @@ using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Projection = std::function<std::optional<Pixel>(const Ray&)>;
 
-constexpr std::string_view kReader = "OpenCV's reader, which OpenVINS uses,";
+constexpr std::string_view kProgram = "OpenVINS";
 
 /// camera_values: fx fy cx cy and four coefficients, in double; points come and go in float.
 using CameraValues = std::array<double, 8>;
@@ -79,12 +80,16 @@ class Sensor {
     const cv::FileNode found = node(key);
     return found.isString() ? found.string() : std::string();
   }
-  void refuse(const std::string& key, const std::string& what) { view_.refusals.emplace_back(name_ + "/" + key + " " + what); }
-  void warn(const std::string& key, const std::string& what) { view_.warnings.emplace_back(name_ + "/" + key + " " + what); }
+  void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
+    view_.refusals.push_back(complaint(code, key, std::move(arguments)));
+  }
+  void warn(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
+    view_.warnings.push_back(complaint(code, key, std::move(arguments)));
+  }
 
   bool require(const std::string& key) {
     if (has(key)) return true;
-    refuse(key, "is missing; OpenVINS stops");
+    refuse(Code::kOpenVinsSaysKeyMissing, key);
     return false;
   }
 
@@ -99,13 +104,22 @@ class Sensor {
       if (all_numbers) values.push_back(static_cast<double>(item(list, i)));
     }
     if (all_numbers && values.size() >= count) return values;
-    refuse(key, all_numbers ? "has " + std::to_string(values.size()) + " numbers; OpenVINS takes " + std::to_string(count) +
-                                  " and stops"
-                            : "is no list of numbers; OpenVINS stops");
+    if (all_numbers) {
+      refuse(Code::kOpenVinsSaysTooFewNumbers, key, {values.size(), count});
+    } else {
+      refuse(Code::kOpenVinsSaysNoNumbers, key);
+    }
     return std::nullopt;
   }
 
  private:
+  /// The path of the key is the sentence's first argument.
+  [[nodiscard]] Complaint complaint(Code code, const std::string& key, std::vector<Argument> arguments) const {
+    std::string path = name_ + "/" + key;
+    arguments.insert(arguments.begin(), path);
+    return {code, std::move(path), std::move(arguments)};
+  }
+
   cv::FileNode node_;
   std::string name_;
   ConsumerView& view_;
@@ -122,7 +136,7 @@ std::optional<Extrinsics> read_extrinsics(Sensor& sensor) {
   result.is_T_imu_cam = sensor.has("T_imu_cam");
   const std::string key = result.is_T_imu_cam ? "T_imu_cam" : "T_cam_imu";
   if (!sensor.has(key)) {
-    sensor.refuse("T_cam_imu", "is missing, and T_imu_cam, too; OpenVINS wants one for every camera (T_cn_cnm1 is not read)");
+    sensor.refuse(Code::kOpenVinsSaysPoseMissing, "T_cam_imu");
     return std::nullopt;
   }
   const cv::FileNode rows = sensor.node(key);
@@ -134,7 +148,7 @@ std::optional<Extrinsics> read_extrinsics(Sensor& sensor) {
       if (is_number(value)) result.T.at(static_cast<std::size_t>(4 * row + column)) = static_cast<double>(value);
     }
   }
-  if (!whole) sensor.warn(key, "is no 4 x 4 list of rows; OpenVINS leaves what is missing at the identity");
+  if (!whole) sensor.warn(Code::kOpenVinsSaysPoseNotWhole, key);
   return result;
 }
 
@@ -164,11 +178,10 @@ void read_camera(Sensor& sensor, ConsumerView& view) {
   const std::string model = sensor.text("camera_model");
   if (!model.empty() && model != "pinhole") {
     camera.misread = true;
-    sensor.warn("camera_model",
-                "is " + model + ", which OpenVINS does not read: it takes the first four intrinsics for fx fy cx cy");
+    sensor.warn(Code::kOpenVinsSaysModelNotRead, "camera_model", {model});
   } else if (!is_equidistant && distortion != "radtan") {
     camera.misread = distortion != "none";
-    sensor.warn("distortion_model", "is " + distortion + "; OpenVINS takes every name but equidistant for radtan");
+    sensor.warn(Code::kOpenVinsSaysDistortionNotRead, "distortion_model", {distortion});
   }
   view.cameras.push_back(std::move(camera));
   view.poses.push_back(
@@ -177,7 +190,7 @@ void read_camera(Sensor& sensor, ConsumerView& view) {
 
 void read_chain(const cv::FileStorage& storage, ConsumerView& view) {
   if (storage["cam0"].empty()) {
-    view.refusals.emplace_back("cam0 is missing; OpenVINS stops");
+    view.refusals.emplace_back(Code::kOpenVinsSaysKeyMissing, "cam0", std::vector<Argument>{"cam0"});
     return;
   }
   for (int i = 0; !storage["cam" + std::to_string(i)].empty(); ++i) {
@@ -185,14 +198,13 @@ void read_chain(const cv::FileStorage& storage, ConsumerView& view) {
     read_camera(sensor, view);
     if (i > 0 && sensor.has("timeshift_cam_imu") &&
         static_cast<double>(sensor.node("timeshift_cam_imu")) != static_cast<double>(storage["cam0"]["timeshift_cam_imu"]))
-      sensor.warn("timeshift_cam_imu", "is not read: OpenVINS takes cam0's for all cameras");
+      sensor.warn(Code::kOpenVinsSaysTimeshiftNotRead, "timeshift_cam_imu");
   }
 }
 
 void read_imu(const cv::FileStorage& storage, ConsumerView& view) {
   if (storage["imu0"].empty()) {
-    view.refusals.emplace_back(
-        "imu0 is missing: OpenVINS looks for the noise below it; Kalibr's own imu.yaml has it at the top");
+    view.refusals.emplace_back(Code::kOpenVinsSaysImuMissing, "imu0", std::vector<Argument>{"imu0"});
     return;
   }
   Sensor imu(storage["imu0"], "imu0", view);
@@ -200,7 +212,7 @@ void read_imu(const cv::FileStorage& storage, ConsumerView& view) {
     if (!imu.require(key)) return std::nullopt;
     const cv::FileNode value = imu.node(key);
     if (is_number(value)) return static_cast<double>(value);
-    imu.refuse(key, "is " + storage::describe(value) + ", not a number");
+    imu.refuse(Code::kProgramNoNumber, key, {storage::description_of(value)});
     return std::nullopt;
   };
   ConsumerImu& noise = view.imu.emplace();
@@ -214,11 +226,11 @@ void read_imu(const cv::FileStorage& storage, ConsumerView& view) {
 }  // namespace
 
 ConsumerView load_openvins(std::string_view bytes, const LoadOptions&) {
-  return storage::read(bytes, "OpenVINS", kReader, &read_chain);
+  return storage::read(bytes, kProgram, storage::reader_of(kProgram), &read_chain);
 }
 
 ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions&) {
-  return storage::read(bytes, "OpenVINS", kReader, &read_imu);
+  return storage::read(bytes, kProgram, storage::reader_of(kProgram), &read_imu);
 }
 
 }  // namespace fca::consumers

@@ -4,6 +4,8 @@
 #include "../yaml_directive.h"
 #include "pyyaml_scalars.h"
 
+#include "fca/code.h"
+
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
@@ -22,6 +24,8 @@ namespace {
 constexpr std::size_t kMaxBytes = 2U << 20U;
 // Python's recursion limit stops PyYAML somewhat later; no calibration comes near.
 constexpr int kMaxDepth = 64;
+
+Message at_line(std::size_t line, Message clause) { return {Code::kPyYamlAtLine, {line, std::move(clause)}}; }
 
 bool is_continuation_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
@@ -46,19 +50,15 @@ bool is_printable(std::uint32_t code) {
          (code >= 0xA0 && code != 0xFFFE && code != 0xFFFF);
 }
 
-std::string check_characters(std::string_view text) {
+Message check_characters(std::string_view text) {
   std::size_t line = 1;
-  const auto where = [&line] { return "line " + std::to_string(line) + ": "; };
   while (!text.empty()) {
     std::uint32_t code = 0;
     const std::size_t length = decode_utf8(text, code);
-    if (length == 0) return where() + "the bytes are not UTF-8";
-    if (!is_printable(code)) return where() + "a control character is not allowed in YAML";
+    if (length == 0) return at_line(line, {Code::kPyYamlNotUtf8});
+    if (!is_printable(code)) return at_line(line, {Code::kPyYamlControlCharacter});
     // yaml/scanner.py: '\0\r\n\x85\u2028\u2029'. The parser below knows none of these; what they would cut is not judged.
-    if (code == 0x85 || code == 0x2028 || code == 0x2029) {
-      return where() +
-             "PyYAML ends a line, also a comment, at a character that others take for a blank (U+0085, U+2028, U+2029)";
-    }
+    if (code == 0x85 || code == 0x2028 || code == 0x2029) return at_line(line, {Code::kPyYamlLineEnd});
     if (code == '\n') ++line;
     text.remove_prefix(length);
   }
@@ -66,7 +66,7 @@ std::string check_characters(std::string_view text) {
 }
 
 // Conservative on purpose (brackets in comments count too): it protects the stack of the parser, it does not judge the syntax.
-std::string check_nesting(std::string_view text) {
+Message check_nesting(std::string_view text) {
   int depth = 0;
   int dashes_in_line = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -75,7 +75,7 @@ std::string check_nesting(std::string_view text) {
     if ((c == ']' || c == '}') && depth > 0) --depth;
     if (c == '\n') dashes_in_line = 0;
     if ((c == '-' || c == '?') && i + 1 < text.size() && text[i + 1] == ' ') ++dashes_in_line;
-    if (depth > kMaxDepth || dashes_in_line > kMaxDepth) return "more than 64 nested lists or maps";
+    if (depth > kMaxDepth || dashes_in_line > kMaxDepth) return {Code::kPyYamlNestedTooDeep};
   }
   return {};
 }
@@ -86,19 +86,18 @@ bool is_blank_or_comment(std::string_view line) {
 }
 
 // PyYAML 6, yaml/scanner.py, scan_yaml_directive_value: a space, then 1.x.
-std::string check_directive(std::string_view line) {
+Message check_directive(std::string_view line) {
   if (!line.starts_with("%YAML")) return {};  // other directives only warn
   std::string_view rest = line.substr(5);
   if (skip(rest, " ") == 0) {
-    return "the header '" + std::string(line.substr(0, std::min<std::size_t>(line.find('\r'), 40))) +
-           "' is OpenCV's; PyYAML wants '%YAML 1.2' and '---', or no header";
+    return {Code::kPyYamlOpenCvHeader, {line.substr(0, std::min<std::size_t>(line.find('\r'), 40))}};
   }
   const bool version_1 = rest.starts_with("1.");
-  if (!version_1 || rest.size() < 3 || !is_digit(rest[2])) return "the '%YAML' line asks for a version other than 1.x";
+  if (!version_1 || rest.size() < 3 || !is_digit(rest[2])) return {Code::kPyYamlVersion};
   return {};
 }
 
-std::string check_header(std::string_view text) {
+Message check_header(std::string_view text) {
   constexpr std::string_view kBom = "\xEF\xBB\xBF";
   if (text.starts_with(kBom)) text.remove_prefix(kBom.size());
   bool has_directive = false;
@@ -108,28 +107,26 @@ std::string check_header(std::string_view text) {
     text.remove_prefix(std::min(end + 1, text.size()));
     if (is_blank_or_comment(line)) continue;
     if (!line.starts_with('%'))
-      return has_directive && !line.starts_with("---") ? "a '%' line must be followed by '---'" : std::string();
+      return has_directive && !line.starts_with("---") ? Message{Code::kPyYamlDirectiveAlone} : Message{};
     has_directive = true;
-    if (std::string error = check_directive(line); !error.empty()) return error;
+    if (Message error = check_directive(line); error.is_said()) return error;
   }
-  return has_directive ? "a '%' line must be followed by '---'" : std::string();
+  return has_directive ? Message{Code::kPyYamlDirectiveAlone} : Message{};
 }
 
 /// Follows quotes, comments and block scalars just far enough to tell a TAB that PyYAML refuses from one inside them.
 class TabScanner {
  public:
-  std::string check(std::string_view text) {
+  Message check(std::string_view text) {
     std::size_t number = 0;
     while (!text.empty()) {
       ++number;
       const std::size_t end = std::min(text.find('\n'), text.size());
       const std::string_view line = text.substr(0, end);
       text.remove_prefix(std::min(end + 1, text.size()));
-      if (has_bad_tab(line)) {
-        return "line " + std::to_string(number) + ": a TAB outside of a comment or quotes (PyYAML: cannot start any token)";
-      }
+      if (has_bad_tab(line)) return at_line(number, {Code::kPyYamlTab});
     }
-    if (quote_ != 0) return "a quote is not closed";
+    if (quote_ != 0) return {Code::kPyYamlOpenQuote};
     return {};
   }
 
@@ -181,9 +178,20 @@ class TabScanner {
   std::optional<std::size_t> block_indent_;
 };
 
-std::string line_of(const YAML::Mark& mark) { return "line " + std::to_string(mark.line + 1) + ": "; }
+Message at_mark(const YAML::Mark& mark, Message clause) {
+  return at_line(static_cast<std::size_t>(mark.line + 1), std::move(clause));
+}
 
-/// Builds the values from yaml-cpp's events. Problems are thrown as yaml-cpp's own exception, which safe_load catches.
+/// What PyYAML raises where yaml-cpp does not.
+struct Refusal {
+  Message message;
+};
+
+[[noreturn]] void refuse(const YAML::Mark& mark, Code code, std::vector<Argument> arguments = {}) {
+  throw Refusal{at_mark(mark, {code, std::move(arguments)})};
+}
+
+/// Builds the values from yaml-cpp's events. Problems are thrown as a Refusal, which safe_load catches.
 class Builder final : public YAML::EventHandler {
  public:
   explicit Builder(std::string_view text) {
@@ -197,21 +205,20 @@ class Builder final : public YAML::EventHandler {
   [[nodiscard]] std::shared_ptr<Value> root() const { return root_; }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (root_) throw YAML::Exception(mark, "a second document ('---'); safe_load wants one");
+    if (root_) refuse(mark, Code::kPyYamlSecondDocument);
   }
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const bool written =
         !source_at(mark).empty() && std::string_view("~nN").find(source_at(mark).front()) != std::string_view::npos;
-    if (!written && !frames_.empty() && frames_.back().flow_list)
-      throw YAML::Exception(mark, "an empty place between two commas");
+    if (!written && !frames_.empty() && frames_.back().flow_list) refuse(mark, Code::kPyYamlEmptyPlace);
     add(mark, std::make_shared<Value>(), anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
-    if (found == anchors_.end()) throw YAML::Exception(mark, "an alias of something that contains it");
+    if (found == anchors_.end()) refuse(mark, Code::kPyYamlAliasOfItself);
     add(mark, found->second, 0);
   }
 
@@ -245,7 +252,7 @@ class Builder final : public YAML::EventHandler {
   };
 
   [[noreturn]] static void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
-    throw YAML::Exception(mark, "the tag '" + tag + "' is unknown to safe_load");
+    refuse(mark, Code::kPyYamlUnknownTag, {tag});
   }
 
   static Value typed_scalar(const YAML::Mark& mark, const std::string& tag, const std::string& text) {
@@ -257,7 +264,7 @@ class Builder final : public YAML::EventHandler {
     if (tag == "tag:yaml.org,2002:float" || tag == "tag:yaml.org,2002:int") {
       value.kind = tag.ends_with("int") ? Kind::kInt : Kind::kFloat;
       if (!matches_int(text) && !(value.kind == Kind::kFloat && matches_float(text))) {
-        throw YAML::Exception(mark, "'" + text + "' does not fit its tag");
+        refuse(mark, Code::kPyYamlTagOfOthers, {text});
       }
       value.number = parse_number(text, value.kind);
       return value;
@@ -266,7 +273,7 @@ class Builder final : public YAML::EventHandler {
   }
 
   void push(const YAML::Mark& mark, Kind kind, YAML::anchor_t anchor) {
-    if (frames_.size() >= static_cast<std::size_t>(kMaxDepth)) throw YAML::Exception(mark, "more than 64 nested lists or maps");
+    if (frames_.size() >= static_cast<std::size_t>(kMaxDepth)) refuse(mark, Code::kPyYamlNestedTooDeep);
     auto value = std::make_shared<Value>();
     value->kind = kind;
     Frame frame;
@@ -293,7 +300,7 @@ class Builder final : public YAML::EventHandler {
     if (frame.value->kind == Kind::kList) {
       frame.value->items.push_back(value);
     } else if (!frame.key) {
-      if (value->kind == Kind::kList || value->kind == Kind::kMap) throw YAML::Exception(mark, "a list or map as a key");
+      if (value->kind == Kind::kList || value->kind == Kind::kMap) refuse(mark, Code::kPyYamlKeyNoScalar);
       frame.key = value;
       frame.key_mark = mark;
     } else {
@@ -318,7 +325,7 @@ class Builder final : public YAML::EventHandler {
     source.remove_prefix(frame.key->text.size());
     skip(source, " ");
     if (source.empty() || source.front() == '\r' || source.front() == '#') {
-      throw YAML::Exception(frame.key_mark, "'" + frame.key->text.substr(0, 80) + "' lacks a colon followed by a blank");
+      refuse(frame.key_mark, Code::kPyYamlNoColon, {frame.key->text.substr(0, 80)});
     }
   }
 
@@ -345,7 +352,7 @@ class Builder final : public YAML::EventHandler {
     for (const ValuePtr& source : frame.merged) {
       std::vector<ValuePtr> maps = source->kind == Kind::kList ? source->items : std::vector<ValuePtr>{source};
       for (const ValuePtr& map : maps) {
-        if (map->kind != Kind::kMap) throw YAML::Exception(frame.mark, "'<<' wants a map");
+        if (map->kind != Kind::kMap) refuse(frame.mark, Code::kPyYamlMergeOfNoMap);
         for (const auto& [key, value] : map->entries) set_entry(*frame.value, key, value, false);
       }
     }
@@ -357,10 +364,10 @@ class Builder final : public YAML::EventHandler {
   std::map<YAML::anchor_t, std::shared_ptr<Value>> anchors_;
 };
 
-std::string check_text(std::string_view text) {
-  if (text.size() > kMaxBytes) return "larger than 2 MiB; not read";
-  for (std::string error : {check_nesting(text), check_characters(text), check_header(text), TabScanner().check(text)}) {
-    if (!error.empty()) return error;
+Message check_text(std::string_view text) {
+  if (text.size() > kMaxBytes) return {Code::kPyYamlTooLarge};
+  for (const Message& error : {check_nesting(text), check_characters(text), check_header(text), TabScanner().check(text)}) {
+    if (error.is_said()) return error;
   }
   return {};
 }
@@ -374,30 +381,31 @@ const Value* Value::find(std::string_view key) const {
   return nullptr;
 }
 
-std::string describe(const Value& value) {
+Message describe(const Value& value) {
+  constexpr std::size_t kShown = 80;
   switch (value.kind) {
     case Kind::kNull:
-      return "empty";
+      break;
     case Kind::kBool:
-      return "the bool " + value.text;
+      return {Code::kPyYamlScalar, {"bool", value.text}};
     case Kind::kInt:
-      return "the int " + value.text;
+      return {Code::kPyYamlScalar, {"int", value.text}};
     case Kind::kFloat:
-      return "the float " + value.text;
+      return {Code::kPyYamlScalar, {"float", value.text}};
     case Kind::kString:
-      return "the string '" + value.text.substr(0, 80) + "'";
+      return {Code::kPyYamlString, {value.text.substr(0, kShown)}};
     case Kind::kList:
-      return "a list of " + std::to_string(value.items.size());
+      return {Code::kPyYamlList, {value.items.size()}};
     case Kind::kMap:
-      return "a map";
+      return {Code::kValueMap};
   }
-  return "unknown";
+  return {Code::kPyYamlEmpty};
 }
 
 Loaded safe_load(std::string_view text) {
   Loaded loaded;
   loaded.error = check_text(text);
-  if (!loaded.error.empty()) return loaded;
+  if (loaded.error.is_said()) return loaded;
   try {
     std::istringstream stream(without_version(std::string(text)));
     YAML::Parser parser(stream);
@@ -405,10 +413,12 @@ Loaded safe_load(std::string_view text) {
     while (parser.HandleNextDocument(builder)) {
     }
     loaded.root = builder.root() ? builder.root() : std::make_shared<Value>();
+  } catch (const Refusal& refusal) {
+    loaded.error = refusal.message;
   } catch (const YAML::Exception& error) {
-    loaded.error = line_of(error.mark) + error.msg;
+    loaded.error = at_mark(error.mark, {Code::kPyYamlInItsWords, {error.msg}});
   } catch (const std::exception& error) {
-    loaded.error = error.what();
+    loaded.error = {Code::kPyYamlInItsWords, {error.what()}};
   }
   return loaded;
 }

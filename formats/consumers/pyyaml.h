@@ -5,6 +5,8 @@
 // characters) this reader refuses, and the types of the scalars are PyYAML's: `1e-5` is a string, `017` is 15.
 #pragma once
 
+#include "fca/message.h"
+
 #include <memory>
 #include <string>
 #include <string_view>
@@ -33,8 +35,8 @@ struct Value {
 };
 
 struct Loaded {
-  ValuePtr root;      ///< Null if refused; an empty text is a Value of kind kNull.
-  std::string error;  ///< Why PyYAML raises, empty if it does not.
+  ValuePtr root;  ///< Null if refused; an empty text is a Value of kind kNull.
+  Message error;  ///< Why PyYAML raises, a clause; says nothing if it does not.
 };
 
 [[nodiscard]] Loaded safe_load(std::string_view text);
@@ -42,7 +44,7 @@ struct Loaded {
 /// Kind and number of a plain scalar (exposed for the tests of the typing rules).
 [[nodiscard]] Value resolve_plain_scalar(std::string_view text);
 
-/// "the string '1e-5'", "the int 190", "a list of 3": for sentences.
-[[nodiscard]] std::string describe(const Value& value);
+/// "the string '1e-5'", "the int 190", "a list of 3": a clause for sentences.
+[[nodiscard]] Message describe(const Value& value);
 
 }  // namespace fca::consumers::pyyaml

@@ -23,6 +23,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fca/code.h"
 #include "opencv_formulas.h"
 #include "programs.h"
 
@@ -51,7 +52,6 @@ struct CameraInfo {
   std::uint32_t roi_height = 0;
 };
 
-/// parse_yml.cpp, with sentences in place of asserts.
 /// YAML::Node::as<double>, whose stream has the locale of the program around.
 double real(const YAML::Node& node) {
   if (node.IsScalar()) {
@@ -68,6 +68,7 @@ double real(const YAML::Node& node) {
   throw YAML::TypedBadConversion<double>(node.Mark());
 }
 
+/// parse_yml.cpp, with sentences in place of asserts.
 class Parser {
  public:
   Parser(CameraInfo& info, ConsumerView& view) : info_(info), view_(view) {}
@@ -107,8 +108,7 @@ class Parser {
     key_ = key;
     const YAML::Node node = doc[key];
     if (node["rows"].as<int>() != rows || node["cols"].as<int>() != cols) {
-      view_.refusals.emplace_back(std::string(key) + " is not " + std::to_string(rows) + " x " + std::to_string(cols) +
-                                  ": camera_calibration_parsers asserts that, or without asserts reads beyond its array");
+      view_.refusals.emplace_back(Code::kRosSaysMatrixSize, key, std::vector<Argument>{key, rows, cols});
       return;
     }
     const YAML::Node data = node["data"];
@@ -123,7 +123,7 @@ class Parser {
     const YAML::Node data = node["data"];
     constexpr int kMost = 1000;
     if (rows < 0 || cols < 0 || rows > kMost || cols > kMost) {
-      view_.refusals.emplace_back("distortion_coefficients has a size that no memory holds");
+      view_.refusals.emplace_back(Code::kRosSaysCoefficientsTooMany, key_);
       return;
     }
     for (int i = 0; i < rows * cols; ++i) info_.D.push_back(real(data[i]));
@@ -181,9 +181,11 @@ class IniParser {
     const auto found = std::find(section.begin(), section.end(), key);
     if (static_cast<std::size_t>(section.end() - found) > count)
       return section.subspan(static_cast<std::size_t>(found - section.begin()) + 1, count);
-    view_.refusals.emplace_back(found == section.end()
-                                    ? "camera_calibration_parsers fails to find key '" + key + "' in " + section.front()
-                                    : "camera_calibration_parsers reads beyond the lines of '" + key + "'");
+    if (found == section.end()) {
+      view_.refusals.emplace_back(Code::kRosSaysKeyMissing, key, std::vector<Argument>{key, section.front()});
+    } else {
+      view_.refusals.emplace_back(Code::kRosSaysLinesMissing, key, std::vector<Argument>{key});
+    }
     return {};
   }
 
@@ -191,7 +193,8 @@ class IniParser {
     const std::span<const std::string> value = behind(section, key, 1);
     if (value.empty()) return 0;
     const long number = std::strtol(value.front().c_str(), nullptr, 10);
-    if (number <= 0 || number > INT32_MAX) view_.refusals.emplace_back("'" + value.front() + "' is no " + key);
+    if (number <= 0 || number > INT32_MAX)
+      view_.refusals.emplace_back(Code::kRosSaysNoCount, key, std::vector<Argument>{value.front(), key});
     return static_cast<std::uint32_t>(number);
   }
 
@@ -218,7 +221,7 @@ class IniParser {
     if (values.size() != N) return;
     std::copy(values.begin(), values.end(), into.begin());
     if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); }))
-      view_.refusals.emplace_back("camera_calibration_parsers: error parsing '" + key + "', incorrect size");
+      view_.refusals.emplace_back(Code::kRosSaysMatrixNotParsed, key, std::vector<Argument>{key});
   }
 
   void camera(std::span<const std::string> section) {
@@ -229,7 +232,7 @@ class IniParser {
     info_.distortion_model = info_.D.size() == kPlumbBob ? "plumb_bob" : "rational_polynomial";
     for (const double coefficient : info_.D) {
       if (!std::isnan(coefficient)) continue;
-      view_.refusals.emplace_back("distortion has neither 5 nor 8 numbers: coefficients that are missing become nan");
+      view_.refusals.emplace_back(Code::kRosSaysCoefficientCount, "distortion");
       break;
     }
     matrix(section, "camera matrix", info_.K);
@@ -302,24 +305,26 @@ class Model {
 };
 
 /// What stops image_geometry, or OpenCV below it.
-std::vector<std::string> problems_of(const CameraInfo& info, const Model& model) {
-  std::vector<std::string> problems;
+std::vector<Complaint> problems_of(const CameraInfo& info, const Model& model) {
+  std::vector<Complaint> problems;
   const bool opencv = info.distortion_model == "plumb_bob" || info.distortion_model == "rational_polynomial";
   const std::size_t count = info.D.size();
+  const auto say = [&problems](Code code, std::string key, std::vector<Argument> arguments = {}) {
+    problems.emplace_back(code, std::move(key), std::move(arguments));
+  };
+  constexpr std::size_t kShown = 40;
   if (!opencv && info.distortion_model != "equidistant") {
-    problems.push_back("image_geometry does not know distortion_model '" + info.distortion_model.substr(0, 40) +
-                       "' and throws: distortion is unknown");
+    say(Code::kRosSaysUnknownModel, "distortion_model", {info.distortion_model.substr(0, kShown)});
   } else if (opencv && model.calibrated() && count != 4 && count != 5 && count != 8 && count != 12 && count != 14) {
-    problems.push_back("cv::projectPoints stops: " + std::to_string(count) + " coefficients are not 4, 5, 8, 12 or 14");
+    say(Code::kRosSaysOpenCvCount, "distortion_coefficients", {count});
   } else if (!opencv && model.calibrated() && count != 4) {
-    problems.push_back("cv::fisheye stops: " + std::to_string(count) + " coefficients are not 4");
+    say(Code::kRosSaysFisheyeCount, "distortion_coefficients", {count});
   }
-  if (info.P[0] == 0.0 || info.P[5] == 0.0)
-    problems.emplace_back("projection_matrix has a focal length of 0: every point that image_geometry computes is nan");
-  if (info.P[11] != 0.0) problems.emplace_back("projection_matrix(2, 3) is not 0, which image_geometry asserts");
+  if (info.P[0] == 0.0 || info.P[5] == 0.0) say(Code::kRosSaysNoFocalLength, "projection_matrix");
+  if (info.P[11] != 0.0) say(Code::kRosSaysProjectionCorner, "projection_matrix");
   const std::uint64_t right = static_cast<std::uint64_t>(info.x_offset) + info.roi_width;
   const std::uint64_t bottom = static_cast<std::uint64_t>(info.y_offset) + info.roi_height;
-  if (right > info.width || bottom > info.height) problems.emplace_back("the roi reaches beyond the image: OpenCV stops");
+  if (right > info.width || bottom > info.height) say(Code::kRosSaysRoiOutside, "roi");
   return problems;
 }
 
@@ -337,7 +342,7 @@ std::size_t read(const std::string& bytes, CameraInfo& info, ConsumerView& view)
   const std::vector<std::string> lines = IniParser::lines_of(bytes);
   if (!lines.empty() && lines.front().front() == '[' && lines.front().back() == ']') {
     const std::size_t cameras = IniParser(info, view).parse(lines);
-    if (cameras == 0 && view.loads()) view.refusals.emplace_back("no section of a camera stands in the file");
+    if (cameras == 0 && view.loads()) view.refusals.emplace_back(Code::kRosSaysNoCamera, "");
     return cameras;
   }
   Parser parser(info, view);
@@ -345,8 +350,9 @@ std::size_t read(const std::string& bytes, CameraInfo& info, ConsumerView& view)
     parser.parse(bytes);
   } catch (const YAML::Exception& error) {
     const std::string key = parser.key();
-    view.refusals.emplace_back("camera_calibration_parsers refuses the file" + (key.empty() ? "" : " at " + key) + ": " +
-                               error.what());
+    std::vector<Message> at;
+    if (!key.empty()) at = {{Code::kRosSaysAtKey, {key}}};
+    view.refusals.emplace_back(Code::kRosSaysNotParsed, key, std::vector<Argument>{at, error.what()});
   }
   return 1;
 }
@@ -356,14 +362,14 @@ std::size_t read(const std::string& bytes, CameraInfo& info, ConsumerView& view)
 ConsumerView load_ros(std::string_view bytes, const LoadOptions& /*options*/) {
   ConsumerView view;
   if (bytes.size() > kMaxBytes) {
-    view.refusals.emplace_back("the file is larger than 2 MiB; not read");
+    view.refusals.emplace_back(Code::kProgramFileTooLarge, "");
     return view;
   }
   CameraInfo info;
   const std::size_t cameras = read(std::string(bytes), info, view);
   if (!view.loads()) return view;
   const Model model(info);
-  for (std::string& problem : problems_of(info, model)) view.refusals.emplace_back(std::move(problem));
+  view.refusals = problems_of(info, model);
   if (!view.loads()) return view;
 
   ConsumerCamera camera;
@@ -374,12 +380,11 @@ ConsumerView load_ros(std::string_view bytes, const LoadOptions& /*options*/) {
   camera.model = info.distortion_model;
   camera.misread = is_misread(info, model) || cameras > 1;
   if (cameras > 1) {
-    view.warnings.emplace_back("of the " + std::to_string(cameras) + " cameras in the file the last takes the others' place");
+    view.warnings.emplace_back(Code::kRosSaysLastCameraKept, "", std::vector<Argument>{cameras});
   } else if (camera.misread) {
-    view.warnings.emplace_back(
-        info.distortion_model == "equidistant"
-            ? "all coefficients are 0: image_geometry takes the camera for a pinhole"
-            : "all coefficients are 0: image_geometry takes the images for rectified ones and does not apply R and P");
+    const bool fisheye = info.distortion_model == "equidistant";
+    view.warnings.emplace_back(fisheye ? Code::kRosSaysFisheyeOfZeros : Code::kRosSaysCoefficientsOfZeros,
+                               "distortion_coefficients");
   }
   camera.project = [model](const Ray& ray) { return model.project(ray); };
   view.cameras.push_back(std::move(camera));

@@ -57,10 +57,11 @@ bool has_too_many_elements(std::string_view text) {
   return false;
 }
 
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
+/// The beginning of a text of the file, on one line.
+std::string shown(const std::string& text) {
+  std::string result;
   for (const char c : text.substr(0, 80)) result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  return result + "\"";
+  return result;
 }
 
 std::string shortest(double value) {
@@ -71,15 +72,18 @@ std::string shortest(double value) {
   return is_plain ? text + ".0" : text;
 }
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw cv::Exception(cv::Error::StsParseError, sentence, "read_matrix", __FILE__, __LINE__);
-}
+/// Of a matrix that OpenCV is not asked to read. Its `err` has the same in words, for the time being.
+struct MatrixFault : cv::Exception {
+  MatrixFault(Message clause, const std::string& words)
+      : cv::Exception(cv::Error::StsParseError, words, "read_matrix", __FILE__, __LINE__), message(std::move(clause)) {}
+  Message message;
+};
 
 std::int64_t length_of(const cv::FileNode& matrix, const char* side) {
   constexpr int kMaxSide = 1 << 20;
   const cv::FileNode length = matrix[side];
   if (length.isInt() && static_cast<int>(length) >= 0 && static_cast<int>(length) <= kMaxSide) return static_cast<int>(length);
-  refuse(std::string(side) + " is no count of rows or columns");
+  throw MatrixFault({Code::kStorageNoCount, {side}}, std::string(side) + " is no count of rows or columns");
 }
 
 /// The 3 of `dt: 3f`; OpenCV's own limit (CV_CN_MAX) is 512.
@@ -93,43 +97,58 @@ std::int64_t channels_of(const cv::FileNode& matrix) {
 
 }  // namespace
 
-std::string find_obstacle(std::string_view bytes) {
-  if (bytes.empty()) return "the file is empty";
-  if (bytes.size() > kMaxBytes) return "the file is larger than 2 MiB; not read";
-  if (bytes.find('\0') != std::string_view::npos) return "the file contains a zero byte: it is not text";
+Code obstacle_of(std::string_view bytes) {
+  if (bytes.empty()) return Code::kProgramFileEmpty;
+  if (bytes.size() > kMaxBytes) return Code::kProgramFileTooLarge;
+  if (bytes.find('\0') != std::string_view::npos) return Code::kStorageZeroByte;
   constexpr std::string_view kBlanksAndBom = " \t\r\n\xEF\xBB\xBF";
   const std::size_t first = bytes.find_first_not_of(kBlanksAndBom);
   const std::string_view head = first == std::string_view::npos ? std::string_view() : bytes.substr(first);
-  if (head.starts_with("<")) {
-    return has_too_many_elements(bytes) ? "more than 64 nested or 512 elements; not read" : std::string();
-  }
-  if (is_nested_too_deep(bytes, head.starts_with("{")))
-    return "more than 64 nested lists or maps, or an indentation beyond 200";
-  return {};
+  if (head.starts_with("<")) return has_too_many_elements(bytes) ? Code::kStorageTooManyElements : Code::kNone;
+  return is_nested_too_deep(bytes, head.starts_with("{")) ? Code::kStorageNestedTooDeep : Code::kNone;
 }
 
-ConsumerView read(std::string_view bytes, std::string_view program, std::string_view reader,
+std::string find_obstacle(std::string_view bytes) {
+  switch (obstacle_of(bytes)) {
+    case Code::kProgramFileEmpty:
+      return "the file is empty";
+    case Code::kProgramFileTooLarge:
+      return "the file is larger than 2 MiB; not read";
+    case Code::kStorageZeroByte:
+      return "the file contains a zero byte: it is not text";
+    case Code::kStorageTooManyElements:
+      return "more than 64 nested or 512 elements; not read";
+    case Code::kStorageNestedTooDeep:
+      return "more than 64 nested lists or maps, or an indentation beyond 200";
+    default:
+      return {};
+  }
+}
+
+ConsumerView read(std::string_view bytes, std::string_view program, const Argument& reader,
                   const std::function<void(const cv::FileStorage&, ConsumerView&)>& body) {
   ConsumerView view;
-  std::string obstacle = find_obstacle(bytes);
+  Code obstacle = obstacle_of(bytes);
   // From memory it skips the mark, from a file its parsers meet it and throw (persistence_yml.cpp:824, OpenCV 4.6).
-  if (obstacle.empty() && bytes.starts_with("\xEF\xBB\xBF"))
-    obstacle = "the file begins with a byte order mark (BOM), which cv::FileStorage does not parse";
-  if (!obstacle.empty()) {
-    view.refusals.emplace_back(std::move(obstacle));
+  if (obstacle == Code::kNone && bytes.starts_with("\xEF\xBB\xBF")) obstacle = Code::kStorageByteOrderMark;
+  if (obstacle != Code::kNone) {
+    view.refusals.emplace_back(obstacle, "");
     return view;
   }
+  const auto refuse = [&view](Code code, std::vector<Argument> arguments) {
+    view.refusals.emplace_back(code, "", std::move(arguments));
+  };
   try {
     const cv::FileStorage storage(std::string(bytes), cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (storage.isOpened()) {
       body(storage, view);
     } else {
-      view.refusals.emplace_back("cv::FileStorage finds no document in the file");
+      refuse(Code::kStorageNoDocument, {});
     }
   } catch (const cv::Exception& error) {
-    view.refusals.emplace_back(std::string(reader) + " does not take the file: " + one_line(error.err));
+    refuse(Code::kStorageNotTaken, {reader, fault_of(error)});
   } catch (const std::exception& error) {
-    view.refusals.emplace_back(std::string(program) + " stops: " + one_line(error.what()));
+    refuse(Code::kStorageProgramStops, {program, one_line(error.what())});
   }
   if (!view.loads()) {
     view.cameras.clear();
@@ -140,10 +159,18 @@ ConsumerView read(std::string_view bytes, std::string_view program, std::string_
 
 bool is_number(const cv::FileNode& node) { return node.isInt() || node.isReal(); }
 
+Argument description_of(const cv::FileNode& node) {
+  if (node.isInt()) return static_cast<int>(node);
+  if (node.isReal()) return Message{Code::kValueReal, {node.real()}};
+  if (node.isString()) return Message{Code::kValueString, {shown(node.string())}};
+  if (node.isSeq()) return Message{Code::kValueList};
+  return Message{node.isMap() ? Code::kValueMap : Code::kValueNothing};
+}
+
 std::string describe(const cv::FileNode& node) {
   if (node.isInt()) return std::to_string(static_cast<int>(node));
   if (node.isReal()) return shortest(node.real());
-  if (node.isString()) return "the string " + quoted(node.string());
+  if (node.isString()) return "the string \"" + shown(node.string()) + "\"";
   if (node.isSeq()) return "a list";
   return node.isMap() ? "a map" : "nothing";
 }
@@ -151,8 +178,16 @@ std::string describe(const cv::FileNode& node) {
 cv::Mat read_matrix(const cv::FileNode& node) {
   const std::int64_t stated = length_of(node, "rows") * length_of(node, "cols") * channels_of(node);
   const auto given = static_cast<std::int64_t>(node["data"].size());
-  if (stated > given) refuse("it has " + std::to_string(given) + " numbers for " + std::to_string(stated) + " places");
+  if (stated > given) {
+    throw MatrixFault({Code::kStorageTooFewNumbers, {given, stated}},
+                      "it has " + std::to_string(given) + " numbers for " + std::to_string(stated) + " places");
+  }
   return node.mat();
+}
+
+Argument fault_of(const cv::Exception& error) {
+  if (const auto* const fault = dynamic_cast<const MatrixFault*>(&error)) return fault->message;
+  return one_line(error.err);
 }
 
 std::string one_line(std::string text) {

@@ -8,13 +8,13 @@
 // otherwise. A camera of zeros is refused here: nobody can mean it.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 
+#include "fca/code.h"
 #include "programs.h"
 #include "storage.h"
 
@@ -25,7 +25,13 @@ using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Projection = std::function<std::optional<Pixel>(const Ray&)>;
 
-constexpr std::string_view kReader = "OpenCV's reader, which VINS uses,";
+constexpr std::string_view kProgram = "VINS";
+
+/// Of sentences that begin with the key.
+void refuse(ConsumerView& view, Code code, const std::string& key, std::vector<Argument> arguments = {}) {
+  arguments.insert(arguments.begin(), key);
+  view.refusals.emplace_back(code, key, std::move(arguments));
+}
 
 std::optional<Pixel> finite(const Pixel& pixel) {
   return std::isfinite(pixel[0]) && std::isfinite(pixel[1]) ? std::optional(pixel) : std::nullopt;
@@ -39,10 +45,10 @@ class Parameters {
   /// static_cast<double>(node); what is not there is said.
   double operator()(const std::string& section, const std::string& key) {
     const cv::FileNode node = storage_[section][key];
-    if (!storage::is_number(node)) {
-      view_.refusals.emplace_back(section + "/" + key +
-                                  (node.empty() ? " is missing: VINS reads 0 and says nothing"
-                                                : " is " + storage::describe(node) + ", not a number: VINS reads 1.8e308"));
+    if (node.empty()) {
+      refuse(view_, Code::kVinsSaysMissing, section + "/" + key);
+    } else if (!storage::is_number(node)) {
+      refuse(view_, Code::kVinsSaysNoNumber, section + "/" + key, {storage::description_of(node)});
     }
     return static_cast<double>(node);
   }
@@ -111,8 +117,7 @@ Projection read_pinhole_full(Parameters& parameters, ConsumerCamera& camera, Con
   const bool none = k[0] == 0.0 && k[1] == 0.0 && k[6] == 0.0 && k[7] == 0.0;
   if (none && std::any_of(k.begin() + 2, k.begin() + 6, [](double value) { return value != 0.0; })) {
     camera.misread = true;
-    view.warnings.emplace_back(
-        "k1, k2, p1 and p2 are 0: PINHOLE_FULL is then taken for a lens without distortion, whatever k3 to k6 are");
+    view.warnings.emplace_back(Code::kVinsSaysFullOfZeros, "distortion_parameters");
   }
   return [k, linear, none](const Ray& p) {
     const double x = p[0] / p[2];
@@ -228,40 +233,30 @@ struct Ocam {
   }
 };
 
-std::string three_digits(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3).ptr;
-  return {buffer.data(), end};
-}
-
 Projection read_scaramuzza(Parameters& parameters, ConsumerCamera& camera, ConsumerView& view) {
   Ocam ocam;
   for (std::size_t i = 0; i < ocam.poly.size(); ++i) ocam.poly.at(i) = parameters("poly_parameters", "p" + std::to_string(i));
   for (std::size_t i = 0; i < ocam.inverse.size(); ++i)
     ocam.inverse.at(i) = parameters.otherwise_zero("inv_poly_parameters", "p" + std::to_string(i));
-  if (!parameters.has("inv_poly_parameters"))
-    view.refusals.emplace_back("inv_poly_parameters is missing: VINS projects every point to the centre");
+  if (!parameters.has("inv_poly_parameters")) refuse(view, Code::kVinsSaysInverseMissing, "inv_poly_parameters");
   ocam.ac = parameters("affine_parameters", "ac");
   ocam.ad = parameters("affine_parameters", "ad");
   ocam.ae = parameters("affine_parameters", "ae");
   ocam.cx = parameters("affine_parameters", "cx");
   ocam.cy = parameters("affine_parameters", "cy");
-  if (ocam.ac - ocam.ad * ocam.ae == 0.0) view.refusals.emplace_back("[ac ad; ae 1] is singular: liftProjective divides by 0");
+  if (ocam.ac - ocam.ad * ocam.ae == 0.0) view.refusals.emplace_back(Code::kVinsSaysAffineSingular, "affine_parameters");
   if (!view.loads()) return {};
   constexpr double kLargestApproximation = 1.0;  // px; beyond it is no approximation but another lens
   constexpr double kBetweenPoints = 1.5;
   const double difference = ocam.disagreement(camera.width, camera.height) * std::max(1.0, 1.0 / ocam.ac);
   camera.approximation_px = difference < kLargestApproximation ? kBetweenPoints * difference : 0.0;
   if (!(difference < 0.1)) {
-    view.warnings.emplace_back("points are projected with inv_poly_parameters, which is up to " + three_digits(difference) +
-                               " px from the inverse of poly_parameters");
+    view.warnings.emplace_back(Code::kVinsSaysInverseOff, "inv_poly_parameters", std::vector<Argument>{difference});
   }
   if (ocam.ac != 1.0 || ocam.ad != 0.0 || ocam.ae != 0.0) {
-    view.warnings.emplace_back(
-        "liftProjective forgets the affine part: the rays of scaramuzza's pixels are turned by about |ac - 1|, |ad| and |ae| "
-        "rad");
+    view.warnings.emplace_back(Code::kVinsSaysAffineForgotten, "affine_parameters");
   }
-  view.warnings.emplace_back("a point exactly on the axis has no pixel in scaramuzza (0 / 0)");
+  view.warnings.emplace_back(Code::kVinsSaysNoPixelOnAxis, "model_type");
   camera.unproject = [ocam](const Pixel& pixel) { return std::optional(ocam.unproject(pixel)); };
   camera.unproject_fault = "from pixel to ray it leaves out the affine part (ac, ad, ae)";
   return [ocam](const Ray& ray) { return finite(ocam.project(ray)); };
@@ -277,28 +272,27 @@ Projection read_model(const std::string& type, Parameters& parameters, ConsumerC
   if (same_in_any_case(type, "scaramuzza")) return read_scaramuzza(parameters, camera, view);
   for (const char* known : {"PINHOLE", "PINHOLE_FULL", "MEI", "KANNALA_BRANDT"}) {
     if (type == known || !same_in_any_case(type, known)) continue;
-    view.refusals.emplace_back("model_type is " + type + ", not " + known +
-                               ": VINS then reads every number as 0 and says nothing");
+    refuse(view, Code::kVinsSaysModelCase, "model_type", {type, known});
     return {};
   }
   if (type == "PINHOLE") return read_pinhole(parameters);
   if (type == "PINHOLE_FULL") return read_pinhole_full(parameters, camera, view);
   if (type == "MEI") return read_mei(parameters);
   if (type == "KANNALA_BRANDT") return read_kannala_brandt(parameters, camera);
-  view.refusals.emplace_back("model_type is \"" + storage::one_line(type.substr(0, 80)) +
-                             "\": VINS knows no such model and stops");
+  refuse(view, Code::kVinsSaysUnknownModel, "model_type", {storage::one_line(type.substr(0, 80))});
   return {};
 }
 
 /// static_cast<int>(node)
 int read_size(const cv::FileStorage& storage, const char* key, ConsumerView& view) {
   const cv::FileNode node = storage[key];
-  if (!storage::is_number(node)) {
-    view.refusals.emplace_back(
-        std::string(key) + (node.empty() ? " is missing: VINS reads 0" : " is " + storage::describe(node) + ", not a number"));
-    return 0;
+  if (storage::is_number(node)) return static_cast<int>(node);
+  if (node.empty()) {
+    refuse(view, Code::kVinsSaysSizeMissing, key);
+  } else {
+    refuse(view, Code::kProgramNoNumber, key, {storage::description_of(node)});
   }
-  return static_cast<int>(node);
+  return 0;
 }
 
 /// readParameters of parameters.cpp: the main configuration, whose cameras stand in files of their own.
@@ -306,20 +300,20 @@ void read_config(const cv::FileStorage& storage, ConsumerView& view) {
   const auto number = [&storage](const char* key) { return static_cast<double>(storage[key]); };
   const int count = static_cast<int>(storage["num_of_cam"]);
   if (count != 1 && count != 2)
-    view.refusals.emplace_back("num_of_cam is " + storage::describe(storage["num_of_cam"]) + ", not 1 or 2: VINS-Fusion stops");
+    refuse(view, Code::kVinsSaysCameraCount, "num_of_cam", {storage::description_of(storage["num_of_cam"])});
   for (int i = 0; i < std::min(count, 2); ++i) {
     const std::string file = "cam" + std::to_string(i) + "_calib";
-    if (!storage[file].isString()) view.refusals.emplace_back(file + " is missing: VINS-Fusion has no camera and stops");
+    if (!storage[file].isString()) refuse(view, Code::kVinsSaysCameraMissing, file);
     // 2: no prior; the first camera begins at the identity.
     if (i == 0 && static_cast<int>(storage["estimate_extrinsic"]) == 2) continue;
     const std::string key = "body_T_cam" + std::to_string(i);
     if (!storage[key].isMap()) {
-      view.refusals.emplace_back(key + " is missing: VINS-Fusion copies a matrix that is not there");
+      refuse(view, Code::kVinsSaysPoseMissing, key);
       continue;
     }
     const cv::Mat matrix = storage::read_matrix(storage[key]);
     if (matrix.rows != 4 || matrix.cols != 4 || matrix.channels() != 1) {
-      view.refusals.emplace_back(key + " is not 4 x 4: VINS-Fusion copies it unchecked");
+      refuse(view, Code::kVinsSaysPoseSize, key);
       continue;
     }
     cv::Mat T;
@@ -333,7 +327,7 @@ void read_config(const cv::FileStorage& storage, ConsumerView& view) {
                                      "max_solver_time", "max_num_iterations", "keyframe_parallax"};
   if (number("imu") != 0.0) needed.insert(needed.end(), {"acc_n", "gyr_n", "acc_w", "gyr_w", "g_norm"});
   for (const std::string& key : needed) {
-    if (number(key.c_str()) == 0.0) view.warnings.emplace_back(key + " is 0 or missing: VINS-Fusion goes on with 0");
+    if (number(key.c_str()) == 0.0) view.warnings.emplace_back(Code::kVinsSaysZero, key, std::vector<Argument>{key});
   }
 }
 
@@ -343,7 +337,7 @@ void read_camera(const cv::FileStorage& storage, ConsumerView& view) {
     return;
   }
   if (storage["model_type"].empty()) {
-    view.refusals.emplace_back("model_type is missing: VINS takes the camera for MEI, and what it does not find for 0");
+    refuse(view, Code::kVinsSaysNoModel, "model_type");
     return;
   }
   const cv::FileNode type = storage["model_type"];
@@ -351,7 +345,8 @@ void read_camera(const cv::FileStorage& storage, ConsumerView& view) {
   camera.name = "cam0";
   camera.width = read_size(storage, "image_width", view);
   camera.height = read_size(storage, "image_height", view);
-  camera.model = type.isString() ? type.string() : storage::describe(type);
+  if (!type.isString()) return refuse(view, Code::kVinsSaysUnknownModel, "model_type", {storage::description_of(type)});
+  camera.model = type.string();
   Parameters parameters(storage, view);
   camera.project = read_model(camera.model, parameters, camera, view);
   if (view.loads()) view.cameras.push_back(std::move(camera));
@@ -360,7 +355,7 @@ void read_camera(const cv::FileStorage& storage, ConsumerView& view) {
 }  // namespace
 
 ConsumerView load_vins(std::string_view bytes, const LoadOptions&) {
-  return storage::read(bytes, "VINS", kReader, &read_camera);
+  return storage::read(bytes, kProgram, storage::reader_of(kProgram), &read_camera);
 }
 
 }  // namespace fca::consumers

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "camera_info.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -53,24 +54,18 @@ class YamlFinder {
  private:
   /// Without them a camera is known all the same: ROVIO, for one, reads such files.
   void warn_of_missing(const CameraInfo& info) {
-    const auto warn = [this](std::string_view key) {
-      SourceRange where = reader_.document().range(root_);
-      where.length = 1;
-      reader_.diagnostics().warning(
-          "missing-key", "there is no " + std::string(key) + ": ROS's parser refuses the file", where,
-          key == kRectification ? "of a camera that is no part of a stereo pair it is the identity"
-          : key == kProjection  ? "of a camera that is no part of a stereo pair it is camera_matrix with a column of zeros"
-                                : "add it");
-    };
-    if (info.width == nullptr) warn("image_width");
-    if (info.height == nullptr) warn("image_height");
-    if (reader_.find(root_, kRectification) == nullptr) warn(kRectification);
-    if (reader_.find(root_, kProjection) == nullptr) warn(kProjection);
+    SourceRange where = reader_.document().range(root_);
+    where.length = 1;
+    Diagnostics& diagnostics = reader_.diagnostics();
+    if (info.width == nullptr) diagnostics.add(Code::kRosKeyMissing, {"image_width"}, where);
+    if (info.height == nullptr) diagnostics.add(Code::kRosKeyMissing, {"image_height"}, where);
+    if (reader_.find(root_, kRectification) == nullptr) diagnostics.add(Code::kRosRectificationMissing, {}, where);
+    if (reader_.find(root_, kProjection) == nullptr) diagnostics.add(Code::kRosProjectionMissing, {}, where);
   }
 
   std::optional<Numbers> numbers(const Node& node, std::string_view key, int& rows, int& columns) {
     if (!node.is_mapping()) {
-      reader_.error(node, "not-a-matrix", std::string(key) + " is no mapping of rows, cols and data");
+      reader_.say(node, Code::kRosNotAMatrix, {key});
       return std::nullopt;
     }
     const std::optional<fields::Reader::Matrix> matrix = reader_.opencv_matrix(node, key);
@@ -91,10 +86,8 @@ class YamlFinder {
     into = numbers(*node, key, rows, columns);
     if (!into) return false;
     if (rows == wanted_rows && columns == wanted_columns) return true;
-    const auto size = [](int r, int c) { return std::to_string(r) + " x " + std::to_string(c); };
-    reader_.error(
-        *reader_.find(*node, rows != wanted_rows ? "rows" : "cols"), "wrong-length",
-        std::string(key) + " is " + size(rows, columns) + "; ROS's parser wants " + size(wanted_rows, wanted_columns));
+    reader_.say(*reader_.find(*node, rows != wanted_rows ? "rows" : "cols"), Code::kRosMatrixSize,
+                {key, rows, columns, wanted_rows, wanted_columns});
     return false;
   }
 
@@ -120,8 +113,7 @@ class YamlFinder {
     if (!value) return false;
     constexpr int kLargest = 64;
     if (*value < 0 || *value > kLargest) {
-      reader_.error(*node, "out-of-range", std::string(key) + " is " + std::to_string(*value) + "; no sensor bins so",
-                    "write how many pixels become one, or 0 for none");
+      reader_.say(*node, Code::kRosBinningImpossible, {key, *value});
       return false;
     }
     binning = std::max(*value, 1);  // 0 is the same as 1
@@ -132,7 +124,7 @@ class YamlFinder {
     info.roi = reader_.find(root_, "roi");
     if (info.roi == nullptr) return true;
     if (!info.roi->is_mapping()) {
-      reader_.error(*info.roi, "not-a-mapping", "roi has no x_offset, y_offset, width and height");
+      reader_.say(*info.roi, Code::kRosRoiNoMapping);
       return false;
     }
     std::array<int, 4> values{};
@@ -143,7 +135,7 @@ class YamlFinder {
           node != nullptr ? reader_.integer(*node, "roi " + std::string(kParts.at(i))) : std::nullopt;
       if (!value) return false;
       if (*value < 0) {
-        reader_.error(*node, "out-of-range", "roi " + std::string(kParts.at(i)) + " is " + std::to_string(*value));
+        reader_.say(*node, Code::kRosRoiNegative, {kParts.at(i), *value});
         return false;
       }
       values.at(i) = *value;
@@ -173,7 +165,7 @@ std::optional<CameraInfo> find_in_yaml(fields::Reader& reader) { return YamlFind
 std::optional<std::vector<CameraInfo>> find_camera_infos(fields::Reader& reader) {
   if (reader.document().syntax() == text::Syntax::kWords) return find_in_ini(reader);
   if (!reader.document().root().is_mapping()) {
-    reader.error(reader.document().root(), "wrong-syntax", "a camera_info is a mapping of keys and values");
+    reader.say(reader.document().root(), Code::kRosNoMapping);
     return std::nullopt;
   }
   std::optional<CameraInfo> info = find_in_yaml(reader);

@@ -3,6 +3,7 @@
 
 #include "camera_info.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -52,25 +53,17 @@ class IniFinder {
         image = {};
         if (!read_image(section, image)) return std::nullopt;
       } else if (section.header.text != "[externals]") {
-        if (image.width == nullptr) {
-          reader_.warning(*section.header.node, "missing-key",
-                          "there is no section [image] before the camera: ROS takes its image for one of 0 x 0 pixels",
-                          "add [image] with width and height");
-        }
+        if (image.width == nullptr) reader_.say(*section.header.node, Code::kRosIniNoImage);
         CameraInfo info = image;
         if (!read_camera(section, info)) return std::nullopt;
         infos.push_back(std::move(info));
       }
     }
     if (infos.empty()) {
-      reader_.error(reader_.document().root(), "missing-key", "no section of a camera stands here: [name], camera matrix, ...");
+      reader_.say(reader_.document().root(), Code::kRosIniNoCamera);
       return std::nullopt;
     }
-    if (infos.size() > 1) {
-      reader_.warning(*infos.back().K->place, "program-misreads",
-                      "the file holds " + std::to_string(infos.size()) + " cameras, of which ROS's parser keeps the last",
-                      "write each camera into a file of its own");
-    }
+    if (infos.size() > 1) reader_.say(*infos.back().K->place, Code::kRosIniManyCameras, {infos.size()});
     return infos;
   }
 
@@ -91,7 +84,7 @@ class IniFinder {
   std::optional<std::size_t> value_of(const Section& section, std::string_view key) {
     const auto found = std::ranges::find(section.lines, key, &Line::text);
     if (found == section.lines.end() || found + 1 == section.lines.end()) {
-      reader_.error(*section.header.node, "missing-key", "the section " + section.header.text + " has no " + std::string(key));
+      reader_.say(*section.header.node, Code::kRosIniKeyMissing, {section.header.text, key});
       return std::nullopt;
     }
     return static_cast<std::size_t>(found + 1 - section.lines.begin());
@@ -136,9 +129,7 @@ class IniFinder {
       const std::size_t count = there ? line.node->items.size() : 0;
       if (there && !read_row(line, key, numbers)) return false;
       if (count == columns) continue;
-      reader_.error(*line.node, "wrong-length",
-                    key + ", row " + std::to_string(row + 1) + ": " + std::to_string(count) + " numbers; " +
-                        std::to_string(columns) + " are wanted, in " + std::to_string(rows) + " rows");
+      reader_.say(*line.node, Code::kRosIniRowLength, {key, row + 1, count, columns, rows});
       return false;
     }
     into = std::move(numbers);
@@ -155,9 +146,7 @@ class IniFinder {
     constexpr std::size_t kPlumbBob = 5;
     constexpr std::size_t kRational = 8;
     if (numbers.values.size() == kPlumbBob || numbers.values.size() == kRational) return true;
-    reader_.error(*line.node, "wrong-length",
-                  "distortion has " + std::to_string(numbers.values.size()) +
-                      " numbers; plumb_bob has 5, rational_polynomial 8, and ROS's parser takes what is missing for nan");
+    reader_.say(*line.node, Code::kRosIniCoefficientCount, {numbers.values.size()});
     return false;
   }
 

@@ -2,6 +2,7 @@
 #include "camera_info.h"
 #include "ros.h"
 
+#include <fca/code.h>
 #include <fca/folded_name.h>
 #include <fca/formats/text/numbers.h>
 
@@ -44,27 +45,19 @@ class CameraReader {
   bool check_camera_matrix(const Numbers& K) {
     const auto& k = K.values;
     if (k[2] == 0.0 && k[5] == 0.0 && (k[6] != 0.0 || k[7] != 0.0)) {
-      reader_.error(*K.nodes[6], "matrix-transposed", "camera_matrix is transposed: its principal point stands in the last row",
-                    "write fx 0 cx, 0 fy cy, 0 0 1 row by row");
+      reader_.say(*K.nodes[6], Code::kRosMatrixTransposed);
       return false;
     }
     if (k[1] != 0.0) {
-      reader_.error(*K.nodes[1], "skew",
-                    "camera_matrix has a skew of " + text::format_short(k[1]) +
-                        " px at (0, 1), which no model here holds; image_geometry ignores it, others do not",
-                    "calibrate without skew, or write 0 there");
+      reader_.say(*K.nodes[1], Code::kRosSkew, {k[1]});
       return false;
     }
     for (const std::size_t place : {3U, 6U, 7U}) {
       if (k[place] == 0.0) continue;
-      reader_.error(*K.nodes[place], "not-a-camera-matrix",
-                    "camera_matrix has " + text::format_short(k[place]) + " where a camera matrix has 0");
+      reader_.say(*K.nodes[place], Code::kRosNotACameraMatrix, {k[place]});
       return false;
     }
-    if (k[8] != 1.0) {
-      reader_.warning(*K.nodes[8], "matrix-corner", "camera_matrix(2, 2) is " + text::format_short(k[8]) + ", not 1",
-                      "write 1.0");
-    }
+    if (k[8] != 1.0) reader_.say(*K.nodes[8], Code::kRosMatrixCorner, {k[8]});
     return true;
   }
 
@@ -83,9 +76,7 @@ class CameraReader {
   std::optional<Family> family() {
     if (info_.counted) return Family::kOpenCv;
     if (info_.model == nullptr) {
-      reader_.warning(*info_.D->place, "key-assumed",
-                      "there is no distortion_model: ROS's parser takes plumb_bob, with a warning of its own",
-                      "add  distortion_model: plumb_bob");
+      reader_.say(*info_.D->place, Code::kRosModelAssumed);
       return Family::kOpenCv;
     }
     const std::string& name = info_.model->value;
@@ -106,13 +97,12 @@ class CameraReader {
     if (fisheye && info_.D->values.size() == kFisheyeCount) meant = "equidistant";
     if (id == "radtan" || none) meant = "plumb_bob";
     if (id == "rational") meant = "rational_polynomial";
-    const std::string problem = "distortion_model '" + name.substr(0, 40) + "' is none that image_geometry knows (plumb_bob, " +
-                                "rational_polynomial, equidistant): it throws at the first point or image";
+    constexpr std::size_t kShown = 40;
     if (meant.empty()) {
-      reader_.error(*info_.model, "unknown-model", problem, "convert the camera from the file of the program that made it");
+      reader_.say(*info_.model, Code::kRosUnknownModel, {name.substr(0, kShown)});
       return std::nullopt;
     }
-    reader_.warning(*info_.model, "program-refuses", problem + "; read as " + meant, "write " + meant);
+    reader_.say(*info_.model, Code::kRosModelOfOthers, {name.substr(0, kShown), meant});
     return meant == "equidistant" ? Family::kFisheye : Family::kOpenCv;
   }
 
@@ -122,18 +112,12 @@ class CameraReader {
     return *family == Family::kFisheye ? read_fisheye() : read_opencv();
   }
 
-  bool wrong_count(std::string_view wanted) {
-    reader_.error(
-        *info_.D->place, "wrong-length",
-        std::string(kCoefficients) + " has " + std::to_string(info_.D->values.size()) + " numbers; " + std::string(wanted));
-    return false;
-  }
-
   std::optional<CameraModel> read_fisheye() {
     constexpr std::size_t kCount = 4;
-    if (info_.D->values.size() != kCount &&
-        !wrong_count("equidistant has k1 k2 k3 k4, and cv::fisheye stops at any other count"))
+    if (info_.D->values.size() != kCount) {
+      reader_.say(*info_.D->place, Code::kRosFisheyeCount, {info_.D->values.size()});
       return std::nullopt;
+    }
     return with_coefficients(*make_model("kb4"), kCount);
   }
 
@@ -143,27 +127,19 @@ class CameraReader {
     constexpr std::size_t kThinPrism = 12;
     constexpr std::array<std::size_t, 6> kCounts = {0, 4, kRadtan, kRational, kThinPrism, 14};
     const std::vector<double>& d = info_.D->values;
-    if (std::ranges::find(kCounts, d.size()) == kCounts.end() &&
-        !wrong_count("cv::projectPoints, which image_geometry calls, takes 4, 5, 8, 12 or 14"))
+    if (std::ranges::find(kCounts, d.size()) == kCounts.end()) {
+      reader_.say(*info_.D->place, Code::kRosOpenCvCount, {d.size()});
       return std::nullopt;
+    }
     for (std::size_t i = kRational; i < d.size(); ++i) {
       if (d[i] == 0.0) continue;
-      const bool tilt = i >= kThinPrism;
-      reader_.error(*info_.D->nodes[i], tilt ? "tilted-sensor" : "thin-prism",
-                    "distortion_coefficients(" + std::to_string(i) + ") is " + text::format_short(d[i]) + ": " +
-                        (tilt ? "a tilted sensor" : "thin-prism distortion") + ", which no model here holds",
-                    "calibrate without it");
+      reader_.say(*info_.D->nodes[i], i >= kThinPrism ? Code::kRosTiltedSensor : Code::kRosThinPrism, {i, d[i]});
       return std::nullopt;
     }
     if (info_.D->all_zero()) return make_model("pinhole");
     const bool named_rational = info_.counted || (info_.model != nullptr && model_of(info_.model->value) == "rational");
     const bool eight = d.size() >= kRational && (d[5] != 0.0 || d[6] != 0.0 || d[7] != 0.0);
-    if (eight && !named_rational) {
-      reader_.warning(*info_.D->nodes[kRadtan], "program-ignores",
-                      "plumb_bob has 5 coefficients, and here are " + std::to_string(d.size()) +
-                          ": image_geometry computes rational_polynomial, whatever the name",
-                      "write  distortion_model: rational_polynomial");
-    }
+    if (eight && !named_rational) reader_.say(*info_.D->nodes[kRadtan], Code::kRosRationalUnderPlumbBob, {d.size()});
     const bool rational = eight || (named_rational && d.size() >= kRational);
     return with_coefficients(*make_model(rational ? "rational" : "radtan"), rational ? kRational : kRadtan);
   }
@@ -192,18 +168,15 @@ class CameraReader {
       const bool inside = info_.part->width > 0 && info_.part->height > 0 && info_.part->width <= size->width - reduction.x &&
                           info_.part->height <= size->height - reduction.y;
       if (!inside) {
-        reader_.error(*info_.roi, "out-of-range",
-                      "the roi of " + std::to_string(info_.part->width) + " x " + std::to_string(info_.part->height) +
-                          " pixels at (" + std::to_string(reduction.x) + ", " + std::to_string(reduction.y) +
-                          ") does not lie in an image of " + std::to_string(size->width) + " x " + std::to_string(size->height),
-                      "all zeros mean the whole image");
+        reader_.say(*info_.roi, Code::kRosRoiOutside,
+                    {info_.part->width, info_.part->height, reduction.x, reduction.y, size->width, size->height});
         return false;
       }
       size = info_.part;
     }
     camera.image_size = ImageSize{size->width / reduction.binning_x, size->height / reduction.binning_y};
     if (camera.image_size->width > 0 && camera.image_size->height > 0) return true;
-    reader_.error(*info_.width, "image-size-invalid", "binned, not one pixel of the image is left");
+    reader_.say(*info_.width, Code::kRosNoPixelLeft);
     return false;
   }
 
@@ -220,8 +193,7 @@ class CameraReader {
     }
     if (!info_.P || !check_projection(*info_.P) || !info_.R) return true;
     if (info_.R->all_zero()) {
-      reader_.warning(*info_.R->place, "program-misreads", "rectification_matrix is all 0: every rectified point is nan",
-                      "of a camera that is no part of a stereo pair it is the identity");
+      reader_.say(*info_.R->place, Code::kRosRectificationOfZeros);
       return true;
     }
     const Transform T = pose_of(matrix(*info_.R), projection());
@@ -253,20 +225,13 @@ class CameraReader {
   /// Is it [fx 0 cx, 0 fy cy, 0 0 1] with a column behind? A warning if not: the camera is known without it.
   bool check_projection(const Numbers& P) {
     if (P.values[0] == 0.0 || P.values[5] == 0.0) {
-      reader_.warning(*P.place, "program-refuses",
-                      P.all_zero()
-                          ? "projection_matrix is all 0: image_geometry divides by its focal length, and every point is nan"
-                          : "projection_matrix has a focal length of 0: image_geometry divides by it",
-                      "of a camera that is no part of a stereo pair it is camera_matrix with a column of zeros");
+      reader_.say(*P.place, P.all_zero() ? Code::kRosProjectionOfZeros : Code::kRosProjectionNoFocalLength);
       return false;
     }
     for (const std::size_t place : {8U, 9U, 10U, 11U}) {
       const double wanted = place == 10U ? 1.0 : 0.0;
       if (P.values[place] == wanted) continue;
-      reader_.warning(*P.nodes[place], "program-refuses",
-                      "projection_matrix(2, " + std::to_string(place - 8) + ") is " + text::format_short(P.values[place]) +
-                          ", not " + text::format_short(wanted) + ": image_geometry does not compute with such a camera",
-                      "write 0 0 1 0 as the last row");
+      reader_.say(*P.nodes[place], Code::kRosProjectionLastRow, {place - 8, P.values[place], wanted});
       return false;
     }
     return true;
@@ -276,19 +241,13 @@ class CameraReader {
   void warn_of_zeros(const Camera& camera) {
     if (!info_.D->all_zero() || !info_.P || info_.P->values[0] == 0.0) return;
     if (model_info(camera.model).id == "kb4") {
-      reader_.warning(*info_.D->place, "program-misreads",
-                      "all coefficients are 0, which image_geometry takes for no distortion at all: a pinhole, not equidistant",
-                      "write a coefficient that bends nothing but is not 0, such as k4 = 1.0e-12");
+      reader_.say(*info_.D->place, Code::kRosFisheyeOfZeros);
       return;
     }
     const Projection own = projection_of(matrix(*info_.K));
     bool rectified = !info_.R || std::ranges::equal(info_.R->values, kIdentity);
     for (const std::size_t place : {0U, 2U, 5U, 6U}) rectified = rectified && info_.P->values[place] == own.at(place);
-    if (rectified) return;
-    reader_.warning(*info_.D->place, "program-misreads",
-                    "all coefficients are 0, which image_geometry takes for images that are rectified already: it applies "
-                    "neither rectification_matrix nor projection_matrix to them",
-                    "write a coefficient that bends nothing but is not 0, such as k1 = 1.0e-12");
+    if (!rectified) reader_.say(*info_.D->place, Code::kRosCoefficientsOfZeros);
   }
 
   fields::Reader& reader_;
@@ -300,7 +259,7 @@ class CameraReader {
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.size() != 1) {
-    diagnostics.error("wrong-syntax", "a camera_info is one file");
+    diagnostics.add(Code::kRosOneFile);
     return std::nullopt;
   }
   fields::Reader reader(documents.front(), kDialect, diagnostics);
@@ -311,7 +270,7 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     const std::optional<Rig> part = CameraReader(reader, info, options).run("cam" + std::to_string(rig.cameras.size()));
     if (!part) return std::nullopt;
     if (rig.find_camera(part->cameras.front().name) != nullptr) {
-      reader.error(*info.K->place, "stated-twice", "a camera " + part->cameras.front().name + " stands here and before");
+      reader.say(*info.K->place, Code::kRosStatedTwice, {part->cameras.front().name});
       return std::nullopt;
     }
     rig.cameras.push_back(part->cameras.front());

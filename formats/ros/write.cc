@@ -7,6 +7,7 @@
 #include "../losses.h"
 #include "../one_camera_files.h"
 
+#include <fca/code.h>
 #include <fca/folded_name.h>
 #include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
@@ -167,9 +168,7 @@ void list_restated(const Rectification& rectification, Written& written) {
   if (!rectification.restated) return;
   const PoseEdge& edge = *rectification.restated;
   written.restated.push_back(edge);
-  written.losses.push_back({"pose-recomputed", "pose of " + edge.b + " in " + edge.a,
-                            "its matrix is no exact rotation, and rectification_matrix says the nearest one",
-                            "nothing: the nearest rotation is meant"});
+  written.losses.push_back(lost(Code::kRosPoseRecomputed, edge.b, std::string(kRectification), {edge.a}));
 }
 
 /// The file that is written into, with whatever cameras of the rig are its own.
@@ -221,10 +220,9 @@ class BaseFile {
 bool can_store_in_ini(const Rig& rig, Diagnostics& diagnostics) {
   bool good = true;
   for (const Camera& camera : rig.cameras) {
-    const std::string model(model_info(camera.model).id);
+    const std::string_view model = model_info(camera.model).id;
     if (ini_holds(model)) continue;
-    diagnostics.error("model-not-storable", camera.name + ": an .ini of ROS has no " + model + " model", {},
-                      "name the file .yaml, which holds it, or convert the camera with --model radtan");
+    diagnostics.add(Code::kRosIniHasNoModel, {camera.name, model});
     good = false;
   }
   return good;
@@ -242,12 +240,11 @@ std::optional<bool> names_ini(std::string_view extension) {
   return extension == ".yaml" || extension == ".yml" ? std::optional(false) : std::nullopt;
 }
 
-std::string headline(const Rig& rig, const Rectification& rectification) {
-  if (rig.cameras.size() == 1) return "a camera_info for ROS";
-  if (!rectification.chosen) return "one camera_info per camera for ROS";
+Message headline(const Rig& rig, const Rectification& rectification) {
+  if (rig.cameras.size() == 1) return {Code::kRosWroteCamera};
+  if (!rectification.chosen) return {Code::kRosWroteCameras};
   const Projection& P = rectification.cameras.front().P;
-  return "camera_info files for ROS, the first two cameras a pair (rectified to fx = fy = " + text::format_short(P[0]) +
-         ", cx = " + text::format_short(P[2]) + ", cy = " + text::format_short(P[6]) + ")";
+  return {Code::kRosWrotePair, {P[0], P[2], P[6]}};
 }
 
 }  // namespace
@@ -276,9 +273,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
         {as_file_name(camera.name) + std::string(ini ? kIniExtension : kFormat.extension), text}, diagnostics);
     if (!document) return std::nullopt;
     if (ini && section_of(camera.name) != camera.name) {
-      written.losses.push_back({"camera-renamed", "camera_name " + camera.name,
-                                "an .ini would take it for something else: the section is [" + section_of(camera.name) + "]",
-                                "name the file .yaml, which holds every name"});
+      written.losses.push_back(lost(Code::kRosCameraRenamed, camera.name, "camera_name", {section_of(camera.name)}));
     }
     if (rectified.stated) {
       const ExtraField* extra = rig.find_extra_field(camera.name, kProjection);
@@ -292,14 +287,14 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   list_restated(rectification, written);
   list_camera_losses(rig, "ROS", written.losses);
-  add_beyond_base(rig.extra_fields, said, "a camera_info has no place for it", written.losses);
+  add_beyond_base(rig.extra_fields, said, Message{Code::kRosHasNoPlace}, written.losses);
   if (old && !edits) {
-    const std::string_view why = ini != base_ini ? "another syntax is written" : "";
+    const Message why = ini != base_ini ? Message{Code::kRosAnotherSyntax} : Message{};
     add_composed_anew(*base, written.files.front().document, why, written.losses);
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), "the file is composed anew",
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
                     written.losses);
   }
-  written.headline = in_words(headline(rig, rectification));
+  written.headline = headline(rig, rectification);
   return written;
 }
 

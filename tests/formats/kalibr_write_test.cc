@@ -96,7 +96,7 @@ TEST(KalibrWrite, WholeNumbersStayFloats) {
   rig.poses.front().T_a_b = Transform{};
   const std::string bytes = chain_of(write(rig));
   const consumers::pyyaml::Loaded loaded = consumers::pyyaml::safe_load(bytes);
-  ASSERT_TRUE(loaded.root) << loaded.error;
+  ASSERT_TRUE(loaded.root) << text::text_of(loaded.error);
   const auto expect_floats = [](const consumers::pyyaml::Value* list) {
     ASSERT_NE(list, nullptr);
     for (const auto& item : list->items) {
@@ -178,7 +178,7 @@ TEST(KalibrWrite, OddTopicsSurvive) {
     const std::string bytes = chain_of(write(rig));
     EXPECT_EQ(calibration_of(bytes).rig.cameras.at(0).topic, topic);
     const consumers::pyyaml::Loaded loaded = consumers::pyyaml::safe_load(bytes);
-    ASSERT_TRUE(loaded.root) << topic << loaded.error;
+    ASSERT_TRUE(loaded.root) << topic << text::text_of(loaded.error);
     EXPECT_EQ(loaded.root->find("cam0")->find("rostopic")->kind, consumers::pyyaml::Kind::kString) << topic;
   }
 }

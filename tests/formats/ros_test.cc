@@ -3,9 +3,11 @@
 #include "formats/oracle_table.h"
 #include "formats/rigs.h"
 
+#include <fca/code.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 #include <fca/rig/rotation.h>
 
 #include <random>
@@ -127,7 +129,7 @@ TEST(Ros, AChosenRectificationMakesRowsMeet) {
       EXPECT_NEAR(a[above ? 0 : 1], b[above ? 0 : 1], 1e-9);
       EXPECT_GT(std::abs(a[above ? 1 : 0] - b[above ? 1 : 0]), 1.0);
     }
-    EXPECT_EQ(std::ranges::find(written.losses, "pose-recomputed", &Loss::code), written.losses.end());
+    EXPECT_EQ(std::ranges::find(written.losses, Code::kRosPoseRecomputed, &Loss::kind), written.losses.end());
   }
 }
 

@@ -23,7 +23,6 @@ std::span<const CodeInfo> storage_program_codes() {
       refusal(Code::kStorageNotTaken, "{0} does not take the file: {1}"),
       clause(Code::kStorageReaderOf, "OpenCV's reader, which {0} uses,"),
       refusal(Code::kStorageProgramStops, "{0} stops: {1}"),
-      clause(Code::kStorageInItsWords, "{0}"),
       clause(Code::kStorageNoCount, "{0} is no count of rows or columns"),
       clause(Code::kStorageTooFewNumbers, "it has {0} numbers for {1} places"),
       // What stands under a key of cv::FileStorage: reals keep a '.', so that they differ from ints.

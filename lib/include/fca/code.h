@@ -823,7 +823,6 @@ enum class Code : std::uint16_t {
   kStorageNotTaken,
   kStorageReaderOf,
   kStorageProgramStops,
-  kStorageInItsWords,
   kStorageNoCount,
   kStorageTooFewNumbers,
   kValueReal,
