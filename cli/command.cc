@@ -11,6 +11,7 @@
 #include "commands/report/report_command.h"
 #include "commands/show/show_command.h"
 #include "options/application.h"
+#include "shell/option_hints.h"
 
 #include <fca/formats/consumers/missing_module.h>
 
@@ -48,7 +49,7 @@ int run(std::span<const std::string> words, Streams& streams) {
   try {
     return static_cast<int>(run_words(words, streams));
   } catch (const consumers::MissingModule& error) {
-    return fail(ExitCode::kIo, std::string(error.what()) + "; install fca-io again");
+    return fail(ExitCode::kIo, text::text_of(error.facts, with_options) + "; install fca-io again");
   } catch (const std::exception& error) {
     return fail(ExitCode::kBug, std::string("a bug, please report it: ") + error.what());
   } catch (...) {

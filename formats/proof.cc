@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/proof.h>
 
+#include <fca/code.h>
 #include <fca/formats/format.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
@@ -219,41 +219,42 @@ constexpr std::array kImuNumbers = {
 /// Collects the numbers that differ, of those that both state.
 class NumberComparison {
  public:
-  void compare(const std::string& what, const std::optional<double>& ours, const std::optional<double>& theirs,
-               double rounded_to = 0.0) {
+  /// `owner`: a camera, the IMU, or nothing.
+  void compare(std::string_view owner, std::string_view what, const std::optional<double>& ours,
+               const std::optional<double>& theirs, double rounded_to = 0.0) {
     if (!ours || !theirs) return;
     const double allowed = std::max(rounded_to, kFloatPrecision * std::abs(*ours));
     if (std::abs(*ours - *theirs) <= allowed) return;
-    differing_.push_back(what + " is " + text::format_short(*theirs, 9) + ", not " + text::format_short(*ours, 9));
+    differing_.push_back({Code::kProgramOtherNumber, {owner, what, *theirs, *ours}});
   }
 
   void compare(const Camera& ours, const consumers::ConsumerCamera& theirs) {
     constexpr double kHalfNanosecond = 0.5e-9;  // Basalt counts whole ones
-    compare(ours.name + " time offset", ours.time_offset_s, theirs.time_offset_s, kHalfNanosecond);
+    compare(ours.name, "time offset", ours.time_offset_s, theirs.time_offset_s, kHalfNanosecond);
     if (!ours.image_size || theirs.width == 0) return;
     // What a program scales it cuts to ints.
     const auto cut = [](double scale) { return scale == 1.0 ? 0.0 : 1.0; };
-    compare(ours.name + " image width", ours.image_size->width * theirs.scale[0], theirs.width, cut(theirs.scale[0]));
-    compare(ours.name + " image height", ours.image_size->height * theirs.scale[1], theirs.height, cut(theirs.scale[1]));
+    compare(ours.name, "image width", ours.image_size->width * theirs.scale[0], theirs.width, cut(theirs.scale[0]));
+    compare(ours.name, "image height", ours.image_size->height * theirs.scale[1], theirs.height, cut(theirs.scale[1]));
   }
 
   void compare(const Imu& ours, const consumers::ConsumerImu& theirs) {
     for (const ImuNumber& number : kImuNumbers)
-      compare(ours.name + " " + std::string(number.name), ours.*number.ours, theirs.*number.theirs, number.rounded_to);
+      compare(ours.name, number.name, ours.*number.ours, theirs.*number.theirs, number.rounded_to);
   }
 
-  [[nodiscard]] std::vector<std::string> differing() && { return std::move(differing_); }
+  [[nodiscard]] std::vector<Message> differing() && { return std::move(differing_); }
 
  private:
-  std::vector<std::string> differing_;
+  std::vector<Message> differing_;
 };
 
-std::vector<std::string> differing_numbers(const Rig& rig, const consumers::ConsumerView& view) {
+std::vector<Message> differing_numbers(const Rig& rig, const consumers::ConsumerView& view) {
   NumberComparison numbers;
   for (std::size_t i = 0; i < std::min(rig.cameras.size(), view.cameras.size()); ++i)
     numbers.compare(rig.cameras[i], view.cameras[i]);
   if (!rig.imus.empty() && view.imu) numbers.compare(rig.imus.front(), *view.imu);
-  numbers.compare("the baseline", rig.baseline_m, view.baseline_m);
+  numbers.compare("", "the baseline", rig.baseline_m, view.baseline_m);
   return std::move(numbers).differing();
 }
 
@@ -279,8 +280,8 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   ProofResult result;
   result.program = consumer.program;
   result.loads = view.loads();
-  result.refusals = sentences_of(view.refusals);
-  result.warnings = sentences_of(view.warnings);
+  result.refusals = view.refusals;
+  result.warnings = view.warnings;
   if (!result.loads) return result;
   // The rig's cameras by position: formats may rename them.
   std::vector<Comparison> comparisons(std::min(rig.cameras.size(), view.cameras.size()));
@@ -304,7 +305,7 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   result.unanswered_share = comparison.asked > 0.0 ? 1.0 - result.compared_share : 0.0;
   result.wrong_ray_px = comparison.wrong_ray_px;
   if (comparison.wrong_rays > 0.0) {
-    const auto named = std::ranges::find_if(view.cameras, [](const auto& each) { return !each.unproject_fault.empty(); });
+    const auto named = std::ranges::find_if(view.cameras, [](const auto& each) { return each.unproject_fault.is_said(); });
     if (named != view.cameras.end()) result.wrong_ray_why = named->unproject_fault;
   }
   result.wrong_ray_share = comparison.asked > 0.0 ? comparison.wrong_rays / comparison.asked : 0.0;
@@ -333,11 +334,19 @@ std::span<const std::string_view> modes_of(std::string_view format_id) {
 }
 
 /// What a mode (empty: the first) has to say that is not said yet.
-void add_warnings(Readers::Program& program, std::string_view mode, const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) {
-    const auto is_said = [&warning](const std::string& said) { return said.ends_with(warning); };
-    if (std::ranges::none_of(program.warnings, is_said))
-      program.warnings.push_back((mode.empty() ? "" : "as " + std::string(mode) + ": ") + warning);
+void add_warnings(Readers::Program& program, std::string_view mode, const std::vector<consumers::Complaint>& warnings) {
+  for (const consumers::Complaint& warning : warnings) {
+    const Message facts = facts_of(warning);
+    const auto is_said = [&facts](const consumers::Complaint& said) {
+      if (said.facts.code == Code::kProgramAsMode) return said.facts.arguments.back() == Argument(facts);
+      return facts_of(said) == facts;
+    };
+    if (std::ranges::any_of(program.warnings, is_said)) continue;
+    if (mode.empty()) {
+      program.warnings.push_back(warning);
+    } else {
+      program.warnings.emplace_back(Code::kProgramAsMode, warning.key, std::vector<Argument>{mode, facts});
+    }
   }
 }
 
@@ -358,17 +367,19 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
       asked.sensor = mode;
       const consumers::ConsumerView view = consumer.load(bytes, asked);
       if (view.loads() && misreads_all(view)) {
-        const std::string why = view.warnings.empty() ? std::string("another model") : sentence_of(view.warnings.front());
-        program.refusals = {"it would load the file and misread it: " + why};
-        add_warnings(program, mode, {"it misreads every camera: " + why});
+        const bool says = !view.warnings.empty();
+        const std::string key = says ? view.warnings.front().key : std::string();
+        const std::vector<Argument> why = {says ? facts_of(view.warnings.front()) : Message{Code::kProgramOtherModel}};
+        program.refusals = {{Code::kProgramWouldMisread, key, why}};
+        add_warnings(program, mode, {{Code::kProgramMisreadsAll, key, why}});
         fewest = 0;
       } else if (view.loads()) {
-        add_warnings(program, program.loads ? mode : "", sentences_of(view.warnings));
+        add_warnings(program, program.loads ? mode : "", view.warnings);
         program.loads = true;
         if (!mode.empty()) program.sensors.emplace_back(mode);
       } else if (view.refusals.size() < fewest) {
         fewest = view.refusals.size();
-        program.refusals = sentences_of(view.refusals);
+        program.refusals = view.refusals;
       }
     }
     program.loads ? program.refusals.clear() : program.warnings.clear();
@@ -377,17 +388,17 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
   return readers;
 }
 
-std::optional<std::string> refused_by_all(std::string_view format, std::string_view bytes, bool with_cameras,
-                                          const consumers::LoadOptions& options) {
-  std::optional<std::string> first;
+Message refused_by_all(std::string_view format, std::string_view bytes, bool with_cameras,
+                       const consumers::LoadOptions& options) {
+  Message first;
   for (const consumers::Consumer& consumer : consumers::all_consumers()) {
     if (!consumer.reads(format) || consumer.cameras != with_cameras) continue;
     for (const std::string_view mode : modes_of(format)) {
       consumers::LoadOptions asked = options;
       asked.sensor = mode;
       const consumers::ConsumerView view = consumer.load(bytes, asked);
-      if (view.loads() || view.finds_no_camera) return std::nullopt;
-      if (!first) first = std::string(consumer.program) + ": " + sentence_of(view.refusals.front());
+      if (view.loads() || view.finds_no_camera) return {};
+      if (!first.is_said()) first = {Code::kProgramSays, {consumer.program, facts_of(view.refusals.front())}};
     }
   }
   return first;

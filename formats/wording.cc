@@ -60,6 +60,10 @@ std::string why_of(const Undecided& undecided, text::Wording wording) {
 
 namespace consumers {
 
+Message facts_of(const Complaint& complaint) {
+  return complaint.sentence.empty() ? complaint.facts : in_words(complaint.sentence);
+}
+
 std::string sentence_of(const Complaint& complaint, text::Wording wording) {
   return said(complaint.sentence, complaint.facts, text::Part::kText, wording);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "module.h"
 
+#include <fca/code.h>
 #include <fca/formats/consumers/load_module.h>
 
 #include <cstdlib>
@@ -13,7 +14,7 @@ const PictureFunctions* load() {
   // OpenCV asks for its limit when it is loaded.
   ::setenv("OPENCV_IO_MAX_IMAGE_PIXELS", std::to_string(kMostPixels).c_str(), 0);
   return static_cast<const PictureFunctions*>(
-      consumers::load_module(FCA_PICTURES_MODULE, kPictureFunctions, "which makes pictures"));
+      consumers::load_module(FCA_PICTURES_MODULE, kPictureFunctions, Message{Code::kModuleOfPictures}));
 }
 
 const PictureFunctions& functions() {

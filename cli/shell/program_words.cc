@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program_words.h"
 
+#include "option_hints.h"
 #include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/source.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 
@@ -24,10 +26,11 @@ std::string camera_text(const CameraProof& camera) {
   return text + ": misread, up to " + pixels(camera.max_diff_px) + " px from what the file means";
 }
 
-std::string refusal_text(const std::vector<std::string>& refusals) {
+std::string refusal_text(const std::vector<consumers::Complaint>& refusals) {
   constexpr std::size_t kMostSaid = 3;
   std::string text;
-  for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) text += "    " + text::printable(refusals[i]) + "\n";
+  for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i)
+    text += "    " + text::printable(sentence_of(refusals[i], with_options)) + "\n";
   if (refusals.size() > kMostSaid)
     text += "    and " + std::to_string(refusals.size() - kMostSaid) + " more (--json lists them)\n";
   return text;
@@ -47,7 +50,7 @@ std::string view_text(const ProofResult& proof, const Rig& rig, bool lens_given)
             (proof.poses_agree ? "as the file means" : "an element is off by " + text::format_short(proof.max_diff_pose, 3)) +
             "\n";
   }
-  for (const std::string& clause : proof.other_numbers) text += "    but: " + clause + "\n";
+  for (const Message& number : proof.other_numbers) text += "    but: " + text::text_of(number, with_options) + "\n";
   for (const std::string& sentence : misreadings(proof, lens_given)) text += "    but: " + text::printable(sentence) + "\n";
   return text;
 }
@@ -64,9 +67,9 @@ std::vector<std::string> misreadings(const ProofResult& proof, bool lens_given) 
   }
   if (proof.wrong_ray_share > kNoticeable) {
     sentences.push_back("it gives " + percent(proof.wrong_ray_share) + of_image + " wrong rays, " + pixels(proof.wrong_ray_px) +
-                        " px off at worst: " + proof.wrong_ray_why);
+                        " px off at worst: " + text::text_of(proof.wrong_ray_why, with_options));
   }
-  sentences.insert(sentences.end(), proof.warnings.begin(), proof.warnings.end());
+  for (const consumers::Complaint& warning : proof.warnings) sentences.push_back(sentence_of(warning, with_options));
   return sentences;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fca/formats/consumers/load_module.h"
+#include "fca/code.h"
 
 #include <dlfcn.h>
 
@@ -8,7 +9,7 @@
 
 namespace fca::consumers {
 
-const void* load_module(const std::string& path, const char* function, const std::string& what) {
+const void* load_module(const std::string& path, const char* function, const Message& what) {
   // From where the command lies, and from nowhere else: a run path is not asked under AddressSanitizer, and a dataset's folder
   // must not bring a module.
   std::error_code ignored;
@@ -19,8 +20,7 @@ const void* load_module(const std::string& path, const char* function, const std
   void* found = module != nullptr ? dlsym(module, function) : nullptr;
   if (found == nullptr) {
     const char* why = dlerror();
-    throw MissingModule("a part of the installation cannot be loaded, " + what + ": " +
-                        (why != nullptr ? std::string(why) : whole.string()));
+    throw MissingModule({Code::kModuleMissing, {what, why != nullptr ? std::string(why) : whole.string()}});
   }
   return reinterpret_cast<const void* (*)()>(found)();
 }

@@ -4,7 +4,6 @@
 // in memory. Such files are refused here, with the place where it loses its way.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -13,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "fca/code.h"
 #include "programs.h"
 
 namespace fca::consumers {
@@ -110,12 +110,6 @@ double disagreement(const OcamModel& model) {
   return worst;
 }
 
-std::string three_digits(double value) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3).ptr;
-  return {buffer.data(), end};
-}
-
 /// get_ocam_model, on a stream over the bytes.
 class ModelReader {
  public:
@@ -156,32 +150,29 @@ class ModelReader {
   bool read_polynomial(std::vector<double>& coefficients, const char* what) {
     int count = 0;
     skip_blanks();
-    if (!read_int(count, std::string("number of coefficients of the ") + what)) return false;
+    if (!read_int(count, Message{Code::kOcamNumberOfCoefficients, {what}})) return false;
     if (count < 1 || count > kMaxCoefficients) {
-      view_.refusals.emplace_back("the " + std::string(what) + " has " + std::to_string(count) +
-                                  " coefficients; the reader has " + "places for 1 to 64 and does not check");
+      view_.refusals.emplace_back(Code::kOcamCoefficientCount, "", std::vector<Argument>{what, count});
       return false;
     }
     coefficients.resize(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
-      if (!read_real(coefficients[static_cast<std::size_t>(i)], "coefficient " + std::to_string(i) + " of the " + what))
-        return false;
+      if (!read_real(coefficients[static_cast<std::size_t>(i)], Message{Code::kOcamCoefficient, {i, what}})) return false;
     }
     return true;
   }
 
-  bool read_int(int& value, const std::string& what) { return std::fscanf(file_, "%d", &value) == 1 || lose_way(what); }
-  bool read_real(double& value, const std::string& what) { return std::fscanf(file_, "%lf", &value) == 1 || lose_way(what); }
+  /// `what`: a noun, or a clause that is one.
+  bool read_int(int& value, const Argument& what) { return std::fscanf(file_, "%d", &value) == 1 || lose_way(what); }
+  bool read_real(double& value, const Argument& what) { return std::fscanf(file_, "%lf", &value) == 1 || lose_way(what); }
 
-  bool lose_way(const std::string& what) {
+  bool lose_way(const Argument& what) {
     const long at = std::ftell(file_);
     const std::size_t place = at < 0 ? bytes_.size() : std::min(static_cast<std::size_t>(at), bytes_.size());
     const std::string_view rest = bytes_.substr(place, 24);
     const std::string found(rest.substr(0, rest.find_first_of("\r\n")));
-    view_.refusals.emplace_back("the reader takes " + (found.empty() ? "the end of the file" : "\"" + found + "\"") +
-                                " for the " + what +
-                                " and goes on with garbage: it skips exactly one line before each block, and wants " +
-                                "whole numbers for counts and sizes");
+    const Message taken = found.empty() ? Message{Code::kOcamEndOfFile} : Message{Code::kOcamWords, {found}};
+    view_.refusals.emplace_back(Code::kOcamLosesWay, "", std::vector<Argument>{taken, what});
     return false;
   }
 
@@ -198,23 +189,16 @@ bool is_finite(const OcamModel& model) {
 }
 
 void check(const OcamModel& model, ConsumerView& view) {
-  if (!is_finite(model)) view.refusals.emplace_back("a number of the model is not finite");
-  if (model.width <= 0 || model.height <= 0) view.refusals.emplace_back("the image size is not positive");
-  if (model.c - model.d * model.e == 0.0) view.refusals.emplace_back("[c d; e 1] is singular: cam2world divides by 0");
+  if (!is_finite(model)) view.refusals.emplace_back(Code::kOcamNotFinite, "");
+  if (model.width <= 0 || model.height <= 0) view.refusals.emplace_back(Code::kOcamSizeNotPositive, "");
+  if (model.c - model.d * model.e == 0.0) view.refusals.emplace_back(Code::kOcamAffineSingular, "");
   if (!view.loads()) return;
-  if (model.pol.front() > 0.0) {
-    view.warnings.emplace_back(
-        "a0 is positive: cam2world gives rays to the front where OCamCalib's are to the back; the polynomial has the other "
-        "sign of z");
-  }
+  if (model.pol.front() > 0.0) view.warnings.emplace_back(Code::kOcamOtherSign, "");
   const double swapped = std::hypot(model.xc - 0.5 * model.width, model.yc - 0.5 * model.height);
   const double straight = std::hypot(model.xc - 0.5 * model.height, model.yc - 0.5 * model.width);
   const double diagonal = std::hypot(model.width, model.height);
   constexpr double kMounted = 0.03;  // diagonals: no lens sits farther from the middle; an almost square image tells nothing
-  if (swapped <= 0.5 * straight && straight >= kMounted * diagonal) {
-    view.warnings.emplace_back(
-        "the centre is read as (row, column), but is nearer to the middle of the image as (column, row): are they swapped?");
-  }
+  if (swapped <= 0.5 * straight && straight >= kMounted * diagonal) view.warnings.emplace_back(Code::kOcamCentreSwapped, "");
 }
 
 }  // namespace
@@ -222,13 +206,13 @@ void check(const OcamModel& model, ConsumerView& view) {
 ConsumerView load_ocamcalib(std::string_view bytes, const LoadOptions& /*options*/) {
   ConsumerView view;
   if (bytes.empty() || bytes.size() > kMaxBytes) {
-    view.refusals.emplace_back(bytes.empty() ? "the file is empty" : "the file is larger than 2 MiB; not read");
+    view.refusals.emplace_back(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge, "");
     return view;
   }
   std::string copy(bytes);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(::fmemopen(copy.data(), copy.size(), "r"), &std::fclose);
   if (!file) {
-    view.refusals.emplace_back("the bytes cannot be opened as a file");
+    view.refusals.emplace_back(Code::kOcamNotOpened, "");
     return view;
   }
   const std::optional<OcamModel> model = ModelReader(file.get(), bytes, view).read();
@@ -250,10 +234,7 @@ ConsumerView load_ocamcalib(std::string_view bytes, const LoadOptions& /*options
   // It was measured on a lattice. Between its points, and by the rounding of large coefficients that cancel, it may be more.
   constexpr double kBetweenPoints = 1.5;
   camera.approximation_px = difference < kLargestApproximation ? kBetweenPoints * difference : 0.0;
-  if (!(difference < 0.1)) {
-    view.warnings.emplace_back("world2cam uses the file's inverse polynomial, which is up to " + three_digits(difference) +
-                               " px from the inverse of the direct one");
-  }
+  if (!(difference < 0.1)) view.warnings.emplace_back(Code::kOcamInverseFarOff, "", std::vector<Argument>{difference});
   view.cameras.push_back(std::move(camera));
   return view;
 }

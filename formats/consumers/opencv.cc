@@ -5,7 +5,6 @@
 // cv::projectPoints, cv::fisheye::projectPoints or cv::omnidir::projectPoints (opencv_formulas.h) with what those assert.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
@@ -14,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "fca/code.h"
 #include "opencv_formulas.h"
 #include "programs.h"
-#include "ray_limits.h"
 #include "storage.h"
 
 namespace fca::consumers {
@@ -72,18 +71,10 @@ std::string_view name_of(Function function) {
   return "cv::projectPoints";
 }
 
-std::string number(double value) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return {buffer.data(), result.ptr};
-}
-
 std::optional<Pixel> finite_pixel(const Pixel& pixel) {
   if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;
   return pixel;
 }
-
-std::string size_of(const cv::Mat& matrix) { return std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols); }
 
 bool is_real(const cv::Mat& matrix) { return matrix.depth() == CV_64F || matrix.depth() == CV_32F; }
 
@@ -101,7 +92,7 @@ class Reader {
 
   void run() {
     if (!options_.opencv_model.empty() && options_.opencv_model != "pinhole" && options_.opencv_model != "fisheye") {
-      refuse("there is no function '" + options_.opencv_model + "'; pinhole and fisheye are known");
+      view_.refusals.emplace_back(Code::kCvUnknownFunction, "", std::vector<Argument>{options_.opencv_model});
       return;
     }
     if (!node("camera_0").empty()) {
@@ -114,35 +105,42 @@ class Reader {
       if (found == nullptr) {
         found = &family;
       } else {
-        view_.warnings.emplace_back(std::string(family.first.matrix) + " is not read: " + found->first.matrix + " comes first");
+        warn(Code::kCvOtherMatrixFirst, family.first.matrix, {found->first.matrix});
       }
     }
     if (found == nullptr) {
       view_.finds_no_camera = true;
-      refuse(
-          "no camera matrix under a key that OpenCV's samples read: camera_matrix, M1, K1, camera_matrix_1, "
-          "camera_matrix_left, "
-          "camera_0");
+      view_.refusals.emplace_back(Code::kCvNoCameraMatrix, "");
       return;
     }
     read_family(*found);
   }
 
  private:
-  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
+  /// Of what stands under `name`, "camera_0.camera_matrix": argument 0, `more` follow.
+  static Complaint complaint(Code code, std::string name, std::vector<Argument> more) {
+    more.insert(more.begin(), name);
+    std::replace(name.begin(), name.end(), '.', '/');
+    return {code, std::move(name), std::move(more)};
+  }
+  void refuse(Code code, const std::string& name, std::vector<Argument> more = {}) {
+    view_.refusals.push_back(complaint(code, name, std::move(more)));
+  }
+  void warn(Code code, const std::string& name, std::vector<Argument> more = {}) {
+    view_.warnings.push_back(complaint(code, name, std::move(more)));
+  }
   [[nodiscard]] cv::FileNode node(const std::string& key) const { return storage_[key]; }
 
   /// fs[key] >> Mat.
   std::optional<cv::Mat> matrix(const cv::FileNode& found, const std::string& name) {
     if (!found.isMap()) {
-      refuse(name + " is no !!opencv-matrix (rows, cols, dt, data)");
+      refuse(Code::kCvNoMatrix, name);
       return std::nullopt;
     }
     try {
       return storage::read_matrix(found);
     } catch (const cv::Exception& error) {
-      refuse(name + " is no matrix OpenCV can read (" + storage::one_line(error.err) + ")");
+      refuse(Code::kCvUnreadableMatrix, name, {storage::one_line(error.err)});
     }
     return std::nullopt;
   }
@@ -151,13 +149,13 @@ class Reader {
     const std::optional<cv::Mat> K = matrix(found, name);
     if (!K) return std::nullopt;
     if (K->rows != 3 || K->cols != 3 || K->channels() != 1 || !is_real(*K)) {
-      refuse(name + " is " + size_of(*K) + (is_real(*K) ? "" : " and not of dt: d or f") +
-             "; OpenCV's functions want 3 x 3 floating-point numbers");
+      std::vector<Message> not_real;
+      if (!is_real(*K)) not_real = {{Code::kCvNotReal}};
+      refuse(Code::kCvCameraMatrixSize, name, {K->rows, K->cols, not_real});
       return std::nullopt;
     }
     const std::vector<double> k = values_of(*K);
-    if (k[1] == 0.0 && (k[3] != 0.0 || k[6] != 0.0))
-      warn(name + " has numbers below its diagonal, which are not read: is it transposed, as MATLAB's?");
+    if (k[1] == 0.0 && (k[3] != 0.0 || k[6] != 0.0)) warn(Code::kCvMatrixTransposed, name);
     return CameraMatrix{k[0], k[4], k[2], k[5], k[1]};
   }
 
@@ -170,7 +168,7 @@ class Reader {
     const std::size_t length = D->total() * static_cast<std::size_t>(D->channels());
     const bool is_vector = D->rows == 1 || D->cols == 1;
     if (!is_vector || !is_real(*D) || std::find(kLengths.begin(), kLengths.end(), length) == kLengths.end()) {
-      refuse(name + " is " + size_of(*D) + "; OpenCV wants a floating-point vector of 4, 5, 8, 12 or 14 numbers");
+      refuse(Code::kCvDistortionSize, name, {D->rows, D->cols});
       return std::nullopt;
     }
     return values_of(*D);
@@ -180,7 +178,7 @@ class Reader {
     for (const char* name : keys.distortion) {
       if (name != nullptr && !node(name).empty()) return distortion(node(name), name);
     }
-    warn(std::string(keys.distortion.front()) + " is missing; OpenCV reads an empty matrix and projects without distortion");
+    warn(Code::kCvDistortionMissing, keys.distortion.front());
     return std::vector<double>();
   }
 
@@ -204,27 +202,20 @@ class Reader {
     const bool told = !options_.opencv_model.empty();
     if (told) {
       const bool fisheye = options_.opencv_model == "fisheye";
-      if (file_says_fisheye && *file_says_fisheye != fisheye) {
-        warn(name + ": the file says " + (*file_says_fisheye ? "fisheye" : "pinhole") + ", the program is told " +
-             options_.opencv_model);
-      }
+      if (file_says_fisheye && *file_says_fisheye != fisheye)
+        warn(Code::kCvToldOtherwise, name, {*file_says_fisheye ? "fisheye" : "pinhole", options_.opencv_model});
       return fisheye ? Function::kFisheye : Function::kPinhole;
     }
     if (file_says_fisheye) return *file_says_fisheye ? Function::kFisheye : Function::kPinhole;
     constexpr std::size_t kAmbiguous = 4;
-    if (length == kAmbiguous) {
-      warn(name +
-           " has 4 numbers, and nothing in the file says which function they are for: cv::projectPoints takes k1 k2 p1 p2, "
-           "cv::fisheye k1 k2 k3 k4; taken as the former");
-    }
+    if (length == kAmbiguous) warn(Code::kCvFourNumbers, name);
     return Function::kPinhole;
   }
 
   void add_camera(const CameraMatrix& K, const std::vector<double>& D, Function function, double xi, std::array<int, 2> size,
                   const std::string& name) {
     if (function != Function::kPinhole && D.size() != 4) {
-      refuse(name + ": " + std::to_string(D.size()) + " distortion coefficients; " + std::string(name_of(function)) +
-             " wants 4");
+      refuse(Code::kCvCoefficientsNotFour, name, {D.size(), name_of(function)});
       return;
     }
     ConsumerCamera camera;
@@ -242,7 +233,7 @@ class Reader {
       if (function == Function::kFisheye) {
         camera.project = [K, k](const Ray& ray) { return finite_pixel(fisheye_project_points(K, k, ray)); };
         camera.unproject = [K, k](const Pixel& pixel) { return std::optional(fisheye_undistort_points(K, k, pixel)); };
-        camera.unproject_fault = kUpToNinety;
+        camera.unproject_fault = {Code::kRaysUpToNinety};
       } else {
         camera.project = [K, xi, k](const Ray& ray) { return finite_pixel(omnidir_project_points(K, xi, k, ray)); };
       }
@@ -250,9 +241,9 @@ class Reader {
     if (function != Function::kOmnidir && K.skew != 0.0) {
       // At the upper or lower edge of the image; distortion aside.
       const double edge = std::max(std::abs(K.cy), std::abs(size[1] - 1 - K.cy)) / std::abs(K.fy);
-      warn(name + " has a skew of " + number(K.skew) + " px, which " +
-           (function == Function::kPinhole ? "cv::projectPoints" : "cv::fisheye::projectPoints") + " does not use: up to " +
-           number(std::round(100.0 * edge * std::abs(K.skew)) / 100.0) + " px");
+      warn(Code::kCvSkewUnused, name,
+           {K.skew, function == Function::kPinhole ? "cv::projectPoints" : "cv::fisheye::projectPoints",
+            std::round(100.0 * edge * std::abs(K.skew)) / 100.0});
       camera.misread = true;
     }
     view_.cameras.push_back(std::move(camera));
@@ -260,7 +251,7 @@ class Reader {
 
   void read_camera(const CameraKeys& keys) {
     if (node(keys.matrix).empty()) {
-      refuse(std::string(keys.matrix) + " is missing; a program that reads a pair of cameras stops");
+      refuse(Code::kCvPairIncomplete, keys.matrix);
       return;
     }
     const std::optional<CameraMatrix> K = camera_matrix(node(keys.matrix), keys.matrix);
@@ -281,14 +272,13 @@ class Reader {
 
   /// A number; some write the 1 x 1 matrix that cv::omnidir::calibrate returned.
   std::optional<double> mei_parameter(const cv::FileNode& xi, const std::string& name) {
-    if (!options_.opencv_model.empty())
-      warn(name + " is in the file: cv::omnidir is meant, whatever the program is told (" + options_.opencv_model + ")");
+    if (!options_.opencv_model.empty()) warn(Code::kCvOmnidirMeant, name, {options_.opencv_model});
     if (is_number(xi)) return static_cast<double>(xi);
     if (xi.isMap()) {
       const std::optional<cv::Mat> value = matrix(xi, name);
       if (value && value->total() == 1 && is_real(*value)) return values_of(*value).front();
     }
-    refuse(name + " is no number; cv::omnidir needs one");
+    refuse(Code::kCvXiNoNumber, name);
     return std::nullopt;
   }
 
@@ -311,7 +301,7 @@ class Reader {
       return std::nullopt;
     }
     if (values.size() == 3) return std::array<double, 3>{values[0], values[1], values[2]};
-    refuse(name + " is not a vector of 3 numbers");
+    refuse(Code::kCvNoVector, name);
     return std::nullopt;
   }
 
@@ -321,8 +311,7 @@ class Reader {
     const bool has_translation = !node("T").empty();
     if (!has_rotation && !has_translation) return;
     if (!has_rotation || !has_translation) {
-      refuse(std::string(has_rotation ? "T" : "R") + " is missing beside " + (has_rotation ? "R" : "T") +
-             "; the pose of the second camera needs both");
+      refuse(Code::kCvHalfAPose, has_rotation ? "T" : "R", {has_rotation ? "R" : "T"});
       return;
     }
     std::optional<Matrix3> R;
@@ -333,7 +322,7 @@ class Reader {
         const std::vector<double> values = values_of(*read);
         std::copy(values.begin(), values.end(), R->begin());
       } else if (read) {
-        refuse("R is " + size_of(*read) + "; a 3 x 3 matrix of floating-point numbers is wanted");
+        refuse(Code::kCvRotationSize, "R", {read->rows, read->cols});
       }
     } else if (const auto om = vector3("om")) {
       R = rotation_of(*om);
@@ -362,7 +351,7 @@ class Reader {
     const bool number = declared.isInt() || declared.isReal();
     const int announced = number ? static_cast<int>(declared) : std::numeric_limits<int>::max();
     if (!declared.empty() && announced != count && view_.loads()) {
-      refuse("nb_camera is " + std::to_string(announced) + ", but there are " + std::to_string(count) + " maps camera_0 ...");
+      refuse(Code::kCvCameraCount, "nb_camera", {announced, count});
     }
     for (std::size_t i = 1; i < poses.size(); ++i) {
       if (poses[0] && poses[i]) view_.poses.push_back({"cam0", "cam" + std::to_string(i), relative(*poses[0], *poses[i])});
@@ -386,12 +375,12 @@ class Reader {
 
   std::optional<std::array<double, 16>> read_mc_calib_camera(const cv::FileNode& map, const std::string& name) {
     if (!map.isMap()) {
-      refuse(name + " is no map");
+      refuse(Code::kCvNoMap, name);
       return std::nullopt;
     }
     for (const char* key : {"camera_matrix", "distortion_vector"}) {
       if (!map[key].empty()) continue;
-      refuse(name + "." + key + " is missing");
+      refuse(Code::kCvKeyMissing, name + "." + key);
       return std::nullopt;
     }
     const std::optional<CameraMatrix> K = camera_matrix(map["camera_matrix"], name + ".camera_matrix");
@@ -406,7 +395,7 @@ class Reader {
     const std::optional<cv::Mat> T = matrix(pose, name + ".camera_pose_matrix");
     if (!T) return std::nullopt;
     if (T->rows != 4 || T->cols != 4 || T->channels() != 1 || !is_real(*T)) {
-      refuse(name + ".camera_pose_matrix is " + size_of(*T) + "; 4 x 4 floating-point numbers are wanted");
+      refuse(Code::kCvPoseSize, name + ".camera_pose_matrix", {T->rows, T->cols});
       return std::nullopt;
     }
     const std::vector<double> values = values_of(*T);

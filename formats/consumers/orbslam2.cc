@@ -12,7 +12,7 @@ namespace orbslam {
 namespace {
 
 void warn_missing(Settings& settings, std::string_view key) {
-  if (!settings.has(key)) settings.warn(std::string(key) + " is missing; " + settings.program() + " takes 0");
+  if (!settings.has(key)) settings.warn_at(key, Code::kOrbslamTakesZero, {settings.program()});
 }
 
 Intrinsics read_intrinsics(Settings& settings) {
@@ -22,8 +22,9 @@ Intrinsics read_intrinsics(Settings& settings) {
 
 /// ORBextractor writes to element 0 of arrays of this length.
 void check_levels(Settings& settings) {
-  if (settings.loose("ORBextractor.nLevels") >= 1.0F) return;
-  settings.refuse("ORBextractor.nLevels is missing or 0; " + settings.program() + " builds an empty image pyramid and crashes");
+  constexpr std::string_view kLevels = "ORBextractor.nLevels";
+  if (settings.loose(kLevels) >= 1.0F) return;
+  settings.refuse_at(kLevels, Code::kOrbslamNoLevels, {settings.program()});
 }
 
 int read_size(Settings& settings, std::string_view key) {
@@ -32,31 +33,27 @@ int read_size(Settings& settings, std::string_view key) {
 }
 
 void refuse_imu(Settings& settings, const Sensor& sensor) {
-  if (sensor.inertial) settings.refuse(settings.program() + " has no inertial mode");
+  if (sensor.inertial) settings.refuse(Code::kOrbslamNotInertial, {settings.program()});
 }
 
 void warn_about_depth(Settings& settings, const Sensor& sensor) {
   if (!sensor.stereo && !sensor.rgbd) return;
-  if (!settings.has("Camera.bf"))
-    settings.refuse("Camera.bf is missing; " + settings.program() + " takes 0, and without a baseline there is no depth");
+  if (!settings.has("Camera.bf")) settings.refuse_at("Camera.bf", Code::kOrbslamNoBaseline, {settings.program()});
   warn_missing(settings, "ThDepth");
 }
 
 void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerView& view) {
   refuse_imu(settings, sensor);
   const Intrinsics k = read_intrinsics(settings);
-  if (k.fx == 0.0F) settings.refuse("Camera.fx is missing or 0; ORB-SLAM2 takes 0 and divides by it");
+  if (k.fx == 0.0F) settings.refuse_at("Camera.fx", Code::kOrbslamNoFocalLength);
   const cv::FileNode type = settings.node("Camera.type");
   const bool other_model = !type.empty() && !(type.isString() && type.string() == "PinHole");
-  if (other_model) {
-    settings.warn("Camera.type is " + describe(type) +
-                  "; ORB-SLAM2 does not read it and takes every file as PinHole k1 k2 p1 p2 k3");
-  }
+  if (other_model) settings.warn_at("Camera.type", Code::kOrbslamTypeNotRead, {describe(type)});
   PinholeDistortion distortion = {settings.loose("Camera.k1"), settings.loose("Camera.k2"), settings.loose("Camera.p1"),
                                   settings.loose("Camera.p2"), settings.loose("Camera.k3")};
   const bool bent = std::any_of(distortion.begin(), distortion.end(), [](float value) { return value != 0.0F; });
   if (distortion.front() == 0.0F) {  // Frame::UndistortKeyPoints returns at once
-    if (bent) settings.warn("Camera.k1 is 0, so ORB-SLAM2 skips the whole undistortion and k2 p1 p2 k3 are ignored");
+    if (bent) settings.warn_at("Camera.k1", Code::kOrbslam2SkipsUndistortion);
     distortion = {};
   }
   check_levels(settings);
@@ -77,14 +74,10 @@ void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerVi
 using FourFloats = std::array<float, 4>;
 
 Projection make_camera(Settings& settings, const std::string& type, const Intrinsics& k, const FourFloats& d,
-                       const std::string& where) {
+                       std::string_view where) {
   if (type == "KB") return kannala_brandt8(k, d);
   const auto& [alpha, beta, unused_3, unused_4] = d;
-  if (alpha < 0.5F) {
-    settings.warn(where + ": alpha is " + std::to_string(alpha) +
-                  "; slam_no_opt's limit 1/(beta (2 alpha - 1)) is negative for alpha < 0.5 "
-                  "and refuses every point");
-  }
+  if (alpha < 0.5F) settings.warn_at(where, Code::kOrbslamEucmRefusesAll, {alpha});
   return eucm(k, alpha, beta);
 }
 
@@ -96,8 +89,7 @@ std::optional<cv::Mat> float_matrix(Settings& settings, std::string_view key, in
                     (rows == 1 ? std::min(matrix->rows, matrix->cols) == 1 && std::max(matrix->rows, matrix->cols) >= cols
                                : matrix->rows >= rows && matrix->cols >= cols);
   if (!fits) {
-    settings.refuse(std::string(key) + " is " + std::to_string(matrix->rows) + " x " + std::to_string(matrix->cols) + "; " +
-                    settings.program() + " reads " + std::to_string(rows) + " x " + std::to_string(cols) + " without looking");
+    settings.refuse_at(key, Code::kOrbslamSmallMatrix, {matrix->rows, matrix->cols, settings.program(), rows, cols});
     return std::nullopt;
   }
   cv::Mat converted;
@@ -141,8 +133,7 @@ void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, Consume
   const cv::FileNode node = settings.node("Camera.type");
   const std::string type = node.isString() ? node.string() : std::string();
   if (type != "EUCM" && type != "KB") {
-    settings.refuse("Camera.type is " + (node.empty() ? "missing" : describe(node)) +
-                    "; slam_no_opt knows EUCM and KB and is left without a camera");
+    settings.refuse_at("Camera.type", Code::kOrbslamNoOptType, {described_or_missing(node)});
     return;
   }
   const Intrinsics k = read_intrinsics(settings);
@@ -150,8 +141,7 @@ void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, Consume
   const bool kb = type == "KB";
   const FourFloats coeffs = {settings.loose("Camera.k1"), settings.loose("Camera.k2"),
                              settings.loose(kb ? "Camera.p1" : "Camera.k3"), settings.loose(kb ? "Camera.p2" : "Camera.k4")};
-  if (kb && settings.has("Camera.k3"))
-    settings.warn("Camera.k3, k4 are ignored: slam_no_opt reads k3 and k4 of KB from Camera.p1 and Camera.p2");
+  if (kb && settings.has("Camera.k3")) settings.warn_at("Camera.k3", Code::kOrbslamNoOptK3Ignored);
   check_levels(settings);
   warn_about_depth(settings, sensor);
   const int width = read_size(settings, "Camera.width");

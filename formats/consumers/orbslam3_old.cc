@@ -7,7 +7,6 @@
 
 #include "orbslam_shared.h"
 #include "programs.h"
-#include "ray_limits.h"
 
 namespace fca::consumers {
 namespace orbslam {
@@ -50,13 +49,11 @@ class Parser {
     const cv::FileNode node = settings_.node("Camera.type");
     const std::string type = node.isString() ? node.string() : std::string();
     if (is_supported(type)) return type;
-    const std::string known =
-        dialect_.knows_double_sphere ? "PinHole, KannalaBrandt8, DoubleSphere" : "PinHole, KannalaBrandt8";
-    const std::string what = node.empty() ? "missing" : describe(node);
-    const std::string hint =
-        settings_.has("Camera1.fx") ? " (the Camera1.* keys belong to a file with File.version: \"1.0\")" : "";
-    settings_.refuse("Camera.type is " + what + "; " + settings_.program() + " (old style) knows " + known +
-                     " and is left without a camera" + hint);
+    std::vector<Message> third;
+    if (dialect_.knows_double_sphere) third = {{Code::kOrbslamDoubleSphere}};
+    std::vector<Message> hint;
+    if (settings_.has("Camera1.fx")) hint = {{Code::kOrbslamKeysOfV1}};
+    settings_.refuse_at("Camera.type", Code::kOrbslamOldType, {described_or_missing(node), settings_.program(), third, hint});
     return {};
   }
 
@@ -64,7 +61,7 @@ class Parser {
   int read_size(std::string_view key) {
     const cv::FileNode node = settings_.node(key);
     if (!node.empty()) return static_cast<int>(std::lround(std::min(std::abs(settings_.loose(key)), 1e6F)));
-    settings_.refuse(std::string(key) + " is missing; the viewer of " + settings_.program() + " stops");
+    settings_.refuse_at(key, Code::kOrbslamViewerStops, {settings_.program()});
     return 0;
   }
 
@@ -84,7 +81,7 @@ class Parser {
   void add_camera(std::string name, Lens lens) {
     view_.cameras.push_back({std::move(name), width_, height_, std::move(lens.project), {scale_, scale_}});
     view_.cameras.back().unproject = std::move(lens.unproject);
-    view_.cameras.back().unproject_fault = kUpToNinety;
+    view_.cameras.back().unproject_fault = {Code::kRaysUpToNinety};
     view_.cameras.back().model = type_;
   }
 
@@ -94,8 +91,7 @@ class Parser {
     for (std::size_t i = 0; i < kPinholeKeys.size(); ++i) distortion.at(i) = settings_.real(kPinholeKeys.at(i));
     const cv::FileNode k3 = settings_.node("Camera.k3");
     if (k3.isReal()) distortion.back() = static_cast<float>(k3.real());
-    if (k3.isInt())
-      settings_.warn("Camera.k3 is an int; " + settings_.program() + " (old style) ignores it: write it with a '.'");
+    if (k3.isInt()) settings_.warn_at("Camera.k3", Code::kOrbslamK3IsInt, {settings_.program()});
     drop_distortion_without_k1(distortion);
     add_camera("cam0", {pinhole(k, distortion), {}});
     const float baseline = k.fx != 0.0F ? settings_.loose("Camera.bf") * scale_ / k.fx : 0.0F;
@@ -103,21 +99,14 @@ class Parser {
     if (!sensor_.stereo) return;
     add_camera("cam1", {pinhole(k, distortion), {}});  // the images are taken as rectified
     if (k.fx != 0.0F) view_.poses.push_back(rectified_baseline(baseline));
-    if (settings_.has("RIGHT.K")) {
-      settings_.warn(
-          "LEFT.*/RIGHT.*: only the example program stereo_euroc reads them, to rectify; Camera.* must be the rectified "
-          "camera");
-    }
+    if (settings_.has("RIGHT.K")) settings_.warn(Code::kOrbslamRectifiedElsewhere);
   }
 
   /// Frame::UndistortKeyPoints returns at once if k1 is 0.
   void drop_distortion_without_k1(PinholeDistortion& distortion) {
     if (distortion.front() != 0.0F) return;
     const bool bent = std::any_of(distortion.begin(), distortion.end(), [](float value) { return value != 0.0F; });
-    if (bent) {
-      settings_.warn("Camera.k1 is 0.0, so " + settings_.program() +
-                     " skips the whole undistortion and k2 p1 p2 k3 are ignored");
-    }
+    if (bent) settings_.warn_at("Camera.k1", Code::kOrbslamSkipsUndistortion, {settings_.program()});
     distortion = {};
   }
 
@@ -144,8 +133,7 @@ class Parser {
     read_left_right_pose();
     for (const std::string_view key :
          {"Camera.lappingBegin", "Camera.lappingEnd", "Camera2.lappingBegin", "Camera2.lappingEnd"}) {
-      if (!settings_.node(key).isInt())
-        settings_.warn(std::string(key) + " is no int; " + settings_.program() + " only prints a warning");
+      if (!settings_.node(key).isInt()) settings_.warn_at(key, Code::kOrbslamLappingNotInt, {settings_.program()});
     }
   }
 
@@ -154,15 +142,11 @@ class Parser {
     if (!matrix) return;
     const auto pose = rows_as_float(*matrix);
     if (matrix->rows != 3 || matrix->cols != 4 || !pose) {
-      settings_.refuse("Tlr is " + size_of(*matrix) + "; " + settings_.program() + " (old style) wants exactly 3 x 4");
+      settings_.refuse_at("Tlr", Code::kOrbslamPairSize, {matrix->rows, matrix->cols, settings_.program()});
       return;
     }
     warn_unless_float(settings_, "Tlr", *matrix);
     view_.poses.push_back({"cam0", "cam1", *pose});
-  }
-
-  static std::string size_of(const cv::Mat& matrix) {
-    return std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols);
   }
 
   void read_depth() {
@@ -184,7 +168,7 @@ class Parser {
     if (!matrix) return;
     const auto pose = pointer_as_float(*matrix);
     if (matrix->rows != 4 || matrix->cols != 4 || !pose) {
-      settings_.refuse("Tbc is " + size_of(*matrix) + "; " + settings_.program() + " (old style) wants exactly 4 x 4 floats");
+      settings_.refuse_at("Tbc", Code::kOrbslamImuSize, {matrix->rows, matrix->cols, settings_.program()});
       return;
     }
     warn_unless_float(settings_, "Tbc", *matrix);
@@ -197,14 +181,13 @@ class Parser {
     constexpr double kSophusEpsilon = 1e-5;
     const double error = rotation_error(pose);
     if (!dialect_.checks_rotation || error < kSophusEpsilon) return;
-    settings_.refuse("Tbc: its left 3 x 3 is no rotation to 1e-5 (R R^T - I is " + std::to_string(error) + "); Sophus inside " +
-                     settings_.program() + " (old style) aborts: write more digits");
+    settings_.refuse_at("Tbc", Code::kOrbslamSophusAborts, {error, settings_.program()});
   }
 
   void read_viewer() {
     for (const std::string_view key : kViewerKeys) {
       if (settings_.has(key)) continue;
-      settings_.refuse(std::string(key) + " is missing; the viewer of " + settings_.program() + " stops");
+      settings_.refuse_at(key, Code::kOrbslamViewerStops, {settings_.program()});
     }
   }
 
@@ -223,8 +206,7 @@ bool is_v1(Settings& settings) {
   const cv::FileNode version = settings.node("File.version");
   if (version.empty()) return false;
   if (version.isString() && version.string() == "1.0") return true;
-  settings.warn("File.version is " + describe(version) +
-                "; ORB-SLAM3 V1.0 uses its old parser unless it is the string \"1.0\"");
+  settings.warn_at("File.version", Code::kOrbslamVersionNotText, {describe(version)});
   return false;
 }
 

@@ -3,10 +3,8 @@
 // and the process ends at the first wrong or missing key; here all of them are listed.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "orbslam_shared.h"
-#include "ray_limits.h"
 
 namespace fca::consumers::orbslam {
 namespace {
@@ -53,11 +51,9 @@ class Parser {
     if (type == "PinHole" || type == "Rectified" || type == "KannalaBrandt8") {
       type_ = type;
     } else if (settings_.node("Camera.type").isString()) {
-      std::string hint;
-      if (type.find('#') != std::string::npos)
-        hint = " (OpenCV takes a comment behind an unquoted string for a part of it: use quotes)";
-      settings_.refuse("Camera.type is " + describe(settings_.node("Camera.type")) +
-                       "; ORB-SLAM3 V1.0 knows PinHole, Rectified, KannalaBrandt8 and exits" + hint);
+      std::vector<Message> hint;
+      if (type.find('#') != std::string::npos) hint = {{Code::kOrbslamCommentInText}};
+      settings_.refuse_at("Camera.type", Code::kOrbslamV1Type, {describe(settings_.node("Camera.type")), hint});
     }
   }
 
@@ -72,7 +68,7 @@ class Parser {
     if (!result.has_distortion) {
       for (const std::string_view key : kPinholeKeys) {
         const std::string name = camera + "." + std::string(key);
-        if (settings_.has(name)) settings_.warn(name + " is ignored: without " + camera + ".k1 there is no distortion");
+        if (settings_.has(name)) settings_.warn_at(name, Code::kOrbslamIgnoredWithoutK1, {camera + ".k1"});
       }
       return;
     }
@@ -99,12 +95,8 @@ class Parser {
     if (is_pinhole()) read_pinhole_distortion("Camera1", first_);
     if (is_fisheye()) first_.radial = read_radial("Camera1");
     if (is_fisheye() && sensor_.stereo) read_overlap("Camera1");
-    if (is_rectified() && settings_.has("Camera1.k1"))
-      settings_.warn("Camera1.k1 is ignored: Rectified images have no distortion");
-    if (is_fisheye() && sensor_.rgbd && sensor_.inertial) {
-      settings_.refuse(
-          "KannalaBrandt8 with rgbd-inertial: ORB-SLAM3 V1.0 uses a second camera that was never read and crashes");
-    }
+    if (is_rectified() && settings_.has("Camera1.k1")) settings_.warn_at("Camera1.k1", Code::kOrbslamRectifiedIgnores);
+    if (is_fisheye() && sensor_.rgbd && sensor_.inertial) settings_.refuse(Code::kOrbslamSecondNeverRead);
   }
 
   void read_camera2() {
@@ -127,7 +119,7 @@ class Parser {
       const cv::FileNode second = settings_.node("Camera2." + std::string(key));
       return second.isReal() && first.isReal() && first.real() != second.real();
     });
-    if (differs) settings_.warn("Camera2.* is ignored: for Rectified both cameras have the numbers of Camera1");
+    if (differs) settings_.warn(Code::kOrbslamRectifiedAlike);
   }
 
   /// camera2DistortionCoef() in include/Settings.h returns the numbers of camera 1 with the count of camera 2.
@@ -136,22 +128,16 @@ class Parser {
     read_pinhole_distortion("Camera2", own);
     second_.has_distortion = own.has_distortion;
     if (own.has_distortion && !first_.has_distortion) {
-      settings_.refuse(
-          "Camera2.k1 without Camera1.k1: ORB-SLAM3 V1.0 takes camera 2's distortion from camera 1's empty array and "
-          "reads a null pointer");
+      settings_.refuse_at("Camera2.k1", Code::kOrbslamReadsNull);
       return;
     }
     if (!own.has_distortion) return;
     second_.pinhole = first_.pinhole;
     if (!own.has_k3) second_.pinhole.back() = 0.0F;
-    if (own.has_k3 && !first_.has_k3) {
-      settings_.warn("Camera2.k3 without Camera1.k3: ORB-SLAM3 V1.0 reads behind camera 1's four coefficients");
-    }
+    if (own.has_k3 && !first_.has_k3) settings_.warn_at("Camera2.k3", Code::kOrbslamReadsBehindFour);
     if (own.pinhole != second_.pinhole) {
       second_.misread = true;
-      settings_.warn(
-          "Camera2.k1 k2 p1 p2 are ignored: ORB-SLAM3 V1.0 rectifies the second PinHole camera with the distortion of camera "
-          "1");
+      settings_.warn_at("Camera2.k1", Code::kOrbslamSecondPinholeIgnored);
     }
   }
 
@@ -163,10 +149,7 @@ class Parser {
       const cv::FileNode second = settings_.node("Camera2." + std::string(key));
       if (!second.isReal() || !first.isReal() || first.real() == second.real()) continue;
       second_.misread = true;
-      settings_.warn(
-          "Camera2.k1..k4 differ from Camera1.k1..k4 and are ignored: ORB-SLAM3 V1.0 reads Camera1.k1..k4 for both "
-          "KannalaBrandt8 "
-          "cameras");
+      settings_.warn_at("Camera2.k1", Code::kOrbslamSecondFisheyeIgnored);
       break;
     }
     read_overlap("Camera2");
@@ -180,15 +163,13 @@ class Parser {
     if (!matrix) return;
     const auto pose = rows_as_float(*matrix);
     if (!pose) {
-      settings_.refuse(std::string(key) + " is " + std::to_string(matrix->rows) + " x " + std::to_string(matrix->cols) +
-                       "; ORB-SLAM3 V1.0 wants 4 x 4 floats and stops");
+      settings_.refuse_at(key, Code::kOrbslamPoseSize, {matrix->rows, matrix->cols});
       return;
     }
     warn_unless_float(settings_, key, *matrix);
     constexpr double kNoticeable = 1e-3;
-    if (matrix->type() == CV_32F && !(rotation_error(*pose) < kNoticeable)) {
-      settings_.warn(std::string(key) + " has no rotation in its left 3 x 3; ORB-SLAM3 V1.0 turns it into some quaternion");
-    }
+    if (matrix->type() == CV_32F && !(rotation_error(*pose) < kNoticeable))
+      settings_.warn_at(key, Code::kOrbslamSomeQuaternion);
     view_.poses.push_back({std::move(a), std::move(b), *pose});
   }
 
@@ -202,13 +183,7 @@ class Parser {
     settings_.integer("Camera.fps");
     settings_.integer("Camera.RGB");
     if (!new_height && !new_width) return;
-    if (is_remapped()) {
-      settings_.warn(
-          "Camera.newWidth/newHeight with stereo PinHole: ORB-SLAM3 V1.0 passes the new size to the rectification as the size "
-          "of the "
-          "calibration, without scaling fx fy cx cy");
-      return;
-    }
+    if (is_remapped()) return settings_.warn_at("Camera.newWidth", Code::kOrbslamNewSizeRectified);
     if (new_height) rescale(scale_y_, height_, height);
     if (new_width) rescale(scale_x_, width_, width);
     warn_of_half_pixel();
@@ -223,11 +198,7 @@ class Parser {
   void warn_of_half_pixel() {
     const double shift = 0.5 * std::max(std::abs(1.0 - scale_x_), std::abs(1.0 - scale_y_));
     if (!(shift > 0.0 && std::isfinite(shift))) return;
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2g", shift);
-    settings_.warn(std::string("Camera.newWidth/newHeight: ORB-SLAM3 V1.0 scales cx and cy without the half pixel that "
-                               "cv::resize counts from, so its centre is ") +
-                   text.data() + " px off");
+    settings_.warn_at("Camera.newWidth", Code::kOrbslamHalfPixelOff, {shift});
   }
 
   void read_imu() {
@@ -242,16 +213,12 @@ class Parser {
     settings_.real("Stereo.ThDepth");
     view_.baseline_m = settings_.real("Stereo.b");
     const bool bent = std::any_of(first_.pinhole.begin(), first_.pinhole.end(), [](float value) { return value != 0.0F; });
-    if (bent)
-      settings_.warn("Camera1.k1 k2 p1 p2 are ignored: ORB-SLAM3 V1.0 undistorts only for the mono sensors, not for RGB-D");
+    if (bent) settings_.warn_at("Camera1.k1", Code::kOrbslamDepthNotUndistorted);
     first_.misread = bent;
     first_.pinhole = {};
     if (!is_fisheye()) return;
     // Frame.cc, UnprojectStereo: (u - cx) z / fx, whatever Camera.type says; only mono and stereo ask the camera's class.
-    settings_.warn(
-        "KannalaBrandt8 is ignored for depth: ORB-SLAM3 V1.0 turns RGB-D pixels into points with the plain pinhole formula, "
-        "without "
-        "undistorting them");
+    settings_.warn(Code::kOrbslamDepthByPinhole);
     first_.misread = true;
     pinhole_depth_ = true;
   }
@@ -273,7 +240,7 @@ class Parser {
   void ignore_distortion_without_k1() {
     if (!is_pinhole() || sensor_.stereo || first_.pinhole.front() != 0.0F) return;
     const bool bent = std::any_of(first_.pinhole.begin(), first_.pinhole.end(), [](float value) { return value != 0.0F; });
-    if (bent) settings_.warn("Camera1.k1 is 0.0, so ORB-SLAM3 V1.0 skips the whole undistortion and k2 p1 p2 k3 are ignored");
+    if (bent) settings_.warn_at("Camera1.k1", Code::kOrbslamSkipsUndistortion, {settings_.program()});
     first_.misread = first_.misread || bent;
     first_.pinhole = {};
   }
@@ -285,7 +252,7 @@ class Parser {
     ConsumerCamera result = {std::move(name), width_, height_, std::move(project), {scale_x_, scale_y_}, camera.misread};
     if (bends) {
       result.unproject = kannala_brandt8_rays(k, camera.radial);
-      result.unproject_fault = kUpToNinety;
+      result.unproject_fault = {Code::kRaysUpToNinety};
     }
     result.model = type_;
     return result;

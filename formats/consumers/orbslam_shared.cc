@@ -16,26 +16,22 @@ std::optional<Pixel> finite_pixel(double u, double v) {
   return Pixel{u, v};
 }
 
-/// Before OpenCV's reader sees the bytes.
-std::string find_obstacle(std::string_view bytes) {
+/// Before OpenCV's reader sees the bytes; what no reader of OpenCV's takes, storage::read refuses.
+Message find_obstacle(std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   const std::string_view head = bytes.substr(first == std::string_view::npos ? 0 : first);
   const bool is_text = bytes.find('\0') == std::string_view::npos;
-  if (is_text && head.starts_with("<?xml")) return "the file is XML, whose names cannot have the '.' of these keys";
-  std::string obstacle = storage::find_obstacle(bytes);
-  if (!obstacle.empty()) return obstacle;
-  if (!bytes.starts_with("%YAML") && !head.starts_with("{")) {
-    return "the first bytes are not '%YAML:1.0'; OpenCV's reader does not take the file (no comment, blank line or BOM before "
-           "it)";
-  }
+  if (is_text && head.starts_with("<?xml")) return {Code::kOrbslamXml};
+  if (!storage::find_obstacle(bytes).empty()) return {};
+  if (!bytes.starts_with("%YAML") && !head.starts_with("{")) return {Code::kOrbslamNoHeader};
   return {};
 }
 
-std::string suggest_int(const cv::FileNode& node) {
+std::vector<Message> suggest_int(const cv::FileNode& node) {
   if (!node.isReal()) return {};
   const double value = node.real();
   if (value != std::floor(value) || std::abs(value) > 1e9) return {};
-  return ": write " + std::to_string(static_cast<int>(value));
+  return {{Code::kOrbslamWriteInt, {static_cast<int>(value)}}};
 }
 
 /// theta + k1 theta^3 + .. + k4 theta^9, in the order of operations of KannalaBrandt8::project.
@@ -150,7 +146,12 @@ Projection eucm(const Intrinsics& k, float alpha, float beta) {
   };
 }
 
-void Settings::refuse_missing(std::string_view key) { refuse(std::string(key) + " is missing; " + program_ + " exits"); }
+Argument described_or_missing(const cv::FileNode& node) {
+  if (node.empty()) return Message{Code::kOrbslamMissing};
+  return describe(node);
+}
+
+void Settings::refuse_missing(std::string_view key) { refuse_at(key, Code::kOrbslamKeyMissing, {program_}); }
 
 float Settings::real(std::string_view key, bool required) {
   const cv::FileNode found = node(key);
@@ -159,8 +160,9 @@ float Settings::real(std::string_view key, bool required) {
     return 0.0F;
   }
   if (!found.isReal()) {
-    const std::string fix = found.isInt() ? ": write " + describe(found) + ".0" : "";
-    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants a number with a '.' and exits" + fix);
+    std::vector<Message> suggestion;
+    if (found.isInt()) suggestion = {{Code::kOrbslamWriteReal, {static_cast<int>(found)}}};
+    refuse_at(key, Code::kOrbslamNotReal, {describe(found), program_, suggestion});
     return 0.0F;
   }
   return static_cast<float>(found.real());
@@ -173,7 +175,7 @@ int Settings::integer(std::string_view key, bool required) {
     return 0;
   }
   if (!found.isInt()) {
-    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants an int and exits" + suggest_int(found));
+    refuse_at(key, Code::kOrbslamNotInt, {describe(found), program_, suggest_int(found)});
     return 0;
   }
   return static_cast<int>(found);
@@ -186,7 +188,7 @@ std::string Settings::text(std::string_view key, bool required) {
     return {};
   }
   if (!found.isString()) {
-    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants a string in quotes and exits");
+    refuse_at(key, Code::kOrbslamNotText, {describe(found), program_});
     return {};
   }
   return found.string();
@@ -196,7 +198,7 @@ float Settings::loose(std::string_view key) {
   const cv::FileNode found = node(key);
   if (found.empty()) return 0.0F;
   if (storage::is_number(found)) return static_cast<float>(found);
-  warn(std::string(key) + " is " + describe(found) + ", not a number; " + program_ + " takes OpenCV's largest number for it");
+  warn_at(key, Code::kOrbslamTakesLargest, {describe(found), program_});
   return std::numeric_limits<float>::max();  // cv::read(FileNode, float&)
 }
 
@@ -208,9 +210,9 @@ std::optional<cv::Mat> Settings::matrix(std::string_view key) {
   }
   try {
     if (found.isMap()) return storage::read_matrix(found);
-    refuse(std::string(key) + " is " + describe(found) + "; " + program_ + " wants an !!opencv-matrix (rows, cols, dt, data)");
+    refuse_at(key, Code::kOrbslamNoMatrix, {describe(found), program_});
   } catch (const cv::Exception& error) {
-    refuse(std::string(key) + " is no matrix OpenCV can read (" + storage::one_line(error.err) + "); " + program_ + " stops");
+    refuse_at(key, Code::kOrbslamUnreadableMatrix, {storage::one_line(error.err), program_});
   }
   return std::nullopt;
 }
@@ -219,9 +221,9 @@ ConsumerView with_settings(std::string_view bytes, std::string_view program, con
                            const std::function<void(Settings&, const Sensor&, ConsumerView&)>& body) {
   ConsumerView view;
   const std::optional<Sensor> sensor = parse_sensor(options.sensor);
-  std::string obstacle = sensor ? find_obstacle(bytes) : "there is no sensor '" + options.sensor + "'";
-  if (!obstacle.empty()) {
-    view.refusals.emplace_back(std::move(obstacle));
+  const Message obstacle = sensor ? find_obstacle(bytes) : Message{Code::kOrbslamNoSensor, {options.sensor}};
+  if (obstacle.is_said()) {
+    view.refusals.emplace_back(obstacle.code, "", obstacle.arguments);
     return view;
   }
   return storage::read(bytes, program, "OpenCV's reader, which " + std::string(program) + " uses,",
@@ -268,9 +270,8 @@ double rotation_error(const std::array<double, 16>& pose) {
 
 void warn_unless_float(Settings& settings, std::string_view key, const cv::Mat& matrix) {
   if (matrix.type() == CV_32F) return;
-  const std::string type = matrix.type() == CV_64F ? "dt: d" : "not dt: f";
-  settings.warn(std::string(key) + " is " + type + "; " + settings.program() +
-                " reads its bytes as floats, so the pose is garbage: write dt: f");
+  settings.warn_at(key, matrix.type() == CV_64F ? Code::kOrbslamPoseOfDoubles : Code::kOrbslamPoseNotOfFloats,
+                   {settings.program()});
 }
 
 ConsumerImu read_noise(Settings& settings) {

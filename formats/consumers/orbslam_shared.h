@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fca/code.h"
 #include "fca/formats/consumers/consumer.h"
 #include "storage.h"
 
@@ -45,15 +46,27 @@ using PinholeDistortion = std::array<float, 5>;
 [[nodiscard]] Projection eucm(const Intrinsics& k, float alpha, float beta);
 
 using storage::describe;
+/// What stands there; a clause where nothing does.
+[[nodiscard]] Argument described_or_missing(const cv::FileNode& node);
 
-/// A settings file that is open in cv::FileStorage, and the sentences about it.
+/// A settings file that is open in cv::FileStorage, and what is said of it.
 class Settings {
  public:
   Settings(const cv::FileStorage& storage, std::string_view program, ConsumerView& view)
       : storage_(storage), program_(program), view_(view) {}
 
-  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
+  /// Of the file as a whole.
+  void refuse(Code code, std::vector<Argument> arguments = {}) { view_.refusals.emplace_back(code, "", std::move(arguments)); }
+  void warn(Code code, std::vector<Argument> arguments = {}) { view_.warnings.emplace_back(code, "", std::move(arguments)); }
+  /// Of what stands under the key: argument 0, `more` follow.
+  void refuse_at(std::string_view key, Code code, std::vector<Argument> more = {}) {
+    more.insert(more.begin(), key);
+    view_.refusals.emplace_back(code, std::string(key), std::move(more));
+  }
+  void warn_at(std::string_view key, Code code, std::vector<Argument> more = {}) {
+    more.insert(more.begin(), key);
+    view_.warnings.emplace_back(code, std::string(key), std::move(more));
+  }
   [[nodiscard]] const std::string& program() const { return program_; }
   [[nodiscard]] cv::FileNode node(std::string_view key) const { return storage_[std::string(key)]; }
   [[nodiscard]] bool has(std::string_view key) const { return !node(key).empty(); }

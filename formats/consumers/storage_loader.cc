@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The programs that read with cv::FileStorage, asked in a module that is loaded with the first question: half of the command's
 // start was OpenCV's, and most commands ask none of them.
+#include "fca/code.h"
 #include "fca/formats/consumers/load_module.h"
 #include "storage_programs.h"
 
@@ -10,7 +11,7 @@ namespace {
 const StoragePrograms& programs() {
   // What it returned holds functions of the module.
   static const auto* kLoaded = static_cast<const StoragePrograms*>(
-      load_module(FCA_STORAGE_MODULE, kStorageProgramsFunction, "which asks the programs that use OpenCV's reader"));
+      load_module(FCA_STORAGE_MODULE, kStorageProgramsFunction, Message{Code::kModuleOfPrograms}));
   return *kLoaded;
 }
 

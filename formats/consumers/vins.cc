@@ -258,7 +258,7 @@ Projection read_scaramuzza(Parameters& parameters, ConsumerCamera& camera, Consu
   }
   view.warnings.emplace_back(Code::kVinsSaysNoPixelOnAxis, "model_type");
   camera.unproject = [ocam](const Pixel& pixel) { return std::optional(ocam.unproject(pixel)); };
-  camera.unproject_fault = "from pixel to ray it leaves out the affine part (ac, ad, ae)";
+  camera.unproject_fault = {Code::kRaysWithoutAffine};
   return [ocam](const Ray& ray) { return finite(ocam.project(ray)); };
 }
 

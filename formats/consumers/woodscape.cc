@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "fca/code.h"
 #include "programs.h"
 
 namespace fca::consumers {
@@ -84,25 +85,33 @@ class File {
  public:
   File(std::string_view bytes, ConsumerView& view) : view_(view) {
     if (bytes.size() > kMaxBytes) {
-      refuse("the file is larger than 2 MiB; not read");
+      refuse(Code::kProgramFileTooLarge);
     } else if (bytes.starts_with("\xEF\xBB\xBF")) {
-      refuse("the file begins with a BOM: JSONDecodeError, Unexpected UTF-8 BOM");
+      refuse(Code::kPythonJsonBom);
     } else if (bytes.find('\0') != std::string_view::npos) {
-      refuse("the file contains a zero byte: JSONDecodeError");
+      refuse(Code::kPythonJsonZeroByte);
     } else if (is_nested_too_deep(bytes)) {
-      refuse("lists within lists, more than 900: RecursionError");
+      refuse(Code::kPythonJsonTooDeep);
     } else {
       parse(bytes);
     }
   }
 
-  void refuse(std::string sentence) { view_.refusals.emplace_back(std::move(sentence)); }
-  void warn(std::string sentence) { view_.warnings.emplace_back(std::move(sentence)); }
+  /// Of the file as a whole.
+  void refuse(Code code, std::vector<Argument> arguments = {}) { view_.refusals.emplace_back(code, "", std::move(arguments)); }
+  void warn(Code code, std::vector<Argument> arguments = {}) { view_.warnings.emplace_back(code, "", std::move(arguments)); }
+  /// Of what stands at `path`, "intrinsic.k1": argument 0, `more` follow.
+  void refuse_at(std::string_view path, Code code, std::vector<Argument> more = {}) {
+    view_.refusals.push_back(complaint(path, code, std::move(more)));
+  }
+  void warn_at(std::string_view path, Code code, std::vector<Argument> more = {}) {
+    view_.warnings.push_back(complaint(path, code, std::move(more)));
+  }
 
   [[nodiscard]] bool is_object() {
     if (!view_.loads()) return false;
     if (document_.IsObject()) return true;
-    refuse("the file holds no JSON object: TypeError");
+    refuse(Code::kPythonJsonNoObject);
     return false;
   }
   [[nodiscard]] const Json* root_member(std::string_view key) const { return find(document_, key); }
@@ -111,9 +120,9 @@ class File {
   const Json* object(std::string_view key) {
     const Json* found = find(document_, key);
     if (found == nullptr) {
-      refuse(std::string(key) + " is missing: KeyError '" + std::string(key) + "'");
+      refuse_at(key, Code::kPythonKeyMissing, {key, std::vector<Message>()});
     } else if (!found->IsObject()) {
-      refuse(std::string(key) + " is no object: TypeError");
+      refuse_at(key, Code::kPythonNotAnObject);
       found = nullptr;
     }
     return found;
@@ -124,11 +133,11 @@ class File {
     const Json* found = find(object, key);
     const std::string path = name + "." + std::string(key);
     if (found == nullptr) {
-      refuse(path + " is missing: KeyError '" + std::string(key) + "'");
+      refuse_at(path, Code::kPythonKeyMissing, {key, std::vector<Message>()});
       return 0.0;
     }
     const std::optional<double> value = as_number(*found);
-    if (!value) refuse(path + " is no number");
+    if (!value) refuse_at(path, Code::kPythonNotANumber);
     return value.value_or(0.0);
   }
 
@@ -138,7 +147,7 @@ class File {
     const Json* found = find(object, key);
     const std::string path = name + "." + std::string(key);
     if (found == nullptr) {
-      refuse(path + " is missing: KeyError '" + std::string(key) + "'" + similar(object, key));
+      refuse_at(path, Code::kPythonKeyMissing, {key, similar(object, key)});
       return std::nullopt;
     }
     std::array<double, kCount> result{};
@@ -149,24 +158,30 @@ class File {
       result.at(i) = value.value_or(0.0);
     }
     if (fits) return result;
-    refuse(path + " is no list of " + std::to_string(kCount) + " numbers: ValueError");
+    refuse_at(path, Code::kPythonNotNumbers, {kCount});
     return std::nullopt;
   }
 
  private:
+  static Complaint complaint(std::string_view path, Code code, std::vector<Argument> more) {
+    std::string key(path);
+    std::replace(key.begin(), key.end(), '.', '/');
+    more.insert(more.begin(), path);
+    return {code, std::move(key), std::move(more)};
+  }
+
   void parse(std::string_view bytes) {
     constexpr unsigned kPython = rapidjson::kParseFullPrecisionFlag | rapidjson::kParseNanAndInfFlag |
                                  rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag;
     document_.Parse<kPython>(bytes.data(), bytes.size());
     if (!document_.HasParseError()) return;
-    refuse("JSONDecodeError at byte " + std::to_string(document_.GetErrorOffset()) + ": " +
-           rapidjson::GetParseError_En(document_.GetParseError()));
+    refuse(Code::kPythonJsonNotParsed, {document_.GetErrorOffset(), rapidjson::GetParseError_En(document_.GetParseError())});
   }
 
   /// SynWoodScape writes "translation used in CARLA (CARLA reference)".
-  static std::string similar(const Json& object, std::string_view key) {
+  static std::vector<Message> similar(const Json& object, std::string_view key) {
     for (const auto& [name, value] : items(object)) {
-      if (name.starts_with(key)) return " (there is \"" + name.substr(0, 80) + "\")";
+      if (name.starts_with(key)) return {{Code::kPythonSimilarKey, {name.substr(0, 80)}}};
     }
     return {};
   }
@@ -238,13 +253,13 @@ class ProjectionPy {
     lens.centre = {number(intrinsic, "cx_offset"), number(intrinsic, "cy_offset")};
     lens.aspect = number(intrinsic, "aspect_ratio");
     if (!width || !height) {
-      file_.refuse("the image size is no int: ValueError, or not to be drawn");
+      file_.refuse(Code::kProjectionPySizeNotInt);
       return;
     }
     lens.centre[0] += 0.5 * *width - 0.5;
     lens.centre[1] += 0.5 * *height - 0.5;
     for (const std::string_view key : {"k5", "k6", "k7"}) {
-      if (find(intrinsic, key) != nullptr) file_.warn("intrinsic." + std::string(key) + " is ignored: only k1 to k4 are read");
+      if (find(intrinsic, key) != nullptr) file_.warn_at("intrinsic." + std::string(key), Code::kProjectionPyIgnores);
     }
     check(intrinsic, lens, *width, *height);
     ConsumerCamera camera;
@@ -259,12 +274,11 @@ class ProjectionPy {
   /// The reader never looks at "model": forks keep the name and store normalised coefficients.
   void check(const Json& intrinsic, const Polynomial& lens, int width, int height) {
     constexpr double kNoPixels = 10.0;
-    if (std::abs(lens.k[0]) < kNoPixels)
-      file_.warn("intrinsic.k1 is below 10: it is read as pixels per radian, and looks normalised");
+    if (std::abs(lens.k[0]) < kNoPixels) file_.warn_at("intrinsic.k1", Code::kProjectionPyNormalised);
     const Json* model = find(intrinsic, "model");
     if (model != nullptr && (!model->IsString() || std::string_view(model->GetString()) != "radial_poly"))
-      file_.warn("intrinsic.model is not \"radial_poly\"; it is not looked at, and the numbers are read as radial_poly");
-    if (width <= 0 || height <= 0) file_.warn("the image size is not positive: clipping raises RuntimeError");
+      file_.warn_at("intrinsic.model", Code::kProjectionPyOtherModel);
+    if (width <= 0 || height <= 0) file_.warn(Code::kProjectionPySizeNotPositive);
   }
 
   /// T_vehicle_camera.
@@ -274,7 +288,7 @@ class ProjectionPy {
     if (!quaternion || !translation) return;
     const std::array<double, 9> R = rotation_of(*quaternion);
     if (std::any_of(R.begin(), R.end(), [](double value) { return !std::isfinite(value); })) {
-      file_.refuse("extrinsic.quaternion is zero or not finite: ValueError");
+      file_.refuse_at("extrinsic.quaternion", Code::kProjectionPyNoRotation);
       return;
     }
     ConsumerPose pose{"vehicle", "cam0", {}};
@@ -299,26 +313,25 @@ class Omnidet {
   void run() {
     if (!file_.is_object()) return;
     const Json* intrinsic = file_.object("intrinsic");
-    if (file_.root_member("name") == nullptr) file_.refuse("name is missing: KeyError 'name' in generate_luts.py");
+    if (file_.root_member("name") == nullptr) file_.refuse_at("name", Code::kOmnidetNameMissing);
     if (intrinsic == nullptr) return;
     const auto values = items(*intrinsic);
     if (values.size() < kPlaces.size()) {
-      file_.refuse("intrinsic has " + std::to_string(values.size()) + " values; omnidet takes 8 by their place");
+      file_.refuse_at("intrinsic", Code::kOmnidetTooFewValues, {values.size()});
       return;
     }
     std::array<double, 8> numbers{};
     for (std::size_t i = 0; i < kPlaces.size(); ++i) {
       const std::optional<double> value = as_number(*values[i].second);
       if (!value) {
-        file_.refuse("the value at place " + std::to_string(i) + " of intrinsic is \"" + values[i].first +
-                     "\", which is no number; omnidet takes it for " + std::string(kPlaces.at(i)));
+        file_.refuse_at("intrinsic", Code::kOmnidetValueNoNumber, {i, values[i].first, kPlaces.at(i)});
         return;
       }
       numbers.at(i) = *value;
     }
     constexpr std::size_t kWidthPlace = 10;
     if (values.size() != kWidthPlace + 1 || values.back().first != "width")
-      file_.warn("intrinsic does not end with width at place 10; generate_luts.py takes the last value for it");
+      file_.warn_at("intrinsic", Code::kOmnidetWidthNotLast);
     add_camera(*intrinsic, numbers, values);
   }
 
@@ -345,18 +358,14 @@ class Omnidet {
       if (!pixel) return std::nullopt;
       return Pixel{rounded((*pixel)[0]), rounded((*pixel)[1])};
     };
-    std::string order;
     for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-      if (order.empty() && values[i].first != kPlaces.at(i)) {
-        order = "omnidet takes the value at place " + std::to_string(i) + " of intrinsic, \"" + values[i].first + "\", for " +
-                std::string(kPlaces.at(i)) + ": the keys must be in WoodScape's order";
-      }
+      if (values[i].first == kPlaces.at(i)) continue;
+      file_.warn_at("intrinsic", Code::kOmnidetOtherOrder, {i, values[i].first, kPlaces.at(i)});
+      break;
     }
-    if (!order.empty()) file_.warn(order);
     warn_about_size(intrinsic);
-    file_.warn("omnidet's centre is width / 2 + cx_offset, without the - 0.5 of projection.py: " + cost(intrinsic, lens));
-    if (lens.aspect != 1.0)
-      file_.warn("generate_luts.py divides both coordinates by aspect_ratio, where the projection multiplies only v");
+    file_.warn(Code::kOmnidetCentre, {cost(intrinsic, lens)});
+    if (lens.aspect != 1.0) file_.warn(Code::kOmnidetAspectRatio);
     view_.cameras.push_back(std::move(camera));
   }
 
@@ -366,18 +375,18 @@ class Omnidet {
     const Json* width = find(intrinsic, "width");
     const Json* height = find(intrinsic, "height");
     const bool same = width != nullptr && height != nullptr && as_number(*width) == kWidth && as_number(*height) == kHeight;
-    if (!same) file_.warn("the image is not 1280 x 966, which omnidet takes for granted whatever the file says");
+    if (!same) file_.warn(Code::kOmnidetOtherSize);
   }
 
   /// Largest distance from what the keys say, over rays to pixels of the image.
-  static std::string cost(const Json& intrinsic, const Polynomial& theirs) {
+  static Message cost(const Json& intrinsic, const Polynomial& theirs) {
     std::array<double, 9> named{};
     constexpr std::array<std::string_view, 9> kKeys = {"aspect_ratio", "cx_offset", "cy_offset", "height", "k1",
                                                        "k2",           "k3",        "k4",        "width"};
     for (std::size_t i = 0; i < kKeys.size(); ++i) {
       const Json* found = find(intrinsic, kKeys.at(i));
       const std::optional<double> value = found == nullptr ? std::nullopt : as_number(*found);
-      if (!value) return "not comparable, as " + std::string(kKeys.at(i)) + " is no number";
+      if (!value) return {Code::kOmnidetNotComparable, {kKeys.at(i)}};
       named.at(i) = *value;
     }
     const Polynomial ours = {
@@ -396,9 +405,7 @@ class Omnidet {
         worst = std::max(worst, std::hypot((*right)[0] - (*wrong)[0], (*right)[1] - (*wrong)[1]));
       }
     }
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "in all up to %.3g px", worst);
-    return text.data();
+    return {Code::kOmnidetCost, {worst}};
   }
 
   File& file_;

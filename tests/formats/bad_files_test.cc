@@ -38,7 +38,7 @@ std::string judged(const fs::path& path) {
   const Readers readers = ask_readers(calibration->format->id, parsed.source.bytes, cameras);
   for (const Readers::Program& program : readers.programs) {
     if (is_stock(program.program, *calibration) && !program.refusals.empty())
-      text += program.program + " would refuse it: " + program.refusals.front() + "\n";
+      text += program.program + " would refuse it: " + sentence_of(program.refusals.front()) + "\n";
   }
   return text;
 }

@@ -75,7 +75,7 @@ TEST(Basalt, EveryModelComesBackAndTheProgramComputesTheSame) {
     for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.cameras[i].model, rig.cameras[i].model);
     EXPECT_LE(test::largest_difference(*back.resolve("cam1", "imu0"), *rig.resolve("cam1", "imu0")), 1e-12);
     const ProofResult proof = prove(program(), written.files.front().document.bytes(), {}, rig);
-    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : proof.refusals.front());
+    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
     EXPECT_LE(proof.max_diff_px, 1e-9);
     EXPECT_GT(proof.compared_share, 0.9);
   }

@@ -103,7 +103,7 @@ void expect_bases_take(Rig (*change)(Rig), int fewest_tried, int fewest_proven) 
       const ProofResult proof =
           prove(*consumers::find_consumer(program), document.bytes(), as_written, other, written->files.front().cameras);
       EXPECT_TRUE(proof.agrees()) << program << " " << proof.max_diff_px << " px "
-                                  << (proof.refusals.empty() ? "" : proof.refusals.front());
+                                  << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
     }
   }
   EXPECT_GT(tried, fewest_tried);

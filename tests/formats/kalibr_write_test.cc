@@ -76,7 +76,7 @@ TEST(KalibrWrite, KalibrLoadsItAndAgrees) {
       const Written written = write(rig);
       EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"kalibr"});
       const ProofResult proof = prove(*consumers::find_consumer("kalibr"), chain_of(written), {}, rig);
-      EXPECT_TRUE(proof.loads) << row.model << ": " << (proof.refusals.empty() ? "" : proof.refusals.front());
+      EXPECT_TRUE(proof.loads) << row.model << ": " << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
       EXPECT_TRUE(proof.agrees()) << row.model << ": " << proof.max_diff_px << " px, poses " << proof.max_diff_pose;
       // FovDistortion.hpp replaces atan by its argument for r^2 < 1e-5: (2 tan(w/2) r)^3 f / (3 w) = 3e-6 px of Kalibr's own
       // error.

@@ -199,7 +199,8 @@ TEST(OpenCvEdit, FilesSayWhatTheyWereAskedToSay) {
         EXPECT_EQ(file.programs.empty(), file.document.bytes().find("fisheye_dist_coeffs") != std::string::npos);
         if (file.programs.empty()) continue;
         EXPECT_TRUE(proof.agrees()) << proof.max_diff_px;
-        EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : proof.refusals.front()) << file.document.bytes();
+        EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()))
+                                 << file.document.bytes();
         EXPECT_TRUE(proof.poses_agree);
       }
       EXPECT_TRUE(cameras == rig.cameras) << bytes_of(written);

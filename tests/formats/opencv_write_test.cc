@@ -288,7 +288,7 @@ TEST(OpenCvWrite, EveryFileIsProven) {
             EXPECT_EQ(file.programs, std::vector<std::string>{"opencv"});
             const ProofResult proof = prove(*consumers::find_consumer("opencv"), file.document.bytes(), {}, rig, file.cameras);
             EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose;
-            EXPECT_TRUE(proof.warnings.empty()) << proof.warnings.front();
+            EXPECT_TRUE(proof.warnings.empty()) << sentence_of(proof.warnings.front());
             EXPECT_GT(proof.compared_share, 0.5);
             cameras += file.cameras.size();
           }

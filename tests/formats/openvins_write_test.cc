@@ -52,7 +52,7 @@ TEST(OpenVinsFormat, WhatIsWrittenTheProgramReads) {
     EXPECT_TRUE(written.losses.empty()) << what_of(written.losses.front());
     const std::string bytes = written.files.front().document.bytes();
     const ProofResult proof = prove(program(), bytes, {}, rig);
-    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : proof.refusals.front());
+    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
     EXPECT_TRUE(proof.warnings.empty());
     EXPECT_LE(proof.max_diff_pose, 1e-12);
     EXPECT_EQ(proof.poses, (std::vector<std::string>{"T_imu0_cam0", "T_imu0_cam1"}));

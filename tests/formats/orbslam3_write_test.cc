@@ -173,7 +173,7 @@ TEST(OrbSlam3Write, OrbSlam3LoadsItInItsModeAndAgrees) {
     EXPECT_EQ(written.sensor, mode.sensor);
     EXPECT_EQ(written.files.front().programs, std::vector<std::string>{"orbslam3"});
     const ProofResult proof = prove(*consumers::find_consumer("orbslam3"), bytes_of(written), {mode.sensor}, rig);
-    EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : proof.refusals.front());
+    EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
     EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose << ", compared "
                                 << proof.compared_share;
     EXPECT_GT(proof.compared_share, 0.5);
@@ -336,7 +336,7 @@ TEST(OrbSlam3Write, DialectsAreReadByTheirForkAndNotByStock) {
       EXPECT_TRUE(storage["File.version"].empty());
       EXPECT_EQ(static_cast<std::string>(storage["Camera.type"]), dialect.type);
       const ProofResult proof = prove(*consumers::find_consumer(dialect.program), bytes, {sensor}, rig);
-      EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : proof.refusals.front());
+      EXPECT_TRUE(proof.loads) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
       EXPECT_TRUE(proof.agrees()) << proof.max_diff_px << " px, poses " << proof.max_diff_pose;
       EXPECT_FALSE(consumers::find_consumer("orbslam3")->load(bytes, {sensor}).loads());
       const Rig back = calibration_of(bytes).rig;

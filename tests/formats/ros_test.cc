@@ -158,7 +158,7 @@ TEST(Ros, EveryModelComesBackAndTheProgramComputesTheSame) {
     const std::string bytes = written.files.front().document.bytes();
     EXPECT_EQ(read_back(written).cameras.front().model, rig.cameras.front().model);
     const ProofResult proof = prove(program(), bytes, {}, rig);
-    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : proof.refusals.front());
+    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
     EXPECT_LE(proof.max_diff_px, 1e-9);
     EXPECT_GT(proof.compared_share, 0.9);
   }

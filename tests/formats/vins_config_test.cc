@@ -84,7 +84,7 @@ TEST(VinsConfig, AnEditChangesItsOwnNumbers) {
   const consumers::Consumer& program = *consumers::find_consumer("vins");
   for (const Written::File& file : written.files) {
     const ProofResult proof = prove(program, file.document.bytes(), {}, rig, file.cameras);
-    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : proof.refusals.front());
+    EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
   }
   EXPECT_EQ(program.load(written.files[0].document.bytes(), {}).poses.size(), 2U);
 }

@@ -61,7 +61,7 @@ TEST(Vins, EveryModelComesBackAndTheProgramComputesTheSame) {
       Rig one = rig;
       one.cameras = {rig.cameras[i]};
       const ProofResult proof = prove(program(), bytes, {}, one);
-      EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : proof.refusals.front());
+      EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
       EXPECT_LE(proof.max_diff_px, stored.model == "ocamcalib" ? 1e-5 : 1e-9);
       EXPECT_GT(proof.compared_share, 0.9);
     }

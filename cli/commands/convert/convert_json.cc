@@ -61,9 +61,9 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
       json.put("wrong_ray_share", proof.wrong_ray_share);
       json.put("wrong_ray_px", proof.wrong_ray_px);
       json.put("max_diff_pose", proof.max_diff_pose);
-      json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
-      json.put("refusals", std::span<const std::string>(proof.refusals));
-      json.put("warnings", std::span<const std::string>(proof.warnings));
+      json.put("other_numbers", text::texts_of(proof.other_numbers, with_options));
+      json.put("refusals", sentences_of(proof.refusals, with_options));
+      json.put("warnings", sentences_of(proof.warnings, with_options));
     });
   });
 }

@@ -132,7 +132,7 @@ std::string proofs_text(const ConvertResult& outcome) {
     if (!proof.loads) {
       const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
       text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") +
-              text::printable(enumerated(proof.refusals)) + "\n";
+              text::printable(enumerated(sentences_of(proof.refusals, with_options))) + "\n";
     } else if (proof.all_misread) {
       text += "loads it and misreads it\n";
     } else if (proof.without_cameras) {

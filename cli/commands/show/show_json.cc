@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
+#include "shell/option_hints.h"
 #include "shell/parameters_json.h"
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
 #include "show_command.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/wording.h>
 #include <fca/rig/fields_of_view.h>
 
 namespace fca::cli {
@@ -50,7 +52,7 @@ void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
   const ProofResult& proof = mode.proof;
   json.put("modes", std::span<const std::string>(mode.names));
   json.put("loads", proof.loads);
-  json.put("refusals", std::span<const std::string>(proof.refusals));
+  json.put("refusals", sentences_of(proof.refusals, with_options));
   json.array("cameras", proof.cameras, [&json](const CameraProof& camera) {
     json.object([&] {
       json.put("name", camera.name);
@@ -64,7 +66,7 @@ void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
   });
   json.put("poses", std::span<const std::string>(proof.poses));
   json.put("max_diff_pose", proof.max_diff_pose);
-  json.put("other_numbers", std::span<const std::string>(proof.other_numbers));
+  json.put("other_numbers", text::texts_of(proof.other_numbers, with_options));
   json.put("warnings", std::span<const std::string>(misreadings(proof, lens_given)));
 }
 
@@ -97,8 +99,8 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
         json.put("program", program.program);
         json.put("loads", program.loads);
         json.put("sensors", std::span<const std::string>(program.sensors));
-        json.put("refusals", std::span<const std::string>(program.refusals));
-        json.put("warnings", std::span<const std::string>(program.warnings));
+        json.put("refusals", sentences_of(program.refusals, with_options));
+        json.put("warnings", sentences_of(program.warnings, with_options));
       });
     });
     if (shown.asked) {

@@ -8,6 +8,7 @@
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/formats/wording.h>
 #include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
@@ -120,11 +121,12 @@ std::string readers_text(const Readers& readers) {
       text += program.sensors.empty() ? "yes\n" : "yes, as " + enumerated(program.sensors) + "\n";
       constexpr std::size_t kMostWarnings = 2;
       for (std::size_t i = 0; i < std::min(kMostWarnings, program.warnings.size()); ++i)
-        text += "    but: " + text::printable(program.warnings[i]) + "\n";
+        text += "    but: " + text::printable(sentence_of(program.warnings[i], with_options)) + "\n";
       if (program.warnings.size() > kMostWarnings)
         text += "    and " + std::to_string(program.warnings.size() - kMostWarnings) + " more (--json lists them)\n";
     } else {
-      text += "no: " + (program.refusals.empty() ? "it gives no reason" : text::printable(program.refusals.front()));
+      text += "no: " + (program.refusals.empty() ? "it gives no reason"
+                                                 : text::printable(sentence_of(program.refusals.front(), with_options)));
       if (program.refusals.size() > 1) text += " (and " + std::to_string(program.refusals.size() - 1) + " more)";
       text += "\n";
     }

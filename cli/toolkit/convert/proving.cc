@@ -15,9 +15,9 @@ namespace fca {
 namespace {
 
 std::string disagreement(const ProofResult& proof) {
-  if (!proof.loads) return "it would refuse the file: " + text::printable(enumerated(proof.refusals));
+  if (!proof.loads) return "it would refuse the file: " + text::printable(enumerated(sentences_of(proof.refusals)));
   if (!proof.poses_agree) return "an element of its poses differs by " + text::format_short(proof.max_diff_pose, 3);
-  if (proof.pixels_agree) return enumerated(proof.other_numbers, "and");
+  if (proof.pixels_agree) return enumerated(text::texts_of(proof.other_numbers), "and");
   if (proof.compared_share == 0.0) return "it has no pixel where we have one";
   return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
 }
@@ -92,10 +92,11 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
 
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics) {
   const text::Source& source = calibration.documents[calibration.with_cameras].source();
-  const std::optional<std::string> refusal = refused_by_all(
-      calibration.format->id, source.bytes, !calibration.rig.cameras.empty(), {"", std::string(name_of(inputs.opencv_model))});
-  if (!refusal) return;
-  diagnostics.warning("program-refuses", source.name + " is read, but its own program would refuse it, " + *refusal, {},
+  const Message refusal = refused_by_all(calibration.format->id, source.bytes, !calibration.rig.cameras.empty(),
+                                         {"", std::string(name_of(inputs.opencv_model))});
+  if (!refusal.is_said()) return;
+  diagnostics.warning("program-refuses",
+                      source.name + " is read, but its own program would refuse it, " + text::text_of(refusal), {},
                       "fca-io check " + shell_word(source.name) + " says where, and how to mend it");
 }
 
@@ -112,8 +113,9 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
               [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); });
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
-    const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
-                                first_refusal(base->source().bytes, id, options) == std::optional(proof.refusals.front());
+    const bool refused_before =
+        base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
+        first_refusal(base->source().bytes, id, options) == std::optional(sentence_of(proof.refusals.front()));
     if (refused_before) result.refused_before.push_back(program);
     if (!proof.agrees() && unchanged) {
       result.diagnostics.warning(
@@ -123,7 +125,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     } else if (refused_before) {
       result.diagnostics.warning("program-refuses",
                                  request.into + " is edited and not proven: before and after, " + program +
-                                     " refuses it: " + text::printable(proof.refusals.front()),
+                                     " refuses it: " + text::printable(sentence_of(proof.refusals.front())),
                                  {}, "--anew writes it as " + program + " reads it");
     } else if (!proof.agrees()) {
       result.diagnostics.error("proof-failed", program + " would not understand what was to be written: " + disagreement(proof),

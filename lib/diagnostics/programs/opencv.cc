@@ -1,10 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What OpenCV's functions make of a file.
+// What OpenCV's functions make of a file. {0} is what is spoken of, "camera_0.camera_matrix"; of sizes rows come first.
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> opencv_program_codes() { return {}; }
+std::span<const CodeInfo> opencv_program_codes() {
+  static constexpr std::array kRows = {
+      refusal(Code::kCvUnknownFunction, "there is no function '{0}'; pinhole and fisheye are known"),
+      refusal(Code::kCvNoCameraMatrix,
+              "no camera matrix under a key that OpenCV's samples read: camera_matrix, M1, K1, camera_matrix_1, "
+              "camera_matrix_left, camera_0"),
+      misreading(Code::kCvOtherMatrixFirst, "{0} is not read: {1} comes first"),
+      refusal(Code::kCvNoMatrix, "{0} is no !!opencv-matrix (rows, cols, dt, data)"),
+      refusal(Code::kCvUnreadableMatrix, "{0} is no matrix OpenCV can read ({1})"),
+      refusal(Code::kCvCameraMatrixSize, "{0} is {1} x {2}{3}; OpenCV's functions want 3 x 3 floating-point numbers"),
+      clause(Code::kCvNotReal, " and not of dt: d or f"),
+      misreading(Code::kCvMatrixTransposed,
+                 "{0} has numbers below its diagonal, which are not read: is it transposed, as MATLAB's?"),
+      refusal(Code::kCvDistortionSize, "{0} is {1} x {2}; OpenCV wants a floating-point vector of 4, 5, 8, 12 or 14 numbers"),
+      misreading(Code::kCvDistortionMissing, "{0} is missing; OpenCV reads an empty matrix and projects without distortion"),
+      misreading(Code::kCvToldOtherwise, "{0}: the file says {1}, the program is told {2}"),
+      misreading(Code::kCvFourNumbers,
+                 "{0} has 4 numbers, and nothing in the file says which function they are for: cv::projectPoints takes k1 k2 "
+                 "p1 p2, cv::fisheye k1 k2 k3 k4; taken as the former"),
+      refusal(Code::kCvCoefficientsNotFour, "{0}: {1} distortion coefficients; {2} wants 4"),
+      misreading(Code::kCvSkewUnused, "{0} has a skew of {1:all} px, which {2} does not use: up to {3:all} px"),
+      refusal(Code::kCvPairIncomplete, "{0} is missing; a program that reads a pair of cameras stops"),
+      misreading(Code::kCvOmnidirMeant, "{0} is in the file: cv::omnidir is meant, whatever the program is told ({1})"),
+      refusal(Code::kCvXiNoNumber, "{0} is no number; cv::omnidir needs one"),
+      refusal(Code::kCvNoVector, "{0} is not a vector of 3 numbers"),
+      refusal(Code::kCvHalfAPose, "{0} is missing beside {1}; the pose of the second camera needs both"),
+      refusal(Code::kCvRotationSize, "{0} is {1} x {2}; a 3 x 3 matrix of floating-point numbers is wanted"),
+      refusal(Code::kCvCameraCount, "{0} is {1}, but there are {2} maps camera_0 ..."),
+      refusal(Code::kCvNoMap, "{0} is no map"),
+      refusal(Code::kCvKeyMissing, "{0} is missing"),
+      refusal(Code::kCvPoseSize, "{0} is {1} x {2}; 4 x 4 floating-point numbers are wanted"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

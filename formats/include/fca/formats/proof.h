@@ -41,17 +41,18 @@ struct ProofResult {
   double unanswered_share = 0.0;  ///< Of the image asked about, how much the program has no right pixel for.
   double wrong_ray_share = 0.0;   ///< Of the image asked about, how much the program gives wrong rays though right pixels.
   double wrong_ray_px = 0.0;      ///< How far such a pixel lies, at most, from the pixel of the ray that it is given.
-  std::string wrong_ray_why;      ///< A clause.
+  Message wrong_ray_why;          ///< A clause; may say nothing.
   double max_diff_pose = 0.0;     ///< Largest difference of an element of a pose both state.
   bool pixels_agree = false;      ///< To what its precision allows; also where there was nothing to compare (no image size).
   bool poses_agree = false;
   /// Numbers beside pixels and poses that the program holds otherwise than the rig: image sizes, time offsets, the IMU's noise
-  /// and rate, a depth sensor's baseline. A clause each: "cam0 time offset is 0.1, not 0.2".
-  std::vector<std::string> other_numbers;
+  /// and rate, a depth sensor's baseline. One each: owner, name, the program's number, the rig's ("cam0 time offset is 0.1, not
+  /// 0.2").
+  std::vector<Message> other_numbers;
   std::vector<CameraProof> cameras;  ///< Those that it sees, in its order.
   std::vector<std::string> poses;    ///< Those that it holds: "T_cam0_cam1".
-  std::vector<std::string> refusals;
-  std::vector<std::string> warnings;  ///< What it silently misreads or ignores.
+  std::vector<consumers::Complaint> refusals;
+  std::vector<consumers::Complaint> warnings;  ///< What it silently misreads or ignores.
   /// Is the file right? What the program is known to misread of right files is not held against it.
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree && other_numbers.empty(); }
   /// Does the program understand all that the file says?
@@ -78,10 +79,11 @@ struct Readers {
   struct Program {
     std::string program;
     bool loads = false;
-    bool other_syntax = false;          ///< As consumers::Consumer's, of this format.
-    std::vector<std::string> sensors;   ///< ORB-SLAM3 and kin: the modes it loads in.
-    std::vector<std::string> refusals;  ///< Of the mode that comes furthest.
-    std::vector<std::string> warnings;  ///< Of the first mode it loads in, then what further modes add ("as stereo: ...").
+    bool other_syntax = false;                   ///< As consumers::Consumer's, of this format.
+    std::vector<std::string> sensors;            ///< ORB-SLAM3 and kin: the modes it loads in.
+    std::vector<consumers::Complaint> refusals;  ///< Of the mode that comes furthest.
+    /// Of the first mode it loads in, then what further modes add: Code::kProgramAsMode ("as stereo: ...").
+    std::vector<consumers::Complaint> warnings;
   };
   std::vector<Program> programs;
 };
@@ -91,9 +93,9 @@ struct Readers {
 [[nodiscard]] Readers ask_readers(std::string_view format, std::string_view bytes, std::optional<bool> with_cameras = {},
                                   const consumers::LoadOptions& options = {});
 
-/// Why not one of those programs would load the file, as the first of them says it: "Kalibr: cam0/resolution ..."; nothing if
-/// one does, if there is none, or if all that they lack is keys of their own (another program's file).
-[[nodiscard]] std::optional<std::string> refused_by_all(std::string_view format, std::string_view bytes, bool with_cameras,
-                                                        const consumers::LoadOptions& options = {});
+/// Why not one of those programs would load the file, as the first of them says it: "Kalibr: cam0/resolution ..."; says nothing
+/// if one does, if there is none, or if all that they lack is keys of their own (another program's file).
+[[nodiscard]] Message refused_by_all(std::string_view format, std::string_view bytes, bool with_cameras,
+                                     const consumers::LoadOptions& options = {});
 
 }  // namespace fca

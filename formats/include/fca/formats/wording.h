@@ -33,6 +33,8 @@ namespace fca {
 
 namespace consumers {
 
+/// A complaint's message; of a program that still words it itself, its words.
+[[nodiscard]] Message facts_of(const Complaint& complaint);
 [[nodiscard]] std::string sentence_of(const Complaint& complaint, text::Wording wording = text::table_wording);
 [[nodiscard]] std::vector<std::string> sentences_of(std::span<const Complaint> complaints,
                                                     text::Wording wording = text::table_wording);

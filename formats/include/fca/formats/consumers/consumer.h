@@ -37,8 +37,8 @@ struct ConsumerCamera {
   double approximation_px = 0.0;
   /// The other direction, pixel to ray (not normalised), where the program's own is known to go wrong; empty elsewhere.
   std::function<std::optional<std::array<double, 3>>(const std::array<double, 2>& pixel)> unproject = {};
-  std::string_view unproject_fault = {};  ///< In what way that one goes wrong, a clause.
-  std::string model = {};  ///< What the program takes the lens for, in its own words: "KannalaBrandt8", "cv::fisheye".
+  Message unproject_fault = {};  ///< In what way that one goes wrong, a clause.
+  std::string model = {};        ///< What the program takes the lens for, in its own words: "KannalaBrandt8", "cv::fisheye".
   std::optional<double> time_offset_s = {};  ///< t_imu = t_cam + time_offset_s, where the program reads it.
 };
 
