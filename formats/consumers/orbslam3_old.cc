@@ -49,11 +49,11 @@ class Parser {
     const cv::FileNode node = settings_.node("Camera.type");
     const std::string type = node.isString() ? node.string() : std::string();
     if (is_supported(type)) return type;
-    std::vector<Message> third;
-    if (dialect_.knows_double_sphere) third = {{Code::kOrbslamDoubleSphere}};
+    std::vector<std::string> known = {"PinHole", "KannalaBrandt8"};
+    if (dialect_.knows_double_sphere) known.emplace_back("DoubleSphere");
     std::vector<Message> hint;
     if (settings_.has("Camera1.fx")) hint = {{Code::kOrbslamKeysOfV1}};
-    settings_.refuse_at("Camera.type", Code::kOrbslamOldType, {described_or_missing(node), settings_.program(), third, hint});
+    settings_.refuse_at("Camera.type", Code::kOrbslamOldType, {described_or_missing(node), settings_.program(), known, hint});
     return {};
   }
 

@@ -51,9 +51,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
       refusal(Code::kOrbslamSmallMatrix, "{0} is {1} x {2}; {3} reads {4} x {5} without looking"),
 
       // The old parser of ORB-SLAM3.
-      refusal(Code::kOrbslamOldType,
-              "{0} is {1}; {2} (old style) knows PinHole, KannalaBrandt8{3} and is left without a camera{4}"),
-      clause(Code::kOrbslamDoubleSphere, ", DoubleSphere"),
+      refusal(Code::kOrbslamOldType, "{0} is {1}; {2} (old style) knows {3:,} and is left without a camera{4}"),
       clause(Code::kOrbslamKeysOfV1, " (the Camera1.* keys belong to a file with File.version: \"1.0\")"),
       refusal(Code::kOrbslamViewerStops, "{0} is missing; the viewer of {1} stops"),
       misreading(Code::kOrbslamK3IsInt, "{0} is an int; {1} (old style) ignores it: write it with a '.'"),

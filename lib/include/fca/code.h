@@ -1009,7 +1009,6 @@ enum class Code : std::uint16_t {
   kOrbslamEucmRefusesAll,
   kOrbslamSmallMatrix,
   kOrbslamOldType,
-  kOrbslamDoubleSphere,
   kOrbslamKeysOfV1,
   kOrbslamViewerStops,
   kOrbslamK3IsInt,
