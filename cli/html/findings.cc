@@ -32,7 +32,7 @@ void put_checked(Html& html, const CheckResult& file) {
   }
   html.element("details", {}, [&] {
     html.element("summary", {}, "What was checked, and what could not be decided");
-    if (!report.checked.empty()) html.element("p", {}, "Checked: " + enumerated(report.checked) + ".");
+    if (!report.checked.empty()) html.element("p", {}, "Checked: " + enumerated(checked_of(report, with_options)) + ".");
     html.element("ul", {}, [&] {
       for (const Undecided& undecided : report.undecided) {
         html.element("li", {},

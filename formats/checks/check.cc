@@ -24,7 +24,7 @@ namespace checks {
 
 void Findings::add(Finding finding) {
   if (consequence_of(finding).empty()) {
-    if (const CheckCode* code = find_check_code(id_of(finding))) finding.consequence = code->consequence;
+    if (const CodeInfo* general = find_check_code(id_of(finding))) finding.outcome = {general->code};
   }
   report_.findings.push_back(std::move(finding));
 }
@@ -38,6 +38,15 @@ void Findings::add(Severity severity, Code code, std::vector<Argument> arguments
   finding.severity = severity;
   finding.where = std::move(where);
   finding.facts = {code, std::move(arguments)};
+  add(std::move(finding));
+}
+
+void Findings::add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit mend) {
+  Finding finding;
+  finding.severity = info(code).severity;
+  finding.where = std::move(where);
+  finding.facts = {code, std::move(arguments)};
+  finding.mend = std::move(mend);
   add(std::move(finding));
 }
 
@@ -55,22 +64,22 @@ bool Findings::has_any(std::span<const std::string_view> codes) const {
 namespace {
 
 struct Topic {
-  std::string_view checked;  ///< In words, for a file that gave it something to look at.
+  Code checked;  ///< Of a file that gave it something to look at.
   bool (*check)(const Subject&, Findings&);
 };
 
 constexpr std::array kTopics = {
-    Topic{"principal point, focal lengths and image size against each other", &check_image},
-    Topic{"whether the lens model covers the image", &check_lens},
-    Topic{"whether the numbers look like another model's", &check_family},
-    Topic{"whether cv::undistortPoints arrives", &check_undistortion},  // not with numbers that those before do not believe
-    Topic{"rotations", &check_rotations},
-    Topic{"poses that are stated twice", &check_redundant_poses},
-    Topic{"distances", &check_distances},  // not those that the poses before have named
-    Topic{"IMU noise", &check_imu},
-    Topic{"time offsets", &check_time},
-    Topic{"OCamCalib's two polynomials", &check_ocamcalib},
-    Topic{"ORB-SLAM3's baseline, depth threshold and matrix types", &check_orbslam3},
+    Topic{Code::kCheckedImage, &check_image},
+    Topic{Code::kCheckedLens, &check_lens},
+    Topic{Code::kCheckedFamily, &check_family},
+    Topic{Code::kCheckedUndistortion, &check_undistortion},  // not with numbers that those before do not believe
+    Topic{Code::kCheckedRotations, &check_rotations},
+    Topic{Code::kCheckedPoses, &check_redundant_poses},
+    Topic{Code::kCheckedDistances, &check_distances},  // not those that the poses before have named
+    Topic{Code::kCheckedImu, &check_imu},
+    Topic{Code::kCheckedTime, &check_time},
+    Topic{Code::kCheckedOcamcalib, &check_ocamcalib},
+    Topic{Code::kCheckedOrbslam3, &check_orbslam3},
 };
 
 /// What the reader reports and a topic says better, or says at its place.
@@ -124,21 +133,21 @@ bool has_code(const Diagnostics& diagnostics, std::string_view code) {
 }
 
 /// "84 deg across the image" of a camera under one reading of its four numbers.
-std::string view_as(const text::Document& document, const CheckOptions& options, const std::string& reading,
+Message view_as(const text::Document& document, const CheckOptions& options, const std::string& reading,
                     std::size_t index) {
   CheckOptions as = options;
   as.reading.opencv_model = reading;
   Diagnostics ignored;
   const std::optional<Calibration> calibration = read_calibration({document}, options.from, as.reading, ignored);
-  if (!calibration || calibration->rig.cameras.size() <= index) return "as " + reading + ": no camera";
+  if (!calibration || calibration->rig.cameras.size() <= index) return {Code::kAsLensNoCamera, {reading}};
   const Camera& camera = calibration->rig.cameras[index];
-  if (!camera.image_size) return "as " + reading + ": field of view not decidable without the image size (--size)";
+  if (!camera.image_size) return {Code::kAsLensNoSize, {reading}};
   const double row = principal_point(camera.model)[1];
   const std::optional<Ray> left = unproject(camera.model, {0.0, row});
   const std::optional<Ray> right = unproject(camera.model, {camera.image_size->width - 1.0, row});
-  if (!left || !right) return "as " + reading + ": the image's border has no ray";
+  if (!left || !right) return {Code::kAsLensNoRay, {reading}};
   const double degrees = (angle_from_axis(*left) + angle_from_axis(*right)) * 180.0 / std::numbers::pi;
-  return "as " + reading + ": " + text::format_short(degrees, 4) + " deg across the image";
+  return {Code::kAsLensView, {reading, degrees}};
 }
 
 /// A parameter out of its range is often its neighbour in the list.
@@ -146,7 +155,7 @@ void suggest_exchanges(const text::Document& document, const Format& format, con
   for (Finding& finding : report.findings) {
     if (id_of(finding) != "not-a-camera" || !fix_of(finding).empty()) continue;
     const text::Node* other = exchanged_with(document, format, options.reading, finding.where.offset);
-    if (other != nullptr) finding.fix = "exchange it with " + other->value + " beside it";
+    if (other != nullptr) finding.remedy = {Code::kExchangeNeighbours, {other->value}};
   }
 }
 
@@ -156,8 +165,7 @@ void show_both_readings(const text::Document& document, const CheckOptions& opti
   for (Finding& finding : report.findings) {
     if (id_of(finding) != "ambiguous-model") continue;
     finding.severity = Severity::kWarning;
-    finding.message = message_of(finding) + "; " + view_as(document, options, "pinhole", camera) + "; " +
-                      view_as(document, options, "fisheye", camera);
+    for (const char* reading : {"pinhole", "fisheye"}) finding.details.push_back(view_as(document, options, reading, camera));
     ++camera;
   }
 }
@@ -165,9 +173,9 @@ void show_both_readings(const text::Document& document, const CheckOptions& opti
 /// What usually mends it, where a finding has nothing more exact to say.
 void add_usual_fixes(CheckReport& report) {
   for (Finding& finding : report.findings) {
-    const CheckCode* code =
+    const CodeInfo* general =
         fix_of(finding).empty() && finding.severity != Severity::kNote ? find_check_code(id_of(finding)) : nullptr;
-    if (code != nullptr) finding.fix = code->fix;
+    if (general != nullptr && !general->fix.empty()) finding.remedy = {general->code};
   }
 }
 
@@ -192,7 +200,7 @@ void run_topics(const text::Document& document, const Calibration& calibration, 
   const Subject subject{document, calibration, options, Places(document, calibration)};
   Findings findings(report);
   for (const Topic& topic : kTopics) {
-    if (topic.check(subject, findings)) report.checked.emplace_back(topic.checked);
+    if (topic.check(subject, findings)) report.checked.push_back({topic.checked});
   }
 }
 
@@ -219,7 +227,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   }
   std::optional<DetectedFormat> detected;
   if (options.from != nullptr) {
-    detected = DetectedFormat{options.from, "--from"};
+    detected = DetectedFormat{options.from, ""};
   } else {
     detected = detect_format(*document, diagnostics);
   }
@@ -241,8 +249,11 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
     checks::run_topics(*document, *calibration, options, report);
     if (options.parts) checks::check_parts(*document, *detected->format, options, report);
   } else {
-    findings.undecided(report.findings.empty() ? "wrong-syntax" : id_of(report.findings.front()),
-                       "everything beyond the file's syntax", "the file could not be read as a calibration");
+    if (report.findings.empty()) {
+      findings.undecided(Code::kRestNotLookedAt);
+    } else {
+      findings.undecided(id_of(report.findings.front()), Code::kRestNotLookedAt);
+    }
     checks::show_both_readings(*document, options, report);
     checks::suggest_exchanges(*document, *detected->format, options, report);
   }

@@ -2,8 +2,8 @@
 // Numbers of one lens model under the name of another. Four coefficients look alike in every file; what they may be differs.
 #include "topics.h"
 
+#include <fca/code.h>
 #include <fca/convert/domain.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
@@ -23,12 +23,7 @@ void check_tangential(const Subject& subject, const Camera& camera, Findings& fi
   constexpr double kLargest = 0.02;
   for (const ParameterId id : ParameterIds{"p1", "p2"}) {
     if (std::abs(value(camera, id)) <= kLargest) continue;
-    findings.add({Severity::kWarning, "wrong-family",
-                  camera.name + ": " + std::string(id.name()) + " = " + text::format_short(value(camera, id), 4) +
-                      " is no tangential distortion of a real lens (below 0.01); k3 and k4 of an equidistant (Kannala-Brandt) "
-                      "model often stand there",
-                  "Straight lines bend sideways and pixels far from the centre are off by tens of pixels.",
-                  "if the four numbers are k1 k2 k3 k4 of a fisheye, name that model", subject.places.parameter(camera, id)});
+    findings.add(Code::kTangentialTooLarge, {camera.name, id.name(), value(camera, id)}, subject.places.parameter(camera, id));
     return;
   }
 }
@@ -41,12 +36,7 @@ void check_rectilinear(const Subject& subject, const Camera& camera, Findings& f
   constexpr double kStraight = 0.03;
   const double k1 = value(camera, "k1");
   if (!view || *view < kWidest || k1 == 0.0 || std::abs(k1) > kStraight) return;
-  findings.add({Severity::kWarning, "wrong-family",
-                camera.name + ": nearly no distortion (k1 = " + text::format_short(k1, 3) + ") at " +
-                    text::format_short(*view * kDegreesPerRadian, 4) +
-                    " deg across the image: no such lens is built; an equidistant (Kannala-Brandt) model has such numbers",
-                "Directions at the border are off by tens of degrees.",
-                "if the four numbers are k1 k2 k3 k4 of a fisheye, name that model", subject.places.parameter(camera, "k1")});
+  findings.add(Code::kRectilinearTooWide, {camera.name, k1, *view * kDegreesPerRadian}, subject.places.parameter(camera, "k1"));
 }
 
 /// radtan's signature: a strong negative k1, a positive k2 and two tangential terms that are next to nothing. An equidistant
@@ -58,11 +48,7 @@ void check_equidistant(const Subject& subject, const Camera& camera, Findings& f
   constexpr double kTangential = 5e-3;
   const bool tiny = std::abs(value(camera, "k3")) < kTangential && std::abs(value(camera, "k4")) < kTangential;
   if (std::abs(k1) < kStrong || k1 * k2 >= 0.0 || !tiny) return;
-  findings.add({Severity::kWarning, "wrong-family",
-                camera.name + ": k1 = " + text::format_short(k1, 4) + ", k2 = " + text::format_short(k2, 4) +
-                    " beside k3 and k4 of nearly 0 are a radial-tangential lens's k1 k2 p1 p2, not an equidistant one's",
-                "Directions at the border are off by tens of degrees.", "if so, name the model radtan (plumb_bob, PinHole)",
-                subject.places.parameter(camera, "k1")});
+  findings.add(Code::kRadtanUnderEquidistant, {camera.name, k1, k2}, subject.places.parameter(camera, "k1"));
 }
 
 }  // namespace

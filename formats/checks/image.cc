@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "topics.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 
 #include <cmath>
 
 namespace fca::checks {
 
 namespace {
-
-std::string at(double u, double v) { return "(" + text::format_short(u, 5) + ", " + text::format_short(v, 5) + ")"; }
-
-std::string size_of(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 class ImageCheck {
  public:
@@ -31,10 +27,6 @@ class ImageCheck {
   /// Distance from the middle of the image in halves of its sides: 1 is the border.
   static double off(double place, int side) { return std::abs(place - 0.5 * (side - 1)) / (0.5 * side); }
 
-  void add(Severity severity, std::string code, std::string message, std::string fix, const SourceRange& where) {
-    findings_.add({severity, std::move(code), camera_.name + ": " + std::move(message), {}, std::move(fix), where});
-  }
-
   /// Width and height, or the two numbers of the centre, the other way round.
   bool check_swapped() {
     constexpr double kNear = 0.1;
@@ -43,10 +35,7 @@ class ImageCheck {
     const bool far = off(u_, size_.width) > kFar && off(v_, size_.height) > kFar;
     if (!fits_swapped || !far) return false;
     if (subject_.is("ocamcalib")) return true;  // its reader says so, at the centre
-    add(Severity::kError, "size-swapped",
-        "the principal point " + at(u_, v_) + " is the middle of a " + size_of({size_.height, size_.width}) +
-            " image, not of one of " + size_of(size_),
-        "exchange width and height, or the two numbers of the principal point", subject_.places.image_width(camera_));
+    findings_.add(Code::kSizeSwapped, {camera_.name, u_, v_, size_.width, size_.height}, subject_.places.image_width(camera_));
     return true;
   }
 
@@ -60,11 +49,8 @@ class ImageCheck {
         std::abs(across - 1.0) < kFarFromOne)
       return false;
     const double factor = 0.5 * (across + down);
-    add(Severity::kError, "size-unlike-centre",
-        "the principal point " + at(u_, v_) + " is the middle of an image " + text::format_short(factor, 3) +
-            " times as large as " + size_of(size_),
-        "write the size of the images that were calibrated, or scale the intrinsics to this size",
-        subject_.places.image_width(camera_));
+    findings_.add(Code::kSizeUnlikeCentre, {camera_.name, u_, v_, size_.width, size_.height, factor},
+                  subject_.places.image_width(camera_));
     return true;
   }
 
@@ -74,12 +60,8 @@ class ImageCheck {
     if (worst <= kFar) return;
     const bool outside = worst > 1.0;
     const bool by_column = off(u_, size_.width) >= off(v_, size_.height);
-    add(outside ? Severity::kError : Severity::kWarning, outside ? "centre-outside" : "centre-off",
-        "the principal point " + at(u_, v_) + (outside ? " lies outside the " : " is far from the middle of the ") +
-            size_of(size_) + " image",
-        outside ? "a crop moves it by the crop's corner; an exchange of numbers or another resolution is more likely"
-                : "right for a cropped image; else another resolution's numbers, or a poor calibration",
-        subject_.places.parameter(camera_, by_column ? ParameterId("cx") : ParameterId("cy")));
+    findings_.add(outside ? Code::kCentreOutside : Code::kCentreOff, {camera_.name, u_, v_, size_.width, size_.height},
+                  subject_.places.parameter(camera_, by_column ? ParameterId("cx") : ParameterId("cy")));
   }
 
   void check_focal_lengths() {
@@ -88,22 +70,14 @@ class ImageCheck {
     constexpr double kLongest = 20.0;      // 3 deg across the image
     const double relative = f_u / size_.width;
     if (relative < kPixelsOfAny || relative > kLongest) {
-      add(Severity::kError, "focal-length-not-in-pixels",
-          "the focal length " + text::format_short(f_u, 5) + " px does not belong to an image of " +
-              std::to_string(size_.width) + " columns",
-          relative < kPixelsOfAny
-              ? "it is in pixels: millimetres divided by the pixel pitch, or a normalised one times the width"
-              : "check it and the image size",
-          subject_.places.parameter(camera_, "fx"));
+      const Code code = relative < kPixelsOfAny ? Code::kFocalLengthTooShort : Code::kFocalLengthTooLong;
+      findings_.add(code, {camera_.name, f_u, size_.width}, subject_.places.parameter(camera_, "fx"));
       return;
     }
     constexpr double kSquarePixels = 0.05;
     if (std::abs(f_u / f_v - 1.0) <= kSquarePixels) return;
-    add(Severity::kWarning, "focal-lengths-differ",
-        "the focal lengths " + text::format_short(f_u, 6) + " and " + text::format_short(f_v, 6) + " px differ by " +
-            text::format_short(100.0 * std::abs(f_u / f_v - 1.0), 3) + " %",
-        "right for pixels that are not square; else compare both with the calibration's result",
-        subject_.places.parameter(camera_, "fy"));
+    findings_.add(Code::kFocalLengthsDiffer, {camera_.name, f_u, f_v, 100.0 * std::abs(f_u / f_v - 1.0)},
+                  subject_.places.parameter(camera_, "fy"));
   }
 
   const Subject& subject_;
@@ -120,19 +94,14 @@ bool check_image(const Subject& subject, Findings& findings) {
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
     if (!camera.image_size) {
-      findings.undecided("folds-inside-image", camera.name + ": principal point, field of view and folding",
-                         "no image size in the file: give --size WxH");
+      findings.undecided(Code::kImageNotJudged, {camera.name});
       continue;
     }
     const std::optional<ImageSize>& told = subject.options.reading.image_size;
     if (told && *told != *camera.image_size) {
-      findings.add(
-          {Severity::kError,
-           "size-contradicts",
-           camera.name + " has " + size_of(*camera.image_size) + " px in the file, and " + size_of(*told) + " was told",
-           {},
-           "--size is for files that state no size",
-           subject.places.image_width(camera)});
+      findings.add(Code::kSizeToldDiffers,
+                   {camera.name, camera.image_size->width, camera.image_size->height, told->width, told->height},
+                   subject.places.image_width(camera));
     }
     // Of a part of an image, or a binned one, nothing can be expected that does not hold of the whole.
     const auto as_stated = subject.calibration.format->as_stated;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "layout_mend.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -45,8 +47,8 @@ std::string header_for(const text::Source& source, std::size_t rest) {
   return marked ? "%YAML 1.2" : "%YAML 1.2" + std::string(source.line_break()) + "---";
 }
 
-std::string in_words(const std::string& header) {
-  return header.ends_with("---") ? "%YAML 1.2 and, in a line of its own, ---" : "%YAML 1.2";
+Message named(const std::string& header) {
+  return {header.ends_with("---") ? Code::kHeaderWithMark : Code::kHeaderWithoutMark};
 }
 
 /// Where values follow their key's colon without a blank, which OpenCV's reader alone takes.
@@ -90,11 +92,18 @@ std::string lines_before(const text::Source& source, const Top& top) {
   return std::string(source.line_break()) + std::string(lines);
 }
 
-std::string in_words(const text::Source& source, const Top& top) {
-  std::string text = top.start > 0 ? "remove the byte order mark (BOM) before the first line" : "";
-  if (top.header->offset > top.start)
-    text += (text.empty() ? "" : "; ") + std::string("begin the file with ") + std::string(source.text(*top.header));
-  return text;
+/// What takes the header to the first byte.
+std::vector<Message> steps_to_top(const text::Source& source, const Top& top) {
+  std::vector<Message> steps;
+  if (top.start > 0) steps.push_back({Code::kLayoutWithoutMark});
+  if (top.header->offset > top.start) steps.push_back({Code::kLayoutBegins, {source.text(*top.header)}});
+  return steps;
+}
+
+Message in_turn(const std::vector<Message>& steps) {
+  std::vector<Message> clauses;
+  for (const Message& step : steps) clauses.push_back(clauses.empty() ? step : Message{Code::kLayoutThen, {step}});
+  return {Code::kLayoutOfOpenCv, {clauses}};
 }
 
 }  // namespace
@@ -113,11 +122,10 @@ std::optional<Mend> header_mend(const text::Document& document) {
     text += std::string(source.text({at, place - at})) + " ";
     at = place;
   }
-  return Mend{"opencv-header",
-              {0, at},
-              text,
-              "write " + in_words(header) + (line.offset > top.start ? " in the first line" : "") +
-                  (unspaced.empty() ? "" : "; and a blank behind every colon")};
+  std::vector<Message> besides;
+  if (line.offset > top.start) besides.push_back({Code::kHeaderInFirstLine});
+  if (!unspaced.empty()) besides.push_back({Code::kBlanksBehindColons});
+  return Mend{{Code::kHeaderOfYaml, {named(header), besides}}, {0, at}, text};
 }
 
 std::optional<Mend> layout_mend(const text::Document& document) {
@@ -133,17 +141,17 @@ std::optional<Mend> layout_mend(const text::Document& document) {
   std::size_t begin = 0;
   std::size_t at = top.start;
   std::string text;
-  std::string first;
+  std::vector<Message> steps;
   if (top.is_first()) {
     begin = at = source.line_at(shallow.front().offset).offset;
   } else if (top.header) {
     at = top.header->end();
     text = std::string(source.text(*top.header)) + lines_before(source, top);
-    first = in_words(source, top);
+    steps = steps_to_top(source, top);
   } else {
     const std::string header = header_for(source, top.start);
     text = header + std::string(source.line_break());
-    first = "begin the file with " + in_words(header);
+    steps.push_back({Code::kLayoutBegins, {named(header)}});
   }
   for (const Span& list : shallow) {
     const std::size_t start = source.line_at(list.offset).offset;
@@ -155,8 +163,8 @@ std::optional<Mend> layout_mend(const text::Document& document) {
       at = next;
     }
   }
-  const std::string lists = shallow.empty() ? "" : "indent lists deeper than their key";
-  return Mend{"yaml-layout", {begin, at - begin}, text, first + (first.empty() || lists.empty() ? "" : "; ") + lists};
+  if (!shallow.empty()) steps.push_back({Code::kLayoutIndented});
+  return Mend{in_turn(steps), {begin, at - begin}, text};
 }
 
 }  // namespace fca::checks

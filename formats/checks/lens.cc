@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "topics.h"
 
+#include <fca/code.h>
 #include <fca/convert/domain.h>
-#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,28 +64,16 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   const bool circle = ends > kFisheye;
   const bool broken = uncovered.nearest_px < 0.5 * nearest_border;
   const Severity severity = broken ? Severity::kError : circle ? Severity::kNote : Severity::kWarning;
-  const std::string what = camera.name + ": the radius stops growing " + text::format_short(ends * kDegreesPerRadian, 4) +
-                           " deg from the axis, about " + text::format_short(uncovered.nearest_px, 4) +
-                           " px from the principal point: " + text::format_short(100.0 * uncovered.share, 3) +
-                           " % of the image has no ray";
-  findings.add({severity, "folds-inside-image", what,
-                circle && !broken ? "Nothing, if those pixels are black; a ray beyond that angle lands on a wrong pixel." : "",
-                circle && !broken
-                    ? "if the lens sees there, calibrate with targets near the border"
-                    : "calibrate with targets in the corners, or with a fisheye model; or do not use those pixels",
-                place_of_lens(subject, camera)});
+  findings.add(severity, circle && !broken ? Code::kFoldsAtCircle : Code::kFoldsInsideImage,
+               {camera.name, ends * kDegreesPerRadian, uncovered.nearest_px, 100.0 * uncovered.share},
+               place_of_lens(subject, camera));
 }
 
 /// Double Sphere is one-to-one beyond, too, but no lens has been found there.
 void check_second_sphere(const Subject& subject, const Camera& camera, Findings& findings) {
   const std::optional<double> xi = parameter(camera.model, "xi");
   if (model_info(camera.model).id != std::string_view("ds") || !xi || std::abs(*xi) <= 1.0) return;
-  findings.add({Severity::kWarning,
-                "not-a-camera",
-                camera.name + ": xi is " + text::format_short(*xi) + "; Double Sphere's lies between -1 and 1",
-                {},
-                "was it xi of omni, or alpha of another list?",
-                subject.places.parameter(camera, "xi")});
+  findings.add(Code::kSecondSphere, {camera.name, *xi}, subject.places.parameter(camera, "xi"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "named_part.h"
 #include "tab_mend.h"
 
+#include <fca/code.h>
 #include <fca/formats/mend.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
@@ -23,7 +24,7 @@ void collect_scalars(const Node& node, std::vector<const Node*>& scalars) {
   for (const text::Entry& entry : node.entries) collect_scalars(entry.value, scalars);
 }
 
-Mend spelled(const char* code, const text::Span& span, const std::string& text) { return {code, span, text, "write " + text}; }
+Mend spelled(Code code, const text::Span& span, const std::string& text) { return {{code, {text}}, span, text}; }
 
 /// Other spellings of the same value.
 std::vector<Mend> spellings(const Node& scalar) {
@@ -31,23 +32,23 @@ std::vector<Mend> spellings(const Node& scalar) {
   const std::optional<double> number = text::parse_real(scalar.value);
   if (!scalar.quoted && number && std::isfinite(*number)) {
     const bool whole = text::parse_int(scalar.value).has_value();
-    mends.push_back(spelled(whole ? "int-for-real" : "number-as-text", scalar.span, text::format_real(*number)));
+    mends.push_back(spelled(whole ? Code::kSpellReal : Code::kSpellNumber, scalar.span, text::format_real(*number)));
     constexpr double kLargest = 1e9;
     if (!whole && *number == std::floor(*number) && std::abs(*number) < kLargest)
-      mends.push_back(spelled("real-for-int", scalar.span, std::to_string(static_cast<long long>(*number))));
+      mends.push_back(spelled(Code::kSpellWhole, scalar.span, std::to_string(static_cast<long long>(*number))));
   }
   if (scalar.quoted && number && std::isfinite(*number)) {
-    mends.push_back(spelled("number-as-text", scalar.span, scalar.value));
-    mends.push_back(spelled("number-as-text", scalar.span, text::format_real(*number)));
+    mends.push_back(spelled(Code::kSpellNumber, scalar.span, scalar.value));
+    mends.push_back(spelled(Code::kSpellNumber, scalar.span, text::format_real(*number)));
   }
-  if (!scalar.quoted) mends.push_back(spelled("unquoted-text", scalar.span, "\"" + scalar.value + "\""));
+  if (!scalar.quoted) mends.push_back(spelled(Code::kSpellQuoted, scalar.span, "\"" + scalar.value + "\""));
   return mends;
 }
 
 std::optional<Mend> without_mark(const text::Document& document) {
   const std::size_t length = document.source().byte_order_mark();
   if (length == 0) return std::nullopt;
-  return Mend{"byte-order-mark", {0, length}, "", "save the file as UTF-8 without a byte order mark (BOM)"};
+  return Mend{{Code::kMarkRemoved}, {0, length}, ""};
 }
 
 std::optional<Mend> blanks_for_tabs(const text::Document& document) {

@@ -2,7 +2,7 @@
 // What is OCamCalib's own beyond what its reader says (a stale inverse polynomial, an exchanged centre).
 #include "topics.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 
 #include <cmath>
 
@@ -16,13 +16,7 @@ bool check_ocamcalib(const Subject& subject, Findings& findings) {
     // OCamCalib's fit sets a1 = 0: the surface has no cusp on the axis. 1e-6 is a slope of a hair's breadth per image.
     constexpr double kZero = 1e-6;
     if (std::abs(a1) > kZero && a0 > 0.0) {
-      findings.add({Severity::kWarning,
-                    "a1-not-zero",
-                    camera.name + ": a1 = " + text::format_short(a1, 4) +
-                        "; OCamCalib's fit makes it 0, so that these are not its coefficients in its order (a0 first)",
-                    {},
-                    "write the coefficients ascending: a0 0 a2 a3 a4",
-                    subject.places.parameter(camera, "a1")});
+      findings.add(Code::kOcamA1NotZero, {camera.name, a1}, subject.places.parameter(camera, "a1"));
     }
   }
   return true;

@@ -2,6 +2,7 @@
 // What is ORB-SLAM's own: one baseline in two spellings, a threshold in baselines, matrices that are read as floats.
 #include "topics.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/rotation.h>
@@ -31,13 +32,7 @@ void check_matrix_types(const Subject& subject, Findings& findings) {
     const Node* matrix = find(subject, key);
     const Node* type = matrix != nullptr ? text::find(*matrix, "dt", text::Dialect::kOpenCv) : nullptr;
     if (type == nullptr || type->value == "f") continue;
-    findings.add({Severity::kError,
-                  "matrix-not-float",
-                  std::string(key) + " has dt: " + type->value + "; ORB-SLAM3 reads its bytes as floats",
-                  {},
-                  "write dt: f",
-                  subject.document.range(*type),
-                  SpanEdit{type->span, "f"}});
+    findings.add(Code::kMatrixNotFloat, {key, type->value}, subject.document.range(*type), SpanEdit{type->span, "f"});
   }
 }
 
@@ -54,37 +49,25 @@ void check_baseline(const Subject& subject, Findings& findings) {
   const std::optional<double> bf = number_at(subject, "Camera.bf");
   if (!bf) return;
   const Node& place = *find(subject, "Camera.bf");
-  const auto contradicts = [&](double expected, const std::string& why) {
+  const auto contradicts = [&](double expected, const Message& why) {
     constexpr double kSame = 0.05;
     if (std::abs(expected) < 1e-6 || std::abs(*bf / expected - 1.0) <= kSame) return;
-    findings.add(
-        {Severity::kWarning,
-         "baseline-contradicts",
-         "Camera.bf is " + text::format_short(*bf, 5) + ", and " + why + " makes it " + text::format_short(expected, 5),
-         {},
-         "Camera.bf is the baseline in metres times Camera.fx",
-         subject.document.range(place)});
+    findings.add(Code::kBaselineContradicts, {*bf, why, expected}, subject.document.range(place));
   };
   const Rig& rig = subject.rig();
   constexpr std::array<std::string_view, 1> kOtherUnit = {"translation-in-mm"};  // told, and bf is right then
   const double fx = number_at(subject, "Camera.fx").value_or(0.0);
   if (const std::optional<double> corner = corner_of(subject, "RIGHT.P")) {
-    contradicts(-*corner, "RIGHT.P(0, 3) = " + text::format_short(*corner, 5));
+    contradicts(-*corner, {Code::kBaselineOfP, {*corner}});
   } else if (rig.cameras.size() > 1 && !findings.has_any(kOtherUnit)) {
     if (const std::optional<Transform> T = rig.resolve(rig.cameras[0].name, rig.cameras[1].name)) {
       const double baseline = distance_of(*T);
-      contradicts(baseline * fx, "the second camera's distance of " + text::format_short(baseline, 4) + " m");
+      contradicts(baseline * fx, {Code::kBaselineOfPose, {baseline}});
     }
   }
   constexpr double kNarrowest = 2e-3;  // m
   if (fx > 0.0 && *bf > 0.0 && *bf / fx < kNarrowest) {
-    findings.add({Severity::kWarning,
-                  "bf-is-a-baseline",
-                  "Camera.bf = " + text::format_short(*bf, 4) + " makes a baseline of " +
-                      text::format_short(1000.0 * *bf / fx, 3) + " mm: that is probably the baseline itself, in metres",
-                  {},
-                  "if so, write " + text::format_short(*bf * fx, 6) + " (baseline times Camera.fx)",
-                  subject.document.range(place)});
+    findings.add(Code::kBfIsABaseline, {*bf, 1000.0 * *bf / fx, *bf * fx}, subject.document.range(place));
   }
 }
 
@@ -97,24 +80,11 @@ void check_depth_threshold(const Subject& subject, Findings& findings) {
     if (!threshold || (*threshold >= kNearest && *threshold <= kFarthest)) continue;
     const SourceRange where = subject.document.range(*find(subject, key));
     if (*threshold <= 0.0) {
-      findings.add({Severity::kWarning,
-                    "depth-threshold",
-                    std::string(key) + " = " + text::format_short(*threshold, 4) +
-                        ": no point is nearer than that, so none counts as close",
-                    {},
-                    *threshold < 0.0
-                        ? "write " + text::format_real(-*threshold) + " if only the sign is wrong; upstream's are 35 to 60"
-                        : "write 40.0; upstream's are 35 to 60",
-                    where});
+      const Code code = *threshold < 0.0 ? Code::kDepthThresholdNegative : Code::kDepthThresholdZero;
+      findings.add(code, {key, *threshold, -*threshold}, where);
       continue;
     }
-    findings.add({Severity::kWarning,
-                  "depth-threshold",
-                  std::string(key) + " = " + text::format_short(*threshold, 4) +
-                      " is counted in baselines, not in metres; upstream's are 35 to 60",
-                  {},
-                  "divide the distance in metres by the baseline",
-                  where});
+    findings.add(Code::kDepthThresholdNotInBaselines, {key, *threshold}, where);
   }
 }
 

@@ -18,12 +18,7 @@ std::optional<std::vector<text::Document>> with_parts(const text::Document& docu
   for (const NamedFile& named : named_parts(format, document)) {
     std::optional<text::Source> source = read_part(named);
     if (!source) {
-      findings.add({Severity::kError,
-                    "part-missing",
-                    "there is no file " + named.path + " that can be read",
-                    {},
-                    "put the camera's file there, or name the right one (paths are relative to this file's folder)",
-                    named.where});
+      findings.add(Code::kPartMissing, {named.path}, named.where);
       all = false;
       continue;
     }

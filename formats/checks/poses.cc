@@ -3,7 +3,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/dialect.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/rig/contradictions.h>
 #include <fca/rig/pose_slip.h>
 #include <fca/rig/rotation.h>
@@ -25,22 +24,12 @@ std::string name_of(const PoseEdge& edge) { return "T_" + edge.a + "_" + edge.b;
 /// Rounding is no difference: 6.8e-14 deg reads as 0.
 double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
 
-std::string in_degrees(double radians) { return text::format_short(without_rounding(radians) * kDegreesPerRadian, 3) + " deg"; }
+double in_degrees(double radians) { return without_rounding(radians) * kDegreesPerRadian; }
 
-std::string in_metres(double value) {
+Message in_metres(double value) {
   constexpr double kShort = 0.1;
   const double metres = without_rounding(value);
-  return std::abs(metres) < kShort ? text::format_short(metres * 1000.0, 3) + " mm" : text::format_short(metres, 3) + " m";
-}
-
-std::string rows_of(const Transform& T) {
-  std::string text;
-  for (int row = 0; row < 3; ++row) {
-    text += row == 0 ? "[" : ", [";
-    for (int column = 0; column < 3; ++column) text += (column == 0 ? "" : ", ") + text::format_short(T(row, column), 7);
-    text += "]";
-  }
-  return text;
+  return std::abs(metres) < kShort ? Message{Code::kInMillimetres, {metres * 1000.0}} : Message{Code::kInMetres, {metres}};
 }
 
 // Printed with three digits an element is off by 5e-4, and R^T R by 1e-3; with two by 2e-2.
@@ -54,12 +43,7 @@ bool is_rotation(const PoseEdge& edge) {
 void check_rotation(const Subject& subject, std::size_t index, Findings& findings) {
   const PoseEdge& edge = subject.rig().poses[index];
   if (rotation_determinant(edge.T_a_b) < 0.0) {
-    findings.add({Severity::kError,
-                  "left-handed",
-                  name_of(edge) + ": its 3 x 3 part mirrors (determinant -1), it does not rotate",
-                  {},
-                  "the sign of one row or column is wrong, or two of them are exchanged",
-                  subject.places.pose(index, 0, 0)});
+    findings.add(Code::kPoseLeftHanded, {name_of(edge)}, subject.places.pose(index, 0, 0));
     return;
   }
   if (is_rotation(edge)) return;
@@ -67,14 +51,12 @@ void check_rotation(const Subject& subject, std::size_t index, Findings& finding
   const std::optional<Transform> nearest = nearest_rotation(edge.T_a_b);
   if (!nearest) return;
   const ElementDifference worst = largest_difference(edge.T_a_b, *nearest);
-  findings.add({defect > kPrintedWithTwoDigits ? Severity::kError : Severity::kWarning,
-                "not-a-rotation",
-                name_of(edge) + ": its 3 x 3 part is not a rotation: R^T R is " + text::format_short(defect, 3) +
-                    " from the identity, and the nearest rotation differs by up to " + text::format_short(worst.distance, 2) +
-                    " in an element",
-                {},
-                "copy it from the calibration's result; the nearest rotation is " + rows_of(*nearest),
-                subject.places.pose(index, worst.row, worst.column)});
+  std::vector<Argument> facts = {name_of(edge), defect, worst.distance};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) facts.emplace_back((*nearest)(row, column));
+  }
+  findings.add(defect > kPrintedWithTwoDigits ? Severity::kError : Severity::kWarning, Code::kPoseNotARotation,
+               std::move(facts), subject.places.pose(index, worst.row, worst.column));
 }
 
 bool close(const Transform& a, const Transform& b) {
@@ -150,6 +132,13 @@ bool name_millimetres(const Subject& subject, Findings& findings) {
   return true;
 }
 
+/// What a pose is that is `undone` without the slip.
+Code code_of(const PoseSlip& slip, const Transform& stated, const Transform& undone) {
+  if (slip.code == "pose-inverted") return Code::kPoseInverted;
+  if (slip.code == "pose-transposed") return Code::kPoseTransposed;
+  return distance_of(undone) < distance_of(stated) ? Code::kPoseInMillimetres : Code::kPoseTooSmall;
+}
+
 /// If a slip of one of them explains the contradictions, it is told, and the pose that follows from the others stands in `rig`.
 bool name_slip(const Subject& subject, const Suspect& suspect, Rig& rig, Findings& findings) {
   const PoseEdge& edge = subject.rig().poses[suspect.index];
@@ -171,14 +160,10 @@ bool name_slip(const Subject& subject, const Suspect& suspect, Rig& rig, Finding
 
 constexpr double kLargestRig = 50.0;  // m
 
-void say_distance(double metres, const std::string& what, const SourceRange& where, Findings& findings) {
+/// `facts`: the metres first.
+void say_distance(double metres, Code code, std::vector<Argument> facts, const SourceRange& where, Findings& findings) {
   if (findings.has("translation-in-mm", where)) return;
-  findings.add({metres > kLargestRig ? Severity::kError : Severity::kWarning,
-                "translation-in-mm",
-                what + " is " + text::format_short(metres, 4) + " m long; probably millimetres stand there",
-                {},
-                "divide the translation by 1000 if they are millimetres",
-                where});
+  findings.add(metres > kLargestRig ? Severity::kError : Severity::kWarning, code, std::move(facts), where);
 }
 
 /// Stereo.b is the baseline, and people know the number as Camera.bf of the older style: baseline times fx.
@@ -190,17 +175,9 @@ bool name_bf(const Subject& subject, Findings& findings) {
   const double as_bf = *rig.baseline_m / central_focal_lengths(rig.cameras.front().model)[0];
   const double as_mm = *rig.baseline_m / 1000.0;
   if (!plausible(as_bf)) return false;
-  const std::string baseline = text::format_short(as_bf, 4);
-  const std::string metres = text::format_short(as_mm, 4);
-  findings.add({*rig.baseline_m > kLargestRig ? Severity::kError : Severity::kWarning,
-                "baseline-is-bf",
-                "Stereo.b = " + text::format_short(*rig.baseline_m, 5) +
-                    " is no baseline in metres; it may be Camera.bf's number (baseline times fx), of a baseline of " +
-                    baseline + " m" + (plausible(as_mm) ? ", or millimetres" : ""),
-                {},
-                "write " + baseline + (plausible(as_mm) ? ", or " + metres + " for millimetres" : "") +
-                    ": how far the two lenses are apart",
-                subject.document.range(*place)});
+  findings.add(*rig.baseline_m > kLargestRig ? Severity::kError : Severity::kWarning,
+               plausible(as_mm) ? Code::kBaselineIsBfOrMillimetres : Code::kBaselineIsBf, {*rig.baseline_m, as_bf, as_mm},
+               subject.document.range(*place));
   return true;
 }
 
@@ -216,19 +193,12 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
   });
   SourceRange where = {subject.document.source().name, 0, 0};
   if (stated != rig.poses.end()) where = subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
-  findings.add({Severity::kWarning,
-                "stereo-order",
-                "the second camera stands " + in_metres(*left) +
-                    " to the left of the first: the pose holds the other direction, or "
-                    "the cameras are exchanged",
-                {},
-                "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)",
-                where});
+  findings.add(Code::kSecondCameraIsLeft, {in_metres(*left)}, where);
 }
 
 /// "0.65 m above the ground", "3.2 m below the ground"
-std::string above_ground(double height) {
-  return in_metres(std::abs(height)) + (height < 0.0 ? " below" : " above") + " the ground";
+Message above_ground(double height) {
+  return {height < 0.0 ? Code::kBelowGround : Code::kAboveGround, {in_metres(std::abs(height))}};
 }
 
 /// A camera in a vehicle's frame stands above the ground and not farther from it than a truck is high.
@@ -241,15 +211,8 @@ void check_vehicle_direction(const Subject& subject, Findings& findings) {
     const std::optional<Transform> other = inverse(edge.T_a_b);
     if (!other || plausible(edge.T_a_b(2, 3))) continue;
     const bool inverted = plausible((*other)(2, 3));
-    findings.add({Severity::kWarning,
-                  inverted ? "pose-inverted" : "pose-implausible",
-                  edge.b + " stands " + above_ground(edge.T_a_b(2, 3)) +
-                      " of the vehicle's frame; the inverse pose would put it " + above_ground((*other)(2, 3)) +
-                      (inverted ? "" : ", where no car has a camera, either"),
-                  {},
-                  inverted ? "the file states camera -> vehicle: invert the pose"
-                           : "compare the translation with where the camera sits: metres from the ground under the rear axle",
-                  subject.places.pose(i, 2, 3)});
+    findings.add(inverted ? Code::kCameraUnderGround : Code::kCameraNotOfACar,
+                 {edge.b, above_ground(edge.T_a_b(2, 3)), above_ground((*other)(2, 3))}, subject.places.pose(i, 2, 3));
   }
 }
 
@@ -265,11 +228,12 @@ bool check_distances(const Subject& subject, Findings& findings) {
   for (std::size_t i = 0; i < rig.poses.size(); ++i) {
     const Transform& T = rig.poses[i].T_a_b;
     if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;
-    say_distance(distance_of(T), "the translation of " + name_of(rig.poses[i]), subject.places.pose(i, longest_row(T), 3),
+    const double metres = distance_of(T);
+    say_distance(metres, Code::kTranslationTooLong, {metres, name_of(rig.poses[i])}, subject.places.pose(i, longest_row(T), 3),
                  findings);
   }
   if (rig.baseline_m && too_far(subject, *rig.baseline_m) && !name_bf(subject, findings))
-    say_distance(*rig.baseline_m, "the baseline", subject.places.baseline(), findings);
+    say_distance(*rig.baseline_m, Code::kBaselineTooLong, {*rig.baseline_m}, subject.places.baseline(), findings);
   check_stereo_order(subject, findings);
   check_vehicle_direction(subject, findings);
   return !rig.poses.empty() || rig.baseline_m;
@@ -278,7 +242,7 @@ bool check_distances(const Subject& subject, Findings& findings) {
 bool check_redundant_poses(const Subject& subject, Findings& findings) {
   const auto& poses = subject.rig().poses;
   if (!std::ranges::all_of(poses, is_rotation)) {
-    findings.undecided("poses-contradict", "whether the poses agree", "one of them is not a rotation");
+    findings.undecided(Code::kAgreementUndecided);
     return false;
   }
   const bool any_redundant = !pose_loops(subject.rig()).empty();
@@ -286,9 +250,9 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
   // Above a vehicle's ground the height decides.
   const auto is_identity = [](const PoseEdge& edge) { return edge.T_a_b == Transform{}; };
   if (!any_redundant && !std::ranges::all_of(poses, is_identity) && !subject.is("woodscape")) {
-    findings.undecided("pose-inverted",
-                       "direction of " + name_of(poses.front()) + (poses.size() > 1 ? " and the other poses" : ""),
-                       "each is stated once, and a pose and its inverse are equally long");
+    std::vector<Message> others;
+    if (poses.size() > 1) others = {{Code::kAndTheOthers}};
+    findings.undecided(Code::kDirectionUndecided, {name_of(poses.front()), others});
   }
   if (!loops.empty() && name_millimetres(subject, findings)) return true;
   // What one slip explains is no contradiction besides.
@@ -306,13 +270,9 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
   for (const PoseLoop& loop : loops) {
     const double angle = loop.difference.angle_rad;
     const double distance = loop.difference.distance_m;
-    findings.add({angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning,
-                  "poses-contradict",
-                  name_of(poses[loop.edge]) + " as stated and as it follows from the other poses differ by " +
-                      in_degrees(angle) + " and " + in_metres(distance),
-                  {},
-                  "decide which one is right, and write the other from it",
-                  subject.places.pose(loop.edge, 0, 0)});
+    findings.add(angle > kSmallAngle || distance > kSmallDistance ? Severity::kError : Severity::kWarning,
+                 Code::kPosesContradict, {name_of(poses[loop.edge]), in_degrees(angle), in_metres(distance)},
+                 subject.places.pose(loop.edge, 0, 0));
   }
   return any_redundant;
 }

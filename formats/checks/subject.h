@@ -32,14 +32,15 @@ class Findings {
   /// As severe as the table says.
   void add(Code code, std::vector<Argument> arguments, SourceRange where);
   void add(Severity severity, Code code, std::vector<Argument> arguments, SourceRange where);
+  /// With the edit that certainly mends it.
+  void add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit mend);
   [[nodiscard]] bool has(std::string_view code, const SourceRange& where) const;
   [[nodiscard]] bool has_any(std::span<const std::string_view> codes) const;
-  void undecided(std::string code, std::string question, std::string why) {
-    report_.undecided.push_back({std::move(code), std::move(question), std::move(why)});
-  }
-  void undecided(Code code, std::vector<Argument> arguments) {
+  void undecided(Code code, std::vector<Argument> arguments = {}) {
     report_.undecided.push_back({{}, {}, {}, {code, std::move(arguments)}});
   }
+  /// Of another id than the question's own: that of a finding that keeps it open.
+  void undecided(std::string id, Code code) { report_.undecided.push_back({std::move(id), {}, {}, {code}}); }
 
  private:
   CheckReport& report_;

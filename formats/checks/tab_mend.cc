@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tab_mend.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 #include <map>
 #include <string_view>
@@ -35,10 +37,9 @@ class TabMender {
     std::size_t same = 0;
     const std::size_t most = std::min(source_.bytes.size(), mended_.size()) - begin;
     while (same < most && source_.bytes[source_.bytes.size() - 1 - same] == mended_[mended_.size() - 1 - same]) ++same;
-    return Mend{"yaml-tab",
+    return Mend{{Code::kTabsToBlanks},
                 {begin, source_.bytes.size() - same - begin},
-                mended_.substr(begin, mended_.size() - same - begin),
-                "write blanks for the TABs"};
+                mended_.substr(begin, mended_.size() - same - begin)};
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "told_once.h"
 
+#include <fca/code.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
@@ -71,7 +72,10 @@ bool is_dropped(const Twice& twice, const Finding& kept, const Finding& other) {
 void take_from(const Finding& other, Finding& finding) {
   finding.severity = std::max(finding.severity, other.severity);
   if (!has_place(finding)) finding.where = other.where;
-  if (fix_of(finding).empty()) finding.fix = fix_of(other);
+  if (fix_of(finding).empty() && !fix_of(other).empty()) {
+    finding.fix = other.fix;
+    finding.remedy = other.remedy.is_said() ? other.remedy : other.facts;
+  }
   if (!finding.mend) finding.mend = other.mend;
 }
 
@@ -88,7 +92,10 @@ void tell_once(CheckReport& report) {
           continue;
         }
         take_from(findings[other], findings[kept]);
-        if (twice.says_cost) findings[kept].consequence = message_of(findings[other]) + ".";
+        if (twice.says_cost) {
+          findings[kept].consequence.clear();
+          findings[kept].outcome = {Code::kItsCost, {facts_of(findings[other])}};
+        }
         findings.erase(findings.begin() + static_cast<std::ptrdiff_t>(other));
         if (other < kept) --kept;
       }

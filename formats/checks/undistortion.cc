@@ -4,7 +4,7 @@
 #include "../consumers/opencv_formulas.h"
 #include "topics.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 
 #include <array>
 #include <cmath>
@@ -72,17 +72,8 @@ Reach reach_of(const OpenCvCamera& camera, const CameraModel& model, const Image
 void check_camera(const Subject& subject, const Camera& camera, const OpenCvCamera& lens, Findings& findings) {
   const Reach reach = reach_of(lens, camera.model, *camera.image_size);
   if (!reach.any) return;
-  const std::string from = text::format_short(reach.nearest_px, 3) + " px from the principal point on";
-  findings.add(
-      {Severity::kWarning,
-       "undistortion-inexact",
-       camera.name + ": cv::undistortPoints, with its five steps, is off by up to " + text::format_short(reach.worst_px, 3) +
-           " px, and by more than " + text::format_short(kLimit, 2) + " px " + from,
-       {},
-       reach.diverges
-           ? "its iteration never arrives there: undistort with fca-io unproject or another solver, or leave those pixels out"
-           : "give it more steps: cv::TermCriteria(cv::TermCriteria::COUNT, 100, 0)",
-       subject.places.parameter(camera, "k1")});
+  findings.add(reach.diverges ? Code::kUndistortionDiverges : Code::kUndistortionFewSteps,
+               {camera.name, reach.worst_px, kLimit, reach.nearest_px}, subject.places.parameter(camera, "k1"));
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ struct InWords {
   std::string operator()(const std::string& text) const {
     if (how.empty()) return text;
     if (how == "short") return shortened(text);
+    if (how == "shell") return shell_word(text);
     if (how == "_") return text.empty() ? text : text + " ";
     refuse(how);
   }

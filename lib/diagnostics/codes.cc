@@ -47,6 +47,7 @@ std::vector<CodeInfo> joined_topics() {
            diagnostics::file_check_codes(),
            diagnostics::lens_check_codes(),
            diagnostics::pose_check_codes(),
+           diagnostics::general_codes(),
            diagnostics::reading_codes(),
            diagnostics::convert_codes(),
            diagnostics::request_codes(),

@@ -42,6 +42,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> file_check_codes();
 [[nodiscard]] std::span<const CodeInfo> lens_check_codes();
 [[nodiscard]] std::span<const CodeInfo> pose_check_codes();
+[[nodiscard]] std::span<const CodeInfo> general_codes();
 [[nodiscard]] std::span<const CodeInfo> reading_codes();
 [[nodiscard]] std::span<const CodeInfo> convert_codes();
 [[nodiscard]] std::span<const CodeInfo> request_codes();

@@ -21,7 +21,7 @@ std::array<std::string_view, 4> sentences_of_row(const CodeInfo& row) { return {
 Argument sample(const std::string& how) {
   if (how == "s") return 2;
   if (how == "or" || how == "and" || how == ",") return std::vector<std::string>{"a", "b"};
-  if (how == "short" || how == "_" || how.empty()) return "name";
+  if (how == "short" || how == "_" || how == "shell" || how.empty()) return "name";
   return 0.125;
 }
 

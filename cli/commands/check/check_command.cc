@@ -4,8 +4,11 @@
 #include "options/inputs.h"
 #include "options/program.h"
 #include "shell/calibration_files.h"
+#include "shell/option_hints.h"
 #include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
+
+#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,7 +20,7 @@ namespace {
 
 std::vector<std::string> code_names() {
   std::vector<std::string> names;
-  for (const CheckCode& code : check_codes()) names.emplace_back(code.code);
+  for (const CodeInfo& code : check_codes()) names.emplace_back(code.id);
   return names;
 }
 
@@ -85,11 +88,12 @@ void add_parts(const std::vector<std::string>& parts, std::size_t index, std::ve
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.list_codes) {
-    for (const CheckCode& code : check_codes()) console.say(padded(code.code, 28) + std::string(code.title) + "\n");
+    for (const CodeInfo& code : check_codes())
+      console.say(padded(code.id, 28) + text::text_of({code.code}, with_options) + "\n");
     return ExitCode::kGood;
   }
   if (!arguments.explain.empty()) {
-    const CheckCode* code = find_check_code(arguments.explain);
+    const CodeInfo* code = find_check_code(arguments.explain);
     if (code == nullptr) {
       return console.refuse(ExitCode::kUsage, unknown_code(arguments.explain));
     }

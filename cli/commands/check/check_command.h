@@ -41,6 +41,6 @@ void add_check_command(Application& application);
 /// What changed between two texts, line by line: "-" and "+" lines behind "@ LINE" of the old text.
 [[nodiscard]] std::string line_diff(std::string_view before, std::string_view after);
 /// The long story of a code.
-[[nodiscard]] std::string explanation(const CheckCode& code);
+[[nodiscard]] std::string explanation(const CodeInfo& code);
 
 }  // namespace fca::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
 #include "commands/convert/conversion_json.h"
+#include "explain/stories.h"
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
 #include "shell/option_hints.h"
@@ -34,7 +35,7 @@ void put_file(Json& json, const CheckResult& file, const Console& console) {
   report.format != nullptr ? json.put("format", report.format->id) : json.null("format");
   json.array("findings", report.findings,
              [&](const Finding& finding) { json.object([&] { put_finding(json, finding, file.source); }); });
-  json.put("checked", std::span<const std::string>(report.checked));
+  json.put("checked", checked_of(report, with_options));
   json.array("undecided", report.undecided, [&](const Undecided& undecided) {
     json.object([&] {
       json.put("code", id_of(undecided));
@@ -95,10 +96,11 @@ void put_result(Json& json, const Finding& finding, const text::Source& source) 
   });
 }
 
-void put_rule(Json& json, const CheckCode& code) {
-  json.put("id", code.code);
-  json.object("shortDescription", [&] { json.put("text", code.title); });
-  if (!code.story.empty()) json.object("help", [&] { json.put("text", code.story); });
+void put_rule(Json& json, const CodeInfo& code) {
+  json.put("id", code.id);
+  json.object("shortDescription", [&] { json.put("text", text::text_of({code.code}, with_options)); });
+  const std::string_view story = story_of(code.id);
+  if (!story.empty()) json.object("help", [&] { json.put("text", story); });
 }
 
 }  // namespace
@@ -129,7 +131,7 @@ std::string check_sarif(const CheckedFiles& checked) {
             json.put("name", "fca-io");
             json.put("version", FCA_VERSION);
             json.array("rules", codes, [&](std::string_view code) {
-              if (const CheckCode* known = find_check_code(code)) json.object([&] { put_rule(json, *known); });
+              if (const CodeInfo* known = find_check_code(code)) json.object([&] { put_rule(json, *known); });
             });
           });
         });

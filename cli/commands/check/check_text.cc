@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check_command.h"
+#include "explain/stories.h"
 #include "preview_text.h"
 #include "shell/option_hints.h"
 #include "toolkit/words.h"
@@ -53,13 +54,13 @@ std::string readers_line(const Readers& readers) {
 std::string check_text(const CheckResult& file) {
   const CheckReport& report = file.report;
   std::string text = text::printable(file.source.name) + ": ";
-  text += report.format == nullptr ? "" : std::string(report.format->title) + " (" + report.why + "); ";
+  text += report.format == nullptr ? "" : std::string(report.format->title) + " (" + (report.why.empty() ? "--from" : report.why) + "); ";
   text += verdict(report) + "\n";
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;
   if (file.instead) text += preview_text(*file.instead, "  ");
   text += readers_line(report.readers);
-  if (!report.checked.empty()) text += paragraph("checked: " + enumerated(report.checked), "  ");
+  if (!report.checked.empty()) text += paragraph("checked: " + enumerated(checked_of(report, with_options)), "  ");
   for (const Undecided& undecided : report.undecided)
     text += paragraph("not decidable: " + question_of(undecided, with_options) + "; " + why_of(undecided, with_options), "  ");
   return text;
@@ -84,10 +85,13 @@ std::string check_summary(const CheckedFiles& checked) {
   return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";
 }
 
-std::string explanation(const CheckCode& code) {
-  std::string text = std::string(code.code) + ": " + std::string(code.title) + "\n";
-  if (!code.consequence.empty()) text += "\n" + paragraph("if used: " + std::string(code.consequence), "");
-  if (!code.story.empty()) text += "\n" + std::string(code.story) + "\n";
+std::string explanation(const CodeInfo& code) {
+  const Message facts{code.code};
+  const std::string consequence = text::consequence_of(facts, with_options);
+  const std::string_view story = story_of(code.id);
+  std::string text = std::string(code.id) + ": " + text::text_of(facts, with_options) + "\n";
+  if (!consequence.empty()) text += "\n" + paragraph("if used: " + consequence, "");
+  if (!story.empty()) text += "\n" + std::string(story) + "\n";
   return text;
 }
 

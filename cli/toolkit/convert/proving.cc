@@ -78,8 +78,9 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
         all_load = all_load && !refusal;
         const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
         if (!mend) break;
-        const bool says_how = refusal->ends_with(mend->fix);
-        mends.note("mended", *refusal + (says_how ? "" : "; " + mend->fix) + ": done", document.source().range(mend->span));
+        const std::string fix = text::text_of(mend->fix);
+        const bool says_how = refusal->ends_with(fix);
+        mends.note("mended", *refusal + (says_how ? "" : "; " + fix) + ": done", document.source().range(mend->span));
         document.replace(mend->span, mend->text);
       }
       if (refusal) continue;

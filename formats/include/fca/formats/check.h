@@ -2,6 +2,7 @@
 // Is a calibration sane? What is wrong with it, what happens if it is used, how to mend it, and what could not be decided.
 #pragma once
 
+#include <fca/code.h>
 #include <fca/formats/calibration.h>
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/proof.h>
@@ -31,24 +32,28 @@ struct Finding {
   SourceRange where;
   std::optional<SpanEdit> mend = {};  ///< Where the mend is certain: another spelling of the same value.
   Message facts = {};
+  std::vector<Message> details = {};  ///< Clauses behind the sentence.
+  // In place of what the table says beside the sentence: that of another row, or a sentence that is one.
+  Message outcome = {};  ///< What happens if the file is used as it is.
+  Message remedy = {};   ///< How to mend it.
 };
 
 /// A question the file does not answer.
 struct Undecided {
   std::string code;      ///< Of the finding that might have been: "folds-inside-image".
   std::string question;  ///< "folding inside the image (cam0)"
-  std::string why;       ///< "no image size: give --size"
+  std::string why;       ///< "no image size in the file"
   Message facts = {};    ///< Of a check that does not word it itself (fca/formats/wording.h).
 };
 
 /// What a check came to.
 struct CheckReport {
   const Format* format = nullptr;  ///< Null where no format knows the file.
-  std::string why;                 ///< Why that format.
+  std::string why;                 ///< Why that format; empty: it was told.
   bool is_calibration = true;      ///< False: nothing of a calibration stands in the file.
   bool holds_no_camera = false;    ///< It was read, and is another part of a calibration (imu.yaml).
   std::vector<Finding> findings;   ///< In the order of their places.
-  std::vector<std::string> checked;
+  std::vector<Message> checked;  ///< Clauses: what the file gave a check to look at.
   std::vector<Undecided> undecided;
   Readers readers;                 ///< Who reads the file.
   std::vector<std::string> parts;  ///< Paths of the files that it names as parts of it and that are there.
@@ -70,18 +75,10 @@ struct CheckOptions {
 /// spellings change (a decimal point, quotes, a header), no value.
 [[nodiscard]] std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options);
 
-/// The story behind a code.
-struct CheckCode {
-  std::string_view code;
-  std::string_view title;        ///< What is wrong, in general.
-  std::string_view consequence;  ///< What happens if it is used, where a finding has nothing more exact to say.
-  std::string_view story;        ///< Formula, thresholds and their reasons; may be empty.
-  std::string_view fix = {};     ///< How to mend it, where a finding has nothing more exact to say.
-};
-
-/// Every code that a finding may have, by name.
-[[nodiscard]] std::span<const CheckCode> check_codes();
+/// A row for every id that a finding may have, by id: what is wrong in general, and the consequence and the fix where a finding
+/// has nothing more exact to say.
+[[nodiscard]] std::span<const CodeInfo> check_codes();
 /// Null if there is none.
-[[nodiscard]] const CheckCode* find_check_code(std::string_view code);
+[[nodiscard]] const CodeInfo* find_check_code(std::string_view id);
 
 }  // namespace fca

@@ -4,6 +4,7 @@
 
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/text/document.h>
+#include <fca/message.h>
 
 #include <optional>
 #include <string>
@@ -12,11 +13,11 @@ namespace fca {
 
 /// A replacement of bytes after which the program no longer says that sentence. It changes a spelling, never a value.
 struct Mend {
-  std::string code;  ///< What was wrong: "int-for-real", "real-for-int", "number-as-text", "unquoted-text", "opencv-header",
-                     ///< "yaml-layout", "yaml-tab", "byte-order-mark".
-  text::Span span;   ///< Of the document's source.
+  /// What to do. Its id is what was wrong: "int-for-real", "real-for-int", "number-as-text", "unquoted-text", "opencv-header",
+  /// "yaml-layout", "yaml-tab", "byte-order-mark".
+  Message fix;
+  text::Span span;  ///< Of the document's source.
   std::string text;
-  std::string fix;  ///< What to do, in words.
 };
 
 /// What takes a refusal or warning of the program away; nothing where no single other spelling does. The document may have

@@ -22,10 +22,15 @@ namespace fca {
 [[nodiscard]] std::string why_of(const Loss& loss, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string remedy_of(const Loss& loss, text::Wording wording = text::table_wording);
 
+/// A finding's sentence as a clause of another one.
+[[nodiscard]] Message facts_of(const Finding& finding);
 [[nodiscard]] std::string id_of(const Finding& finding);
 [[nodiscard]] std::string message_of(const Finding& finding, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string consequence_of(const Finding& finding, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string fix_of(const Finding& finding, text::Wording wording = text::table_wording);
+
+/// What was checked, each in words.
+[[nodiscard]] std::vector<std::string> checked_of(const CheckReport& report, text::Wording wording = text::table_wording);
 
 [[nodiscard]] std::string id_of(const Undecided& undecided);
 [[nodiscard]] std::string question_of(const Undecided& undecided, text::Wording wording = text::table_wording);

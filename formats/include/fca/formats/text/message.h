@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Messages in words. A sentence of the table (fca/code.h) names its arguments as {0}, {1} ...; behind a colon stands how:
 //   text     {0} as it is      {0:short} a beginning of a long one
-//            {0:_} and a blank behind it; nothing of an empty one
+//            {0:_} and a blank behind it; nothing of an empty one    {0:shell} as a shell takes it
 //   number   {0} 6 digits      {0:.3} 3 significant digits     {0:.1f} 1 decimal      {0:real} all digits, always with a point
 //            {0:all} all digits ("1.5", "-1", "1e+308")
 //            {0:px} an error in pixels ("0", "0.113", "4e-14")  {0:%} a share ("12.5 %")
