@@ -151,6 +151,27 @@ constexpr std::array kHints = {
     // ROS camera_info files.
     OptionHint{Code::kRosIniHasNoModel, text::Part::kFix,
                "name the file .yaml, which holds it, or convert the camera with --model radtan"},
+
+    // What a check finds.
+    OptionHint{Code::kImageNotJudged, text::Part::kWhy, "no image size in the file: give --size WxH"},
+    OptionHint{Code::kSizeToldDiffers, text::Part::kFix, "--size is for files that state no size"},
+    OptionHint{Code::kAsLensNoSize, text::Part::kText, "; as {0}: field of view not decidable without the image size (--size)"},
+    OptionHint{
+        Code::kUndistortionDiverges, text::Part::kFix,
+        "its iteration never arrives there: undistort with fca-io unproject or another solver, or leave those pixels out"},
+    OptionHint{Code::kReadByAnother, text::Part::kFix, "{4} writes {1}'s own"},
+    OptionHint{Code::kConvertFor, text::Part::kText, "fca-io convert {0:shell} --to {1}{2}"},
+    OptionHint{Code::kConvertWithModel, text::Part::kText, " --model {0}"},
+    OptionHint{Code::kConvertWithLayout, text::Part::kText, " --{0}-layout {1}"},
+    OptionHint{Code::kConvertToFiles, text::Part::kText, " -o FOLDER/"},
+    OptionHint{Code::kConvertUnderName, text::Part::kText, " -o {0}"},
+    OptionHint{Code::kAnyModelContradicts, text::Part::kFix, "leave --opencv-model out, or correct the file's own words"},
+    OptionHint{Code::kAnyProgramMisreads, text::Part::kFix,
+               "see what it costs in pixels, with  fca-io show FILE --for PROGRAM,  and change what the message names if that "
+               "is too much"},
+    OptionHint{Code::kAnyUnknownFormat, text::Part::kFix, "fca-io formats lists what is read; --from FORMAT forces one"},
+    OptionHint{Code::kAnyUnknownModel, text::Part::kFix,
+               "write the program's own name; `fca-io models` has what each is called elsewhere"},
 };
 
 }  // namespace

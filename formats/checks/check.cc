@@ -133,8 +133,7 @@ bool has_code(const Diagnostics& diagnostics, std::string_view code) {
 }
 
 /// "84 deg across the image" of a camera under one reading of its four numbers.
-Message view_as(const text::Document& document, const CheckOptions& options, const std::string& reading,
-                    std::size_t index) {
+Message view_as(const text::Document& document, const CheckOptions& options, const std::string& reading, std::size_t index) {
   CheckOptions as = options;
   as.reading.opencv_model = reading;
   Diagnostics ignored;

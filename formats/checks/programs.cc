@@ -2,9 +2,9 @@
 #include "named_part.h"
 #include "topics.h"
 
+#include <fca/code.h>
 #include <fca/formats/mend.h>
 #include <fca/formats/text/dialect.h>
-#include <fca/formats/text/prose.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@ namespace fca::checks {
 
 namespace {
 
+using consumers::Complaint;
 using consumers::Consumer;
 using consumers::ConsumerView;
 
@@ -25,8 +26,6 @@ struct Attempt {
 
 /// Sentences of a program that are told one by one: for each its parser is asked again and again for a mend.
 constexpr std::size_t kMostSaid = 10;
-
-constexpr std::string_view kAddIt = "add it, as the calibration's result or the program's example file has it";
 
 /// "Camera.fps is missing; ORB-SLAM3 V1.0 exits"
 bool is_of_missing_key(std::string_view sentence) {
@@ -59,8 +58,7 @@ class ProgramsCheck {
     const Consumer* own = options_.program != nullptr ? options_.program : format_program();
     if (own == nullptr) {
       if (with_cameras_) {
-        findings_.undecided("program-refuses", "whether a program loads the file",
-                            "none that fca-io knows reads such a file alone");
+        findings_.undecided(Code::kProgramNoneAlone);
       }
       return;
     }
@@ -69,7 +67,7 @@ class ProgramsCheck {
       return;
     }
     const std::vector<Attempt> attempts = attempt(*own);
-    report_.checked.push_back("whether " + std::string(own->program) + " loads the bytes");
+    report_.checked.push_back({Code::kCheckedProgram, {own->program}});
     // What the keys are for counts; if that is refused, whatever starts.
     auto loaded = std::ranges::find(attempts, format_.modes.empty() ? "" : meant_mode(document_), &Attempt::mode);
     if (loaded == attempts.end() || !loaded->view.loads())
@@ -118,74 +116,78 @@ class ProgramsCheck {
     return nullptr;
   }
 
+  [[nodiscard]] SourceRange whole_file() const { return {document_.source().name, 0, 0}; }
+
   [[nodiscard]] SourceRange place_of(const std::string& sentence) const {
     const text::Node* node = named_in(document_, sentence);
     if (node == nullptr) node = key_mentioned_in(sentence);
-    if (node == nullptr) return {document_.source().name, 0, 0};
+    if (node == nullptr) return whole_file();
     SourceRange where = document_.range(*node);
     if (!node->is_scalar()) where.length = std::min<std::size_t>(where.length, 1);
     return where;
   }
 
-  [[nodiscard]] std::string how_to_write_for(const Consumer& program) const {
-    const std::string to(program.format);
+  [[nodiscard]] Message how_to_write_for(const Consumer& program) const {
     const consumers::Writing& writing = program.writing;
-    std::string command = "fca-io convert " + text::shell_word(document_.source().name) + " --to " + to;
-    if (!writing.model.empty()) command += " --model " + std::string(writing.model);
-    if (!writing.layout.empty()) command += " --" + to + "-layout " + std::string(writing.layout);
+    std::vector<Message> how;
+    if (!writing.model.empty()) how.push_back({Code::kConvertWithModel, {writing.model}});
+    if (!writing.layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, writing.layout}});
     const bool file_per_camera =
-        calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(to)->many_cameras;
-    if (file_per_camera) command += " -o FOLDER/";
-    if (!writing.file_name.empty()) command += " -o " + std::string(writing.file_name);
-    return command;
+        calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(program.format)->many_cameras;
+    if (file_per_camera) how.push_back({Code::kConvertToFiles});
+    if (!writing.file_name.empty()) how.push_back({Code::kConvertUnderName, {writing.file_name}});
+    return {Code::kConvertFor, {document_.source().name, program.format, how}};
+  }
+
+  /// " (and 3 more)" behind the first of several.
+  static std::vector<Message> and_more(std::span<const Complaint> complaints) {
+    if (complaints.size() < 2) return {};
+    return {{Code::kAndMore, {complaints.size() - 1}}};
   }
 
   void say_other_format(const Consumer& program) {
-    findings_.add({Severity::kError,
-                   "program-other-format",
-                   "the " + std::string(format_.title) + " format is not read by " + std::string(program.program),
-                   "It does not start, or takes the file for something else.",
-                   how_to_write_for(program),
-                   {document_.source().name, 0, 0}});
+    findings_.add(Code::kProgramOtherFormat, {format_.title, program.program, how_to_write_for(program)}, whole_file());
   }
 
   /// One refusal or warning, at its place, with the mend if there is a certain one.
   void say(Finding finding, const Consumer& program, const std::string& mode, const std::string& complaint) {
     finding.where = place_of(complaint);
     if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), complaint)) {
-      finding.code = mend->code;
+      finding.code = id_of(mend->fix);
       const text::Span line = document_.source().line_at(mend->span.offset);
       // A line that is put in before is wanted where the first one stands.
       const std::size_t length = std::min(std::max<std::size_t>(mend->span.length, 1), line.end() - mend->span.offset);
       finding.where = document_.source().range({mend->span.offset, length});
       finding.mend = SpanEdit{mend->span, mend->text};
-      finding.fix = mend->fix;
+      finding.remedy = mend->fix;
     }
     findings_.add(std::move(finding));
   }
 
-  void say_refusal(const Consumer& program, const std::string& mode, const std::string& refusal) {
-    const std::string who = std::string(program.program) + (mode.empty() || mode == "mono" ? "" : " (" + mode + ")");
+  void say_refusal(const Consumer& program, const std::string& mode, const Complaint& complaint) {
+    const std::string refusal = sentence_of(complaint);
     const std::string_view first_word = program.program.substr(0, program.program.find(' '));
-    const bool named = refusal.find(first_word) != std::string::npos;
-    const bool no_camera = refusal.find("every top-level key") != std::string::npos;
-    const std::string fix = is_of_missing_key(refusal) ? std::string(kAddIt)
-                            : no_camera                ? "take out of the top level what is no camera"
-                                                       : "";
-    say({Severity::kError, "program-refuses", named ? refusal : who + " refuses the file: " + refusal, {}, fix, {}}, program,
-        mode, refusal);
+    Finding finding;
+    if (refusal.find(first_word) != std::string::npos) {
+      finding.facts = {Code::kProgramRefusesInItsWords, {facts_of(complaint)}};
+    } else {
+      std::vector<Message> in_mode;
+      if (!mode.empty() && mode != "mono") in_mode = {{Code::kInMode, {mode}}};
+      finding.facts = {Code::kProgramRefuses, {program.program, in_mode, facts_of(complaint)}};
+    }
+    if (is_of_missing_key(refusal)) {
+      finding.remedy = {Code::kAddTheKey};
+    } else if (refusal.find("every top-level key") != std::string::npos) {
+      finding.remedy = {Code::kTakeOutOfTopLevel};
+    }
+    say(std::move(finding), program, mode, refusal);
   }
 
   void say_refusals(const Consumer& own, const std::vector<Attempt>& attempts) {
     const auto fewest = std::ranges::min_element(attempts, {}, [](const Attempt& each) { return each.view.refusals.size(); });
-    const std::vector<std::string> refusals = sentences_of(fewest->view.refusals);
+    const std::vector<Complaint>& refusals = fewest->view.refusals;
     if (fewest->view.finds_no_camera && with_cameras_.value_or(false)) {
-      findings_.add({Severity::kWarning,
-                     "program-finds-no-camera",
-                     refusals.front(),
-                     {},
-                     "rename the keys if a program of OpenCV's samples is to read it",
-                     {document_.source().name, 0, 0}});
+      findings_.add(Code::kProgramFindsNoCamera, {facts_of(refusals.front())}, whole_file());
       return;
     }
     const bool another_reads =
@@ -198,13 +200,11 @@ class ProgramsCheck {
     }
     if (raise_wrong_parser()) return;
     for (std::size_t i = 0; i < std::min(kMostSaid, refusals.size()); ++i) say_refusal(own, fewest->mode, refusals[i]);
-    say_more(refusals.size(), "refusals", "program-refuses", Severity::kError);
+    say_more(refusals.size(), Code::kProgramRefusesMore);
   }
 
-  void say_more(std::size_t count, const std::string& what, const std::string& code, Severity severity) {
-    if (count <= kMostSaid) return;
-    findings_.add(
-        {severity, code, std::to_string(count - kMostSaid) + " " + what + " more", {}, {}, {document_.source().name, 0, 0}});
+  void say_more(std::size_t count, Code code) {
+    if (count > kMostSaid) findings_.add(code, {count - kMostSaid}, whole_file());
   }
 
   /// With the wrong parser chosen every key is missing: one reason for all refusals, which the reader has said.
@@ -215,7 +215,8 @@ class ProgramsCheck {
       if (id_of(finding) == "file-version-missing") {
         const std::size_t first = document_.source().line_at(document_.root().entries.front().key.span.offset).offset;
         finding.mend = SpanEdit{{first, 0}, "File.version: \"1.0\"" + std::string(document_.source().line_break())};
-        finding.fix = "add the line  File.version: \"1.0\"";
+        finding.fix.clear();
+        finding.remedy = {Code::kAddFileVersion};
       }
       const text::Node* version = text::find(document_.root(), "File.version", text::Dialect::kOpenCv);
       if (version != nullptr && version->value == "1.0") finding.mend = SpanEdit{version->span, "\"1.0\""};
@@ -230,13 +231,10 @@ class ProgramsCheck {
     for (const Readers::Program& program : report_.readers.programs) {
       if (program.loads) readers.push_back(program.program);
     }
-    const std::vector<std::string> refusals = sentences_of(closest.view.refusals);
-    const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
-    findings_.add(
-        {Severity::kWarning, "program-refuses",
-         "read by " + text::enumerated(readers) + ", not by " + std::string(own.program) + ": " + refusals.front() + more,
-         std::string(own.program) + " does not start with it; " + text::enumerated(readers) + " does.",
-         how_to_write_for(own) + " writes " + std::string(own.program) + "'s own", place_of(refusals.front())});
+    const std::vector<Complaint>& refusals = closest.view.refusals;
+    findings_.add(Code::kReadByAnother,
+                  {readers, own.program, facts_of(refusals.front()), and_more(refusals), how_to_write_for(own)},
+                  place_of(sentence_of(refusals.front())));
   }
 
   void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {
@@ -245,15 +243,20 @@ class ProgramsCheck {
       const std::string warning = sentence_of(view.warnings[i]);
       // Asked for that program, a camera that it takes for another is what one wanted to know.
       const bool wrong = options_.program != nullptr && misreads(view, warning);
-      const std::string who = warning.find(own.program) == std::string::npos ? std::string(own.program) + ": " : std::string();
-      Finding finding{wrong ? Severity::kError : Severity::kWarning, "program-misreads", who + warning, {}, {}, {}};
+      Finding finding;
+      finding.severity = wrong ? Severity::kError : Severity::kWarning;
+      if (warning.find(own.program) == std::string::npos) {
+        finding.facts = {Code::kProgramMisreads, {own.program, facts_of(view.warnings[i])}};
+      } else {
+        finding.facts = {Code::kProgramMisreadsInItsWords, {facts_of(view.warnings[i])}};
+      }
       if (is_of_missing_key(warning)) {
-        finding.consequence = "What needs it does not run.";
-        finding.fix = kAddIt;
+        finding.outcome = {Code::kWhatNeedsItStops};
+        finding.remedy = {Code::kAddTheKey};
       }
       say(std::move(finding), own, mode, warning);
     }
-    say_more(view.warnings.size(), "warnings", "program-misreads", Severity::kWarning);
+    say_more(view.warnings.size(), Code::kProgramMisreadsMore);
   }
 
   /// Is the warning about a camera that the program takes for another? Where none names that camera, it may be any.
@@ -274,17 +277,14 @@ class ProgramsCheck {
     for (const Attempt& each : attempts) {
       if (each.view.loads()) modes.push_back(each.mode);
     }
-    const std::vector<std::string> refusals = sentences_of(meant->view.refusals);
-    const std::string more = refusals.size() > 1 ? " (and " + std::to_string(refusals.size() - 1) + " more)" : "";
-    Finding finding{Severity::kWarning,
-                    "mode-refused",
-                    "the keys are those of " + mode + ", and " + std::string(own.program) + " starts only as " +
-                        text::enumerated(modes) + " with them: " + refusals.front() + more,
-                    {},
-                    {},
-                    place_of(refusals.front())};
-    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
-      finding.fix = mend->fix;
+    const std::vector<Complaint>& refusals = meant->view.refusals;
+    const std::string first = sentence_of(refusals.front());
+    Finding finding;
+    finding.severity = Severity::kWarning;
+    finding.facts = {Code::kModeRefused, {mode, own.program, modes, facts_of(refusals.front()), and_more(refusals)}};
+    finding.where = place_of(first);
+    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), first)) {
+      finding.remedy = mend->fix;
       finding.mend = SpanEdit{mend->span, mend->text};
     }
     findings_.add(std::move(finding));

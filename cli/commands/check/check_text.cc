@@ -54,7 +54,9 @@ std::string readers_line(const Readers& readers) {
 std::string check_text(const CheckResult& file) {
   const CheckReport& report = file.report;
   std::string text = text::printable(file.source.name) + ": ";
-  text += report.format == nullptr ? "" : std::string(report.format->title) + " (" + (report.why.empty() ? "--from" : report.why) + "); ";
+  text += report.format == nullptr
+              ? ""
+              : std::string(report.format->title) + " (" + (report.why.empty() ? "--from" : report.why) + "); ";
   text += verdict(report) + "\n";
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;

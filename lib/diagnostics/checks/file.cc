@@ -3,8 +3,103 @@
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> file_check_codes() { return {}; }
+namespace {
+
+/// How a program's complaint is mended: an id and what to do.
+constexpr CodeInfo mend(Code code, std::string_view id, std::string_view text) {
+  return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kReader, .text = text};
+}
+
+constexpr CodeInfo of_reader(CodeInfo row, std::string_view consequence = {}) {
+  row.about = About::kReader;
+  row.consequence = consequence;
+  return row;
+}
+
+}  // namespace
+
+std::span<const CodeInfo> file_check_codes() {
+  static constexpr std::array kRows = {
+
+      // The file.
+      error(Code::kPartMissing, "part-missing", "there is no file {0} that can be read",
+            "put the camera's file there, or name the right one (paths are relative to this file's folder)"),
+      question(Code::kRestNotLookedAt, "wrong-syntax", "everything beyond the file's syntax",
+               "the file could not be read as a calibration"),
+      clause(Code::kExchangeNeighbours, "exchange it with {0} beside it"),
+      clause(Code::kAsLensNoCamera, "; as {0}: no camera"),
+      clause(Code::kAsLensNoSize, "; as {0}: field of view not decidable without the image size"),
+      clause(Code::kAsLensNoRay, "; as {0}: the image's border has no ray"),
+      clause(Code::kAsLensView, "; as {0}: {1:.4} deg across the image"),
+      clause(Code::kItsCost, "{0}."),
+
+      // What was checked.
+      clause(Code::kCheckedImage, "principal point, focal lengths and image size against each other"),
+      clause(Code::kCheckedLens, "whether the lens model covers the image"),
+      clause(Code::kCheckedFamily, "whether the numbers look like another model's"),
+      clause(Code::kCheckedUndistortion, "whether cv::undistortPoints arrives"),
+      clause(Code::kCheckedRotations, "rotations"),
+      clause(Code::kCheckedPoses, "poses that are stated twice"),
+      clause(Code::kCheckedDistances, "distances"),
+      clause(Code::kCheckedImu, "IMU noise"),
+      clause(Code::kCheckedTime, "time offsets"),
+      clause(Code::kCheckedOcamcalib, "OCamCalib's two polynomials"),
+      clause(Code::kCheckedOrbslam3, "ORB-SLAM3's baseline, depth threshold and matrix types"),
+      clause(Code::kCheckedProgram, "whether {0} loads the bytes"),
+
+      // Programs, with what they say as a clause.
+      refusal(Code::kProgramRefuses, "{0}{1} refuses the file: {2}"),
+      refusal(Code::kProgramRefusesInItsWords, "{0}"),
+      refusal(Code::kProgramRefusesMore, "{0} refusals more"),
+      misreading(Code::kProgramMisreads, "{0}: {1}"),
+      misreading(Code::kProgramMisreadsInItsWords, "{0}"),
+      misreading(Code::kProgramMisreadsMore, "{0} warnings more"),
+      of_reader(warning(Code::kProgramFindsNoCamera, "program-finds-no-camera", "{0}",
+                        "rename the keys if a program of OpenCV's samples is to read it")),
+      of_reader(error(Code::kProgramOtherFormat, "program-other-format", "the {0} format is not read by {1}", "{2}")),
+      question(Code::kProgramNoneAlone, "program-refuses", "whether a program loads the file",
+               "none that fca-io knows reads such a file alone"),
+      of_reader(
+          warning(Code::kReadByAnother, "program-refuses", "read by {0}, not by {1}: {2}{3}", "{4}, for a file of {1}'s own"),
+          "{1} does not start with it; {0} does."),
+      of_reader(warning(Code::kModeRefused, "mode-refused",
+                        "the keys are those of {0}, and {1} starts only as {2} with them: {3}{4}")),
+      clause(Code::kInMode, " ({0})"),
+      clause(Code::kAndMore, " (and {0} more)"),
+      clause(Code::kConvertFor, "convert {0} to {1}{2}"),
+      clause(Code::kConvertWithModel, ", with the model {0}"),
+      clause(Code::kConvertWithLayout, ", in the layout {1}"),
+      clause(Code::kConvertToFiles, ", a file for each camera"),
+      clause(Code::kConvertUnderName, ", under the name {0}"),
+      clause(Code::kAddTheKey, "add it, as the calibration's result or the program's example file has it"),
+      clause(Code::kAddFileVersion, "add the line  File.version: \"1.0\""),
+      clause(Code::kTakeOutOfTopLevel, "take out of the top level what is no camera"),
+      clause(Code::kWhatNeedsItStops, "What needs it does not run."),
+      error(Code::kMatrixNotFloat, "matrix-not-float", "{0} has dt: {1}; ORB-SLAM3 reads its bytes as floats", "write dt: f"),
+
+      // Mends.
+      mend(Code::kSpellReal, "int-for-real", "write {0}"),
+      mend(Code::kSpellNumber, "number-as-text", "write {0}"),
+      mend(Code::kSpellWhole, "real-for-int", "write {0}"),
+      mend(Code::kSpellQuoted, "unquoted-text", "write {0}"),
+      mend(Code::kMarkRemoved, "byte-order-mark", "save the file as UTF-8 without a byte order mark (BOM)"),
+      mend(Code::kTabsToBlanks, "yaml-tab", "write blanks for the TABs"),
+      mend(Code::kHeaderOfYaml, "opencv-header", "write {0}{1}"),
+      clause(Code::kHeaderWithMark, "%YAML 1.2 and, in a line of its own, ---"),
+      clause(Code::kHeaderWithoutMark, "%YAML 1.2"),
+      clause(Code::kHeaderInFirstLine, " in the first line"),
+      clause(Code::kBlanksBehindColons, "; and a blank behind every colon"),
+      mend(Code::kLayoutOfOpenCv, "yaml-layout", "{0}"),
+      clause(Code::kLayoutWithoutMark, "remove the byte order mark (BOM) before the first line"),
+      clause(Code::kLayoutBegins, "begin the file with {0}"),
+      clause(Code::kLayoutIndented, "indent lists deeper than their key"),
+      clause(Code::kLayoutThen, "; {0}"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

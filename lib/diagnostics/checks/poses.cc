@@ -3,8 +3,85 @@
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> pose_check_codes() { return {}; }
+namespace {
+
+constexpr std::string_view kMillimetres = "translation-in-mm";
+constexpr std::string_view kDivideIfSo = "divide the translation by 1000 if they are millimetres";
+constexpr std::string_view kThreshold = "depth-threshold";
+
+}  // namespace
+
+std::span<const CodeInfo> pose_check_codes() {
+  static constexpr std::array kRows = {
+
+      error(Code::kPoseLeftHanded, "left-handed", "{0}: its 3 x 3 part mirrors (determinant -1), it does not rotate",
+            "the sign of one row or column is wrong, or two of them are exchanged"),
+      error(
+          Code::kPoseNotARotation, "not-a-rotation",
+          "{0}: its 3 x 3 part is not a rotation: R^T R is {1:.3} from the identity, and the nearest rotation differs by up to "
+          "{2:.2} in an element",
+          "copy it from the calibration's result; the nearest rotation is [{3:.7}, {4:.7}, {5:.7}], [{6:.7}, {7:.7}, {8:.7}], "
+          "[{9:.7}, {10:.7}, {11:.7}]"),
+      error(Code::kPoseInverted, "pose-inverted", "{0} holds the other direction (its inverse agrees with the other poses)",
+            "invert it: R^T and -R^T t"),
+      error(Code::kPoseTransposed, "pose-transposed", "{0} holds the transposed rotation",
+            "write the rotation's columns as rows"),
+      error(Code::kPoseInMillimetres, kMillimetres, "{0} has its translation in millimetres", "divide the translation by 1000"),
+      error(Code::kPoseTooSmall, kMillimetres, "{0} has its translation 1000 times too small",
+            "multiply the translation by 1000"),
+      warning(Code::kTranslationTooLong, kMillimetres,
+              "the translation of {1} is {0:.4} m long; probably millimetres stand there", kDivideIfSo),
+      warning(Code::kBaselineTooLong, kMillimetres, "the baseline is {0:.4} m long; probably millimetres stand there",
+              kDivideIfSo),
+      warning(Code::kBaselineIsBf, "baseline-is-bf",
+              "Stereo.b = {0:.5} is no baseline in metres; it may be Camera.bf's number (baseline times fx), of a baseline of "
+              "{1:.4} m",
+              "write {1:.4}: how far the two lenses are apart"),
+      warning(Code::kBaselineIsBfOrMillimetres, "baseline-is-bf",
+              "Stereo.b = {0:.5} is no baseline in metres; it may be Camera.bf's number (baseline times fx), of a baseline of "
+              "{1:.4} m, or millimetres",
+              "write {1:.4}, or {2:.4} for millimetres: how far the two lenses are apart"),
+      warning(Code::kSecondCameraIsLeft, "stereo-order",
+              "the second camera stands {0} to the left of the first: the pose holds the other direction, or the cameras are "
+              "exchanged",
+              "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)"),
+      warning(Code::kCameraUnderGround, "pose-inverted",
+              "{0} stands {1} of the vehicle's frame; the inverse pose would put it {2}",
+              "the file states camera -> vehicle: invert the pose"),
+      warning(Code::kCameraNotOfACar, "pose-implausible",
+              "{0} stands {1} of the vehicle's frame; the inverse pose would put it {2}, where no car has a camera, either",
+              "compare the translation with where the camera sits: metres from the ground under the rear axle"),
+      clause(Code::kAboveGround, "{0} above the ground"),
+      clause(Code::kBelowGround, "{0} below the ground"),
+      clause(Code::kInMetres, "{0:.3} m"),
+      clause(Code::kInMillimetres, "{0:.3} mm"),
+      question(Code::kAgreementUndecided, "poses-contradict", "whether the poses agree", "one of them is not a rotation"),
+      question(Code::kDirectionUndecided, "pose-inverted", "direction of {0}{1}",
+               "each is stated once, and a pose and its inverse are equally long"),
+      clause(Code::kAndTheOthers, " and the other poses"),
+      error(Code::kPosesContradict, "poses-contradict",
+            "{0} as stated and as it follows from the other poses differ by {1:.3} deg and {2}",
+            "decide which one is right, and write the other from it"),
+      warning(Code::kBaselineContradicts, "baseline-contradicts", "Camera.bf is {0:.5}, and {1} makes it {2:.5}",
+              "Camera.bf is the baseline in metres times Camera.fx"),
+      clause(Code::kBaselineOfP, "RIGHT.P(0, 3) = {0:.5}"),
+      clause(Code::kBaselineOfPose, "the second camera's distance of {0:.4} m"),
+      warning(Code::kBfIsABaseline, "bf-is-a-baseline",
+              "Camera.bf = {0:.4} makes a baseline of {1:.3} mm: that is probably the baseline itself, in metres",
+              "if so, write {2} (baseline times Camera.fx)"),
+      warning(Code::kDepthThresholdNegative, kThreshold, "{0} = {1:.4}: no point is nearer than that, so none counts as close",
+              "write {2:real} if only the sign is wrong; upstream's are 35 to 60"),
+      warning(Code::kDepthThresholdZero, kThreshold, "{0} = {1:.4}: no point is nearer than that, so none counts as close",
+              "write 40.0; upstream's are 35 to 60"),
+      warning(Code::kDepthThresholdNotInBaselines, kThreshold,
+              "{0} = {1:.4} is counted in baselines, not in metres; upstream's are 35 to 60",
+              "divide the distance in metres by the baseline"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

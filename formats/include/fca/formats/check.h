@@ -53,7 +53,7 @@ struct CheckReport {
   bool is_calibration = true;      ///< False: nothing of a calibration stands in the file.
   bool holds_no_camera = false;    ///< It was read, and is another part of a calibration (imu.yaml).
   std::vector<Finding> findings;   ///< In the order of their places.
-  std::vector<Message> checked;  ///< Clauses: what the file gave a check to look at.
+  std::vector<Message> checked;    ///< Clauses: what the file gave a check to look at.
   std::vector<Undecided> undecided;
   Readers readers;                 ///< Who reads the file.
   std::vector<std::string> parts;  ///< Paths of the files that it names as parts of it and that are there.
