@@ -26,7 +26,7 @@ inline std::optional<Rig> rig_of(const text::Source& source, const Format* forma
 }
 
 inline bool says(const CheckReport& report, std::string_view code) {
-  return std::ranges::find(report.findings, code, &Finding::code) != report.findings.end();
+  return std::ranges::any_of(report.findings, [code](const Finding& finding) { return id_of(finding) == code; });
 }
 
 inline std::string severity_word(Severity severity) {

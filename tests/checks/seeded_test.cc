@@ -94,7 +94,7 @@ TEST(SeededDefects, HaveEveryCode) {
   for (const std::vector<SeededDefect>& list : all) {
     for (const SeededDefect& defect : list) planted.insert(defect.codes.begin(), defect.codes.end());
   }
-  for (const CheckCode& code : check_codes()) EXPECT_NE(planted.contains(code.code), is_of_no_file(code.code)) << code.code;
+  for (const CodeInfo& code : check_codes()) EXPECT_NE(planted.contains(code.id), is_of_no_file(code.id)) << code.id;
 }
 
 }  // namespace

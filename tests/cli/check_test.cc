@@ -2,6 +2,11 @@
 // The command around the checks: what it prints where, its exit codes, folders, --fix, and its documents.
 #include "cli/run_program.h"
 #include "cli/told.h"
+#include "commands/check/explain/stories.h"
+
+#include <fca/formats/check.h>
+
+#include <set>
 
 #include <rapidjson/document.h>
 
@@ -79,6 +84,31 @@ TEST(Check, ExplainsEveryCodeItLists) {
   const RunResult unknown = run_program({"check", "--explain", "pose-invertd"});
   EXPECT_EQ(unknown.code, 3);
   EXPECT_TRUE(contains(unknown.err, "pose-inverted")) << unknown.err;
+}
+
+TEST(Check, HasAStoryForEveryCode) {
+  std::set<std::string_view> told;
+  for (const cli::Story& story : cli::stories()) {
+    EXPECT_GT(story.text.size(), 40U) << story.code;
+    EXPECT_NE(find_check_code(story.code), nullptr) << story.code;
+    told.insert(story.code);
+  }
+  for (const CodeInfo& code : check_codes()) EXPECT_EQ(cli::story_of(code.id).empty(), !told.contains(code.id)) << code.id;
+  EXPECT_EQ(told.size(), check_codes().size());
+  EXPECT_EQ(cli::story_of("no-such-code"), "");
+}
+
+// The library names the fact that is missing; the command names the option that tells it.
+TEST(Check, NamesTheOptionsThatAnswerItsQuestions) {
+  const TemporaryFolder folder;
+  const std::string good = read_file(check_file("clean.yml"));
+  const std::string path =
+      folder.write("no-size.yml", with_replaced(with_replaced(good, "image_width: 752\n", ""), "image_height: 480\n", ""));
+  EXPECT_TRUE(contains(run_program({"check", path, "--json"}).out, "give --size WxH"));
+  const RunResult other = run_program({"check", check_file("clean.yaml"), "--for", "orbslam3", "--json"});
+  EXPECT_TRUE(contains(other.out, "fca-io convert ") && contains(other.out, " --to orbslam3")) << other.out;
+  const RunResult unknown = run_program({"check", folder.write("other.yaml", "a: 1\n")});
+  EXPECT_TRUE(contains(unknown.err, "--from FORMAT")) << unknown.err;
 }
 
 TEST(Check, JsonIsTheContract) {

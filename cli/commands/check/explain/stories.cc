@@ -9,11 +9,6 @@ namespace fca::cli {
 
 namespace {
 
-struct Story {
-  std::string_view code;
-  std::string_view text;
-};
-
 constexpr std::array kStories = {
     Story{"a1-not-zero",
           R"(OCamCalib fits  f(rho) = a0 + a2 rho^2 + a3 rho^3 + a4 rho^4  with a1 = 0: the surface is flat on the axis.
@@ -347,6 +342,8 @@ indentation that fits no key above it.)"},
 };
 
 }  // namespace
+
+std::span<const Story> stories() { return kStories; }
 
 std::string_view story_of(std::string_view code) {
   const auto* const found = std::ranges::lower_bound(kStories, code, {}, &Story::code);
