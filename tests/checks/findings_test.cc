@@ -116,11 +116,11 @@ TEST(CheckFindings, AnAmbiguousVectorShowsBothFieldsOfView) {
   // f = 458.6 px of 752: atan(367.2 / f) + atan(383.8 / f) = 78.6 deg without distortion, more with a barrel's.
   const std::vector<Message>& readings = report.findings.front().details;
   ASSERT_EQ(readings.size(), 2U);
-  const std::pair<const char*, double> expected[] = {{"pinhole", 92.7}, {"fisheye", 120.2}};
+  const std::pair<const char*, double> expected[] = {{"pinhole", 92.72}, {"fisheye", 120.2}};
   for (std::size_t i = 0; i < readings.size(); ++i) {
     ASSERT_EQ(readings[i].code, Code::kAsLensView) << message_of(report.findings.front());
     EXPECT_EQ(readings[i].arguments[0], Argument(expected[i].first));
-    EXPECT_NEAR(std::get<double>(readings[i].arguments[1].value), expected[i].second, 0.1);
+    EXPECT_NEAR(std::get<double>(readings[i].arguments[1].value), expected[i].second, 0.05);
   }
 }
 
@@ -187,7 +187,7 @@ TEST(CheckFindings, AThresholdBelowZeroIsNotToBeDivided) {
   const auto found =
       std::ranges::find(report.findings, "depth-threshold", [](const Finding& finding) { return id_of(finding); });
   ASSERT_NE(found, report.findings.end());
-  EXPECT_EQ(found->facts, (Message{Code::kDepthThresholdNegative, {"ThDepth", -40.0, 40.0}})) << fix_of(*found);
+  EXPECT_EQ(found->facts, (Message{Code::kDepthThresholdNegative, {"Stereo.ThDepth", -40.0, 40.0}})) << fix_of(*found);
 }
 
 TEST(CheckFindings, OfAnImuNameNoCamera) {
