@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "target.h"
 
+#include "shell/option_hints.h"
 #include "toolkit/words.h"
 #include "words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/rig/limits.h>
 
 #include <algorithm>
@@ -80,7 +82,8 @@ void add_target_options(Options& options, ConvertRequest& request) {
 }
 
 std::optional<std::string> problem_with(const ConvertRequest& request) {
-  return request.to != nullptr ? without_use(request, *request.to) : std::nullopt;
+  const Message problem = request.to != nullptr ? without_use(request, *request.to) : Message{};
+  return problem.is_said() ? std::optional(text::text_of(problem, with_options)) : std::nullopt;
 }
 
 std::optional<std::string> target_without_file(const ConvertRequest& request) {

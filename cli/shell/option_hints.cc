@@ -18,6 +18,10 @@ struct OptionHint {
 };
 
 constexpr std::string_view kListedFormats = "'fca-io formats' lists them; --from FORMAT forces one";
+constexpr std::string_view kImuAsFile = "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one";
+constexpr std::string_view kFromKalibr =
+    "--from kalibr reads it by its names: convert it with that and --to openvins, and the lens is fitted";
+constexpr std::string_view kIntoConfiguration = "--into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's own configuration";
 
 constexpr std::array kHints = {
     OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
@@ -50,11 +54,6 @@ constexpr std::array kHints = {
     OptionHint{Code::kSetCalibration, text::Part::kFix,
                "change the input; --resize, --crop and --binning are for other images"},
     OptionHint{Code::kImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
-constexpr std::string_view kFromKalibr =
-    "--from kalibr reads it by its names: convert it with that and --to openvins, and the lens is fitted";
-
-constexpr std::array kHints = {
-    OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     // Kalibr's, OpenVINS' and OCamCalib's files.
     OptionHint{Code::kCamchainSizeMissing, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kCamchainImuDropped, text::Part::kFix,
@@ -80,12 +79,6 @@ constexpr std::array kHints = {
                "--to opencv -o OTHER.yml writes the cameras into a file of their own"},
     OptionHint{Code::kOpencvSizeDropped, text::Part::kFix, "--opencv-layout cameras has a size for each"},
     OptionHint{Code::kBasaltImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
-constexpr std::string_view kImuAsFile = "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one";
-constexpr std::string_view kIntoConfiguration = "--into CONFIG.yaml -o FOLDER/ writes it into VINS-Fusion's own configuration";
-
-constexpr std::array kHints = {
-    OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
-
     // ORB-SLAM3's settings.
     OptionHint{Code::kOrbslam3SizeMissing, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kOrbslam3TypesDiffer, text::Part::kFix, "convert both with --model"},
@@ -172,6 +165,106 @@ constexpr std::array kHints = {
     OptionHint{Code::kAnyUnknownFormat, text::Part::kFix, "fca-io formats lists what is read; --from FORMAT forces one"},
     OptionHint{Code::kAnyUnknownModel, text::Part::kFix,
                "write the program's own name; `fca-io models` has what each is called elsewhere"},
+
+    // Requests.
+    OptionHint{Code::kModeWithoutUse, text::Part::kText, "--sensor is for --to {0:or}, not {1}"},
+    OptionHint{Code::kRateWithoutUse, text::Part::kText, "--fps is for --to {0:or}, not {1}"},
+    OptionHint{Code::kBaselineWithoutUse, text::Part::kText, "--baseline is for --to {0:or}, not {1}"},
+    OptionHint{Code::kLayoutWithoutUse, text::Part::kText, "--{0}-layout is for --to {0}, not {1}"},
+    OptionHint{Code::kNothingToConvert, text::Part::kFix, "did you mean: fca-io convert {1:shell} --with {2:shell} {3}"},
+    OptionHint{Code::kAsFormat, text::Part::kText, "--to {0}"},
+    OptionHint{Code::kIntoFile, text::Part::kText, "--into {0}"},
+    OptionHint{
+        Code::kBaselineOfSeveral, text::Part::kText,
+        "--baseline is for one camera of a rectified pair or depth sensor; here are {0} cameras with poses of their own"},
+    OptionHint{Code::kBaselineOfSeveral, text::Part::kFix, "choose one with --camera"},
+    OptionHint{Code::kSettingContradictsRate, text::Part::kText, "--set {0}={1} and --fps {2} contradict each other"},
+    OptionHint{Code::kIntoWithoutCamera, text::Part::kFix,
+               "--into wants the file that holds the cameras; -o FILE writes a new one"},
+    OptionHint{Code::kIntoAnotherFormat, text::Part::kText, "the file is {0}, and --to says {1}"},
+    OptionHint{Code::kIntoAnotherFormat, text::Part::kFix, "leave out --to"},
+    OptionHint{Code::kIntoWithoutPose, text::Part::kFix,
+               "an input of both cameras and their pose goes into it; --to opencv -o OTHER.yml writes the cameras"},
+    OptionHint{Code::kModelsDiffer, text::Part::kFix, "--model {0}, or an input that has all cameras"},
+    OptionHint{Code::kLayoutWithoutModel, text::Part::kFix, "--model {2} keeps the file's text, --anew writes another file"},
+    OptionHint{Code::kSizesContradict, text::Part::kFix,
+               "--resize {1}x{2} if the base's images are the input's, scaled; --resize {3}x{4} if the base is to become one "
+               "for the input's"},
+    OptionHint{Code::kIntoDoesNotFit, text::Part::kFix, "--anew writes another file and lists what of this one goes"},
+    OptionHint{Code::kIntoDoesNotFitWords, text::Part::kFix, "--to {0} -o OTHER.yaml writes another file"},
+    OptionHint{Code::kStaleOfImages, text::Part::kFix, "compute it for the new images, or --anew leaves it out"},
+    OptionHint{Code::kStaleOfImagesLost, text::Part::kFix, "compute it for the new images, or --anew leaves it out"},
+    OptionHint{Code::kStaleOfLenses, text::Part::kFix,
+               "compute it for the new cameras (cv::stereoRectify), or --anew leaves it out"},
+    OptionHint{Code::kStaleOfLensesLost, text::Part::kFix,
+               "compute it for the new cameras (cv::stereoRectify), or --anew leaves it out"},
+    OptionHint{Code::kEachIsLeft, text::Part::kFix,
+               "is their pose right (show says it in words)? If so, they are no left and right camera"},
+    OptionHint{Code::kPoorFit, text::Part::kFix,
+               "fca-io models {4:shell} compares all models; --max-angle DEG if the corners are black"},
+    OptionHint{Code::kMisreadBeyondLimit, text::Part::kText,
+               "{0} misreads a camera by up to {1:px} px, more than --max-error {2:px}"},
+    OptionHint{Code::kMissingBeyondLimit, text::Part::kText,
+               "{0}: {1:%} of the image has no pixel or a wrong one as {2}, and --max-error was given"},
+    OptionHint{Code::kMissingBeyondLimit, text::Part::kFix, "--max-angle {3:.3}{4} if nothing further from the axis is needed"},
+    OptionHint{Code::kInPlaceOfCircle, text::Part::kText, " in place of --lens-circle"},
+    OptionHint{Code::kErrorBeyondLimit, text::Part::kText, "{0}: the worst pixel is off by {1} px, more than --max-error {2}"},
+    OptionHint{Code::kLossesNotAllowed, text::Part::kText, "the target cannot carry {0:and}, and --strict was given"},
+    OptionHint{Code::kSeveralFiles, text::Part::kFix, "-o FOLDER/, or -o FILE, which has the others beside it"},
+    OptionHint{Code::kOneCameraPerFile, text::Part::kFix,
+               "-o FOLDER/, a pattern such as -o '{{stem}}.{{camera}}{2}', or --camera to choose one"},
+    OptionHint{Code::kImuFileDropped, text::Part::kFix, "-o FOLDER/ writes it beside the camchain"},
+    OptionHint{Code::kProvenanceHasNoRoom, text::Part::kText,
+               "--provenance: the comment at the beginning of the file has no room for it"},
+    OptionHint{Code::kProvenanceInJson, text::Part::kText, "--provenance: JSON has no comments that could hold it"},
+    OptionHint{Code::kInputRefused, text::Part::kFix, "fca-io check {0:shell} says where, and how to mend it"},
+    OptionHint{Code::kInputNotUnderstood, text::Part::kFix, "--anew writes it as {0} reads it"},
+    OptionHint{Code::kEditNotProven, text::Part::kFix, "--anew writes it as {0} reads it"},
+    OptionHint{Code::kProofOfBaseFailed, text::Part::kFix,
+               "fca-io check {2:shell} tells whether the base itself is at fault; if not, --sensor takes a poorer mode"},
+    OptionHint{Code::kNotProven, text::Part::kFix, "--anew writes the keys that {1} reads"},
+    OptionHint{Code::kPartMissing, text::Part::kFix, "put that file there; --into needs it only for cameras that stay"},
+    OptionHint{Code::kGivenSizeContradicts, text::Part::kText, "{0} has {1} x {2} px in the file, and --size says {3} x {4}"},
+    OptionHint{Code::kGivenSizeContradicts, text::Part::kFix, "--size is for files that state no size"},
+    OptionHint{Code::kSizeOfImagesUnknown, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    OptionHint{Code::kSayWhatWasDone, text::Part::kText,
+               "--crop, --binning and --resize say what was done to the images that are given; leave out what was not"},
+    OptionHint{Code::kIfScaled, text::Part::kText, "if it is the calibrated image, scaled: --resize {0}x{1}"},
+    OptionHint{Code::kIfPart, text::Part::kText, "if it is a part of the calibrated image: --crop X,Y,{0},{1}"},
+    OptionHint{Code::kNoiseWithoutImu, text::Part::kText, "--imu-noise is about an IMU, and the input has none"},
+    OptionHint{Code::kNoiseWithoutImu, text::Part::kFix, "--with imu.yaml"},
+    OptionHint{Code::kNoiseWithoutRate, text::Part::kText, "--imu-noise {0} needs the rate of {1}, and nothing states it"},
+    OptionHint{Code::kCircleWithoutImage, text::Part::kText, "--lens-circle {0} names no image"},
+    OptionHint{Code::kCircleWithoutImage, text::Part::kFix, "--lens-circle {0}IMAGE"},
+    OptionHint{Code::kCircleOfNoCamera, text::Part::kText, "--lens-circle {0} does not say of which camera the image is"},
+    OptionHint{Code::kCircleOfNoCamera, text::Part::kFix, "cameras: {1}; --lens-circle {2}=IMAGE"},
+    OptionHint{Code::kCircleOfUnknownCamera, text::Part::kText, "--lens-circle {0}: there is no camera '{3}'"},
+    OptionHint{Code::kCircleOfUnknownCamera, text::Part::kFix, "cameras: {1}; --lens-circle {2}=IMAGE"},
+    OptionHint{Code::kCircleOffCentre, text::Part::kFix, "is it this camera's lens, and not a lamp? fca-io report draws it"},
+    OptionHint{Code::kCircleSmall, text::Part::kFix,
+               "is it this camera's lens, and not something bright in front of it? fca-io report draws it"},
+    OptionHint{Code::kCircleUncertain, text::Part::kFix,
+               "is it a lens's edge at all? fca-io report draws it; further images of brighter scenes, each as --lens-circle, "
+               "show more of it"},
+    OptionHint{Code::kImageWithoutCircle, text::Part::kFix,
+               "images of a bright scene show it best, several together if need be; --max-angle DEG says it by hand"},
+    OptionHint{Code::kImagesWithoutCircle, text::Part::kFix,
+               "images of a bright scene show it best, several together if need be; --max-angle DEG says it by hand"},
+    OptionHint{Code::kDifferenceBeyondLimit, text::Part::kText,
+               "{0}: the worst pixel is off by {1:px} px, more than --max-error {2:px}"},
+    OptionHint{Code::kPixelsMissing, text::Part::kFix, "if the lens ends before, --max-angle DEG{2} says where"},
+    OptionHint{Code::kCamerasMissing, text::Part::kFix, "--camera chooses those to compare"},
+    OptionHint{Code::kInversesBeyondLimit, text::Part::kText,
+               "the inverse polynomials differ by up to {0:px} px, more than --max-error {1:px}"},
+    OptionHint{Code::kPoseBeyondLimit, text::Part::kText,
+               "{0}, more than --strict allows (0.5 deg, and 5 mm or 5 % of the distance)"},
+    OptionHint{Code::kFactBeyondLimit, text::Part::kText, "{0}, more than --strict allows (1 ms for times, else 5 %)"},
+    OptionHint{Code::kSeveralCameras, text::Part::kFix, "choose one with --camera"},
+    OptionHint{Code::kFileWithoutSize, text::Part::kFix, "say it with --size WxH"},
+    OptionHint{Code::kCameraWithoutSize, text::Part::kFix, "--like wants a file that states one"},
+    OptionHint{Code::kViewOfSeveralCameras, text::Part::kText,
+               "--like wants a file with one camera, or with one named {0}; this one has {1}"},
+    OptionHint{Code::kFileExists, text::Part::kText, "{0} exists; --force overwrites it"},
 };
 
 }  // namespace

@@ -84,12 +84,12 @@ std::size_t write_outputs(const ConvertArguments& arguments, std::span<ConvertOu
     sets.push_back(files_of(arguments, outcomes[sets.size()], console));
     files += sets.back().size();
   } while (sets.size() < outcomes.size() && files < kMostFiles);
-  const std::vector<std::optional<std::string>> problems =
+  const std::vector<std::optional<Message>> problems =
       write_sets(std::vector<std::span<const OutputFile>>(sets.begin(), sets.end()), arguments.force || arguments.in_place,
                  arguments.fsync, arguments.request.jobs);
   for (std::size_t i = 0; i < sets.size(); ++i) {
     if (!problems[i]) continue;
-    outcomes[i].diagnostics.error("cannot-write", *problems[i]);
+    outcomes[i].diagnostics.add(problems[i]->code, problems[i]->arguments);
     outcomes[i].code = ExitCode::kIo;
   }
   return sets.size();

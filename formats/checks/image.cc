@@ -60,7 +60,7 @@ class ImageCheck {
     if (worst <= kFar) return;
     const bool outside = worst > 1.0;
     const bool by_column = off(u_, size_.width) >= off(v_, size_.height);
-    findings_.add(outside ? Code::kCentreOutside : Code::kCentreOff, {camera_.name, u_, v_, size_.width, size_.height},
+    findings_.add(outside ? Code::kCentreOutsideImage : Code::kCentreOff, {camera_.name, u_, v_, size_.width, size_.height},
                   subject_.places.parameter(camera_, by_column ? ParameterId("cx") : ParameterId("cy")));
   }
 
@@ -76,7 +76,7 @@ class ImageCheck {
     }
     constexpr double kSquarePixels = 0.05;
     if (std::abs(f_u / f_v - 1.0) <= kSquarePixels) return;
-    findings_.add(Code::kFocalLengthsDiffer, {camera_.name, f_u, f_v, 100.0 * std::abs(f_u / f_v - 1.0)},
+    findings_.add(Code::kFocalLengthsUnlike, {camera_.name, f_u, f_v, 100.0 * std::abs(f_u / f_v - 1.0)},
                   subject_.places.parameter(camera_, "fy"));
   }
 

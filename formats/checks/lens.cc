@@ -64,7 +64,7 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   const bool circle = ends > kFisheye;
   const bool broken = uncovered.nearest_px < 0.5 * nearest_border;
   const Severity severity = broken ? Severity::kError : circle ? Severity::kNote : Severity::kWarning;
-  findings.add(severity, circle && !broken ? Code::kFoldsAtCircle : Code::kFoldsInsideImage,
+  findings.add(severity, circle && !broken ? Code::kFoldsAtCircle : Code::kFoldsInImage,
                {camera.name, ends * kDegreesPerRadian, uncovered.nearest_px, 100.0 * uncovered.share},
                place_of_lens(subject, camera));
 }

@@ -18,7 +18,7 @@ std::optional<std::vector<text::Document>> with_parts(const text::Document& docu
   for (const NamedFile& named : named_parts(format, document)) {
     std::optional<text::Source> source = read_part(named);
     if (!source) {
-      findings.add(Code::kPartMissing, {named.path}, named.where);
+      findings.add(Code::kNamedPartMissing, {named.path}, named.where);
       all = false;
       continue;
     }

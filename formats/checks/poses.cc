@@ -132,13 +132,6 @@ bool name_millimetres(const Subject& subject, Findings& findings) {
   return true;
 }
 
-/// What a pose is that is `undone` without the slip.
-Code code_of(const PoseSlip& slip, const Transform& stated, const Transform& undone) {
-  if (slip.code == "pose-inverted") return Code::kPoseInverted;
-  if (slip.code == "pose-transposed") return Code::kPoseTransposed;
-  return distance_of(undone) < distance_of(stated) ? Code::kPoseInMillimetres : Code::kPoseTooSmall;
-}
-
 /// If a slip of one of them explains the contradictions, it is told, and the pose that follows from the others stands in `rig`.
 bool name_slip(const Subject& subject, const Suspect& suspect, Rig& rig, Findings& findings) {
   const PoseEdge& edge = subject.rig().poses[suspect.index];
@@ -229,7 +222,7 @@ bool check_distances(const Subject& subject, Findings& findings) {
     const Transform& T = rig.poses[i].T_a_b;
     if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;
     const double metres = distance_of(T);
-    say_distance(metres, Code::kTranslationTooLong, {metres, name_of(rig.poses[i])}, subject.places.pose(i, longest_row(T), 3),
+    say_distance(metres, Code::kTranslationInMillimetres, {metres, name_of(rig.poses[i])}, subject.places.pose(i, longest_row(T), 3),
                  findings);
   }
   if (rig.baseline_m && too_far(subject, *rig.baseline_m) && !name_bf(subject, findings))

@@ -89,8 +89,7 @@ struct InWords {
     std::vector<std::string> texts;
     texts.reserve(clauses.size());
     for (const Message& clause : clauses) texts.push_back(text_of(clause, wording));
-    if (how == "and" || how == "or") return enumerated(texts, how);
-    if (!how.empty()) refuse(how);
+    if (!how.empty()) return enumerated(texts, how);
     return std::accumulate(texts.begin(), texts.end(), std::string());
   }
 };

@@ -20,7 +20,7 @@ std::array<std::string_view, 4> sentences_of_row(const CodeInfo& row) { return {
 /// What {N:how} can write.
 Argument sample(const std::string& how) {
   if (how == "s") return 2;
-  if (how == "or" || how == "and" || how == ",") return std::vector<std::string>{"a", "b"};
+  if (how == "or" || how == "and" || how == "then" || how == ",") return std::vector<std::string>{"a", "b"};
   if (how == "short" || how == "_" || how == "shell" || how.empty()) return "name";
   return 0.125;
 }
@@ -102,6 +102,7 @@ TEST(Messages, ClausesStandOneBehindTheOther) {
   EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{std::vector<Message>{clause, clause}}), "x" + alone + alone);
   EXPECT_EQ(text::filled("x{0}", std::vector<Argument>{std::vector<Message>()}), "x");
   EXPECT_EQ(text::filled("{0:or}", std::vector<Argument>{std::vector<Message>{clause, clause}}), alone + " or " + alone);
+  EXPECT_EQ(text::filled("{0:then}", std::vector<Argument>{std::vector<Message>{clause, clause}}), alone + " then " + alone);
 }
 
 TEST(Messages, DiagnosticsTakeSeverityAndWordsFromTheTable) {

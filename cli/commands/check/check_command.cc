@@ -54,9 +54,9 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
   if (!arguments.write) return ExitCode::kGood;
   const OutputFile output{source.name, source.bytes};
   remove_leftovers(std::filesystem::path(source.name).parent_path().string());
-  const std::optional<std::string> problem = write_files(std::span(&output, 1), true, false);
+  const std::optional<Message> problem = write_files(std::span(&output, 1), true, false);
   if (!problem) return ExitCode::kGood;
-  console.error(*problem);
+  console.error(text::text_of(*problem, with_options));
   return ExitCode::kIo;
 }
 

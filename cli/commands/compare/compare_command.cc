@@ -5,8 +5,11 @@
 #include "html/comparison.h"
 #include "options/inputs.h"
 #include "shell/kept_inputs.h"
+#include "shell/option_hints.h"
 #include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
+
+#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <memory>
@@ -38,8 +41,8 @@ ExitCode write_page(const CompareArguments& arguments, const Invocation& invocat
   }
   const std::string line = command_line(invocation.options, "compare", [](const std::string&) { return true; });
   const OutputFile file{arguments.page, comparison_page(reference, compared, arguments.request.reference.max_angle_rad, line)};
-  if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false)) {
-    console.error(*failure);
+  if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false)) {
+    console.error(text::text_of(*failure, with_options));
     return ExitCode::kIo;
   }
   arguments.json ? console.say_aside("wrote " + file.path + "\n") : console.say("wrote " + file.path + "\n");

@@ -64,7 +64,7 @@ std::string different_poses(const std::vector<PoseComparison>& poses) {
   if (std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding)) return "the same poses";
   const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
   if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
-    return in_words(distance->distance_m == 0.0 ? *angle : *distance);
+    return text::text_of(in_words(distance->distance_m == 0.0 ? *angle : *distance), with_options);
   }
   return name(*angle) + " differs by " + angle_text(angle->angle_rad) + ", " + name(*distance) + " by " +
          length_text(distance->distance_m);
@@ -114,7 +114,7 @@ std::string verdict_of(const ComparedFile& compared) {
     if (inverse) parts.push_back(of_inverse);
     if (const std::string poses = different_poses(comparison.poses); !poses.empty()) parts.push_back(poses);
     for (const FactComparison& fact : comparison.facts) {
-      if (!fact.same_but_for_rounding()) parts.push_back(in_words(fact));
+      if (!fact.same_but_for_rounding()) parts.push_back(text::text_of(in_words(fact), with_options));
     }
   }
   std::string text;

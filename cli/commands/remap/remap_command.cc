@@ -9,10 +9,12 @@
 #include "pictures/pictures.h"
 #include "remap_images.h"
 #include "shell/diagnostics_json.h"
+#include "shell/option_hints.h"
 #include "shell/parameters_json.h"
 #include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -77,7 +79,8 @@ std::optional<std::string> write_parts(const RemapArguments& arguments, const Im
     if (!bytes) return "cannot make " + arguments.mask;
     files.push_back({arguments.mask, *std::move(bytes)});
   }
-  return write_files(files, arguments.force, false);
+  const std::optional<Message> failure = write_files(files, arguments.force, false);
+  return failure ? std::optional(text::text_of(*failure, with_options)) : std::nullopt;
 }
 
 std::string view_text(const RemapArguments& arguments, const Remapping& done) {

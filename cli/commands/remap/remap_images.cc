@@ -6,11 +6,14 @@
 #include "pictures/pictures.h"
 #include "shell/held_interrupt.h"
 #include "shell/kept_inputs.h"
+#include "shell/option_hints.h"
 #include "shell/output_name.h"
 #include "shell/progress.h"
 #include "toolkit/parallel_for.h"
 #include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
+
+#include <fca/formats/text/message.h>
 
 #include <array>
 #include <filesystem>
@@ -61,8 +64,8 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
   }
   make_folder_of(result.output, arguments.output);
   const OutputFile file{result.output, *bytes};
-  if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false))
-    refuse(ExitCode::kIo, "cannot-write", *failure);
+  if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false))
+    refuse(ExitCode::kIo, "cannot-write", text::text_of(*failure, with_options));
 }
 
 }  // namespace

@@ -8,9 +8,11 @@
 #include "options/target.h"
 #include "options/words.h"
 #include "shell/kept_inputs.h"
+#include "shell/option_hints.h"
 #include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/toolkit/report.h>
 
 #include <filesystem>
@@ -83,8 +85,8 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
   if (const std::optional<std::string> problem = KeptInputs(console, arguments.inputs).problem_with(arguments.output))
     return console.refuse(ExitCode::kUsage, *problem);
   const OutputFile file{arguments.output, page};
-  if (const std::optional<std::string> failure = write_files(std::span(&file, 1), arguments.force, false))
-    return console.refuse(ExitCode::kIo, *failure);
+  if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false))
+    return console.refuse(ExitCode::kIo, text::text_of(*failure, with_options));
   console.say("wrote " + arguments.output + "\n");
   return ExitCode::kGood;
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/difference_words.h"
 #include "compare/inverses.h"
-#include "words.h"
 
+#include <fca/code.h>
 #include <fca/compare/compare.h>
 #include <fca/formats/stated_as.h>
 #include <fca/formats/text/message.h>
 #include <fca/toolkit/compare.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fca {
 
@@ -49,8 +50,8 @@ void name_poses_as_stated(const Calibration& calibration, std::vector<Mistake>& 
   }
 }
 
-void exceed(ComparedFile& compared, const std::string& message, const std::string& fix = {}) {
-  compared.diagnostics.error("error-limit", message, {}, fix);
+void exceed(ComparedFile& compared, Code code, std::vector<Argument> arguments = {}) {
+  compared.diagnostics.add(code, std::move(arguments));
   compared.status = worse(compared.status, Status::kRejected);
 }
 
@@ -63,45 +64,37 @@ void judge_pixels(const CompareRequest& request, const ReferenceFile& reference,
     constexpr double kNoticeable = 1e-3;
     const double missing = judgement.coverage.unrepresentable;
     if (!(judgement.coverage.scored > 0.0)) {
-      exceed(compared, camera.other + ": no pixel could be compared");
+      exceed(compared, Code::kNothingCompared, {camera.other});
       continue;
     }
-    if (judgement.error.max > limit_px) {
-      exceed(compared, camera.other + ": the worst pixel is off by " + pixels(judgement.error.max) +
-                           " px, more than --max-error " + pixels(limit_px));
-    }
+    if (judgement.error.max > limit_px)
+      exceed(compared, Code::kDifferenceBeyondLimit, {camera.other, judgement.error.max, limit_px});
     if (missing > kNoticeable) {
-      exceed(compared, camera.other + " has no pixel for " + percent(missing) + " of the image",
-             std::string("if the lens ends before, --max-angle DEG ") +
-                 (request.reference.lens_circles.empty() ? "" : "in place of --lens-circle ") + "says where");
+      std::vector<Message> instead;
+      if (!request.reference.lens_circles.empty()) instead.push_back({Code::kInPlaceOfCircle});
+      exceed(compared, Code::kPixelsMissing, {camera.other, missing, instead});
     }
   }
-  if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size())
-    exceed(compared, "not every camera of the reference is there", "--camera chooses those to compare");
-  if (inverses_differ(compared) && *compared.inverse_px > limit_px) {
-    exceed(compared, "the inverse polynomials differ by up to " + pixels(*compared.inverse_px) + " px, more than --max-error " +
-                         pixels(limit_px));
-  }
+  if (reference.calibration->rig.cameras.size() > compared.comparison->cameras.size()) exceed(compared, Code::kCamerasMissing);
+  if (inverses_differ(compared) && *compared.inverse_px > limit_px)
+    exceed(compared, Code::kInversesBeyondLimit, {*compared.inverse_px, limit_px});
 }
 
 /// What is no camera: poses, time offsets, IMU.
 void judge_rest(ComparedFile& compared) {
   const RigComparison& comparison = *compared.comparison;
   for (const PoseComparison& pose : comparison.poses) {
-    if (!pose.alike())
-      exceed(compared, in_words(pose) + ", more than --strict allows (0.5 deg, and 5 mm or 5 % of the distance)");
+    if (!pose.alike()) exceed(compared, Code::kPoseBeyondLimit, {in_words(pose)});
   }
   for (const FactComparison& fact : comparison.facts) {
-    if (!fact.alike()) exceed(compared, in_words(fact) + ", more than --strict allows (1 ms for times, else 5 %)");
+    if (!fact.alike()) exceed(compared, Code::kFactBeyondLimit, {in_words(fact)});
   }
-  if (!comparison.only_in_reference.empty())
-    exceed(compared,
-           "it does not say what the reference does: " + enumerated(text::texts_of(comparison.only_in_reference), "and"));
+  if (!comparison.only_in_reference.empty()) exceed(compared, Code::kReferenceSaysMore, {comparison.only_in_reference});
 }
 
 void apply_limits(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   if (!request.max_error_px && !request.strict) return;
-  for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, sentence(mistake));
+  for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, Code::kMistakeFound, {sentence(mistake)});
   judge_pixels(request, reference, compared);
   if (request.strict) judge_rest(compared);
 }

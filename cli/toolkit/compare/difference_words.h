@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fca/compare/report.h>
+#include <fca/message.h>
 
 #include <string>
 
@@ -17,8 +18,8 @@ namespace fca {
 /// "IMU.T_b_c1"
 [[nodiscard]] std::string subject_of(const Mistake& mistake);
 /// "T_cam1_cam0 differs by 0.8 deg and 3 mm"
-[[nodiscard]] std::string in_words(const PoseComparison& pose);
+[[nodiscard]] Message in_words(const PoseComparison& pose);
 /// "imu0 gyroscope noise is 10 times the reference's"
-[[nodiscard]] std::string in_words(const FactComparison& fact);
+[[nodiscard]] Message in_words(const FactComparison& fact);
 
 }  // namespace fca

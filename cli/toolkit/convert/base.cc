@@ -2,7 +2,8 @@
 #include "base.h"
 
 #include "into.h"
-#include "words.h"
+
+#include <fca/code.h>
 
 #include <algorithm>
 
@@ -14,15 +15,12 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
   inputs.opencv_model = request.inputs.opencv_model;
   std::optional<Calibration> into = read_calibration(inputs, files, result.diagnostics);
   if (into && into->rig.cameras.empty() && into->rig.poses.empty()) {
-    result.diagnostics.error("into-without-camera", "there is no camera here that the input's could take the place of",
-                             {request.into, 0, 0}, "--into wants the file that holds the cameras; -o FILE writes a new one");
+    result.diagnostics.add(Code::kIntoWithoutCamera, {}, {request.into, 0, 0});
     result.status = Status::kBadRequest;
     return std::nullopt;
   }
   if (!into || request.to == nullptr || request.to == into->format) return into;
-  result.diagnostics.error("into-another-format",
-                           "the file is " + std::string(into->format->title) + ", and --to says " + std::string(request.to->id),
-                           {request.into, 0, 0}, "leave out --to");
+  result.diagnostics.add(Code::kIntoAnotherFormat, {into->format->title, request.to->id}, {request.into, 0, 0});
   result.status = Status::kBadRequest;
   return std::nullopt;
 }
@@ -30,11 +28,11 @@ std::optional<Calibration> read_into(const ConvertRequest& request, Files& files
 bool has_use_for(const Calibration& into, const Rig& rig, const std::string& input, ConvertResult& result) {
   if (!into.rig.cameras.empty() || says_a_pose_of(into.rig, rig)) return true;
   const Rig& pose = into.rig;
-  result.diagnostics.error(
-      "pose-missing",
-      input + " states no pose between two cameras" + (rig.cameras.size() < 2 ? " (it has one)" : "") + ", and " +
-          into.documents.front().source().name + " holds only that of " + pose.poses.front().b + " and " + pose.poses.front().a,
-      {input, 0, 0}, "an input of both cameras and their pose goes into it; --to opencv -o OTHER.yml writes the cameras");
+  std::vector<Message> one;
+  if (rig.cameras.size() < 2) one.push_back({Code::kHasOneCamera});
+  result.diagnostics.add(Code::kIntoWithoutPose,
+                         {input, one, into.documents.front().source().name, pose.poses.front().b, pose.poses.front().a},
+                         {input, 0, 0});
   return false;
 }
 
@@ -75,16 +73,11 @@ bool holds_model(const ConvertRequest& request, const Base& base, const Rig& inp
   const std::vector<std::string> models = models_for(request, base, input, to);
   if (asked == nullptr || models.empty()) return true;
   if (shares_model(request, base, input, to) && asked->id != models.front()) {
-    diagnostics.error(
-        "models-differ",
-        "a camera stays, of the model " + models.front() + ", and " + std::string(to.title) + " have one model for all cameras",
-        {request.into, 0, 0}, "--model " + models.front() + ", or an input that has all cameras");
+    diagnostics.add(Code::kModelsDiffer, {models.front(), to.title}, {request.into, 0, 0});
     return false;
   }
   if (to.layout_holds(*base.document, asked->id)) return true;
-  diagnostics.error("into-another-layout",
-                    "this file's layout has no place for " + std::string(asked->id) + "; it holds " + enumerated(models),
-                    {request.into, 0, 0}, "--model " + models.front() + " keeps the file's text, --anew writes another file");
+  diagnostics.add(Code::kLayoutWithoutModel, {asked->id, models, models.front()}, {request.into, 0, 0});
   return false;
 }
 
@@ -96,15 +89,10 @@ bool sizes_agree(const Calibration& base, const Calibration& input, const Rig& r
   for (const Camera& camera : rig.cameras) {
     const Camera* before = base.rig.find_camera(camera.name);
     if (before == nullptr || !before->image_size || !camera.image_size || before->image_size == camera.image_size) continue;
-    const auto resize = [](const ImageSize& size) {
-      return "--resize " + std::to_string(size.width) + "x" + std::to_string(size.height);
-    };
-    diagnostics.error("size-contradicts",
-                      camera.name + ": the base is for images of " + size_in_words(*before->image_size) +
-                          " px, and the input's are of " + size_in_words(*camera.image_size) + " px",
-                      {request.into, 0, 0},
-                      resize(*before->image_size) + " if the base's images are the input's, scaled; " +
-                          resize(*camera.image_size) + " if the base is to become one for the input's");
+    diagnostics.add(Code::kSizesContradict,
+                    {camera.name, before->image_size->width, before->image_size->height, camera.image_size->width,
+                     camera.image_size->height},
+                    {request.into, 0, 0});
     return false;
   }
   return true;
@@ -117,10 +105,7 @@ bool is_edit_of_base(const ConvertRequest& request, const Base& base, const Writ
   const bool kept = words ? document.syntax() == text::Syntax::kWords
                           : document.source().bytes == base.document->source().bytes || !keeps_text(request, base);
   if (kept) return true;
-  diagnostics.error("into-another-layout", "what the input says does not fit into the layout of this file",
-                    {request.into, 0, 0},
-                    words ? "--to " + std::string(base.into->format->id) + " -o OTHER.yaml writes another file"
-                          : "--anew writes another file and lists what of this one goes");
+  diagnostics.add(words ? Code::kIntoDoesNotFitWords : Code::kIntoDoesNotFit, {base.into->format->id}, {request.into, 0, 0});
   return false;
 }
 

@@ -6,7 +6,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
-#include <cctype>
+#include <variant>
 
 namespace fca {
 
@@ -34,23 +34,18 @@ void name_as_written(const Format& format, const Written& written, std::vector<C
   }
 }
 
-std::string with_names_of_file(const std::string& text, std::span<const ConvertedCamera> cameras) {
-  // '/' and '.': a topic or a file that is called after its camera is not the camera.
-  const auto is_of_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/' || c == '.';
-  };
-  std::string result;
-  for (auto at = text.begin(); at != text.end();) {
-    const auto end = std::find_if_not(at, text.end(), is_of_word);
-    const std::string word(at, end);
-    const auto camera =
-        std::ranges::find_if(cameras, [&word](const ConvertedCamera& each) { return each.source.name == word; });
-    const bool is_option = result.ends_with("--camera ");
-    result += camera != cameras.end() && !is_option ? camera->name_in_words() : word;
-    at = end;
-    if (at != text.end()) result += *at++;
+std::string name_in_words(const std::string& name, std::span<const ConvertedCamera> cameras) {
+  const auto camera = std::ranges::find_if(cameras, [&name](const ConvertedCamera& each) { return each.source.name == name; });
+  return camera != cameras.end() ? camera->name_in_words() : name;
+}
+
+void name_as_in_file(Loss& loss, std::span<const ConvertedCamera> cameras) {
+  loss.owner = name_in_words(loss.owner, cameras);
+  for (Argument& value : loss.values) {
+    auto* const names = std::get_if<std::vector<std::string>>(&value.value);
+    if (names == nullptr) continue;
+    for (std::string& name : *names) name = name_in_words(name, cameras);
   }
-  return result;
 }
 
 }  // namespace fca

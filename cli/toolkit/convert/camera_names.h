@@ -15,8 +15,11 @@ namespace fca {
 /// cam0, whichever camera was chosen for it.
 void name_as_written(const Format& format, const Written& written, std::vector<ConvertedCamera>& cameras);
 
-/// A text that calls cameras as the input does, with "cam0 (input's cam1)" for those that the files call otherwise. Words of
-/// options ("--camera cam1") stay.
-[[nodiscard]] std::string with_names_of_file(const std::string& text, std::span<const ConvertedCamera> cameras);
+/// A camera by its name in the input: "cam0 (input's cam1)" if the files call it otherwise. Any other name as it is.
+[[nodiscard]] std::string name_in_words(const std::string& name, std::span<const ConvertedCamera> cameras);
+
+/// Names the owner of a loss so, and the cameras of its lists. What else it has (a name that is to be given to the program)
+/// stays.
+void name_as_in_file(Loss& loss, std::span<const ConvertedCamera> cameras);
 
 }  // namespace fca

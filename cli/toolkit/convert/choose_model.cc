@@ -3,9 +3,10 @@
 
 #include "models/model_advice.h"
 #include "parallel_for.h"
-#include "words.h"
 
+#include <fca/code.h>
 #include <fca/convert/reach.h>
+#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <cmath>
@@ -183,8 +184,7 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
     const ModelInfo& model = *choice.model;
     const StoredModel* stored = find_stored_model(format, model.id, false);
     if (stored == nullptr) {
-      diagnostics.error("model-not-storable", std::string(format.title) + " cannot hold " + std::string(model.id) +
-                                                  "; it holds " + enumerated(storable(format)));
+      diagnostics.add(Code::kModelNotStorable, {format.title, model.id, storable(format)});
       return std::nullopt;
     }
     const std::size_t used = std::min(cameras.size(), format.most_cameras);
@@ -233,7 +233,8 @@ std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Ca
     for (Diagnostic entry : camera.found.entries()) {
       // The library does not know which models the program reads.
       if (id_of(entry) == "target-cannot-reach" && camera.report)
-        entry.fix = better_models(camera.source, *camera.report, format, choice) + "; fca-io models FILE compares all models";
+        entry.fix = text::text_of(better_models(camera.source, *camera.report, format, choice)) +
+                    "; fca-io models FILE compares all models";
       diagnostics.add(std::move(entry));
     }
   }

@@ -116,8 +116,8 @@ bool Steps::read() {
     if (!into_) return false;
   }
   result_.to = into_ ? into_->format : request_.to;
-  if (const std::optional<std::string> problem = without_use(request_, *result_.to)) {
-    result_.diagnostics.error("option-without-use", *problem);
+  if (const Message problem = without_use(request_, *result_.to); problem.is_said()) {
+    result_.diagnostics.add(problem.code, problem.arguments);
     result_.status = Status::kBadRequest;
     return false;
   }
@@ -180,11 +180,8 @@ bool Steps::write() {
   // Before the settings: what those make of a file is no edit of the input any more.
   add_provenance(request_, *input_, written_, result_);
   if (!apply_settings(request_, to, written_, result_.diagnostics)) return false;
-  for (Loss& loss : written_.losses) {
-    loss.what = with_names_of_file(what_of(loss), result_.cameras);
-    loss.remedy = with_names_of_file(remedy_of(loss), result_.cameras);
-  }
-  warn_of_wrong_side(rig_, request_, text::text_of(written_.first_is_left), result_);
+  for (Loss& loss : written_.losses) name_as_in_file(loss, result_.cameras);
+  warn_of_wrong_side(rig_, request_, written_.first_is_left, result_);
   return true;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input_checks.h"
 
-#include "words.h"
+#include <fca/code.h>
 
 #include <algorithm>
 
@@ -11,21 +11,20 @@ namespace {
 
 /// A file without a camera was probably meant as a further part.
 void explain_no_camera(const ConvertRequest& request, const Calibration& calibration, Diagnostics& diagnostics) {
-  const bool imu = !calibration.rig.imus.empty();
-  const std::string what = imu ? "an IMU and no camera" : calibration.rig.poses.empty() ? "no camera" : "a pose and no camera";
-  const std::string main_file = calibration.format->id == "opencv" ? "intrinsics.yml" : "camchain.yaml";
+  const Rig& rig = calibration.rig;
+  const Code what = !rig.imus.empty()   ? Code::kImuAndNoCamera
+                    : rig.poses.empty() ? Code::kNoCameraAtAll
+                                        : Code::kPoseAndNoCamera;
   const std::string& input = request.inputs.files.front();
-  const std::string target = request.into.empty() ? " --to " + std::string(request.to->id) : " --into " + request.into;
-  diagnostics.error("no-camera", "the file holds " + what, {input, 0, 0},
-                    "did you mean: fca-io convert " + shell_word(main_file) + " --with " + shell_word(input) + target);
+  const std::string_view main_file = calibration.format->id == "opencv" ? "intrinsics.yml" : "camchain.yaml";
+  const Message target =
+      request.into.empty() ? Message{Code::kAsFormat, {request.to->id}} : Message{Code::kIntoFile, {request.into}};
+  diagnostics.add(Code::kNothingToConvert, {Message{what}, main_file, input, target}, {input, 0, 0});
 }
 
 bool contradicts(const ConvertRequest& request, const Calibration& calibration, ConvertResult& result) {
   if (!request.baseline_m || calibration.rig.cameras.size() < 2) return false;
-  result.diagnostics.error("baseline-contradicts",
-                           "--baseline is for one camera of a rectified pair or depth sensor; here are " +
-                               std::to_string(calibration.rig.cameras.size()) + " cameras with poses of their own",
-                           {request.inputs.files.front(), 0, 0}, "choose one with --camera");
+  result.diagnostics.add(Code::kBaselineOfSeveral, {calibration.rig.cameras.size()}, {request.inputs.files.front(), 0, 0});
   result.status = Status::kBadRequest;
   return true;
 }
@@ -41,8 +40,7 @@ bool imu_is_another(const Rig& rig, const std::string& input, Diagnostics& diagn
   if (other == rig.poses.end()) return false;
   const std::string& posed = is_imu(other->a) ? other->a : other->b;
   const std::string& given = rig.imus.front().name;
-  diagnostics.error("imu-without-pose", "the cameras' poses are to " + posed + ", and the IMU that is given is " + given,
-                    {input, 0, 0}, "give the file of " + posed + "'s noise, or rename " + given + " if it is that one");
+  diagnostics.add(Code::kImuIsAnother, {posed, given}, {input, 0, 0});
   return true;
 }
 

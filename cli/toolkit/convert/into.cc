@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "into.h"
 
-#include "words.h"
-
+#include <fca/code.h>
 #include <fca/formats/pose_agreement.h>
 #include <fca/formats/read_back.h>
 
@@ -37,7 +36,7 @@ void take_names(const Rig& base, std::span<const Camera* const> counterparts, Ri
     names.emplace_back(name, counterparts[i] != nullptr ? counterparts[i]->name : name);
     if (name == names.back().second) continue;
     kept.replaced.push_back(names.back().second);
-    diagnostics.note("camera-replaced", name + " of the input takes the place of " + names.back().second + " of the base");
+    diagnostics.add(Code::kCameraReplaced, {name, names.back().second});
   }
   const auto renamed = [&](const std::string& name) -> std::string {
     const auto row = std::ranges::find(names, name, &std::pair<std::string, std::string>::first);
@@ -89,10 +88,7 @@ void keep_poses(const Rig& base, Rig& rig, Kept& kept, Diagnostics& diagnostics)
     if (moved) {
       edge.T_a_b = *now;
       // The same statement the other way round is no second one.
-      if (rig.stated(edge.b, edge.a) == nullptr) {
-        diagnostics.note("pose-follows", "the base states the pose of " + edge.a + " relative to " + edge.b +
-                                             ", and the input says another; it is written as it follows from the input");
-      }
+      if (rig.stated(edge.b, edge.a) == nullptr) diagnostics.add(Code::kPoseFollows, {edge.a, edge.b});
     }
     const auto is_another = [&](const std::string& name) {
       const Camera* then_there = base.find_camera(name);
@@ -157,22 +153,16 @@ Rig put_into(const Rig& base_as_named, Rig rig, bool in_order, Kept& kept, Diagn
 void tell_of_kept(const Kept& kept, const Written& written, const Format& format, Diagnostics& diagnostics) {
   const Written::File& file = written.files.front();
   for (const std::string& camera : kept.cameras) {
-    if (std::ranges::find(file.cameras, camera) != file.cameras.end())
-      diagnostics.note("camera-kept", camera + " of the base is not in the input and stays as it is");
+    if (std::ranges::find(file.cameras, camera) != file.cameras.end()) diagnostics.add(Code::kCameraKept, {camera});
   }
   const std::optional<Rig> now = read_back(format, file);
-  if (kept.baseline_m && now && now->baseline_m) {
-    diagnostics.note("baseline-kept", "the input states no baseline: the base's " + fixed(100.0 * *kept.baseline_m, 2) +
-                                          " cm stay, and what is its product with fx (bf) follows");
-  }
+  if (kept.baseline_m && now && now->baseline_m) diagnostics.add(Code::kBaselineKept, {100.0 * *kept.baseline_m});
   std::vector<std::string> poses;
   for (const PoseEdge& edge : kept.poses) {
     if (now && now->resolve(edge.a, edge.b)) poses.push_back(edge.b + " -> " + edge.a);
   }
   if (poses.empty()) return;
-  diagnostics.note("pose-kept", "the input states no such pose: " + enumerated(poses) +
-                                    (poses.size() == 1 ? " stays" : " stay") + " as the base has " +
-                                    (poses.size() == 1 ? "it" : "them") + ", not checked against the new camera");
+  diagnostics.add(poses.size() == 1 ? Code::kPoseKept : Code::kPosesKept, {poses});
 }
 
 }  // namespace fca

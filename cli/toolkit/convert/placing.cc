@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "placing.h"
 
-#include <fca/formats/text/message.h>
+#include <fca/code.h>
 
 #include <algorithm>
 #include <array>
@@ -37,30 +37,22 @@ std::string_view name_of(text::Syntax syntax) {
   return "YAML";
 }
 
-std::string misnamed(const std::string& path, const text::Syntax syntax) {
-  const std::string_view is = name_of(syntax);
+bool is_misnamed(const std::string& path, text::Syntax syntax) {
   const std::string extension = fs::path(path).extension().string();
   const auto known = std::ranges::find(kExtensions, extension, &Extension::extension);
-  if (known == kExtensions.end() || known->syntax == is) return "";
-  return path + " holds " + std::string(is) + ", whatever its name says: its readers go by the content";
+  return known != kExtensions.end() && known->syntax != name_of(syntax);
 }
 
 /// False with an error where there is no place for so many files.
 bool has_room(const ConvertRequest& request, ConvertResult& result) {
   const std::size_t with_cameras = camera_files(result.files);
   if (!request.room.named_files && std::ranges::any_of(result.files, &ConvertedFile::named)) {
-    result.diagnostics.error("one-output",
-                             text::text_of(result.headline) + ": these are " + std::to_string(result.files.size()) + " files",
-                             {}, "-o FOLDER/, or -o FILE, which has the others beside it");
+    result.diagnostics.add(Code::kSeveralFiles, {result.headline, result.files.size()});
   } else if (!request.room.camera_files && with_cameras > 1) {
-    result.diagnostics.error(
-        "one-camera-per-file",
-        // An OpenCV file of camera_calibration's keys, for one, though there are others for several cameras.
-        (result.to->many_cameras ? text::text_of(result.headline) + ": one" : std::string(result.to->title) + " holds one") +
-            " camera per file, and here are " + std::to_string(with_cameras),
-        {},
-        "-o FOLDER/, a pattern such as -o '{stem}.{camera}" + extension_of(result.files.front(), *result.to) +
-            "', or --camera to choose one");
+    // An OpenCV file of camera_calibration's keys is for one, though there are others for several cameras.
+    const Message one = result.to->many_cameras ? Message{Code::kOfHeadlineOne, {result.headline}}
+                                                : Message{Code::kHoldsOne, {result.to->title}};
+    result.diagnostics.add(Code::kOneCameraPerFile, {one, with_cameras, extension_of(result.files.front(), *result.to)});
   } else {
     return true;
   }
@@ -74,9 +66,7 @@ void leave_out_further_files(ConvertResult& result) {
     if (!result.files[i].cameras.empty()) continue;
     const std::string name = result.files[i].name;
     std::erase_if(result.defaults, [&name](const DefaultedValue& value) { return value.key.ends_with("(" + name + ")"); });
-    result.losses.push_back({"second-file-dropped", name + " (the IMU's noise and rate)",
-                             "a camchain has no place for it and there is one output",
-                             "-o FOLDER/ writes it beside the camchain"});
+    result.losses.push_back(lost(Code::kImuFileDropped, name, ""));
     result.files.erase(result.files.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
@@ -103,8 +93,8 @@ bool place_files(const ConvertRequest& request, ConvertResult& result) {
   for (std::size_t i = 0; request.path_of && i < result.files.size(); ++i) {
     ConvertedFile& file = result.files[i];
     file.path = request.path_of(result, i);
-    const std::string problem = misnamed(file.path, file.syntax);
-    if (!problem.empty() && file.path != request.into) result.diagnostics.note("extension", problem);
+    if (file.path != request.into && is_misnamed(file.path, file.syntax))
+      result.diagnostics.add(Code::kMisnamed, {file.path, name_of(file.syntax)});
   }
   return true;
 }

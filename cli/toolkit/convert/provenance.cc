@@ -3,6 +3,7 @@
 
 #include "words.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/top_comment.h>
 
@@ -100,10 +101,8 @@ void add_provenance(const ConvertRequest& request, const Calibration& calibratio
     const bool replaces = outdated && text::remove_top_comment(file.document, is_ours);
     if (in_none || (of_base && !in_all && !replaces)) continue;
     if (text::add_top_comment(file.document, lines_for(file, request, calibration, result)) || !in_all) continue;
-    result.diagnostics.note("provenance-not-written",
-                            file.document.syntax() == text::Syntax::kWords
-                                ? "--provenance: the comment at the beginning of the file has no room for it"
-                                : "--provenance: JSON has no comments that could hold it");
+    const bool words = file.document.syntax() == text::Syntax::kWords;
+    result.diagnostics.add(words ? Code::kProvenanceHasNoRoom : Code::kProvenanceInJson);
   }
 }
 

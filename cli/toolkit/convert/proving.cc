@@ -2,10 +2,9 @@
 #include "proving.h"
 
 #include "parallel_for.h"
-#include "words.h"
 
+#include <fca/code.h>
 #include <fca/formats/mend.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 
 #include <numbers>
@@ -14,12 +13,19 @@ namespace fca {
 
 namespace {
 
-std::string disagreement(const ProofResult& proof) {
-  if (!proof.loads) return "it would refuse the file: " + text::printable(enumerated(sentences_of(proof.refusals)));
-  if (!proof.poses_agree) return "an element of its poses differs by " + text::format_short(proof.max_diff_pose, 3);
-  if (proof.pixels_agree) return enumerated(text::texts_of(proof.other_numbers), "and");
-  if (proof.compared_share == 0.0) return "it has no pixel where we have one";
-  return "its pixels differ by up to " + pixels(proof.max_diff_px) + " px";
+std::vector<Message> all_said(const std::vector<consumers::Complaint>& complaints) {
+  std::vector<Message> messages;
+  messages.reserve(complaints.size());
+  for (const consumers::Complaint& complaint : complaints) messages.push_back(facts_of(complaint));
+  return messages;
+}
+
+Message disagreement(const ProofResult& proof) {
+  if (!proof.loads) return {Code::kWouldRefuse, {all_said(proof.refusals)}};
+  if (!proof.poses_agree) return {Code::kPosesDiffer, {proof.max_diff_pose}};
+  if (proof.pixels_agree) return {Code::kNumbersDiffer, {proof.other_numbers}};
+  if (proof.compared_share == 0.0) return {Code::kHasNoPixel};
+  return {Code::kPixelsDiffer, {proof.max_diff_px}};
 }
 
 /// As the files were written to be read. --opencv-model is about the input.
@@ -30,14 +36,12 @@ consumers::LoadOptions load_options(const Written& written) {
   return options;
 }
 
-/// The program's first reason not to load the bytes; nothing if it loads them.
-std::optional<std::string> first_refusal(const std::string& bytes, const std::string& program,
-                                         const consumers::LoadOptions& options) {
+/// The program's first reason not to load the bytes; none if it loads them.
+Message first_refusal(const std::string& bytes, const std::string& program, const consumers::LoadOptions& options) {
   const consumers::Consumer* consumer = consumers::find_consumer(program);
-  if (consumer == nullptr) return std::nullopt;
+  if (consumer == nullptr) return {};
   const consumers::ConsumerView view = consumer->load(bytes, options);
-  if (view.loads()) return std::nullopt;
-  return sentence_of(view.refusals.front());
+  return view.loads() ? Message{} : facts_of(view.refusals.front());
 }
 
 }  // namespace
@@ -51,15 +55,15 @@ std::jthread prepare_programs(const Format& format) {
   return program == all.end() ? std::jthread() : in_background(program->prepare);
 }
 
-std::optional<std::string> newly_refused(const Written& written, const text::Document* base) {
+Message newly_refused(const Written& written, const text::Document* base) {
   const consumers::LoadOptions options = load_options(written);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
-      const std::optional<std::string> now = first_refusal(file.document.bytes(), id, options);
-      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now;
+      const Message now = first_refusal(file.document.bytes(), id, options);
+      if (now.is_said() && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now;
     }
   }
-  return std::nullopt;
+  return {};
 }
 
 bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
@@ -72,18 +76,19 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
       if (program == nullptr) continue;
       text::Document document = file.document;
       Diagnostics mends;
-      std::optional<std::string> refusal;
+      Message refusal;
       for (int i = 0; i < kMostMends; ++i) {
         refusal = first_refusal(document.bytes(), id, options);
-        all_load = all_load && !refusal;
-        const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
+        all_load = all_load && !refusal.is_said();
+        const std::optional<Mend> mend =
+            refusal.is_said() ? find_mend(document, *program, options, text::text_of(refusal)) : std::nullopt;
         if (!mend) break;
-        const std::string fix = text::text_of(mend->fix);
-        const bool says_how = refusal->ends_with(fix);
-        mends.note("mended", *refusal + (says_how ? "" : "; " + fix) + ": done", document.source().range(mend->span));
+        std::vector<Message> how;
+        if (!text::text_of(refusal).ends_with(text::text_of(mend->fix))) how.push_back({Code::kMendedHow, {mend->fix}});
+        mends.add(Code::kMended, {refusal, how}, document.source().range(mend->span));
         document.replace(mend->span, mend->text);
       }
-      if (refusal) continue;
+      if (refusal.is_said()) continue;
       file.document = std::move(document);
       for (const Diagnostic& each : mends.entries()) diagnostics.add(each);
     }
@@ -95,10 +100,7 @@ void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagn
   const text::Source& source = calibration.documents[calibration.with_cameras].source();
   const Message refusal = refused_by_all(calibration.format->id, source.bytes, !calibration.rig.cameras.empty(),
                                          {"", std::string(name_of(inputs.opencv_model))});
-  if (!refusal.is_said()) return;
-  diagnostics.warning("program-refuses",
-                      source.name + " is read, but its own program would refuse it, " + text::text_of(refusal), {},
-                      "fca-io check " + shell_word(source.name) + " says where, and how to mend it");
+  if (refusal.is_said()) diagnostics.add(Code::kInputRefused, {source.name, refusal});
 }
 
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
@@ -114,37 +116,26 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
               [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); });
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
-    const bool refused_before =
-        base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
-        first_refusal(base->source().bytes, id, options) == std::optional(sentence_of(proof.refusals.front()));
+    const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
+                                first_refusal(base->source().bytes, id, options) == facts_of(proof.refusals.front());
     if (refused_before) result.refused_before.push_back(program);
     if (!proof.agrees() && unchanged) {
-      result.diagnostics.warning(
-          "program-refuses",
-          "nothing was changed, and " + program + " does not understand the input itself: " + disagreement(proof), {},
-          "--anew writes it as " + program + " reads it");
+      result.diagnostics.add(Code::kInputNotUnderstood, {program, disagreement(proof)});
     } else if (refused_before) {
-      result.diagnostics.warning("program-refuses",
-                                 request.into + " is edited and not proven: before and after, " + program +
-                                     " refuses it: " + text::printable(sentence_of(proof.refusals.front())),
-                                 {}, "--anew writes it as " + program + " reads it");
+      result.diagnostics.add(Code::kEditNotProven, {program, facts_of(proof.refusals.front()), request.into});
     } else if (!proof.agrees()) {
-      result.diagnostics.error("proof-failed", program + " would not understand what was to be written: " + disagreement(proof),
-                               {},
-                               request.into.empty() || proof.loads
-                                   ? ""
-                                   : "fca-io check " + shell_word(request.into) +
-                                         " tells whether the base itself is at fault; if not, --sensor takes a poorer mode");
+      const bool of_base = !request.into.empty() && !proof.loads;
+      result.diagnostics.add(of_base ? Code::kProofOfBaseFailed : Code::kProofFailed,
+                             {program, disagreement(proof), request.into});
       result.status = worse(result.status, Status::kRejected);
     }
     result.proofs.push_back(std::move(proof));
   }
   if (judged) return;
   result.unproven.push_back(output.path);
-  result.diagnostics.note(
-      "not-proven",
-      (output.path.empty() ? "" : output.path + ": ") + "no program that fca-io knows reads such keys, so none has proven it",
-      {}, "--anew writes the keys that " + std::string(result.to->program) + " reads");
+  std::vector<Message> of_path;
+  if (!output.path.empty()) of_path.push_back({Code::kOfPath, {output.path}});
+  result.diagnostics.add(Code::kNotProven, {of_path, result.to->program});
 }
 
 }  // namespace fca

@@ -16,7 +16,7 @@ namespace fca {
 [[nodiscard]] std::jthread prepare_programs(const Format& format);
 
 /// Why a program would not load what is written for it, and did load `base` (null: none); nothing if there is no such program.
-[[nodiscard]] std::optional<std::string> newly_refused(const Written& written, const text::Document* base);
+[[nodiscard]] Message newly_refused(const Written& written, const text::Document* base);
 
 /// What of a base's own text, which an edit keeps, the program that is to read it would refuse only for its spelling
 /// (IMU.Frequency: 200, a byte order mark) is mended, with a note of each; where the program would refuse it all the same,

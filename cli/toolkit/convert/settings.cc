@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "settings.h"
 
-#include "words.h"
-
+#include <fca/code.h>
 #include <fca/formats/set_value.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -38,8 +36,7 @@ bool apply(const KeyValue& setting, const Format& format, const ReadOptions& opt
     std::optional<text::Document> document = set_value(format, file.document, setting, options, diagnostics);
     if (!document) return false;
     if (fps && frame_rate(format, *document, options) != frame_rate(format, file.document, options)) {
-      diagnostics.error("set-contradicts", "--set " + setting.key + "=" + setting.value + " and --fps " +
-                                               text::format_short(*fps) + " contradict each other");
+      diagnostics.add(Code::kSettingContradictsRate, {setting.key, setting.value, *fps});
       return false;
     }
     file.document = *std::move(document);

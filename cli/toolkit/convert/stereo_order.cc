@@ -2,8 +2,8 @@
 #include "stereo_order.h"
 
 #include "camera_names.h"
-#include "words.h"
 
+#include <fca/code.h>
 #include <fca/rig/stereo_order.h>
 
 #include <algorithm>
@@ -21,24 +21,19 @@ std::vector<CameraChoice> swapped(const std::optional<std::vector<CameraChoice>>
 
 }  // namespace
 
-void warn_of_wrong_side(const Rig& rig, const ConvertRequest& request, const std::string& first_is_left,
-                        ConvertResult& result) {
-  if (first_is_left.empty()) return;
+void warn_of_wrong_side(const Rig& rig, const ConvertRequest& request, const Message& first_is_left, ConvertResult& result) {
+  if (!first_is_left.is_said()) return;
   const std::optional<double> left = second_left_of_first(rig);
   if (!left) return;
   Rig other = rig;
   std::swap(other.cameras[0], other.cameras[1]);
-  const std::string what =
-      rig.cameras[1].name + " sits " + fixed(100.0 * *left, 2) + " cm to the left of " + rig.cameras[0].name;
+  const auto name = [&](const Camera& camera) { return name_in_words(camera.name, result.cameras); };
+  const std::vector<Argument> facts = {name(rig.cameras[1]), 100.0 * *left, name(rig.cameras[0]), first_is_left};
   if (second_left_of_first(other)) {
-    result.diagnostics.warning(
-        "stereo-order",
-        with_names_of_file(what + ", and " + rig.cameras[0].name + " to the left of " + rig.cameras[1].name, result.cameras) +
-            ": they do not look the same way, the same way up; " + first_is_left,
-        {}, "is their pose right (show says it in words)? If so, they are no left and right camera");
+    result.diagnostics.add(Code::kEachIsLeft, facts);
     return;
   }
-  result.diagnostics.warning("stereo-order", with_names_of_file(what, result.cameras) + "; " + first_is_left);
+  result.diagnostics.add(Code::kSecondIsLeft, facts);
   result.better_order = swapped(request.inputs.cameras);
 }
 

@@ -4,6 +4,8 @@
 #include "joined_files.h"
 #include "proving.h"
 
+#include <fca/code.h>
+
 #include <span>
 
 namespace fca {
@@ -46,11 +48,10 @@ std::optional<Written> write_rig(const Calibration& source, const Rig& rig, cons
   // An input is to become a file that the program reads: OpenVINS' first line in a camchain is no base for Kalibr. A file that
   // is written into is its owner's, who has another program for it.
   const text::Document* owners = base.into != nullptr ? base.document : nullptr;
-  const std::optional<std::string> refusal = asked_for ? newly_refused(*written, owners) : std::nullopt;
-  if (!refusal) return written;
+  const Message refusal = asked_for ? newly_refused(*written, owners) : Message{};
+  if (!refusal.is_said()) return written;
   options.anew = true;
-  result.diagnostics.note("layout-not-kept",
-                          "written anew, without the base's comments, because its layout cannot be kept: " + *refusal);
+  result.diagnostics.add(Code::kLayoutNotKept, {refusal});
   return write_calibration(*result.to, base.document, rig, options, result.diagnostics);
 }
 

@@ -2,6 +2,7 @@
 #include "read/image_planes.h"
 #include "words.h"
 
+#include <fca/code.h>
 #include <fca/compare/image_similarity.h>
 #include <fca/remap/lanczos.h>
 #include <fca/toolkit/evaluate.h>
@@ -78,11 +79,7 @@ bool add_recovered_images(const std::string& path, Evaluation& evaluation, Files
     fits = true;
     for (EvaluatedRow& row : table.rows) row.recovered = compared(colours, recovered(colours, table, row));
   }
-  if (!fits) {
-    diagnostics.error("image-size",
-                      "the image is " + size_in_words(size) + " px, and the paper's cameras are of " + enumerated(sizes, "or"),
-                      {path, 0, 0}, "examples/cpp/render_image.cc makes one");
-  }
+  if (!fits) diagnostics.add(Code::kNotThePapersSize, {size.width, size.height, sizes}, {path, 0, 0});
   return fits;
 }
 

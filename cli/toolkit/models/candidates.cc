@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "models/model_advice.h"
 
+#include <fca/code.h>
 #include <fca/convert/domain.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
@@ -87,8 +88,7 @@ std::optional<std::vector<ModelsResult::OfCamera>> compare_models(const std::vec
 ModelsResult compare_models(const Inputs& inputs, Files& files) {
   ModelsResult result;
   const std::optional<Calibration> calibration = read_calibration(inputs, files, result.diagnostics);
-  if (calibration && calibration->rig.cameras.empty())
-    result.diagnostics.error("no-camera", inputs.files.front() + " holds no camera");
+  if (calibration && calibration->rig.cameras.empty()) result.diagnostics.add(Code::kFileWithoutCamera, {inputs.files.front()});
   if (calibration && !result.diagnostics.has_errors()) {
     auto cameras = compare_models(calibration->rig.cameras, inputs.max_angle_rad, result.diagnostics);
     if (cameras) result.cameras = *std::move(cameras);

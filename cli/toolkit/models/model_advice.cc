@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model_advice.h"
 
-#include "words.h"
-
+#include <fca/code.h>
 #include <fca/convert/reach.h>
-#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,12 +34,10 @@ bool is_much_better(const ConversionReport& a, const ConversionReport& b) {
   return b.judgement.error.rms > kSeen && a.judgement.error.rms < kMuchLess * b.judgement.error.rms;
 }
 
-std::string in_words(const ConversionReport& report) {
-  const std::string model = report.to_model;
-  if (report.exact) return model + " (exact)";
-  const std::string rms = "rms " + pixels(report.judgement.error.rms) + " px)";
-  if (report.judgement.coverage.unrepresentable <= kSameCoverage) return model + " (" + rms;
-  return model + " (up to " + text::format_short(report.scored_to_deg, 3) + " deg, " + rms;
+Message in_words(const ConversionReport& report) {
+  if (report.exact) return {Code::kModelExact, {report.to_model}};
+  const bool covers = report.judgement.coverage.unrepresentable <= kSameCoverage;
+  return {covers ? Code::kModelRms : Code::kModelRmsUpTo, {report.to_model, report.judgement.error.rms, report.scored_to_deg}};
 }
 
 /// Of the camera as those models, what is better than `than`; the best first.
@@ -63,8 +59,7 @@ std::vector<ConversionReport> better_ones(const Camera& camera, const Conversion
 
 }  // namespace
 
-std::string better_models(const Camera& camera, const ConversionReport& report, const Format& format,
-                          const ModelChoice& choice) {
+Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, const ModelChoice& choice) {
   constexpr std::size_t kMost = 3;
   std::vector<StoredModel> read;
   std::vector<StoredModel> elsewhere;
@@ -77,18 +72,17 @@ std::string better_models(const Camera& camera, const ConversionReport& report, 
       elsewhere.emplace_back().model = model.id;
     }
   }
-  const std::string program(format.program);
   const std::vector<ConversionReport> better = better_ones(camera, report, choice, read);
-  std::vector<std::string> names;
+  std::vector<Message> names;
   for (const ConversionReport& one : better) {
     if (names.size() < kMost) names.push_back(in_words(one));
   }
-  std::string text =
-      names.empty() ? "no model that " + program + " reads is better" : program + " reads " + enumerated(names, "and");
   const std::vector<ConversionReport> others = better_ones(camera, report, choice, elsewhere);
+  std::vector<Message> still;
   if (!others.empty() && is_much_better(others.front(), better.empty() ? report : better.front()))
-    text += "; " + in_words(others.front()) + " would be better still, for a program that reads it";
-  return text;
+    still.push_back({Code::kBetterElsewhere, {in_words(others.front())}});
+  if (names.empty()) return {Code::kNoBetterModel, {format.program, still}};
+  return {Code::kBetterModels, {format.program, names, still}};
 }
 
 }  // namespace fca

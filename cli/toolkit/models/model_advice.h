@@ -14,7 +14,7 @@ namespace fca {
 /// "OpenCV reads kb4 (exact) and rational (up to 88 deg, rms 0.218 px)": the best three of the models that the format's program
 /// reads and that cover more of the image than `report` says, or as much with less error; and what other programs read, where
 /// that is much better. All of them are fitted for this.
-[[nodiscard]] std::string better_models(const Camera& camera, const ConversionReport& report, const Format& format,
-                                        const ModelChoice& choice);
+[[nodiscard]] Message better_models(const Camera& camera, const ConversionReport& report, const Format& format,
+                                    const ModelChoice& choice);
 
 }  // namespace fca

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/code.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/toolkit/files.h>
 
@@ -14,7 +15,7 @@ std::optional<text::Source> Files::read(const std::string& path, Diagnostics& di
 }
 
 std::optional<Image> Files::read_image(const std::string& path, Diagnostics& diagnostics) {
-  diagnostics.error("no-image", "these files hold no images", {path, 0, 0});
+  diagnostics.add(Code::kFilesWithoutImages, {}, {path, 0, 0});
   return std::nullopt;
 }
 

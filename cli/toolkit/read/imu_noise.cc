@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "imu_noise.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 
 #include <array>
 #include <cmath>
@@ -32,23 +32,21 @@ std::string_view name_of(NoiseKind kind) {
 
 bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
   if (kind == NoiseKind::kContinuous) return true;
-  const std::string option = "--imu-noise " + std::string(name_of(kind));
   if (rig.imus.empty()) {
-    diagnostics.error("imu-missing", "--imu-noise is about an IMU, and the input has none", {input, 0, 0}, "--with imu.yaml");
+    diagnostics.add(Code::kNoiseWithoutImu, {}, {input, 0, 0});
     return false;
   }
   for (Imu& imu : rig.imus) {
     if (is_discrete(kind) && !imu.rate_hz) {
-      diagnostics.error("imu-rate-missing", option + " needs the rate of " + imu.name + ", and nothing states it",
-                        {input, 0, 0}, "add update_rate to the IMU's file");
+      diagnostics.add(Code::kNoiseWithoutRate, {name_of(kind), imu.name}, {input, 0, 0});
       return false;
     }
-    std::string how;
+    Message how;
     if (is_variance(kind)) {
       const auto root = [](double variance) { return std::sqrt(variance); };
       change(imu, kWhite, root);
       change(imu, kWalks, root);
-      how = "square roots of the variances";
+      how = {Code::kRootsOfVariances};
     }
     // White noise is sigma / sqrt(rate), a random walk's step sigma * sqrt(rate) (Kalibr's wiki, "IMU Noise Model":
     // sigma_d = sigma / sqrt(dt), sigma_bd = sigma_b sqrt(dt)).
@@ -56,10 +54,10 @@ bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnost
       const double root = std::sqrt(*imu.rate_hz);
       change(imu, kWhite, [root](double sigma) { return sigma / root; });
       change(imu, kWalks, [root](double sigma) { return sigma * root; });
-      how += std::string(how.empty() ? "" : ", then ") + "white noise / sqrt(rate), random walks * sqrt(rate), rate " +
-             text::format_short(*imu.rate_hz) + " Hz";
+      const Message by_rate = {Code::kByRate, {*imu.rate_hz}};
+      how = how.is_said() ? Message{Code::kRootsThenRate, {by_rate}} : by_rate;
     }
-    diagnostics.note("imu-noise-converted", imu.name + ": made densities (" + how + ")");
+    diagnostics.add(Code::kDensitiesMade, {imu.name, how});
   }
   return true;
 }

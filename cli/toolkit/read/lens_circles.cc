@@ -2,8 +2,9 @@
 #include "lens_circles.h"
 
 #include "image_planes.h"
-#include "words.h"
 
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/source.h>
 #include <fca/rig/lit_circle.h>
 
@@ -27,17 +28,15 @@ std::string in_words(const CameraImage& image) { return image.camera.empty() ? i
 void refuse(const CameraImage& image, const Rig& rig, Diagnostics& diagnostics) {
   const std::string given = in_words(image);
   if (image.path.empty()) {
-    diagnostics.error("no-image", "--lens-circle " + given + " names no image", {}, "--lens-circle " + given + "IMAGE");
+    diagnostics.add(Code::kCircleWithoutImage, {given});
     return;
   }
   std::vector<std::string> names;
   for (const Camera& camera : rig.cameras) names.push_back(camera.name);
-  const std::string there = names.empty() ? "none" : enumerated(names, "and");
-  diagnostics.error(
-      "lens-circle-of-none",
-      "--lens-circle " + given +
-          (image.camera.empty() ? " does not say of which camera the image is" : ": there is no camera '" + image.camera + "'"),
-      {}, "cameras: " + there + "; --lens-circle " + (names.empty() ? "CAMERA" : names.front()) + "=IMAGE");
+  const std::string first = names.empty() ? "CAMERA" : names.front();
+  if (names.empty()) names.emplace_back("none");
+  diagnostics.add(image.camera.empty() ? Code::kCircleOfNoCamera : Code::kCircleOfUnknownCamera,
+                  {given, names, first, image.camera});
 }
 
 /// The camera that took it; null if there is none.
@@ -63,12 +62,13 @@ std::optional<std::vector<SampleImages>> by_camera(const std::vector<CameraImage
   return result;
 }
 
-std::string named(const std::vector<std::string>& paths) {
+Message named(const std::vector<std::string>& paths) {
   std::vector<std::string> names;
   names.reserve(paths.size());
   for (const std::string& path : paths) names.push_back(text::printable(std::filesystem::path(path).filename().string()));
   constexpr std::size_t kFew = 3;
-  return names.size() <= kFew ? enumerated(names, "and") : counted(names.size(), "image");
+  if (names.size() <= kFew) return {Code::kImagesByName, {names}};
+  return {Code::kImagesByNumber, {names.size()}};
 }
 
 /// Of several images those that show the circle alone, else all.
@@ -87,35 +87,20 @@ void warn_of_doubts(const Camera& camera, const std::string& path, Diagnostics& 
   const LensCircle& circle = *camera.lens_circle;
   const Pixel axis = principal_point(camera.model);
   const double off = std::hypot(circle.centre[0] - axis[0], circle.centre[1] - axis[1]);
-  if (off > kOffCentre * circle.radius_px) {
-    diagnostics.warning("lens-circle-off-centre",
-                        camera.name + ": the lit circle's centre is " + fixed(off, 1) + " px from the principal point",
-                        {path, 0, 0}, "is it this camera's lens, and not a lamp? fca-io report draws it");
-  }
+  if (off > kOffCentre * circle.radius_px) diagnostics.add(Code::kCircleOffCentre, {camera.name, off}, {path, 0, 0});
   const double covered = std::numbers::pi * circle.radius_px * circle.radius_px /
                          (static_cast<double>(camera.image_size->width) * camera.image_size->height);
-  if (covered < kSmall) {
-    diagnostics.warning("lens-circle-small", camera.name + ": the lit circle covers only " + percent(covered) + " of the image",
-                        {path, 0, 0},
-                        "is it this camera's lens, and not something bright in front of it? fca-io report draws it");
-  }
-  if (circle.rim_share < kHalf) {
-    diagnostics.warning(
-        "lens-circle-uncertain",
-        camera.name + ": only " + percent(circle.rim_share) + " of the lit circle's rim in the image is seen", {path, 0, 0},
-        "is it a lens's edge at all? fca-io report draws it; further images of brighter scenes, each as --lens-circle, "
-        "show more of it");
-  }
+  if (covered < kSmall) diagnostics.add(Code::kCircleSmall, {camera.name, covered}, {path, 0, 0});
+  if (circle.rim_share < kHalf) diagnostics.add(Code::kCircleUncertain, {camera.name, circle.rim_share}, {path, 0, 0});
 }
 
 /// Images whose own circle is another one: of another camera, or of something else than the lens.
 void warn_of_others(const LitCircleSearch& search, const Camera& camera, const std::vector<std::string>& paths,
                     const std::vector<std::string>& witnesses, Diagnostics& diagnostics) {
   for (const std::size_t image : search.contradicting(*camera.lens_circle)) {
-    diagnostics.warning("lens-circles-differ",
-                        camera.name + ": this image shows another lit circle (" + place_in_words(*search.alone(image)) +
-                            ") than " + named(witnesses),
-                        {paths.at(image), 0, 0}, "is it of this camera? It is left out");
+    const LensCircle other = *search.alone(image);
+    diagnostics.add(Code::kCirclesDiffer, {camera.name, other.centre[0], other.centre[1], other.radius_px, named(witnesses)},
+                    {paths.at(image), 0, 0});
   }
 }
 
@@ -186,31 +171,24 @@ bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, con
 bool add_circle(const SampleImages& sample, const ImageChange& change, Files& files, Diagnostics& diagnostics) {
   Camera& camera = *sample.camera;
   if (!camera.image_size) {
-    diagnostics.error("image-size-missing", camera.name + ": the image size is not known", {}, "give it: --size WIDTHxHEIGHT");
+    diagnostics.add(Code::kSizeOfImagesUnknown, {camera.name});
     return false;
   }
   std::vector<std::string> paths = sample.paths;
   std::optional<Seen> seen = look_at(camera, paths, change, files, diagnostics);
   if (!seen) return false;
   if (!seen->camera.lens_circle) {
-    diagnostics.warning("no-lens-circle",
-                        camera.name + ": " + (paths.size() == 1 ? "the image shows" : "the images show") +
-                            " no dark border around a lit circle about the principal point; the whole image counts as lens",
-                        {paths.front(), 0, 0},
-                        "images of a bright scene show it best, several together if need be; --max-angle DEG says it by hand");
+    diagnostics.add(paths.size() == 1 ? Code::kImageWithoutCircle : Code::kImagesWithoutCircle, {camera.name},
+                    {paths.front(), 0, 0});
     return true;
   }
   if (!leave_out_others(camera, paths, change, files, *seen, diagnostics)) return false;
   LensCircle& circle = *seen->camera.lens_circle;
   const std::vector<std::string> shown_by = witnesses(seen->search, circle, paths);
-  circle.why = in_words("the lit circle of " + named(shown_by));
+  circle.why = {Code::kLitCircleOf, {named(shown_by)}};
   warn_of_doubts(seen->camera, shown_by.front(), diagnostics);
   camera.lens_circle = in_image_of(camera, change, seen->camera);
-  if (!camera.lens_circle) {
-    diagnostics.warning("lens-circle-stretched",
-                        camera.name + ": images stretched along one side say nothing of a circle; the whole image counts",
-                        {paths.front(), 0, 0}, "give images of the calibrated size");
-  }
+  if (!camera.lens_circle) diagnostics.add(Code::kCircleInStretchedImages, {camera.name}, {paths.front(), 0, 0});
   return true;
 }
 

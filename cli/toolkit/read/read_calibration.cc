@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "read/imu_noise.h"
 #include "read/lens_circles.h"
-#include "words.h"
 
-#include <fca/formats/text/numbers.h>
+#include <fca/code.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/image_change.h>
 #include <fca/rig/leave_out.h>
@@ -17,24 +16,20 @@ namespace fca {
 
 namespace {
 
-/// "crop 512 x 512 px at (64, 0), binning 2, resize to 640 x 480 px"
-std::string in_words(const ImageChange& change) {
-  std::vector<std::string> steps;
-  if (change.crop) {
-    steps.push_back("crop " + size_in_words(change.crop->size) + " px at (" + std::to_string(change.crop->x) + ", " +
-                    std::to_string(change.crop->y) + ")");
-  }
-  if (change.binning != 1) steps.push_back("binning " + std::to_string(change.binning));
-  if (change.resize) steps.push_back("resize to " + size_in_words(*change.resize) + " px");
-  return enumerated(steps, "then");
+/// "crop 512 x 512 px at (64, 0)", "binning 2", "resize to 640 x 480 px"
+std::vector<Message> steps_of(const ImageChange& change) {
+  std::vector<Message> steps;
+  if (change.crop)
+    steps.push_back({Code::kCropStep, {change.crop->size.width, change.crop->size.height, change.crop->x, change.crop->y}});
+  if (change.binning != 1) steps.push_back({Code::kBinningStep, {change.binning}});
+  if (change.resize) steps.push_back({Code::kResizeStep, {change.resize->width, change.resize->height}});
+  return steps;
 }
 
 /// "u' = 0.5 u - 0.25"
-std::string in_words(const PixelMap& map, std::size_t axis) {
-  const std::string name = axis == 0 ? "u" : "v";
+Message in_words(const PixelMap& map, std::size_t axis) {
   const double shift = map.shift.at(axis);
-  return name + "' = " + text::format_short(map.scale.at(axis)) + " " + name + (shift < 0.0 ? " - " : " + ") +
-         text::format_short(std::abs(shift));
+  return {Code::kAxisMap, {axis == 0 ? "u" : "v", map.scale.at(axis), shift < 0.0 ? "-" : "+", std::abs(shift)}};
 }
 
 /// The cameras of the images that were made from the calibrated ones.
@@ -49,8 +44,9 @@ bool change_images(const ImageChange& change, const std::string& input, Rig& rig
     }
     if (!changed) return false;
     const PixelMap map = changed_image(*camera.image_size, change, found)->map;
-    diagnostics.note("images-changed", camera.name + ": " + in_words(change) + ", from " + size_in_words(*camera.image_size) +
-                                           " px: " + in_words(map, 0) + ", " + in_words(map, 1));
+    const ImageSize& from = *camera.image_size;
+    diagnostics.add(Code::kImagesChanged,
+                    {camera.name, steps_of(change), from.width, from.height, in_words(map, 0), in_words(map, 1)});
     camera = *changed;
   }
   return true;
@@ -67,12 +63,12 @@ std::optional<std::vector<std::size_t>> places_of(const std::vector<CameraChoice
     if (index >= rig.cameras.size()) {
       std::vector<std::string> names;
       for (const Camera& camera : rig.cameras) names.push_back(camera.name);
-      diagnostics.error("unknown-camera", "there is no camera '" + choice.name + "'; the calibration has " +
-                                              (names.empty() ? "none" : enumerated(names)));
+      if (names.empty()) names.emplace_back("none");
+      diagnostics.add(Code::kUnknownCamera, {choice.name, names});
       return std::nullopt;
     }
     if (std::ranges::find(indices, index) != indices.end()) {
-      diagnostics.error("unknown-camera", "camera '" + choice.name + "' is chosen twice");
+      diagnostics.add(Code::kCameraTwice, {choice.name});
       return std::nullopt;
     }
     indices.push_back(index);
@@ -106,8 +102,7 @@ bool add_parts(const Format* format, Files& files, std::vector<text::Document>& 
   for (const NamedFile& named : named_parts(*detected->format, documents.back())) {
     std::optional<text::Source> source = read_part(named);
     if (!source) {
-      diagnostics.warning("part-missing", "it names " + named.path + ", which cannot be read: its cameras are not known",
-                          named.where, "put that file there; --into needs it only for cameras that stay");
+      diagnostics.add(Code::kPartMissing, {named.path}, named.where);
       all_there = false;
       continue;
     }
@@ -129,10 +124,9 @@ bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagno
       inputs.join && std::ranges::find(calibration.rig.cameras, size, &Camera::image_size) != calibration.rig.cameras.end();
   for (const Camera& camera : calibration.rig.cameras) {
     if (camera.image_size == size || of_one_of_many) continue;
-    diagnostics.error(
-        "size-contradicts",
-        camera.name + " has " + size_in_words(*camera.image_size) + " px in the file, and --size says " + size_in_words(*size),
-        {inputs.files.front(), 0, 0}, "--size is for files that state no size");
+    diagnostics.add(Code::kGivenSizeContradicts,
+                    {camera.name, camera.image_size->width, camera.image_size->height, size->width, size->height},
+                    {inputs.files.front(), 0, 0});
     return false;
   }
   return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parallel_for.h"
-#include "words.h"
 
+#include <fca/code.h>
 #include <fca/convert/convert.h>
 #include <fca/remap/view.h>
 #include <fca/toolkit/remap.h>
@@ -18,29 +18,25 @@ std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagn
   const std::optional<Calibration> calibration = read_calibration(request.inputs, files, diagnostics);
   if (!calibration) return std::nullopt;
   const std::vector<Camera>& cameras = calibration->rig.cameras;
-  const auto refuse = [&](const char* code, const std::string& message, const std::string& fix = {}) {
-    diagnostics.error(code, message, {request.inputs.files.front(), 0, 0}, fix);
+  const auto refuse = [&](Code code) {
+    diagnostics.add(code, {cameras.size()}, {request.inputs.files.front(), 0, 0});
     return std::nullopt;
   };
-  if (cameras.empty()) return refuse("no-camera", "the file holds no camera");
-  if (cameras.size() > 1) {
-    return refuse("unknown-camera", "the file holds " + std::to_string(cameras.size()) + " cameras; whose images are these?",
-                  "choose one with --camera");
-  }
-  if (!cameras.front().image_size) return refuse("no-size", "the file states no image size", "say it with --size WxH");
+  if (cameras.empty()) return refuse(Code::kNothingToRemap);
+  if (cameras.size() > 1) return refuse(Code::kSeveralCameras);
+  if (!cameras.front().image_size) return refuse(Code::kFileWithoutSize);
   return cameras.front();
 }
 
 bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
   constexpr int kLongest = 32766;  // cv::remap counts in 16 bits
   if (!camera.image_size) {
-    diagnostics.error("no-size", camera.name + " has no image size", {}, "--like wants a file that states one");
+    diagnostics.add(Code::kCameraWithoutSize, {camera.name});
     return false;
   }
   const auto& [width, height] = *camera.image_size;
   if (std::max(width, height) <= kLongest && std::int64_t{width} * height <= kMostPixels) return true;
-  diagnostics.error("image-size", "images of " + size_in_words(*camera.image_size) + " px are too large to be remapped", {},
-                    "sides up to " + std::to_string(kLongest) + " px, and 134 megapixels");
+  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongest});
   return false;
 }
 
@@ -71,10 +67,8 @@ std::optional<Camera> like(const std::string& file, const std::string& name, Fil
   std::vector<std::string> names;
   names.reserve(cameras.size());
   for (const Camera& camera : cameras) names.push_back(camera.name);
-  diagnostics.error("unknown-camera",
-                    "--like wants a file with one camera, or with one named " + name + "; this one has " +
-                        (names.empty() ? "none" : enumerated(names)),
-                    {file, 0, 0});
+  if (names.empty()) names.emplace_back("none");
+  diagnostics.add(Code::kViewOfSeveralCameras, {name, names}, {file, 0, 0});
   return std::nullopt;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/code.h>
 #include <fca/convert/convert.h>
 #include <fca/toolkit/report.h>
 
@@ -68,7 +69,7 @@ ReportResult report(const ReportRequest& request, Files& files) {
   }
   const std::vector<Camera>& cameras = result.reading.calibration->rig.cameras;
   if ((request.model != nullptr || request.every_model) && cameras.empty()) {
-    result.reading.diagnostics.error("no-camera", request.inputs.files.front() + " holds no camera");
+    result.reading.diagnostics.add(Code::kFileWithoutCamera, {request.inputs.files.front()});
     result.status = Status::kBadInput;
     return result;
   }

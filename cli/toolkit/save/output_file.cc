@@ -3,6 +3,8 @@
 
 #include "parallel_for.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -63,14 +65,13 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
-std::string failure(const std::string& what, const std::string& path) {
-  return what + " " + path + ": " + std::strerror(errno);
-}
+/// {0}: the path, {1}: why.
+Message failure(Code what, const std::string& path) { return {what, {path, std::strerror(errno)}}; }
 
-std::optional<std::string> write_directly(const std::string& path, std::string_view bytes) {
+std::optional<Message> write_directly(const std::string& path, std::string_view bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.get() < 0) return failure("cannot open", path);
-  if (!write_all(file.get(), bytes) || !file.close()) return failure("cannot write", path);
+  if (file.get() < 0) return failure(Code::kCannotOpen, path);
+  if (!write_all(file.get(), bytes) || !file.close()) return failure(Code::kCannotWrite, path);
   return std::nullopt;
 }
 
@@ -104,7 +105,7 @@ class StagedFile {
   StagedFile& operator=(const StagedFile&) = delete;
   StagedFile& operator=(StagedFile&&) = delete;
 
-  [[nodiscard]] std::optional<std::string> write(const std::string& target, std::string_view bytes, mode_t mode) {
+  [[nodiscard]] std::optional<Message> write(const std::string& target, std::string_view bytes, mode_t mode) {
     target_ = target;
     const fs::path folder = folder_of_target();
     constexpr mode_t kMine = 0600;
@@ -112,31 +113,31 @@ class StagedFile {
     if (file_.get() < 0) {  // not every file system knows files without names, and without /proc they get none
       const std::string name = temporary_name(folder);
       file_ = Descriptor(::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMine));
-      if (file_.get() < 0) return failure("cannot create a file beside", target);
+      if (file_.get() < 0) return failure(Code::kCannotCreateBeside, target);
       temporary_ = name;
     }
     ::flock(file_.get(), LOCK_EX | LOCK_NB);
     if (write_all(file_.get(), bytes) && ::fchmod(file_.get(), mode) == 0) return std::nullopt;
-    return failure("cannot write", target);
+    return failure(Code::kCannotWrite, target);
   }
 
   [[nodiscard]] bool force_to_disk() const { return ::fsync(file_.get()) == 0; }
 
   /// Puts the file into its place; without `overwrite` not over one that appeared meanwhile.
-  [[nodiscard]] std::optional<std::string> put(bool overwrite) {
+  [[nodiscard]] std::optional<Message> put(bool overwrite) {
     if (temporary_.empty()) {
-      if (!overwrite) return link(target_) ? std::nullopt : std::optional(failure("cannot write", target_));
+      if (!overwrite) return link(target_) ? std::nullopt : std::optional(failure(Code::kCannotWrite, target_));
       const std::string name = temporary_name(folder_of_target());
-      if (!link(name)) return failure("cannot write", target_);
+      if (!link(name)) return failure(Code::kCannotWrite, target_);
       temporary_ = name;
     }
     const unsigned flags = overwrite ? 0 : RENAME_NOREPLACE;
     int result = ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), flags);
     // Some file systems know no such flag.
     if (result != 0 && errno == EINVAL) result = ::rename(temporary_.c_str(), target_.c_str());
-    if (result != 0) return failure("cannot write", target_);
+    if (result != 0) return failure(Code::kCannotWrite, target_);
     temporary_.clear();
-    return file_.close() ? std::nullopt : std::optional(failure("cannot write", target_));
+    return file_.close() ? std::nullopt : std::optional(failure(Code::kCannotWrite, target_));
   }
 
   [[nodiscard]] fs::path folder_of_target() const {
@@ -170,13 +171,13 @@ mode_t current_mask() {
   return mask;
 }
 
-std::optional<std::string> find_place(const std::string& path, bool overwrite, mode_t mask, Place& place) {
+std::optional<Message> find_place(const std::string& path, bool overwrite, mode_t mask, Place& place) {
   struct stat status {};
   place.exists = ::stat(path.c_str(), &status) == 0;
-  if (!place.exists && errno != ENOENT) return failure("cannot write", path);
-  if (place.exists && S_ISDIR(status.st_mode)) return path + " is a directory";
+  if (!place.exists && errno != ENOENT) return failure(Code::kCannotWrite, path);
+  if (place.exists && S_ISDIR(status.st_mode)) return Message{Code::kIsFolder, {path}};
   place.device = place.exists && !S_ISREG(status.st_mode);
-  if (place.exists && !place.device && !overwrite) return path + " exists; --force overwrites it";
+  if (place.exists && !place.device && !overwrite) return Message{Code::kFileExists, {path}};
   place.mode = place.exists ? status.st_mode & 07777 : 0666 & ~mask;
   place.target = path;
   // Written through a symbolic link, also one whose target is yet to come.
@@ -188,10 +189,10 @@ std::optional<std::string> find_place(const std::string& path, bool overwrite, m
   } else {
     error.clear();  // symlink_status of what does not exist
   }
-  if (error) return path + ": " + error.message();
+  if (error) return Message{Code::kPathFails, {path, error.message()}};
   const fs::path folder = fs::path(place.target).parent_path();
   if (!place.exists && !folder.empty() && !fs::exists(folder, error))
-    return "cannot write " + path + ": there is no folder " + folder.string();
+    return Message{Code::kFolderMissing, {path, folder.string()}};
   return std::nullopt;
 }
 
@@ -199,7 +200,7 @@ std::optional<std::string> find_place(const std::string& path, bool overwrite, m
 struct StagedSet {
   std::vector<Place> places;
   std::vector<StagedFile> files;
-  std::optional<std::string> problem;
+  std::optional<Message> problem;
 };
 
 StagedSet stage(std::span<const OutputFile> files, bool overwrite, mode_t mask) {
@@ -243,19 +244,19 @@ void force_to_disk(std::vector<StagedSet>& sets) {
     if (!set.files.empty()) last = &set.files.back();
   }
   if (files == 0 || (files == 1 ? last->force_to_disk() : in_each_folder(folders_of(sets), ::syncfs))) return;
-  const std::string problem = std::string("cannot force the files to disk: ") + std::strerror(errno);
+  const Message problem = {Code::kCannotForceToDisk, {std::strerror(errno)}};
   for (StagedSet& set : sets) {
     if (!set.problem && !set.files.empty()) set.problem = problem;
   }
 }
 
-std::optional<std::string> put_into_place(StagedSet& set, std::span<const OutputFile> files, bool overwrite) {
+std::optional<Message> put_into_place(StagedSet& set, std::span<const OutputFile> files, bool overwrite) {
   for (StagedFile& file : set.files) {
-    if (std::optional<std::string> problem = file.put(overwrite)) return problem;
+    if (std::optional<Message> problem = file.put(overwrite)) return problem;
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (!set.places[i].device) continue;
-    if (std::optional<std::string> problem = write_directly(files[i].path, files[i].bytes)) return problem;
+    if (std::optional<Message> problem = write_directly(files[i].path, files[i].bytes)) return problem;
   }
   return std::nullopt;
 }
@@ -275,14 +276,14 @@ void remove_leftovers(const std::string& folder) {
   }
 }
 
-std::vector<std::optional<std::string>> write_sets(std::span<const std::span<const OutputFile>> sets, bool overwrite, bool sync,
-                                                   std::size_t jobs) {
+std::vector<std::optional<Message>> write_sets(std::span<const std::span<const OutputFile>> sets, bool overwrite, bool sync,
+                                               std::size_t jobs) {
   std::vector<StagedSet> staged(sets.size());
   const mode_t mask = current_mask();
   parallel_for(sets.size(), jobs, [&](std::size_t i) { staged[i] = stage(sets[i], overwrite, mask); });
   const std::set<fs::path> folders = folders_of(staged);
   if (sync) force_to_disk(staged);
-  std::vector<std::optional<std::string>> problems(sets.size());
+  std::vector<std::optional<Message>> problems(sets.size());
   parallel_for(sets.size(), jobs, [&](std::size_t i) {
     StagedSet& set = staged[i];
     problems[i] = set.problem ? set.problem : put_into_place(set, sets[i], overwrite);
@@ -293,7 +294,7 @@ std::vector<std::optional<std::string>> write_sets(std::span<const std::span<con
   return problems;
 }
 
-std::optional<std::string> write_files(std::span<const OutputFile> files, bool overwrite, bool sync) {
+std::optional<Message> write_files(std::span<const OutputFile> files, bool overwrite, bool sync) {
   return write_sets(std::span(&files, 1), overwrite, sync, 1).front();
 }
 

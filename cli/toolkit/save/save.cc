@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "save/output_file.h"
 
+#include <fca/code.h>
 #include <fca/toolkit/save.h>
 
 #include <filesystem>
@@ -10,7 +11,7 @@ namespace fca {
 
 bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics) {
   if (result.status != Status::kDone) {
-    diagnostics.error("nothing-to-save", "the conversion was not done: there are no files to write");
+    diagnostics.add(Code::kNothingToSave);
     return false;
   }
   namespace fs = std::filesystem;
@@ -19,8 +20,8 @@ bool save(const ConvertResult& result, const std::string& folder, Diagnostics& d
   std::vector<OutputFile> files;
   for (const ConvertedFile& file : result.files)
     files.push_back({(fs::path(folder) / fs::path(file.name).filename()).string(), file.bytes});
-  const std::optional<std::string> problem = write_files(files, true, false);
-  if (problem) diagnostics.error("cannot-write", *problem);
+  const std::optional<Message> problem = write_files(files, true, false);
+  if (problem) diagnostics.add(problem->code, problem->arguments);
   return !problem;
 }
 

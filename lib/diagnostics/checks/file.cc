@@ -26,7 +26,7 @@ std::span<const CodeInfo> file_check_codes() {
   static constexpr std::array kRows = {
 
       // The file.
-      error(Code::kPartMissing, "part-missing", "there is no file {0} that can be read",
+      error(Code::kNamedPartMissing, "part-missing", "there is no file {0} that can be read",
             "put the camera's file there, or name the right one (paths are relative to this file's folder)"),
       question(Code::kRestNotLookedAt, "wrong-syntax", "everything beyond the file's syntax",
                "the file could not be read as a calibration"),

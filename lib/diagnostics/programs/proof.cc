@@ -9,8 +9,6 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> proof_codes() {
   static constexpr std::array kRows = {
-      refusal(Code::kProgramFileEmpty, "the file is empty"),
-      refusal(Code::kProgramFileTooLarge, "the file is larger than 2 MiB; not read"),
 
       // {0} the mode; what it says is the last argument, here and below.
       misreading(Code::kProgramAsMode, "as {0}: {1}"),

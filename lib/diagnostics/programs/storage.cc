@@ -28,7 +28,6 @@ std::span<const CodeInfo> storage_program_codes() {
       // What stands under a key of cv::FileStorage: reals keep a '.', so that they differ from ints.
       clause(Code::kValueReal, "{0:real}"),
       clause(Code::kValueString, "the string \"{0}\""),
-      clause(Code::kValueList, "a list"),
       clause(Code::kValueMap, "a map"),
       clause(Code::kValueNothing, "nothing"),
       // Why PyYAML raises.

@@ -3,8 +3,154 @@
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> convert_codes() { return {}; }
+namespace {
+
+constexpr CodeInfo about_reader(CodeInfo row) {
+  row.about = About::kReader;
+  return row;
+}
+
+constexpr std::string_view kNoOtherLayout = "into-another-layout";
+constexpr std::string_view kLimit = "error-limit";
+constexpr std::string_view kUseless = "option-without-use";
+
+}  // namespace
+
+std::span<const CodeInfo> convert_codes() {
+  static constexpr std::array kRows = {
+      // The request.
+      bad_request(Code::kModeWithoutUse, kUseless, "a mode is for files for {0:or}, not {1}"),
+      bad_request(Code::kRateWithoutUse, kUseless, "a frame rate is for files for {0:or}, not {1}"),
+      bad_request(Code::kBaselineWithoutUse, kUseless, "a baseline is for files for {0:or}, not {1}"),
+      bad_request(Code::kLayoutWithoutUse, kUseless, "a layout of {0} is for files for {0}, not {1}"),
+      error(Code::kNothingToConvert, "no-camera", "the file holds {0}", "give it beside the file that holds the cameras"),
+      clause(Code::kImuAndNoCamera, "an IMU and no camera"),
+      clause(Code::kPoseAndNoCamera, "a pose and no camera"),
+      clause(Code::kNoCameraAtAll, "no camera"),
+      clause(Code::kAsFormat, "as {0}"),
+      clause(Code::kIntoFile, "into {0}"),
+      bad_request(Code::kBaselineOfSeveral, "baseline-contradicts",
+                  "a baseline is for one camera of a rectified pair or depth sensor; here are {0} cameras with poses of their "
+                  "own",
+                  "choose one camera"),
+      error(Code::kImuIsAnother, "imu-without-pose", "the cameras' poses are to {0}, and the IMU that is given is {1}",
+            "give the file of {0}'s noise, or rename {1} if it is that one"),
+      bad_request(Code::kModelNotStorable, "model-not-storable", "{0} cannot hold {1}; it holds {2}"),
+      bad_request(Code::kSettingContradictsRate, "set-contradicts",
+                  "{0} = {1} and the frame rate of {2} Hz contradict each other"),
+
+      // The file that is written into.
+      bad_request(Code::kIntoWithoutCamera, "into-without-camera",
+                  "there is no camera here that the input's could take the place of",
+                  "name the file that holds the cameras, or write a new one"),
+      bad_request(Code::kIntoAnotherFormat, "into-another-format", "the file is {0}, and the format asked for is {1}",
+                  "ask for no format: it is the file's"),
+      error(Code::kIntoWithoutPose, "pose-missing",
+            "{0} states no pose between two cameras{1}, and {2} holds only that of {3} and {4}",
+            "give an input of both cameras and their pose, or write the cameras to another file"),
+      clause(Code::kHasOneCamera, " (it has one)"),
+      bad_request(Code::kModelsDiffer, "models-differ",
+                  "a camera stays, of the model {0}, and {1} have one model for all cameras",
+                  "ask for {0}, or give an input that has all cameras"),
+      bad_request(Code::kLayoutWithoutModel, kNoOtherLayout, "this file's layout has no place for {0}; it holds {1}",
+                  "ask for {2}, which keeps the file's text, or write another file"),
+      error(
+          Code::kSizesContradict, "size-contradicts",
+          "{0}: the base is for images of {1} x {2} px, and the input's are of {3} x {4} px",
+          "change the input's images to {1} x {2} px if the base's are the input's, scaled; say that they become {3} x {4} px "
+          "if the base is to become one for the input's"),
+      bad_request(Code::kIntoDoesNotFit, kNoOtherLayout, "what the input says does not fit into the layout of this file",
+                  "write another file"),
+      bad_request(Code::kIntoDoesNotFitWords, kNoOtherLayout, "what the input says does not fit into the layout of this file",
+                  "write another file, as {0}"),
+      note(Code::kCameraReplaced, "camera-replaced", "{0} of the input takes the place of {1} of the base"),
+      note(Code::kPoseFollows, "pose-follows",
+           "the base states the pose of {0} relative to {1}, and the input says another; it is written as it follows from the "
+           "input"),
+      note(Code::kCameraKept, "camera-kept", "{0} of the base is not in the input and stays as it is"),
+      note(Code::kBaselineKept, "baseline-kept",
+           "the input states no baseline: the base's {0:.2f} cm stay, and what is its product with fx (bf) follows"),
+      note(Code::kPoseKept, "pose-kept",
+           "the input states no such pose: {0} stays as the base has it, not checked against the new camera"),
+      note(Code::kPosesKept, "pose-kept",
+           "the input states no such pose: {0} stay as the base has them, not checked against the new camera"),
+      warning(Code::kStaleOfImages, "stale-derived", "{0}: of the images as they were calibrated, and kept unchanged",
+              "compute it for the new images"),
+      warning(Code::kStaleOfLenses, "stale-derived", "{0}: of the base's cameras, and kept unchanged",
+              "compute it for the new cameras (cv::stereoRectify)"),
+      loss(Code::kStaleOfImagesLost, "stale-derived", "{2}", "of the images as they were calibrated, and kept unchanged",
+           "compute it for the new images"),
+      loss(Code::kStaleOfLensesLost, "stale-derived", "{2}", "of the base's cameras, and kept unchanged",
+           "compute it for the new cameras (cv::stereoRectify)"),
+
+      // The cameras.
+      warning(Code::kSecondIsLeft, "stereo-order", "{0} sits {1:.2f} cm to the left of {2}; {3}"),
+      warning(Code::kEachIsLeft, "stereo-order",
+              "{0} sits {1:.2f} cm to the left of {2}, and {2} to the left of {0}: they do not look the same way, the same way "
+              "up; {3}",
+              "is their pose right? If so, they are no left and right camera"),
+      warning(Code::kPoorFit, "poor-fit", "{0}: {1} does not describe this lens: rms {2:px} px, worst pixel {3:px} px",
+              "compare all models; say where the lens ends if the corners are black"),
+      error(Code::kMisreadBeyondLimit, kLimit, "{0} misreads a camera by up to {1:px} px, more than the limit of {2:px} px",
+            "{3}"),
+      error(Code::kMissingBeyondLimit, kLimit,
+            "{0}: {1:%} of the image has no pixel or a wrong one as {2}, and there is a limit for errors",
+            "say that the lens ends at {3:.3} deg if nothing further from the axis is needed"),
+      clause(Code::kInPlaceOfCircle, " in place of the lens circle"),
+      error(Code::kErrorBeyondLimit, kLimit, "{0}: the worst pixel is off by {1} px, more than the limit of {2} px"),
+      error(Code::kLossesNotAllowed, "strict-loss", "the target cannot carry {0:and}, and nothing may be lost"),
+      clause(Code::kNoBetterModel, "no model that {0} reads is better{1}"),
+      clause(Code::kBetterModels, "{0} reads {1:and}{2}"),
+      clause(Code::kBetterElsewhere, "; {0} would be better still, for a program that reads it"),
+      clause(Code::kModelExact, "{0} (exact)"),
+      clause(Code::kModelRms, "{0} (rms {1:px} px)"),
+      clause(Code::kModelRmsUpTo, "{0} (up to {2:.3} deg, rms {1:px} px)"),
+
+      // The files.
+      bad_request(Code::kSeveralFiles, "one-output", "{0}: these are {1} files",
+                  "name a folder, or a file that has the others beside it"),
+      bad_request(Code::kOneCameraPerFile, "one-camera-per-file", "{0} camera per file, and here are {1}",
+                  "name a folder, or a pattern for the files' names, or choose one camera"),
+      clause(Code::kOfHeadlineOne, "{0}: one"),
+      clause(Code::kHoldsOne, "{0} holds one"),
+      loss(Code::kImuFileDropped, "second-file-dropped", "{0} (the IMU's noise and rate)",
+           "a camchain has no place for it and there is one output", "write into a folder: it lies beside the camchain"),
+      note(Code::kMisnamed, "extension", "{0} holds {1}, whatever its name says: its readers go by the content"),
+      note(Code::kLayoutNotKept, "layout-not-kept",
+           "written anew, without the base's comments, because its layout cannot be kept: {0}"),
+      note(Code::kProvenanceHasNoRoom, "provenance-not-written",
+           "the comment at the beginning of the file has no room for where the file comes from"),
+      note(Code::kProvenanceInJson, "provenance-not-written", "JSON has no comments that could hold where the file comes from"),
+
+      // What programs say.
+      note(Code::kMended, "mended", "{0}{1}: done"),
+      clause(Code::kMendedHow, "; {0}"),
+      about_reader(warning(Code::kInputRefused, "program-refuses", "{0} is read, but its own program would refuse it, {1}",
+                           "check the file: that says where, and how to mend it")),
+      about_reader(warning(Code::kInputNotUnderstood, "program-refuses",
+                           "nothing was changed, and {0} does not understand the input itself: {1}",
+                           "write it anew, as {0} reads it")),
+      about_reader(warning(Code::kEditNotProven, "program-refuses",
+                           "{2} is edited and not proven: before and after, {0} refuses it: {1}",
+                           "write it anew, as {0} reads it")),
+      about_reader(error(Code::kProofFailed, "proof-failed", "{0} would not understand what was to be written: {1}")),
+      about_reader(error(Code::kProofOfBaseFailed, "proof-failed", "{0} would not understand what was to be written: {1}",
+                         "check whether the base itself is at fault; if not, ask for a poorer mode")),
+      about_reader(note(Code::kNotProven, "not-proven",
+                        "{0}no program that fca-io knows reads such keys, so none has proven it",
+                        "write it anew, with the keys that {1} reads")),
+      clause(Code::kOfPath, "{0}: "),
+      clause(Code::kWouldRefuse, "it would refuse the file: {0:and}"),
+      clause(Code::kPosesDiffer, "an element of its poses differs by {0:.3}"),
+      clause(Code::kNumbersDiffer, "{0:and}"),
+      clause(Code::kHasNoPixel, "it has no pixel where we have one"),
+      clause(Code::kPixelsDiffer, "its pixels differ by up to {0:px} px"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

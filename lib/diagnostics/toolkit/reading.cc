@@ -3,8 +3,75 @@
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> reading_codes() { return {}; }
+std::span<const CodeInfo> reading_codes() {
+  static constexpr std::array kRows = {
+      bad_request(Code::kUnknownCamera, "unknown-camera", "there is no camera '{0}'; the calibration has {1}"),
+      bad_request(Code::kCameraTwice, "unknown-camera", "camera '{0}' is chosen twice"),
+      warning(Code::kPartMissing, "part-missing", "it names {0}, which cannot be read: its cameras are not known",
+              "put that file there"),
+      error(Code::kGivenSizeContradicts, "size-contradicts", "{0} has {1} x {2} px in the file, and {3} x {4} px are given",
+            "give a size only for files that state none"),
+      error(Code::kSizeOfImagesUnknown, "image-size-missing", "{0}: the image size is not known", "state it"),
+      error(Code::kImageOfOtherSize, "image-size", "the image is {0} x {1} px, and {2} is known for {3} x {4} px", "{5}"),
+      clause(Code::kGiveCalibratedSize, "give the images of the calibrated size"),
+      clause(Code::kSayWhatWasDone, "say what was done to the images that are given, and nothing else"),
+      clause(Code::kIfScaled, "if it is the calibrated image, scaled: say that it became {0} x {1} px"),
+      clause(Code::kIfPart, "if it is a part of the calibrated image, of {0} x {1} px: say where it begins"),
+      bad_request(Code::kFilesWithoutImages, "no-image", "these files hold no images"),
+
+      // Images that were changed.
+      note(Code::kImagesChanged, "images-changed", "{0}: {1:then}, from {2} x {3} px: {4}, {5}"),
+      clause(Code::kCropStep, "crop {0} x {1} px at ({2}, {3})"),
+      clause(Code::kBinningStep, "binning {0}"),
+      clause(Code::kResizeStep, "resize to {0} x {1} px"),
+      clause(Code::kAxisMap, "{0}' = {1} {0} {2} {3}"),
+
+      // The IMU's noise.
+      bad_request(Code::kNoiseWithoutImu, "imu-missing", "there is a kind of noise, and the input has no IMU",
+                  "give the IMU's file, too"),
+      error(Code::kNoiseWithoutRate, "imu-rate-missing", "{0} noise needs the rate of {1}, and nothing states it",
+            "add update_rate to the IMU's file"),
+      note(Code::kDensitiesMade, "imu-noise-converted", "{0}: made densities ({1})"),
+      clause(Code::kRootsOfVariances, "square roots of the variances"),
+      clause(Code::kRootsThenRate, "square roots of the variances, then {0}"),
+      clause(Code::kByRate, "white noise / sqrt(rate), random walks * sqrt(rate), rate {0} Hz"),
+
+      // Lens circles.
+      bad_request(Code::kCircleWithoutImage, "no-image", "no image is named for the lens circle '{0}'", "name one"),
+      bad_request(Code::kCircleOfNoCamera, "lens-circle-of-none", "nothing says of which camera the image {0} is",
+                  "cameras: {1}"),
+      bad_request(Code::kCircleOfUnknownCamera, "lens-circle-of-none", "there is no camera '{3}', whose image {0} is to be",
+                  "cameras: {1}"),
+      warning(Code::kCircleOffCentre, "lens-circle-off-centre",
+              "{0}: the lit circle's centre is {1:.1f} px from the principal point",
+              "is it this camera's lens, and not a lamp? A report draws it"),
+      warning(Code::kCircleSmall, "lens-circle-small", "{0}: the lit circle covers only {1:%} of the image",
+              "is it this camera's lens, and not something bright in front of it? A report draws it"),
+      warning(Code::kCircleUncertain, "lens-circle-uncertain", "{0}: only {1:%} of the lit circle's rim in the image is seen",
+              "is it a lens's edge at all? A report draws it; further images of brighter scenes show more of it"),
+      warning(Code::kCirclesDiffer, "lens-circles-differ",
+              "{0}: this image shows another lit circle (centre ({1:.1f}, {2:.1f}), radius {3:.1f} px) than {4}",
+              "is it of this camera? It is left out"),
+      clause(Code::kImagesByName, "{0}"),
+      clause(Code::kImagesByNumber, "{0} image{0:s}"),
+      clause(Code::kLitCircleOf, "the lit circle of {0}"),
+      warning(Code::kImageWithoutCircle, "no-lens-circle",
+              "{0}: the image shows no dark border around a lit circle about the principal point; the whole image counts as "
+              "lens",
+              "images of a bright scene show it best, several together if need be; or say where the lens ends"),
+      warning(Code::kImagesWithoutCircle, "no-lens-circle",
+              "{0}: the images show no dark border around a lit circle about the principal point; the whole image counts as "
+              "lens",
+              "images of a bright scene show it best, several together if need be; or say where the lens ends"),
+      warning(Code::kCircleInStretchedImages, "lens-circle-stretched",
+              "{0}: images stretched along one side say nothing of a circle; the whole image counts",
+              "give images of the calibrated size"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

@@ -3,8 +3,64 @@
 #include "../rows.h"
 #include "../topics.h"
 
+#include <array>
+
 namespace fca::diagnostics {
 
-std::span<const CodeInfo> request_codes() { return {}; }
+namespace {
+
+constexpr std::string_view kLimit = "error-limit";
+constexpr std::string_view kNotWritten = "cannot-write";
+
+}  // namespace
+
+std::span<const CodeInfo> request_codes() {
+  static constexpr std::array kRows = {
+      error(Code::kFileWithoutCamera, "no-camera", "{0} holds no camera"),
+
+      // compare
+      error(Code::kNothingCompared, kLimit, "{0}: no pixel could be compared"),
+      error(Code::kDifferenceBeyondLimit, kLimit, "{0}: the worst pixel is off by {1:px} px, more than the limit of {2:px} px"),
+      error(Code::kPixelsMissing, kLimit, "{0} has no pixel for {1:%} of the image", "if the lens ends before, say where{2}"),
+      error(Code::kCamerasMissing, kLimit, "not every camera of the reference is there", "choose those to compare"),
+      error(Code::kInversesBeyondLimit, kLimit,
+            "the inverse polynomials differ by up to {0:px} px, more than the limit of {1:px} px"),
+      error(Code::kMistakeFound, kLimit, "{0}"),
+      error(Code::kPoseBeyondLimit, kLimit, "{0}, more than is alike (0.5 deg, and 5 mm or 5 % of the distance)"),
+      error(Code::kFactBeyondLimit, kLimit, "{0}, more than is alike (1 ms for times, else 5 %)"),
+      error(Code::kReferenceSaysMore, kLimit, "it does not say what the reference does: {0}"),
+      clause(Code::kPoseDiffers, "T_{0}_{1} differs by {2:.3} deg and {3:.3} mm"),
+      clause(Code::kTimeDiffers, "{0:_}{1} differs by {2:.3} ms"),
+      clause(Code::kLengthDiffers, "{0:_}{1} differs by {2:.3} mm"),
+      clause(Code::kRatioDiffers, "{0:_}{1} is {2:.3} times the reference's"),
+
+      // remap
+      error(Code::kNothingToRemap, "no-camera", "the file holds no camera"),
+      error(Code::kSeveralCameras, "unknown-camera", "the file holds {0} cameras; whose images are these?",
+            "choose one camera"),
+      error(Code::kFileWithoutSize, "no-size", "the file states no image size", "state it"),
+      error(Code::kCameraWithoutSize, "no-size", "{0} has no image size", "give a file that states one"),
+      error(Code::kImagesTooLarge, "image-size", "images of {0} x {1} px are too large to be remapped",
+            "sides up to {2} px, and 134 megapixels"),
+      error(Code::kViewOfSeveralCameras, "unknown-camera",
+            "a view is like the only camera of a file, or like the one named {0}; this file has {1}"),
+
+      // evaluate
+      error(Code::kNotThePapersSize, "image-size", "the image is {0} x {1} px, and the paper's cameras are of {2:or}",
+            "examples/cpp/render_image.cc makes one"),
+
+      // Files that are saved.
+      error(Code::kNothingToSave, "nothing-to-save", "the conversion was not done: there are no files to write"),
+      error(Code::kCannotOpen, kNotWritten, "cannot open {0}: {1}"),
+      error(Code::kCannotWrite, kNotWritten, "cannot write {0}: {1}"),
+      error(Code::kCannotCreateBeside, kNotWritten, "cannot create a file beside {0}: {1}"),
+      error(Code::kCannotForceToDisk, kNotWritten, "cannot force the files to disk: {0}"),
+      error(Code::kIsFolder, kNotWritten, "{0} is a directory"),
+      error(Code::kFileExists, kNotWritten, "{0} exists"),
+      error(Code::kPathFails, kNotWritten, "{0}: {1}"),
+      error(Code::kFolderMissing, kNotWritten, "cannot write {0}: there is no folder {1}"),
+  };
+  return kRows;
+}
 
 }  // namespace fca::diagnostics

@@ -124,8 +124,8 @@ struct ConvertResult {
 [[nodiscard]] std::size_t camera_files(const std::vector<ConvertedFile>& files);
 
 /// Why a request cannot be one for files of a format that has no such thing as what it states (a frame rate, a mode, a layout
-/// of another format): "option-without-use". Nothing if it can.
-[[nodiscard]] std::optional<std::string> without_use(const ConvertRequest& request, const Format& to);
+/// of another format): "option-without-use". None if it can.
+[[nodiscard]] Message without_use(const ConvertRequest& request, const Format& to);
 
 /// Never throws for bad input: the result's status and diagnostics tell.
 [[nodiscard]] ConvertResult convert(const ConvertRequest& request, Files& files);

@@ -7,7 +7,7 @@
 //            {0:px} an error in pixels ("0", "0.113", "4e-14")  {0:%} a share ("12.5 %")
 //   count    {0} in digits     {0:s} nothing of 1, else the "s" of a plural
 //   names    {0} "a, b and c"  {0:or} "a, b or c"  {0:,} "a, b, c"  {0:s} as of their number
-//   clauses  {0} one behind the other; nothing of none         {0:and} {0:or} as names
+//   clauses  {0} one behind the other; nothing of none         {0:and} "a, b and c", with any last word
 // A brace that is one is written twice.
 #pragma once
 
