@@ -297,7 +297,7 @@ void check_chain_keys(const Value& root, ConsumerView& view) {
   const std::size_t count = root.entries.size();
   std::vector<Message> foreign;
   for (const auto& [key, value] : root.entries) {
-    if (is_camera_key(*key, count)) continue;
+    if (is_camera_key(*key, count) || (foreign.empty() && key->text.empty())) continue;
     const Code code = foreign.empty() ? Code::kKalibrSaysFirstKey : Code::kKalibrSaysNextKey;
     foreign.push_back({code, {key->text.substr(0, 80)}});
   }
