@@ -4,6 +4,7 @@
 #include "words.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <cmath>
