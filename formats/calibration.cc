@@ -4,7 +4,6 @@
 #include "known_formats.h"
 #include "losses.h"
 #include "lost_poses.h"
-#include "remedies.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/read_document.h>
@@ -205,7 +204,7 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
   for (std::size_t i = 0; i < documents.size(); ++i) {
     const text::Document& document = documents[i];
     const bool main_file = result.format == nullptr;
-    DetectedFormat detected{format, "--from"};
+    DetectedFormat detected{format, {Code::kFormatTold}};
     if (format == nullptr || (!main_file && !options.join)) {
       const std::optional<DetectedFormat> found = detect_format(document, diagnostics);
       if (!found) return std::nullopt;
@@ -253,7 +252,6 @@ std::optional<Written> write_calibration(const Format& format, const text::Docum
     add_composed_anew(document, written->files.front().document, why, written->losses);
   const std::vector<Loss> poses = lost_poses(format, rig, *written);
   written->losses.insert(written->losses.end(), poses.begin(), poses.end());
-  add_remedies(written->losses);
   return written;
 }
 

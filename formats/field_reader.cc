@@ -60,14 +60,6 @@ void Reader::say(Severity severity, const Node& node, Code code, std::vector<Arg
   diagnostics_.add(severity, code, std::move(arguments), document_.range(node));
 }
 
-void Reader::error(const Node& node, std::string code, std::string message, std::string fix) {
-  diagnostics_.error(std::move(code), std::move(message), document_.range(node), std::move(fix));
-}
-
-void Reader::warning(const Node& node, std::string code, std::string message, std::string fix) {
-  diagnostics_.warning(std::move(code), std::move(message), document_.range(node), std::move(fix));
-}
-
 void Reader::warn_of_duplicates(const Node& mapping) {
   constexpr std::size_t kMostNamed = 10;
   const std::vector<const text::Entry*> shadowed = text::shadowed_entries(mapping, dialect_);

@@ -77,8 +77,6 @@ class Reader {
   /// As severe as the table says, at the node.
   void say(const text::Node& node, Code code, std::vector<Argument> arguments = {});
   void say(Severity severity, const text::Node& node, Code code, std::vector<Argument> arguments = {});
-  void error(const text::Node& node, std::string code, std::string message, std::string fix = {});
-  void warning(const text::Node& node, std::string code, std::string message, std::string fix = {});
 
   [[nodiscard]] const text::Document& document() const { return document_; }
   [[nodiscard]] text::Dialect dialect() const { return dialect_; }

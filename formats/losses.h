@@ -39,26 +39,4 @@ void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses);
 /// is composed anew; may be none. Its keys are the writer's affair.
 void add_composed_anew(const text::Document& base, const text::Document& fresh, const Message& why, std::vector<Loss>& losses);
 
-// For the time being: reasons that their writers bring in words.
-inline void add_not_carried(std::span<const ExtraField> extras, std::string_view why, std::vector<Loss>& losses) {
-  add_not_carried(extras, in_words(std::string(why)), losses);
-}
-inline void add_time_offset(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {
-  add_time_offset(camera, in_words(std::string(why)), losses);
-}
-inline void add_other_time_offsets(const Rig& rig, double common, std::string_view who, std::vector<Loss>& losses) {
-  add_other_time_offsets(rig, common, in_words(std::string(who)), losses);
-}
-inline void add_stream(const Camera& camera, std::string_view why, std::vector<Loss>& losses) {
-  add_stream(camera, in_words(std::string(why)), losses);
-}
-inline void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraField> there, std::string_view why,
-                            std::vector<Loss>& losses) {
-  add_beyond_base(extras, there, in_words(std::string(why)), losses);
-}
-inline void add_composed_anew(const text::Document& base, const text::Document& fresh, std::string_view why,
-                              std::vector<Loss>& losses) {
-  add_composed_anew(base, fresh, in_words(std::string(why)), losses);
-}
-
 }  // namespace fca

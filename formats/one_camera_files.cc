@@ -34,9 +34,7 @@ std::optional<text::Document> fresh_file(const Format& format, const Camera& cam
   if (document && format.read(std::span(&*document, 1), {}, found)) return document;
   for (const Diagnostic& entry : found.entries()) {
     if (entry.severity != Severity::kError) continue;
-    const Argument why = entry.message.empty() ? Argument(entry.facts) : Argument(entry.message);
-    // By the id of what is wrong, and mended as that.
-    diagnostics.add({Severity::kError, id_of(entry), {}, fix_of(entry), {}, {Code::kNotWrittenBecause, {camera.name, why}}});
+    diagnostics.add(Diagnostic{Severity::kError, {Code::kNotWrittenBecause, {camera.name, entry.facts}}, {}, entry.facts});
   }
   return std::nullopt;
 }

@@ -14,11 +14,6 @@ namespace fca {
 /// Can every camera be written? An error for each that cannot: no size (`size_use`: what such a file wants it for, a clause:
 /// "Basalt demands a resolution"), a model or parameters that the format does not hold; and one if there is no camera at all.
 [[nodiscard]] bool writable_alone(const Format& format, const Rig& rig, const Message& size_use, Diagnostics& diagnostics);
-// For the time being: reasons that their writers bring in words.
-[[nodiscard]] inline bool writable_alone(const Format& format, const Rig& rig, std::string_view size_use,
-                                         Diagnostics& diagnostics) {
-  return writable_alone(format, rig, in_words(std::string(size_use)), diagnostics);
-}
 
 /// A fresh file, parsed. Nothing where the format itself would not read it, with its errors: what nobody reads is not written.
 [[nodiscard]] std::optional<text::Document> fresh_file(const Format& format, const Camera& camera, text::Source source,

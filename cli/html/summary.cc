@@ -97,7 +97,8 @@ void put_summary(Html& html, const ReportContents& contents) {
   const Calibration& calibration = *contents.shown.calibration;
   html.element("h1", {}, contents.title);
   html.element("p", {{"class", "soft"}},
-               std::string(calibration.format->title) + " (" + calibration.why + "), as fca-io " FCA_VERSION " reads it");
+               std::string(calibration.format->title) + " (" + text::text_of(calibration.why, with_options) +
+                   "), as fca-io " FCA_VERSION " reads it");
   if (contents.conversion && contents.conversion->headline.is_said()) {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "strong"}},

@@ -5,6 +5,7 @@
 #include "json.h"
 #include "option_hints.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/render.h>
 
 #include <cstdlib>
@@ -30,12 +31,12 @@ void Console::show_errors(const Diagnostics& diagnostics) const {
 }
 
 void Console::error(const std::string& message, const std::string& fix) const {
-  err(text::render({Severity::kError, "", message, fix, {}}, sources(), colour_));
+  err(text::render(text::Shown{Severity::kError, "", message, fix}, sources(), colour_));
 }
 
 ExitCode Console::refuse(ExitCode code, const std::string& message, const std::string& fix) const {
   Diagnostics diagnostics;
-  diagnostics.error(code == ExitCode::kUsage ? "usage" : "refused", message, {}, fix);
+  diagnostics.add(code == ExitCode::kUsage ? Code::kUsage : Code::kRefused, {message, fix});
   error(message, fix);
   print_refusal(code, diagnostics);
   return code;

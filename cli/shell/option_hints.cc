@@ -202,6 +202,8 @@ constexpr std::array kHints = {
                "is their pose right (show says it in words)? If so, they are no left and right camera"},
     OptionHint{Code::kPoorFit, text::Part::kFix,
                "fca-io models {4:shell} compares all models; --max-angle DEG if the corners are black"},
+    OptionHint{Code::kBetterModelsExist, text::Part::kText, "{0}; fca-io models FILE compares all models"},
+    OptionHint{Code::kFormatTold, text::Part::kText, "--from"},
     OptionHint{Code::kMisreadBeyondLimit, text::Part::kText,
                "{0} misreads a camera by up to {1:px} px, more than --max-error {2:px}"},
     OptionHint{Code::kMissingBeyondLimit, text::Part::kText,

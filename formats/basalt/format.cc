@@ -29,7 +29,7 @@ constexpr std::array kDemands = {Demand{"pose in the IMU", "T_imu_cam"},
                                  Demand{"IMU noise", "_std", nullptr, &Format::needs_imu},
                                  Demand{"IMU rate", "imu_update_rate", nullptr, &Format::needs_imu}};
 
-ProbeResult found(int score, std::string_view key) { return {score, text::text_of({Code::kBasaltFound, {key}})}; }
+ProbeResult found(int score, std::string_view key) { return {score, Message{Code::kBasaltFound, {key}}}; }
 
 ProbeResult probe(const text::Document& document) {
   const Node* value = text::find(document.root(), "value0", kDialect);

@@ -4,8 +4,8 @@
 
 #include "../fields.h"
 
-#include <fca/formats/text/message.h>
 #include <fca/code.h>
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/limits.h>
 #include <fca/rig/rotation.h>
@@ -247,8 +247,7 @@ class CalibrationReader {
     }
     const double in_seconds = seconds(*offset);
     if (const Message problem = problem_with_time_offset(in_seconds); problem.is_said()) {
-      reader_.error(*node, "out-of-range", "cam_time_offset_ns: " + text::text_of(problem),
-                    "it is in nanoseconds: t_imu = t_cam + offset");
+      reader_.say(*node, Code::kBasaltOffsetInvalid, {"cam_time_offset_ns", problem});
       return false;
     }
     for (Camera& camera : rig.cameras) camera.time_offset_s = in_seconds;

@@ -330,7 +330,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const bool edits = old && !options.anew && Editor::possible(*old, rig);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
-            : !writable_alone(kFormat, rig, text::text_of({Code::kBasaltDemandsSize}), diagnostics))
+            : !writable_alone(kFormat, rig, Message{Code::kBasaltDemandsSize}, diagnostics))
     return std::nullopt;
   if (!are_rotations(rig, diagnostics)) return std::nullopt;
 

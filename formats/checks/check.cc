@@ -122,9 +122,11 @@ void take_over(const Diagnostics& diagnostics, const text::Source& source, Findi
     if (id_of(entry) == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(message_of(entry), "quaternion"))
       continue;
     const Severity severity = among(kBeyondUs, id_of(entry)) ? Severity::kWarning : entry.severity;
-    Finding finding{severity, entry.code, entry.message, {}, entry.fix, entry.where, {}, entry.facts};
-    finding.mend = mend_of(entry, source);
-    findings.add(std::move(finding));
+    findings.add({.severity = severity,
+                  .facts = entry.facts,
+                  .where = entry.where,
+                  .mend = mend_of(entry, source),
+                  .remedy = entry.remedy});
   }
 }
 
@@ -226,7 +228,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   }
   std::optional<DetectedFormat> detected;
   if (options.from != nullptr) {
-    detected = DetectedFormat{options.from, ""};
+    detected = DetectedFormat{options.from, {}};
   } else {
     detected = detect_format(*document, diagnostics);
   }
@@ -251,7 +253,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
     if (report.findings.empty()) {
       findings.undecided(Code::kRestNotLookedAt);
     } else {
-      findings.undecided(id_of(report.findings.front()), Code::kRestNotLookedAt);
+      findings.undecided_as(report.findings.front().facts.code, Code::kRestNotLookedAt);
     }
     checks::show_both_readings(*document, options, report);
     checks::suggest_exchanges(*document, *detected->format, options, report);

@@ -153,7 +153,7 @@ class ProgramsCheck {
   void say(Finding finding, const Consumer& program, const std::string& mode, const std::string& complaint) {
     finding.where = place_of(complaint);
     if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), complaint)) {
-      finding.code = id_of(mend->fix);
+      finding.kind = mend->fix.code;
       const text::Span line = document_.source().line_at(mend->span.offset);
       // A line that is put in before is wanted where the first one stands.
       const std::size_t length = std::min(std::max<std::size_t>(mend->span.length, 1), line.end() - mend->span.offset);
@@ -215,7 +215,6 @@ class ProgramsCheck {
       if (id_of(finding) == "file-version-missing") {
         const std::size_t first = document_.source().line_at(document_.root().entries.front().key.span.offset).offset;
         finding.mend = SpanEdit{{first, 0}, "File.version: \"1.0\"" + std::string(document_.source().line_break())};
-        finding.fix.clear();
         finding.remedy = {Code::kAddFileVersion};
       }
       const text::Node* version = text::find(document_.root(), "File.version", text::Dialect::kOpenCv);

@@ -37,10 +37,10 @@ class Findings {
   [[nodiscard]] bool has(std::string_view code, const SourceRange& where) const;
   [[nodiscard]] bool has_any(std::span<const std::string_view> codes) const;
   void undecided(Code code, std::vector<Argument> arguments = {}) {
-    report_.undecided.push_back({{}, {}, {}, {code, std::move(arguments)}});
+    report_.undecided.push_back({{code, std::move(arguments)}});
   }
   /// Of another id than the question's own: that of a finding that keeps it open.
-  void undecided(std::string id, Code code) { report_.undecided.push_back({std::move(id), {}, {}, {code}}); }
+  void undecided_as(Code kind, Code code) { report_.undecided.push_back({{code}, kind}); }
 
  private:
   CheckReport& report_;

@@ -73,7 +73,6 @@ void take_from(const Finding& other, Finding& finding) {
   finding.severity = std::max(finding.severity, other.severity);
   if (!has_place(finding)) finding.where = other.where;
   if (fix_of(finding).empty() && !fix_of(other).empty()) {
-    finding.fix = other.fix;
     finding.remedy = other.remedy.is_said() ? other.remedy : other.facts;
   }
   if (!finding.mend) finding.mend = other.mend;
@@ -93,7 +92,6 @@ void tell_once(CheckReport& report) {
         }
         take_from(findings[other], findings[kept]);
         if (twice.says_cost) {
-          findings[kept].consequence.clear();
           findings[kept].outcome = {Code::kItsCost, {facts_of(findings[other])}};
         }
         findings.erase(findings.begin() + static_cast<std::ptrdiff_t>(other));

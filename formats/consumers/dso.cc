@@ -267,7 +267,7 @@ class Reader {
 ConsumerView load_dso(std::string_view bytes, const LoadOptions& /*options*/) {
   ConsumerView view;
   if (bytes.empty() || bytes.size() > kMaxBytes) {
-    view.refusals.emplace_back(bytes.empty() ? Code::kDsoFileEmpty : Code::kDsoFileTooLarge, "");
+    view.refusals.emplace_back(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge, "");
     return view;
   }
   Reader(view).run(bytes);

@@ -140,7 +140,7 @@ class Reader {
     try {
       return storage::read_matrix(found);
     } catch (const cv::Exception& error) {
-      refuse(Code::kCvUnreadableMatrix, name, {storage::one_line(error.err)});
+      refuse(Code::kCvUnreadableMatrix, name, {storage::fault_of(error)});
     }
     return std::nullopt;
   }

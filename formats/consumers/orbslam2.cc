@@ -48,7 +48,7 @@ void load_orbslam2_settings(Settings& settings, const Sensor& sensor, ConsumerVi
   if (k.fx == 0.0F) settings.refuse_at("Camera.fx", Code::kOrbslamNoFocalLength);
   const cv::FileNode type = settings.node("Camera.type");
   const bool other_model = !type.empty() && !(type.isString() && type.string() == "PinHole");
-  if (other_model) settings.warn_at("Camera.type", Code::kOrbslamTypeNotRead, {describe(type)});
+  if (other_model) settings.warn_at("Camera.type", Code::kOrbslamTypeNotRead, {description_of(type)});
   PinholeDistortion distortion = {settings.loose("Camera.k1"), settings.loose("Camera.k2"), settings.loose("Camera.p1"),
                                   settings.loose("Camera.p2"), settings.loose("Camera.k3")};
   const bool bent = std::any_of(distortion.begin(), distortion.end(), [](float value) { return value != 0.0F; });

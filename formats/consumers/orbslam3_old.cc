@@ -206,7 +206,7 @@ bool is_v1(Settings& settings) {
   const cv::FileNode version = settings.node("File.version");
   if (version.empty()) return false;
   if (version.isString() && version.string() == "1.0") return true;
-  settings.warn_at("File.version", Code::kOrbslamVersionNotText, {describe(version)});
+  settings.warn_at("File.version", Code::kOrbslamVersionNotText, {description_of(version)});
   return false;
 }
 

@@ -53,7 +53,7 @@ class Parser {
     } else if (settings_.node("Camera.type").isString()) {
       std::vector<Message> hint;
       if (type.find('#') != std::string::npos) hint = {{Code::kOrbslamCommentInText}};
-      settings_.refuse_at("Camera.type", Code::kOrbslamV1Type, {describe(settings_.node("Camera.type")), hint});
+      settings_.refuse_at("Camera.type", Code::kOrbslamV1Type, {description_of(settings_.node("Camera.type")), hint});
     }
   }
 

@@ -22,7 +22,7 @@ Message find_obstacle(std::string_view bytes) {
   const std::string_view head = bytes.substr(first == std::string_view::npos ? 0 : first);
   const bool is_text = bytes.find('\0') == std::string_view::npos;
   if (is_text && head.starts_with("<?xml")) return {Code::kOrbslamXml};
-  if (!storage::find_obstacle(bytes).empty()) return {};
+  if (storage::obstacle_of(bytes) != Code::kNone) return {};
   if (!bytes.starts_with("%YAML") && !head.starts_with("{")) return {Code::kOrbslamNoHeader};
   return {};
 }
@@ -148,7 +148,7 @@ Projection eucm(const Intrinsics& k, float alpha, float beta) {
 
 Argument described_or_missing(const cv::FileNode& node) {
   if (node.empty()) return Message{Code::kOrbslamMissing};
-  return describe(node);
+  return description_of(node);
 }
 
 void Settings::refuse_missing(std::string_view key) { refuse_at(key, Code::kOrbslamKeyMissing, {program_}); }
@@ -162,7 +162,7 @@ float Settings::real(std::string_view key, bool required) {
   if (!found.isReal()) {
     std::vector<Message> suggestion;
     if (found.isInt()) suggestion = {{Code::kOrbslamWriteReal, {static_cast<int>(found)}}};
-    refuse_at(key, Code::kOrbslamNotReal, {describe(found), program_, suggestion});
+    refuse_at(key, Code::kOrbslamNotReal, {description_of(found), program_, suggestion});
     return 0.0F;
   }
   return static_cast<float>(found.real());
@@ -175,7 +175,7 @@ int Settings::integer(std::string_view key, bool required) {
     return 0;
   }
   if (!found.isInt()) {
-    refuse_at(key, Code::kOrbslamNotInt, {describe(found), program_, suggest_int(found)});
+    refuse_at(key, Code::kOrbslamNotInt, {description_of(found), program_, suggest_int(found)});
     return 0;
   }
   return static_cast<int>(found);
@@ -188,7 +188,7 @@ std::string Settings::text(std::string_view key, bool required) {
     return {};
   }
   if (!found.isString()) {
-    refuse_at(key, Code::kOrbslamNotText, {describe(found), program_});
+    refuse_at(key, Code::kOrbslamNotText, {description_of(found), program_});
     return {};
   }
   return found.string();
@@ -198,7 +198,7 @@ float Settings::loose(std::string_view key) {
   const cv::FileNode found = node(key);
   if (found.empty()) return 0.0F;
   if (storage::is_number(found)) return static_cast<float>(found);
-  warn_at(key, Code::kOrbslamTakesLargest, {describe(found), program_});
+  warn_at(key, Code::kOrbslamTakesLargest, {description_of(found), program_});
   return std::numeric_limits<float>::max();  // cv::read(FileNode, float&)
 }
 
@@ -210,9 +210,9 @@ std::optional<cv::Mat> Settings::matrix(std::string_view key) {
   }
   try {
     if (found.isMap()) return storage::read_matrix(found);
-    refuse_at(key, Code::kOrbslamNoMatrix, {describe(found), program_});
+    refuse_at(key, Code::kOrbslamNoMatrix, {description_of(found), program_});
   } catch (const cv::Exception& error) {
-    refuse_at(key, Code::kOrbslamUnreadableMatrix, {storage::one_line(error.err), program_});
+    refuse_at(key, Code::kOrbslamUnreadableMatrix, {storage::fault_of(error), program_});
   }
   return std::nullopt;
 }
@@ -226,7 +226,7 @@ ConsumerView with_settings(std::string_view bytes, std::string_view program, con
     view.refusals.emplace_back(obstacle.code, "", obstacle.arguments);
     return view;
   }
-  return storage::read(bytes, program, "OpenCV's reader, which " + std::string(program) + " uses,",
+  return storage::read(bytes, program, storage::reader_of(program),
                        [&](const cv::FileStorage& storage, ConsumerView& opened) {
                          Settings settings(storage, program, opened);
                          body(settings, *sensor, opened);

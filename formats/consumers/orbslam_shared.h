@@ -45,7 +45,7 @@ using PinholeDistortion = std::array<float, 5>;
 [[nodiscard]] Projection double_sphere(const Intrinsics& k, float xi, float alpha);
 [[nodiscard]] Projection eucm(const Intrinsics& k, float alpha, float beta);
 
-using storage::describe;
+using storage::description_of;
 /// What stands there; a clause where nothing does.
 [[nodiscard]] Argument described_or_missing(const cv::FileNode& node);
 

@@ -64,18 +64,10 @@ std::string shown(const std::string& text) {
   return result;
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  std::string text(buffer.data(), result.ptr);
-  const bool is_plain = text.find_first_not_of("-0123456789") == std::string::npos;
-  return is_plain ? text + ".0" : text;
-}
-
-/// Of a matrix that OpenCV is not asked to read. Its `err` has the same in words, for the time being.
+/// Of a matrix that OpenCV is not asked to read.
 struct MatrixFault : cv::Exception {
-  MatrixFault(Message clause, const std::string& words)
-      : cv::Exception(cv::Error::StsParseError, words, "read_matrix", __FILE__, __LINE__), message(std::move(clause)) {}
+  explicit MatrixFault(Message clause)
+      : cv::Exception(cv::Error::StsParseError, "", "read_matrix", __FILE__, __LINE__), message(std::move(clause)) {}
   Message message;
 };
 
@@ -83,7 +75,7 @@ std::int64_t length_of(const cv::FileNode& matrix, const char* side) {
   constexpr int kMaxSide = 1 << 20;
   const cv::FileNode length = matrix[side];
   if (length.isInt() && static_cast<int>(length) >= 0 && static_cast<int>(length) <= kMaxSide) return static_cast<int>(length);
-  throw MatrixFault({Code::kStorageNoCount, {side}}, std::string(side) + " is no count of rows or columns");
+  throw MatrixFault({Code::kStorageNoCount, {side}});
 }
 
 /// The 3 of `dt: 3f`; OpenCV's own limit (CV_CN_MAX) is 512.
@@ -106,23 +98,6 @@ Code obstacle_of(std::string_view bytes) {
   const std::string_view head = first == std::string_view::npos ? std::string_view() : bytes.substr(first);
   if (head.starts_with("<")) return has_too_many_elements(bytes) ? Code::kStorageTooManyElements : Code::kNone;
   return is_nested_too_deep(bytes, head.starts_with("{")) ? Code::kStorageNestedTooDeep : Code::kNone;
-}
-
-std::string find_obstacle(std::string_view bytes) {
-  switch (obstacle_of(bytes)) {
-    case Code::kProgramFileEmpty:
-      return "the file is empty";
-    case Code::kProgramFileTooLarge:
-      return "the file is larger than 2 MiB; not read";
-    case Code::kStorageZeroByte:
-      return "the file contains a zero byte: it is not text";
-    case Code::kStorageTooManyElements:
-      return "more than 64 nested or 512 elements; not read";
-    case Code::kStorageNestedTooDeep:
-      return "more than 64 nested lists or maps, or an indentation beyond 200";
-    default:
-      return {};
-  }
 }
 
 ConsumerView read(std::string_view bytes, std::string_view program, const Argument& reader,
@@ -167,21 +142,10 @@ Argument description_of(const cv::FileNode& node) {
   return Message{node.isMap() ? Code::kValueMap : Code::kValueNothing};
 }
 
-std::string describe(const cv::FileNode& node) {
-  if (node.isInt()) return std::to_string(static_cast<int>(node));
-  if (node.isReal()) return shortest(node.real());
-  if (node.isString()) return "the string \"" + shown(node.string()) + "\"";
-  if (node.isSeq()) return "a list";
-  return node.isMap() ? "a map" : "nothing";
-}
-
 cv::Mat read_matrix(const cv::FileNode& node) {
   const std::int64_t stated = length_of(node, "rows") * length_of(node, "cols") * channels_of(node);
   const auto given = static_cast<std::int64_t>(node["data"].size());
-  if (stated > given) {
-    throw MatrixFault({Code::kStorageTooFewNumbers, {given, stated}},
-                      "it has " + std::to_string(given) + " numbers for " + std::to_string(stated) + " places");
-  }
+  if (stated > given) throw MatrixFault({Code::kStorageTooFewNumbers, {given, stated}});
   return node.mat();
 }
 

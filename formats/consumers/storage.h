@@ -16,8 +16,6 @@ namespace fca::consumers::storage {
 
 /// Why the bytes are not given to cv::FileStorage (too large, no text, nested too deep); kNone if they are.
 [[nodiscard]] Code obstacle_of(std::string_view bytes);
-/// For the time being, the same in words: of programs that still word it themselves.
-[[nodiscard]] std::string find_obstacle(std::string_view bytes);
 
 /// Runs `body` on the file as a program holds it that reads it with cv::FileStorage. What keeps OpenCV from opening it, and
 /// what it or `body` throws, is a refusal, and a refused view holds neither cameras nor poses. `reader`, a name or reader_of():
@@ -36,13 +34,11 @@ namespace fca::consumers::storage {
 /// "20.0", "the string \"x\"", "a list": a node for sentences, a number or a clause. Reals keep a '.', so that they differ from
 /// ints.
 [[nodiscard]] Argument description_of(const cv::FileNode& node);
-/// For the time being, the same in words.
-[[nodiscard]] std::string describe(const cv::FileNode& node);
 
 /// Why OpenCV threw, or read_matrix(): a clause, or OpenCV's own words.
 [[nodiscard]] Argument fault_of(const cv::Exception& error);
 
-/// A message of OpenCV for a sentence: without its line ends.
+/// A text of others for a sentence: without its line ends.
 [[nodiscard]] std::string one_line(std::string text);
 
 }  // namespace fca::consumers::storage

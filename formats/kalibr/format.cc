@@ -37,17 +37,17 @@ ProbeResult probe(const text::Document& document) {
     if (!index_in(entry.key.value, "cam") || !entry.value.is_mapping()) continue;
     for (const std::string_view key : kCameraKeys) {
       if (text::find(entry.value, key, text::Dialect::kPyYaml) != nullptr) {
-        return {evidence::kCamera, text::text_of({Code::kCamchainWithKey, {entry.key.value, key}})};
+        return {evidence::kCamera, Message{Code::kCamchainWithKey, {entry.key.value, key}}};
       }
     }
   }
   for (const text::Entry& entry : root.entries) {
-    if (index_in(entry.key.value, "cam")) return {evidence::kHint, text::text_of({Code::kCamchainBlock, {entry.key.value}})};
+    if (index_in(entry.key.value, "cam")) return {evidence::kHint, Message{Code::kCamchainBlock, {entry.key.value}}};
   }
-  if (holds_noise(root)) return {evidence::kPart, text::text_of({Code::kCamchainImuKeys})};
+  if (holds_noise(root)) return {evidence::kPart, Message{Code::kCamchainImuKeys}};
   for (const text::Entry& entry : root.entries) {
     if (index_in(entry.key.value, "imu") && entry.value.is_mapping() && holds_noise(entry.value)) {
-      return {evidence::kPart, text::text_of({Code::kCamchainWithKey, {entry.key.value, "noise densities"}})};
+      return {evidence::kPart, Message{Code::kCamchainWithKey, {entry.key.value, "noise densities"}}};
     }
   }
   return {};

@@ -47,14 +47,14 @@ ProbeResult probe(const text::Document& document) {
   const std::vector<Node>& lines = document.root().items;
   for (const Node& line : lines) {
     if (!is_numbers(line) && mentions(line, "direct") && mentions(line, "mapping"))
-      return {95, text::text_of({Code::kCalibResultsDirectComment})};
+      return {95, Message{Code::kCalibResultsDirectComment}};
   }
   Diagnostics ignored;
-  if (find_blocks(document, ignored)) return {90, text::text_of({Code::kCalibResultsBlocks})};
-  if (has_shape(lines)) return {70, text::text_of({Code::kCalibResultsShape})};
+  if (find_blocks(document, ignored)) return {90, Message{Code::kCalibResultsBlocks}};
+  if (has_shape(lines)) return {70, Message{Code::kCalibResultsShape}};
   const auto comment = std::ranges::find_if(
       lines, [](const Node& line) { return !is_numbers(line) && (mentions(line, "polynomial") || mentions(line, "affine")); });
-  if (comment != lines.end()) return {50, text::text_of({Code::kCalibResultsComment})};
+  if (comment != lines.end()) return {50, Message{Code::kCalibResultsComment}};
   return {};
 }
 

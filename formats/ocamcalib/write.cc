@@ -172,7 +172,7 @@ void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  const std::string size_use = text::text_of({Code::kCalibResultsEndsWithSize});
+  const Message size_use = {Code::kCalibResultsEndsWithSize};
   if (!writable_alone(kFormat, rig, size_use, diagnostics)) return std::nullopt;
 
   Diagnostics ignored;

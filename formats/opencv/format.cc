@@ -22,7 +22,7 @@ constexpr std::array kModels = {
 ProbeResult probe(const text::Document& document) {
   const std::optional<Layout> layout = find_layout(document);
   if (!layout) return {};
-  return {layout->cameras.empty() ? evidence::kHint : evidence::kCamera, text::text_of(layout->why)};
+  return {layout->cameras.empty() ? evidence::kHint : evidence::kCamera, layout->why};
 }
 
 }  // namespace

@@ -66,12 +66,12 @@ ProbeResult probe(const text::Document& document) {
     const std::string& name = entry.key.value;
     for (const std::string_view key : {"T_imu_cam", "T_cam_imu"}) {
       if (kalibr::index_in(name, "cam") && text::find(entry.value, key, kDialect) != nullptr)
-        return {evidence::kCamera + 1, text::text_of({Code::kOpenvinsChainWithKey, {key, name}})};
+        return {evidence::kCamera + 1, Message{Code::kOpenvinsChainWithKey, {key, name}}};
     }
     if (!kalibr::index_in(name, "imu")) continue;
     for (const Intrinsic& intrinsic : kIntrinsics) {
       if (text::find(entry.value, intrinsic.key, kDialect) != nullptr)
-        return {evidence::kPart + 1, text::text_of({Code::kOpenvinsChainWithKey, {intrinsic.key, name}})};
+        return {evidence::kPart + 1, Message{Code::kOpenvinsChainWithKey, {intrinsic.key, name}}};
     }
   }
   return {};
@@ -238,7 +238,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       return written;
     }
   }
-  const std::string size_use = text::text_of({Code::kOpenvinsChainDemandsSize});
+  const Message size_use = {Code::kOpenvinsChainDemandsSize};
   if (!rig.cameras.empty() && !writable_alone(kFormat, rig, size_use, diagnostics)) return std::nullopt;
 
   Written written;

@@ -3,6 +3,8 @@
 #include "orbslam3.h"
 #include "settings.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 #include <array>
 
@@ -54,11 +56,12 @@ constexpr auto kLayouts = names_of(kStyleNames, &StyleName::name);
 
 ProbeResult probe(const text::Document& document) {
   for (const std::string_view key : {"Camera1.fx", "Camera.fx"}) {
-    if (find_key(document, key) != nullptr) return {evidence::kCamera, "the key " + std::string(key)};
+    if (find_key(document, key) != nullptr) return {evidence::kCamera, Message{Code::kFoundKey, {key}}};
   }
   if (find_key(document, "File.version") != nullptr && find_key(document, "Camera.type") != nullptr)
-    return {evidence::kPart, "File.version and Camera.type"};
-  if (find_key(document, "ORBextractor.nFeatures") != nullptr) return {evidence::kTuning, "the key ORBextractor.nFeatures"};
+    return {evidence::kPart, Message{Code::kFoundKeys, {std::vector<std::string>{"File.version", "Camera.type"}}}};
+  if (find_key(document, "ORBextractor.nFeatures") != nullptr)
+    return {evidence::kTuning, Message{Code::kFoundKey, {"ORBextractor.nFeatures"}}};
   return {};
 }
 

@@ -3,6 +3,8 @@
 #include "layout.h"
 #include "ros.h"
 
+#include <fca/code.h>
+
 #include <array>
 
 namespace fca::ros {
@@ -29,15 +31,17 @@ bool is_plain_matrix(const Node* node) {
 
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() == text::Syntax::kWords)
-    return looks_like_ini(document) ? ProbeResult{evidence::kCamera, "sections of an .ini"} : ProbeResult{};
+    return looks_like_ini(document) ? ProbeResult{evidence::kCamera, Message{Code::kFoundIniSections}} : ProbeResult{};
   const Node& root = document.root();
   const bool camera = is_plain_matrix(text::find(root, kMatrix, kDialect));
   for (const std::string_view key : {kRectification, kProjection, kCoefficients}) {
     if (!is_plain_matrix(text::find(root, key, kDialect))) continue;
-    if (camera) return {evidence::kCamera, "camera_matrix and " + std::string(key) + " with rows, cols and data"};
-    return {evidence::kHint, std::string(key) + " with rows, cols and data"};
+    if (camera)
+      return {evidence::kCamera,
+              Message{Code::kFoundMatrices, {std::vector<std::string>{std::string(kMatrix), std::string(key)}}}};
+    return {evidence::kHint, Message{Code::kFoundMatrices, {key}}};
   }
-  if (camera) return {evidence::kHint, "camera_matrix with rows, cols and data"};
+  if (camera) return {evidence::kHint, Message{Code::kFoundMatrices, {kMatrix}}};
   return {};
 }
 

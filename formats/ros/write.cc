@@ -251,7 +251,7 @@ Message headline(const Rig& rig, const Rectification& rectification) {
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  if (!writable_alone(kFormat, rig, "ROS demands a size", diagnostics)) return std::nullopt;
+  if (!writable_alone(kFormat, rig, Message{Code::kRosDemandsSize}, diagnostics)) return std::nullopt;
   const std::optional<bool> named_ini = names_ini(options.extension);
   const bool base_ini = base != nullptr && base->syntax() == text::Syntax::kWords;
   const bool ini = named_ini.value_or(base_ini && ini_holds_all(rig));

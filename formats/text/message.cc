@@ -147,6 +147,11 @@ std::string rendered(const Message& message, Part part, Wording wording) {
   }
 }
 
+std::string in_place(const Message& message, Part part, Wording wording) {
+  const std::string words = rendered(message, part, wording);
+  return words.empty() ? text_of(message, wording) : words;
+}
+
 std::string text_of(const Message& message, Wording wording) { return rendered(message, Part::kText, wording); }
 std::vector<std::string> texts_of(std::span<const Message> messages, Wording wording) {
   std::vector<std::string> texts;
@@ -162,12 +167,11 @@ std::string fix_of(const Message& message, Wording wording) { return rendered(me
 
 namespace fca {
 
-std::string message_of(const Diagnostic& diagnostic, text::Wording wording) {
-  return diagnostic.message.empty() ? text::text_of(diagnostic.facts, wording) : diagnostic.message;
-}
+std::string message_of(const Diagnostic& diagnostic, text::Wording wording) { return text::text_of(diagnostic.facts, wording); }
 
 std::string fix_of(const Diagnostic& diagnostic, text::Wording wording) {
-  return diagnostic.fix.empty() ? text::fix_of(diagnostic.facts, wording) : diagnostic.fix;
+  return diagnostic.remedy.is_said() ? text::in_place(diagnostic.remedy, text::Part::kFix, wording)
+                                     : text::fix_of(diagnostic.facts, wording);
 }
 
 }  // namespace fca

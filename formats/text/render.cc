@@ -55,26 +55,32 @@ std::string excerpt(const Source& source, const SourceRange& where) {
 
 }  // namespace
 
-std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour, Wording wording) {
+std::string render(const Shown& shown, std::span<const Source> sources, bool colour) {
   std::string text;
-  const auto source = std::ranges::find(sources, diagnostic.where.file, &Source::name);
+  const auto source = std::ranges::find(sources, shown.where.file, &Source::name);
   const bool placed =
-      !diagnostic.where.file.empty() && source != sources.end() && (diagnostic.where.offset > 0 || diagnostic.where.length > 0);
+      !shown.where.file.empty() && source != sources.end() && (shown.where.offset > 0 || shown.where.length > 0);
   if (placed) {
-    const Position position = source->position(diagnostic.where.offset);
+    const Position position = source->position(shown.where.offset);
     text += printable(source->name) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
-  } else if (!diagnostic.where.file.empty()) {
-    text += printable(diagnostic.where.file) + ": ";
+  } else if (!shown.where.file.empty()) {
+    text += printable(shown.where.file) + ": ";
   }
-  if (colour) text += severity_colour(diagnostic.severity);
-  text += severity_word(diagnostic.severity);
+  if (colour) text += severity_colour(shown.severity);
+  text += severity_word(shown.severity);
   if (colour) text += "\x1b[0m";
-  text += ": " + printable(message_of(diagnostic, wording));
-  if (const std::string id = id_of(diagnostic); !id.empty()) text += " [" + id + "]";
+  text += ": " + printable(shown.message);
+  if (!shown.id.empty()) text += " [" + shown.id + "]";
   text += "\n";
-  if (placed) text += excerpt(*source, diagnostic.where);
-  if (const std::string fix = fca::fix_of(diagnostic, wording); !fix.empty()) text += "    fix: " + printable(fix) + "\n";
+  if (placed) text += excerpt(*source, shown.where);
+  if (!shown.fix.empty()) text += "    fix: " + printable(shown.fix) + "\n";
   return text;
+}
+
+std::string render(const Diagnostic& diagnostic, std::span<const Source> sources, bool colour, Wording wording) {
+  return render({diagnostic.severity, id_of(diagnostic), message_of(diagnostic, wording), fca::fix_of(diagnostic, wording),
+                 diagnostic.where},
+                sources, colour);
 }
 
 }  // namespace fca::text

@@ -247,13 +247,13 @@ ProbeResult probe_camera_txt(const text::Document& document) {
   const FirstLine first = first_line(lines.front());
   const bool sized = lines.size() > 1 && lines[1].items.size() == 2 && std::ranges::all_of(lines[1].items, is_whole);
   if (first.named && first.lens != nullptr && !first.numbers.empty())
-    return {sized ? 95 : 60, text::text_of({Code::kCameraTxtNamedLens, {lines.front().items.front().value}})};
+    return {sized ? 95 : 60, Message{Code::kCameraTxtNamedLens, {lines.front().items.front().value}}};
   if (!sized || first.numbers.size() < 4) return {};
   const bool mode = lines.size() > 2 && !lines[2].items.empty() &&
                     (lines[2].items.size() == 5 || lines[2].items.front().value == "crop" ||
                      lines[2].items.front().value == "none" || lines[2].items.front().value == "full");
-  if (mode) return {90, text::text_of({Code::kCameraTxtWithMode})};
-  if (first.named || first.lens != nullptr) return {50, text::text_of({Code::kCameraTxtNumbers})};
+  if (mode) return {90, Message{Code::kCameraTxtWithMode}};
+  if (first.named || first.lens != nullptr) return {50, Message{Code::kCameraTxtNumbers}};
   return {};
 }
 

@@ -218,7 +218,7 @@ bool same_size(const Rig& rig, Diagnostics& diagnostics) {
 
 std::optional<Written> write_config(const text::Document& base, const Rig& rig, Diagnostics& diagnostics) {
   // Poses alone go there, too.
-  const bool writable = rig.cameras.empty() || writable_alone(kFormat, rig, text::text_of({Code::kVinsWantsSize}), diagnostics);
+  const bool writable = rig.cameras.empty() || writable_alone(kFormat, rig, Message{Code::kVinsWantsSize}, diagnostics);
   if (!writable || !same_size(rig, diagnostics) || !keeps_its_place(base, rig, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);

@@ -3,6 +3,8 @@
 #include "config.h"
 #include "vins.h"
 
+#include <fca/code.h>
+
 #include <array>
 
 namespace fca::vins {
@@ -31,12 +33,13 @@ ProbeResult probe(const text::Document& document) {
   if (!is_yaml(document)) return {};
   const auto has = [&document](std::string_view key) { return text::find(document.root(), key, kDialect) != nullptr; };
   for (const std::string_view section : {"projection_parameters", "poly_parameters"}) {
-    if (has(section)) return {evidence::kCamera, "top-level " + std::string(section)};
+    if (has(section)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {section}}};
   }
   for (const std::string_view key : {"cam0_calib", "body_T_cam0"}) {
-    if (has(key)) return {evidence::kCamera, "top-level " + std::string(key)};
+    if (has(key)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {key}}};
   }
-  if (has("model_type") && has("camera_name")) return {evidence::kPart, "model_type and camera_name"};
+  if (has("model_type") && has("camera_name"))
+    return {evidence::kPart, Message{Code::kFoundKeys, {std::vector<std::string>{"model_type", "camera_name"}}}};
   return {};
 }
 

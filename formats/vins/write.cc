@@ -130,7 +130,7 @@ void list_extras(const Rig& rig, const std::optional<Rig>& old, Written& written
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   if (base != nullptr && is_config(*base)) return write_config(*base, rig, diagnostics);
-  if (!writable_alone(kFormat, rig, text::text_of({Code::kVinsFilesStateSize}), diagnostics)) return std::nullopt;
+  if (!writable_alone(kFormat, rig, Message{Code::kVinsFilesStateSize}, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> replaced = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
   const std::optional<Rig> old = options.anew ? std::nullopt : replaced;

@@ -29,15 +29,14 @@ ProbeResult probe(const text::Document& document) {
   if (intrinsic == nullptr || !intrinsic->is_mapping()) return {};
   const Node* model = text::find(*intrinsic, "model", kDialect);
   if (model != nullptr && model->value == "radial_poly")
-    return {evidence::kCamera, text::text_of({Code::kWoodscapeJsonWithKey, {"model \"radial_poly\""}})};
+    return {evidence::kCamera, Message{Code::kWoodscapeJsonWithKey, {"model \"radial_poly\""}}};
   for (const std::string_view key : {"cx_offset", "cy_offset", "poly_order"}) {
-    if (text::find(*intrinsic, key, kDialect) != nullptr)
-      return {evidence::kPart, text::text_of({Code::kWoodscapeJsonWithKey, {key}})};
+    if (text::find(*intrinsic, key, kDialect) != nullptr) return {evidence::kPart, Message{Code::kWoodscapeJsonWithKey, {key}}};
   }
   const Node* extrinsic = text::find(root, "extrinsic", kDialect);
   if (extrinsic != nullptr && extrinsic->is_mapping() && text::find(*extrinsic, "quaternion", kDialect) != nullptr &&
       text::find(*intrinsic, "k1", kDialect) != nullptr)
-    return {evidence::kHint, text::text_of({Code::kWoodscapeJsonWithQuaternion})};
+    return {evidence::kHint, Message{Code::kWoodscapeJsonWithQuaternion}};
   return {};
 }
 

@@ -146,7 +146,7 @@ std::string reference_frame(const Rig& rig) {
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  const std::string size_use = text::text_of({Code::kWoodscapeJsonCentreFromMiddle});
+  const Message size_use = {Code::kWoodscapeJsonCentreFromMiddle};
   if (!writable_alone(kFormat, rig, size_use, diagnostics)) return std::nullopt;
 
   Diagnostics ignored;

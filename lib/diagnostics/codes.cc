@@ -14,6 +14,7 @@ std::vector<CodeInfo> joined_topics() {
   std::vector<CodeInfo> rows;
   for (const std::span<const CodeInfo> topic : {
            diagnostics::rig_codes(),
+           diagnostics::command_codes(),
            diagnostics::loss_codes(),
            diagnostics::dso_codes(),
            diagnostics::imu_codes(),

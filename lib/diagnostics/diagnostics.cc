@@ -4,21 +4,16 @@
 
 namespace fca {
 
-Message in_words(std::string words) {
-  if (words.empty()) return {};
-  return {Code::kInWords, {std::move(words)}};
-}
-
 std::string id_of(const Message& message) { return std::string(info(message.code).id); }
 
-std::string id_of(const Diagnostic& diagnostic) { return diagnostic.code.empty() ? id_of(diagnostic.facts) : diagnostic.code; }
+std::string id_of(const Diagnostic& diagnostic) { return id_of(diagnostic.facts); }
 
 void Diagnostics::add(Code code, std::vector<Argument> arguments, SourceRange where) {
   add(info(code).severity, code, std::move(arguments), std::move(where));
 }
 
 void Diagnostics::add(Severity severity, Code code, std::vector<Argument> arguments, SourceRange where) {
-  add({severity, {}, {}, {}, std::move(where), {code, std::move(arguments)}});
+  add(Diagnostic{severity, {code, std::move(arguments)}, std::move(where)});
 }
 
 }  // namespace fca

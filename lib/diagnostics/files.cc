@@ -19,6 +19,14 @@ constexpr std::string_view kContradict = "poses-contradict";
 
 std::span<const CodeInfo> file_codes() {
   static constexpr std::array kRows = {
+      // Why a file is of a format.
+      clause(Code::kFormatTold, "as told"),
+      clause(Code::kFoundKey, "the key {0}"),
+      clause(Code::kFoundKeys, "{0}"),
+      clause(Code::kFoundTopLevel, "top-level {0}"),
+      clause(Code::kFoundMatrices, "{0} with rows, cols and data"),
+      clause(Code::kFoundIniSections, "sections of an .ini"),
+
       error(Code::kFileUnreadable, kUnreadable, "cannot read the file: {0}"),
       clause(Code::kFileMissing, "it does not exist"),
       clause(Code::kFileIsDirectory, "it is a directory"),
@@ -61,7 +69,6 @@ std::span<const CodeInfo> file_codes() {
                   "convert the camera to this format's ranges first"),
       bad_request(Code::kFormatNeedsCamera, "no-camera", "a {0} needs a camera and the input has none"),
       error(Code::kFormatNeedsSize, "image-size-missing", "{0}: {1} and the input has no size", "state it"),
-      // As severe as, and by the id of, what is {1}.
       error(Code::kNotWrittenBecause, "not-written", "{0} cannot be written: {1}"),
 
       // {0}: a key.

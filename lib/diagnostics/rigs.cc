@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rigs and their images.
-#include "rows.h"
 #include "topics.h"
 
 #include <array>
@@ -9,7 +8,6 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> rig_codes() {
   static constexpr std::array kRows = {
-      clause(Code::kInWords, "{0}"),
       CodeInfo{.code = Code::kCropOutside,
                .id = "crop-outside",
                .severity = Severity::kError,

@@ -9,6 +9,7 @@
 namespace fca::diagnostics {
 
 [[nodiscard]] std::span<const CodeInfo> rig_codes();
+[[nodiscard]] std::span<const CodeInfo> command_codes();
 [[nodiscard]] std::span<const CodeInfo> loss_codes();
 [[nodiscard]] std::span<const CodeInfo> dso_codes();
 [[nodiscard]] std::span<const CodeInfo> imu_codes();

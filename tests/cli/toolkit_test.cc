@@ -2,6 +2,7 @@
 // fca::toolkit as a C++ program uses it: requests and results of plain values, without a command line.
 #include "cli/run_program.h"
 
+#include <fca/code.h>
 #include <fca/fca.h>
 #include <fca/formats/text/read_document.h>
 
@@ -36,7 +37,7 @@ class FilesInMemory : public Files {
   [[nodiscard]] std::optional<text::Source> fetch(const std::string& path, Diagnostics& diagnostics) const override {
     const auto found = texts_.find(path);
     if (found != texts_.end()) return text::Source{path, found->second};
-    diagnostics.error("cannot-read", "there is no such text", {path, 0, 0});
+    diagnostics.add(Code::kImageMissing, {}, {path, 0, 0});
     return std::nullopt;
   }
 

@@ -26,7 +26,7 @@ Calibration read_together(const std::string& config, const std::string& cam0, co
 Calibration pair() { return read_together(good("config.yaml"), good("kannala-brandt.yaml"), good("kannala-brandt.yaml")); }
 
 bool loses(const Written& written, const std::string& code) {
-  return std::ranges::find(written.losses, code, &Loss::code) != written.losses.end();
+  return std::ranges::find(written.losses, code, [](const Loss& loss) { return id_of(loss); }) != written.losses.end();
 }
 
 // parameters.cpp: TIC is body_T_cam's translation: where the camera sits in the IMU.

@@ -71,7 +71,7 @@ CheckReport unreadable(const Diagnostics& diagnostics) {
   CheckReport report;
   report.is_calibration = false;
   for (const Diagnostic& entry : diagnostics.entries())
-    report.findings.push_back({entry.severity, entry.code, entry.message, {}, entry.fix, entry.where, {}, entry.facts});
+    report.findings.push_back({.severity = entry.severity, .facts = entry.facts, .where = entry.where, .remedy = entry.remedy});
   return report;
 }
 

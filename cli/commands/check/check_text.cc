@@ -31,8 +31,9 @@ std::string verdict(const CheckReport& report) {
 }
 
 std::string finding_text(const Finding& finding, const text::Source& source) {
-  std::string text = text::render({finding.severity, id_of(finding), message_of(finding, with_options), {}, finding.where},
-                                  std::span(&source, 1));
+  std::string text =
+      text::render(text::Shown{finding.severity, id_of(finding), message_of(finding, with_options), {}, finding.where},
+                   std::span(&source, 1));
   const std::string consequence = consequence_of(finding, with_options);
   const std::string fix = fix_of(finding, with_options);
   if (!consequence.empty()) text += paragraph("if used: " + consequence, "    ");
@@ -54,9 +55,9 @@ std::string readers_line(const Readers& readers) {
 std::string check_text(const CheckResult& file) {
   const CheckReport& report = file.report;
   std::string text = text::printable(file.source.name) + ": ";
-  text += report.format == nullptr
-              ? ""
-              : std::string(report.format->title) + " (" + (report.why.empty() ? "--from" : report.why) + "); ";
+  text += report.format == nullptr ? ""
+                                   : std::string(report.format->title) + " (" +
+                                         (report.why.is_said() ? text::text_of(report.why, with_options) : "--from") + "); ";
   text += verdict(report) + "\n";
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;

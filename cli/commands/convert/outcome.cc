@@ -5,6 +5,8 @@
 #include "shell/output_name.h"
 #include "toolkit/words.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 #include <array>
 
@@ -58,7 +60,8 @@ void add_commands(const std::vector<std::string>& words, ConvertOutcome& outcome
   if (outcome.better_order.empty()) return;
   Diagnostics with_commands;
   for (Diagnostic entry : outcome.diagnostics.entries()) {
-    if (id_of(entry) == "stereo-order" && entry.fix.empty()) entry.fix = command_with_cameras(words, outcome.better_order);
+    if (entry.facts.code == Code::kSecondIsLeft)
+      entry.remedy = {Code::kCommandInstead, {command_with_cameras(words, outcome.better_order)}};
     with_commands.add(std::move(entry));
   }
   outcome.diagnostics = std::move(with_commands);
@@ -70,7 +73,7 @@ void keep_images(const Inputs& inputs, ConvertOutcome& outcome) {
   for (const ConvertedFile& file : outcome.files) {
     const std::optional<std::string> problem = images.problem_with(file.path);
     if (!problem) continue;
-    outcome.diagnostics.error("overwrites-input", *problem);
+    outcome.diagnostics.add(Code::kOverwritesInput, {*problem});
     outcome.status = Status::kBadRequest;
     return;
   }

@@ -13,6 +13,7 @@
 #include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/message.h>
 
 #include <array>
@@ -42,8 +43,8 @@ std::string extension_for(const std::string& output, const std::string& input) {
 
 void remap_image(const RemapArguments& arguments, const Camera& source, const ImageMap& map, const Console& console,
                  RemappedImage& result) {
-  const auto refuse = [&](ExitCode code, const char* what, const std::string& message) {
-    result.diagnostics.error(what, message, {result.input, 0, 0});
+  const auto refuse = [&](ExitCode code, const Message& why) {
+    result.diagnostics.add(why, {result.input, 0, 0});
     result.code = code;
   };
   const std::optional<Image> image = read_image_file(result.input, result.diagnostics);
@@ -54,10 +55,10 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
   }
   const std::string extension = extension_for(result.output, result.input);
   if (const std::optional<std::string> problem = problem_with_format(*image, extension))
-    return refuse(ExitCode::kUsage, "image-format", *problem);
+    return refuse(ExitCode::kUsage, {Code::kImageFormatUnfit, {*problem}});
   const std::optional<Image> seen = cli::remapped(*image, map, arguments.interpolation);
   const std::optional<std::string> bytes = seen ? encoded(*seen, extension) : std::nullopt;
-  if (!bytes) return refuse(ExitCode::kBadInput, "no-image", "OpenCV could not map it or write it as " + extension);
+  if (!bytes) return refuse(ExitCode::kBadInput, {Code::kImageNotMapped, {extension}});
   if (result.output == "-") {
     console.out(*bytes);
     return;
@@ -65,7 +66,7 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
   make_folder_of(result.output, arguments.output);
   const OutputFile file{result.output, *bytes};
   if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false))
-    refuse(ExitCode::kIo, "cannot-write", text::text_of(*failure, with_options));
+    refuse(ExitCode::kIo, *failure);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
   if (shown.calibration) {
     const Calibration& calibration = *shown.calibration;
     json.put("format", calibration.format->id);
-    json.put("why", calibration.why);
+    json.put("why", text::text_of(calibration.why, with_options));
     json.array("cameras", calibration.rig.cameras,
                [&](const Camera& camera) { json.object([&] { put_camera(json, camera, shown.limit_deg); }); });
     json.array("imus", calibration.rig.imus, [&](const Imu& imu) { json.object([&] { put_imu(json, imu); }); });

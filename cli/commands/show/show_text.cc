@@ -145,7 +145,7 @@ std::string parts_in_words(const Rig& rig) {
 std::string show_text(const ShownFile& shown) {
   const Calibration& calibration = *shown.calibration;
   std::string text = text::printable(shown.file) + ": " + std::string(calibration.format->title) +
-                     parts_in_words(calibration.rig) + " (" + calibration.why + ")\n";
+                     parts_in_words(calibration.rig) + " (" + text::text_of(calibration.why, with_options) + ")\n";
   for (const Camera& camera : calibration.rig.cameras)
     text += camera_text(camera, calibration.rig.extra_fields, shown.limit_deg);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);

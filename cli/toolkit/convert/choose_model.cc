@@ -6,7 +6,6 @@
 
 #include <fca/code.h>
 #include <fca/convert/reach.h>
-#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <cmath>
@@ -233,8 +232,7 @@ std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Ca
     for (Diagnostic entry : camera.found.entries()) {
       // The library does not know which models the program reads.
       if (id_of(entry) == "target-cannot-reach" && camera.report)
-        entry.fix = text::text_of(better_models(camera.source, *camera.report, format, choice)) +
-                    "; fca-io models FILE compares all models";
+        entry.remedy = {Code::kBetterModelsExist, {better_models(camera.source, *camera.report, format, choice)}};
       diagnostics.add(std::move(entry));
     }
   }

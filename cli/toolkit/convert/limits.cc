@@ -46,7 +46,7 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
   }
   if (request.strict && !result.losses.empty()) {
     std::vector<Message> what;
-    for (const Loss& loss : result.losses) what.push_back(loss.what.empty() ? facts_of(loss) : in_words(loss.what));
+    for (const Loss& loss : result.losses) what.push_back(facts_of(loss));
     result.diagnostics.add(Code::kLossesNotAllowed, {what});
     result.status = Status::kRejected;
   }

@@ -16,7 +16,7 @@ namespace {
 std::vector<Message> all_said(const std::vector<consumers::Complaint>& complaints) {
   std::vector<Message> messages;
   messages.reserve(complaints.size());
-  for (const consumers::Complaint& complaint : complaints) messages.push_back(facts_of(complaint));
+  for (const consumers::Complaint& complaint : complaints) messages.push_back(complaint.facts);
   return messages;
 }
 
@@ -41,7 +41,7 @@ Message first_refusal(const std::string& bytes, const std::string& program, cons
   const consumers::Consumer* consumer = consumers::find_consumer(program);
   if (consumer == nullptr) return {};
   const consumers::ConsumerView view = consumer->load(bytes, options);
-  return view.loads() ? Message{} : facts_of(view.refusals.front());
+  return view.loads() ? Message{} : view.refusals.front().facts;
 }
 
 }  // namespace
@@ -117,12 +117,12 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
-                                first_refusal(base->source().bytes, id, options) == facts_of(proof.refusals.front());
+                                first_refusal(base->source().bytes, id, options) == proof.refusals.front().facts;
     if (refused_before) result.refused_before.push_back(program);
     if (!proof.agrees() && unchanged) {
       result.diagnostics.add(Code::kInputNotUnderstood, {program, disagreement(proof)});
     } else if (refused_before) {
-      result.diagnostics.add(Code::kEditNotProven, {program, facts_of(proof.refusals.front()), request.into});
+      result.diagnostics.add(Code::kEditNotProven, {program, proof.refusals.front().facts, request.into});
     } else if (!proof.agrees()) {
       const bool of_base = !request.into.empty() && !proof.loads;
       result.diagnostics.add(of_base ? Code::kProofOfBaseFailed : Code::kProofFailed,

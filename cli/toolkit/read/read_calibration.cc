@@ -95,7 +95,7 @@ void keep_only(const std::vector<std::size_t>& indices, Rig& rig) {
 bool add_parts(const Format* format, Files& files, std::vector<text::Document>& documents, Diagnostics& diagnostics) {
   Diagnostics told_later;
   const std::optional<DetectedFormat> detected =
-      format == nullptr ? detect_format(documents.back(), told_later) : DetectedFormat{format, ""};
+      format == nullptr ? detect_format(documents.back(), told_later) : DetectedFormat{format, {}};
   if (!detected) return true;
   std::vector<text::Document> parts;
   bool all_there = true;

@@ -9,6 +9,7 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> basalt_codes() {
   static constexpr std::array kRows = {
+      error(Code::kBasaltOffsetInvalid, "out-of-range", "{0}: {1}", "it is in nanoseconds: t_imu = t_cam + offset"),
       clause(Code::kBasaltFound, "value0 with {0}"),
 
       // Read.

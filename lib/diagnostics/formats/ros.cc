@@ -22,6 +22,7 @@ constexpr CodeInfo reader_warning(Code code, std::string_view id, std::string_vi
 
 std::span<const CodeInfo> ros_codes() {
   static constexpr std::array kRows = {
+      clause(Code::kRosDemandsSize, "ROS demands a size"),
       // The file and its keys.
       error(Code::kRosNoMapping, "wrong-syntax", "a camera_info is a mapping of keys and values"),
       error(Code::kRosOneFile, "wrong-syntax", "a camera_info is one file"),

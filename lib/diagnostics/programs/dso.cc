@@ -9,8 +9,6 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> dso_codes() {
   static constexpr std::array kRows = {
-      refusal(Code::kDsoFileEmpty, "the file is empty"),
-      refusal(Code::kDsoFileTooLarge, "the file is larger than 2 MiB; not read"),
       refusal(Code::kDsoLineTooLong, "a line has more than 4096 characters; not read"),
       refusal(
           Code::kDsoUnknownLens,

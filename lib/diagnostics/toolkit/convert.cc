@@ -103,6 +103,7 @@ std::span<const CodeInfo> convert_codes() {
       clause(Code::kInPlaceOfCircle, " in place of the lens circle"),
       error(Code::kErrorBeyondLimit, kLimit, "{0}: the worst pixel is off by {1} px, more than the limit of {2} px"),
       error(Code::kLossesNotAllowed, "strict-loss", "the target cannot carry {0:and}, and nothing may be lost"),
+      clause(Code::kBetterModelsExist, "{0}"),
       clause(Code::kNoBetterModel, "no model that {0} reads is better{1}"),
       clause(Code::kBetterModels, "{0} reads {1:and}{2}"),
       clause(Code::kBetterElsewhere, "; {0} would be better still, for a program that reads it"),

@@ -13,8 +13,7 @@ namespace fca {
 
 /// One for each sentence or clause. Sentences about the same defect share an id ("missing-key"); the numbers mean nothing.
 enum class Code : std::uint16_t {
-  kNone,     ///< Says nothing.
-  kInWords,  ///< For the time being: words that their writer brings, as argument 0.
+  kNone,  ///< Says nothing.
 
   // Rigs and their images.
   kCropOutside,
@@ -52,8 +51,6 @@ enum class Code : std::uint16_t {
   kKeepTheInput,
 
   // What DSO says to a camera.txt.
-  kDsoFileEmpty,
-  kDsoFileTooLarge,
   kDsoLineTooLong,
   kDsoUnknownLens,
   kDsoNumberNotFinite,
@@ -273,6 +270,12 @@ enum class Code : std::uint16_t {
   kNumberWouldNotBeFinite,
 
   // Files and formats, whichever.
+  kFormatTold,
+  kFoundKey,
+  kFoundKeys,
+  kFoundTopLevel,
+  kFoundMatrices,
+  kFoundIniSections,
   kFileUnreadable,
   kFileMissing,
   kFileIsDirectory,
@@ -561,6 +564,7 @@ enum class Code : std::uint16_t {
   kBasaltQuaternionLength,
   kBasaltQuaternionZero,
   kBasaltOffsetNotWhole,
+  kBasaltOffsetInvalid,
   kBasaltMirror,
   kBasaltDemandsSize,
   kBasaltNoPlace,
@@ -715,6 +719,7 @@ enum class Code : std::uint16_t {
   kVinsIntoConfiguration,
 
   // ROS camera_info files, as read and written.
+  kRosDemandsSize,
   kRosNoMapping,
   kRosOneFile,
   kRosKeyMissing,
@@ -1354,6 +1359,7 @@ enum class Code : std::uint16_t {
   kInPlaceOfCircle,
   kErrorBeyondLimit,
   kLossesNotAllowed,
+  kBetterModelsExist,
   kNoBetterModel,
   kBetterModels,
   kBetterElsewhere,
@@ -1415,6 +1421,21 @@ enum class Code : std::uint16_t {
   kFileExists,
   kPathFails,
   kFolderMissing,
+
+  // What the command itself says: of its words, its images, its outputs.
+  kUsage,
+  kRefused,
+  kOverwritesInput,
+  kCommandInstead,
+  kImageMissing,
+  kImageIsFolder,
+  kImageIsNoFile,
+  kImageFileTooLarge,
+  kImageUnreadable,
+  kImageFileEmpty,
+  kNotAnImage,
+  kImageNotMapped,
+  kImageFormatUnfit,
 
   kCount  ///< No code: how many there are.
 };

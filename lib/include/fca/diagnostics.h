@@ -21,15 +21,12 @@ struct SourceRange {
   std::size_t length = 0;
 };
 
-/// One finding. Of those whose writers still word them themselves, the words stand in `code`, `message` and `fix`; a word that
-/// stands there is said in place of the table's. Readers ask id_of(), and message_of() and fix_of() of the formats' text layer.
+/// One finding.
 struct Diagnostic {
   Severity severity = Severity::kError;
-  std::string code;     ///< Stable, kebab-case: "missing-key", "not-a-rotation".
-  std::string message;  ///< What is wrong, one sentence.
-  std::string fix;      ///< How to mend it; may be empty.
-  SourceRange where;
-  Message facts = {};
+  Message facts;  ///< What is wrong.
+  SourceRange where = {};
+  Message remedy = {};  ///< How to mend it, where the caller knows better than the table: that code's `fix`, else its `text`.
 };
 
 /// The public name of what is said, kebab-case: "missing-key", "not-a-rotation".
@@ -43,16 +40,7 @@ class Diagnostics {
   /// As severe as the table says.
   void add(Code code, std::vector<Argument> arguments = {}, SourceRange where = {});
   void add(Severity severity, Code code, std::vector<Argument> arguments = {}, SourceRange where = {});
-  void error(std::string code, std::string message, SourceRange where = {}, std::string fix = {}) {
-    add({Severity::kError, std::move(code), std::move(message), std::move(fix), std::move(where)});
-  }
-  void warning(std::string code, std::string message, SourceRange where = {}, std::string fix = {}) {
-    add({Severity::kWarning, std::move(code), std::move(message), std::move(fix), std::move(where)});
-  }
-  void note(std::string code, std::string message, SourceRange where = {}, std::string fix = {}) {
-    add({Severity::kNote, std::move(code), std::move(message), std::move(fix), std::move(where)});
-  }
-
+  void add(Message facts, SourceRange where = {}) { add(facts.code, std::move(facts.arguments), std::move(where)); }
   [[nodiscard]] const std::vector<Diagnostic>& entries() const { return entries_; }
   [[nodiscard]] bool has_errors() const {
     for (const Diagnostic& entry : entries_) {

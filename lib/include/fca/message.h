@@ -57,9 +57,6 @@ inline Argument::Argument(std::vector<std::string> names) : value(std::move(name
 inline Argument::Argument(Message clause) : value(std::vector<Message>{std::move(clause)}) {}
 inline Argument::Argument(std::vector<Message> clauses) : value(std::move(clauses)) {}
 
-/// For the time being: words that are no fact yet.
-[[nodiscard]] Message in_words(std::string words);
-
 [[nodiscard]] bool operator==(const Argument& a, const Argument& b);
 [[nodiscard]] inline bool operator==(const Message& a, const Message& b) {
   return a.code == b.code && a.arguments == b.arguments;

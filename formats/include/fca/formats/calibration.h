@@ -14,7 +14,7 @@ namespace fca {
 /// What was read, with what it was read from.
 struct Calibration {
   const Format* format = nullptr;
-  std::string why;                           ///< Why that format.
+  Message why;                               ///< Why that format.
   bool one_format = true;                    ///< False: joined from files with cameras in more than one.
   std::vector<text::Document> documents;     ///< The main file first, then those of --with.
   std::size_t with_cameras = 0;              ///< Which of them states the cameras (the first that does, of `format`).
@@ -25,7 +25,7 @@ struct Calibration {
 
 struct DetectedFormat {
   const Format* format = nullptr;
-  std::string why;
+  Message why = {};
 };
 
 /// The format whose content the document has. No format, or a tie, is an error.

@@ -21,18 +21,14 @@ struct SpanEdit {
   std::string text;
 };
 
-/// Something that is, or may be, wrong with a file. Words that stand here are said in place of the table's: of checks that
-/// still word their findings themselves, and of mends; readers ask fca/formats/wording.h.
+/// Something that is, or may be, wrong with a file. fca/formats/wording.h words it.
 struct Finding {
   Severity severity = Severity::kError;
-  std::string code;         ///< One of check_codes().
-  std::string message;      ///< What is wrong, one sentence.
-  std::string consequence;  ///< What happens if the file is used as it is.
-  std::string fix;          ///< How to mend it; may be empty.
-  SourceRange where;
-  std::optional<SpanEdit> mend = {};  ///< Where the mend is certain: another spelling of the same value.
   Message facts = {};
+  SourceRange where = {};
+  std::optional<SpanEdit> mend = {};  ///< Where the mend is certain: another spelling of the same value.
   std::vector<Message> details = {};  ///< Clauses behind the sentence.
+  Code kind = {};                     ///< Whose id it has, where that is not the sentence's.
   // In place of what the table says beside the sentence: that of another row, or a sentence that is one.
   Message outcome = {};  ///< What happens if the file is used as it is.
   Message remedy = {};   ///< How to mend it.
@@ -40,16 +36,14 @@ struct Finding {
 
 /// A question the file does not answer.
 struct Undecided {
-  std::string code;      ///< Of the finding that might have been: "folds-inside-image".
-  std::string question;  ///< "folding inside the image (cam0)"
-  std::string why;       ///< "no image size in the file"
-  Message facts = {};    ///< Of a check that does not word it itself (fca/formats/wording.h).
+  Message facts = {};
+  Code kind = {};  ///< Whose id it has, where that is not the question's.
 };
 
 /// What a check came to.
 struct CheckReport {
   const Format* format = nullptr;  ///< Null where no format knows the file.
-  std::string why;                 ///< Why that format; empty: it was told.
+  Message why;                     ///< Why that format; none: it was told.
   bool is_calibration = true;      ///< False: nothing of a calibration stands in the file.
   bool holds_no_camera = false;    ///< It was read, and is another part of a calibration (imu.yaml).
   std::vector<Finding> findings;   ///< In the order of their places.

@@ -35,14 +35,8 @@ struct StoredModel {
   bool pairs_only = false;                 ///< A file holds one such camera, or a pair with its pose, and no other rig.
 };
 
-/// Something the target format cannot carry: of whom, which fact, its values. Losses whose writers still word them themselves
-/// have the words in the first four; readers ask fca/formats/wording.h.
+/// Something the target format cannot carry: of whom, which fact, its values. fca/formats/wording.h words it.
 struct Loss {
-  std::string code;    ///< "time-offset-dropped"
-  std::string what;    ///< "cam0 timeshift_cam_imu 0.0021 s"
-  std::string why;     ///< "ORB-SLAM3 has no key for it"
-  std::string remedy;  ///< "add 0.0021 s to every image time stamp"; may be empty
-
   Code kind = {};                     ///< Code::kTimeOffsetDropped
   std::string owner = {};             ///< A camera by its name in the rig ("cam0"), an IMU, a file; empty: the rig.
   std::string key = {};               ///< "timeshift_cam_imu"
@@ -51,12 +45,7 @@ struct Loss {
 
 /// A loss by its facts, which its sentences name as {0} (owner), {1} (key), {2} ... (values).
 [[nodiscard]] inline Loss lost(Code kind, std::string owner, std::string key, std::vector<Argument> values = {}) {
-  Loss loss;
-  loss.kind = kind;
-  loss.owner = std::move(owner);
-  loss.key = std::move(key);
-  loss.values = std::move(values);
-  return loss;
+  return {kind, std::move(owner), std::move(key), std::move(values)};
 }
 
 /// A value the inputs do not state and the target demands.
@@ -133,7 +122,7 @@ inline constexpr int kHint = 60;    ///< Less than that: a key without what belo
 /// How sure a format is that a document is one of its own. 0: not at all.
 struct ProbeResult {
   int score = 0;
-  std::string why;  ///< "top-level cam0 with camera_model and intrinsics"
+  Message why = {};  ///< "top-level cam0 with camera_model and intrinsics"
 };
 
 /// Between which numbers a value makes sense to the program that reads it.

@@ -62,12 +62,9 @@ struct ConsumerImu {
 struct Complaint {
   Complaint(Code code, std::string place, std::vector<Argument> arguments = {})
       : key(std::move(place)), facts{code, std::move(arguments)} {}
-  /// Of a program that still words it itself.
-  Complaint(std::string words) : sentence(std::move(words)) {}  // NOLINT(google-explicit-constructor)
 
   std::string key;  ///< The path of what it is about, '/' between its keys: "cam0/intrinsics"; empty: none, or no keys (lines).
   Message facts = {};
-  std::string sentence = {};
 };
 
 /// What the program makes of a file.

@@ -33,6 +33,9 @@ using Wording = std::string_view (*)(Code code, Part part);
 /// Empty where the code says nothing there. A sentence that asks for an argument that is not there is shown as it stands.
 [[nodiscard]] std::string rendered(const Message& message, Part part, Wording wording = table_wording);
 
+/// In place of a column of another row: this row's column, else its sentence.
+[[nodiscard]] std::string in_place(const Message& message, Part part, Wording wording = table_wording);
+
 [[nodiscard]] std::string text_of(const Message& message, Wording wording = table_wording);
 [[nodiscard]] std::vector<std::string> texts_of(std::span<const Message> messages, Wording wording = table_wording);
 [[nodiscard]] std::string why_of(const Message& message, Wording wording = table_wording);

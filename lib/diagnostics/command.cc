@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the command itself says: of its words, which the command brings, its images, its outputs.
+#include "rows.h"
+#include "topics.h"
+
+#include <array>
+
+namespace fca::diagnostics {
+
+namespace {
+
+constexpr std::string_view kNoImage = "no-image";
+
+}  // namespace
+
+std::span<const CodeInfo> command_codes() {
+  static constexpr std::array kRows = {
+      bad_request(Code::kUsage, "usage", "{0}", "{1}"),
+      bad_request(Code::kRefused, "refused", "{0}", "{1}"),
+      bad_request(Code::kOverwritesInput, "overwrites-input", "{0}"),
+      clause(Code::kCommandInstead, "{0}"),
+      error(Code::kImageMissing, "cannot-read", "there is no such file"),
+      error(Code::kImageIsFolder, kNoImage, "it is a folder"),
+      error(Code::kImageIsNoFile, kNoImage, "it is no file"),
+      error(Code::kImageFileTooLarge, kNoImage, "it is larger than 1 GiB"),
+      error(Code::kImageUnreadable, "cannot-read", "{0}"),
+      error(Code::kImageFileEmpty, kNoImage, "the file is empty"),
+      error(Code::kNotAnImage, kNoImage, "this is no image, or not a whole one, or of a kind that is not read",
+            "up to 134 megapixels are read, as {0}"),
+      error(Code::kImageNotMapped, kNoImage, "OpenCV could not map it or write it as {0}"),
+      bad_request(Code::kImageFormatUnfit, "image-format", "{0}"),
+  };
+  return kRows;
+}
+
+}  // namespace fca::diagnostics
