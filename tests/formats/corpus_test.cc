@@ -115,7 +115,8 @@ TEST(Corpus, EveryFileIsReadOrRefusedForItsDefect) {
     if (outcome.calibration) {
       const Rig& rig = outcome.calibration->rig;
       EXPECT_EQ(expected, nullptr) << name << " is read, and the table says that it is refused";
-      EXPECT_EQ(outcome.calibration->format->id, expected_format(path)) << name << ": " << outcome.calibration->why;
+      EXPECT_EQ(outcome.calibration->format->id, expected_format(path))
+          << name << ": " << text::text_of(outcome.calibration->why);
       EXPECT_FALSE(rig.cameras.empty() && rig.imus.empty() && rig.poses.empty()) << name << " is read as nothing at all";
       std::printf("%s: %s\n", name.c_str(), in_words(outcome).c_str());
       read_as.emplace(outcome.calibration->format->id);

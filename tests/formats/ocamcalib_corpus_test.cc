@@ -94,7 +94,8 @@ TEST(WordsCorpus, NothingElseIsTakenForThese) {
     if (!document) continue;
     ++asked;
     for (const char* id : {"ocamcalib", "woodscape", "tumvi"})
-      EXPECT_EQ(find_format(id)->probe(*document).score, 0) << file << ": " << find_format(id)->probe(*document).why;
+      EXPECT_EQ(find_format(id)->probe(*document).score, 0)
+          << file << ": " << text::text_of(find_format(id)->probe(*document).why);
   }
   EXPECT_GT(asked, 200);
 }

@@ -113,7 +113,7 @@ TEST(OpenCvCorpus, NothingElseIsTakenForACalibration) {
     const std::optional<text::Document> document = text::read_document(entry.path().string(), ignored);
     if (!document) continue;
     const ProbeResult result = find_format("opencv")->probe(*document);
-    EXPECT_EQ(result.score, 0) << entry.path() << ": " << result.why;
+    EXPECT_EQ(result.score, 0) << entry.path() << ": " << text::text_of(result.why);
     if (entry.path().parent_path().filename() == "opencv_not_a_calibration") {
       EXPECT_FALSE(detect_format(*document, ignored)) << entry.path();
       ++asked;

@@ -337,7 +337,7 @@ TEST(OpenCvRead, AGroupIsPartOfItsPose) {
 TEST(OpenCvDetect, TheKeyIsNamed) {
   Diagnostics ignored;
   const auto why = [&](const char* file) {
-    return detect_format(document_of(read_file(testdata_dir() / file)), ignored).value_or(DetectedFormat{}).why;
+    return text::text_of(detect_format(document_of(read_file(testdata_dir() / file)), ignored).value_or(DetectedFormat{}).why);
   };
   EXPECT_NE(why("opencv/good/calibration.yml").find("camera_matrix"), std::string::npos);
   EXPECT_NE(why("opencv/good/cameras.yml").find("camera_0"), std::string::npos);

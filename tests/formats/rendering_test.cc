@@ -9,8 +9,8 @@ using text::Source;
 
 std::string rendered(const Source& source, std::size_t offset, std::size_t length, const std::string& fix = "",
                      bool colour = false) {
-  const Diagnostic diagnostic{Severity::kError, "some-code", "something is wrong", fix, source.range({offset, length})};
-  return text::render(diagnostic, std::span(&source, 1), colour);
+  const text::Shown shown{Severity::kError, "some-code", "something is wrong", fix, source.range({offset, length})};
+  return text::render(shown, std::span(&source, 1), colour);
 }
 
 /// Characters (code points) in front of the caret, counted as a terminal does.
@@ -105,7 +105,7 @@ TEST(Rendering, NoControlCharacterOfTheFileLeaks) {
                                 "\xC2\x80"}) {
     const Source source{"f.yaml", "a: " + bad + " x\n"};
     EXPECT_FALSE(has_control_characters(rendered(source, 3, 2))) << "in the line: " << testing::PrintToString(bad);
-    const Diagnostic spoken{Severity::kError, "c", "the key '" + bad + "' is bad", "drop '" + bad + "'", {}};
+    const text::Shown spoken{Severity::kError, "c", "the key '" + bad + "' is bad", "drop '" + bad + "'", {}};
     EXPECT_FALSE(has_control_characters(text::render(spoken, {}))) << "in the message: " << testing::PrintToString(bad);
     const Source named{"f" + bad + ".yaml", "a: x\n"};
     EXPECT_FALSE(has_control_characters(rendered(named, 3, 1))) << "in the name: " << testing::PrintToString(bad);
@@ -113,7 +113,7 @@ TEST(Rendering, NoControlCharacterOfTheFileLeaks) {
 }
 
 TEST(Rendering, MultiLineMessagesStayOnTheirLine) {
-  const Diagnostic spoken{Severity::kError, "c", "a value 'x\ny.yaml:1:1: error: forged'", "", {}};
+  const text::Shown spoken{Severity::kError, "c", "a value 'x\ny.yaml:1:1: error: forged'", "", {}};
   EXPECT_EQ(split(text::render(spoken, {}), '\n').size(), 1U);
 }
 
