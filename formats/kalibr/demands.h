@@ -12,8 +12,6 @@ namespace fca::kalibr {
 
 inline constexpr double kBelowOne = 1.0 - std::numeric_limits<double>::epsilon() / 2;
 inline constexpr std::array kAlphaRange = {ParameterRange{"alpha", 0.0, kBelowOne}};
-inline constexpr std::string_view kAlphaReason = "Kalibr demands alpha < 1";
 inline constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
-inline constexpr std::string_view kNoK3Reason = "Kalibr's radtan has no k3";
 
 }  // namespace fca::kalibr

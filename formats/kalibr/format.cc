@@ -16,12 +16,12 @@ using text::Node;
 namespace {
 
 constexpr std::array kModels = {
-    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr", kNoK3, kNoK3Reason},
+    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr", kNoK3, Code::kCamchainRadtanNoK3},
     StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg)", {}},
     StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
-    StoredModel{"eucm", "eucm-none", true, "Kalibr", kAlphaRange, kAlphaReason},
-    StoredModel{"ds", "ds-none", true, "Kalibr", kAlphaRange, kAlphaReason},
-    StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kAlphaRange, kAlphaReason},
+    StoredModel{"eucm", "eucm-none", true, "Kalibr", kAlphaRange, Code::kCamchainAlphaBelowOne},
+    StoredModel{"ds", "ds-none", true, "Kalibr", kAlphaRange, Code::kCamchainAlphaBelowOne},
+    StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kAlphaRange, Code::kCamchainAlphaBelowOne},
     StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5])", {}},
     StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr", {}},
 };

@@ -27,7 +27,7 @@ using text::Node;
 namespace {
 
 constexpr std::array kModels = {
-    StoredModel{"radtan", "pinhole-radtan", true, "OpenVINS", kalibr::kNoK3, "OpenVINS' radtan has no k3"},
+    StoredModel{"radtan", "pinhole-radtan", true, "OpenVINS", kalibr::kNoK3, Code::kOpenvinsChainRadtanNoK3},
     StoredModel{"kb4", "pinhole-equidistant", true, "OpenVINS (rays inside 90 deg)", {}},
     StoredModel{"pinhole", "pinhole-radtan with zeros", true, "OpenVINS", {}},
 };

@@ -21,7 +21,7 @@ constexpr std::array kModels = {
     StoredModel{"kb4", "KannalaBrandt8", true, "ORB-SLAM3 V1.0 (right rays inside 90 deg)", {}},
     StoredModel{"pinhole", "PinHole, Rectified", true, "ORB-SLAM3 V1.0", {}},
     StoredModel{"eucm", "EUCM", false, "ns15417/slam_no_opt, lsyads/fisheye-ORB-SLAM", kAlphaAboveHalf,
-                "these programs reject every point below alpha = 0.5"},
+                Code::kOrbslam3AlphaAboveHalf},
     StoredModel{"ds", "DoubleSphere", false, "urbste/ORB_SLAM3 (branch feature/gopro_slam)", {}},
 };
 

@@ -139,15 +139,6 @@ bool check_cameras(const Rig& rig, const Target& target, const Base* edited, Dia
   return true;
 }
 
-/// How settings for the stock program are to be had instead.
-struct Stock {
-  Code clause;
-  std::string_view in_files;  ///< As the comment of files says it.
-};
-
-constexpr Stock kByModel = {Code::kOrbslam3StockByModel, " (leave out --model for that)"};
-constexpr Stock kByLayout = {Code::kOrbslam3StockByLayout, " (--orbslam3-layout v1 for that)"};
-
 /// Who reads settings of a style that hold a model, in a mode.
 struct Audience {
   Style style;
@@ -155,7 +146,7 @@ struct Audience {
   std::string_view sensor;                  ///< "" for any other
   Code headline;                            ///< What the file is to whom.
   std::array<std::string_view, 2> readers;  ///< Who reads it, for people; "": none.
-  const Stock* stock;                       ///< Null: the stock program reads it.
+  Code stock;                               ///< How the stock program's are to be had instead; kNone: it reads these.
   std::string_view program;                 ///< Its name in messages.
   std::string_view consumer;                ///< The one that proves it.
 };
@@ -169,22 +160,22 @@ constexpr std::array kAudiences = {
              "mono",
              Code::kOrbslam3ReadBy,
              {kNoOpt, "lsyads/fisheye-ORB-SLAM"},
-             &kByModel,
+             Code::kOrbslam3StockByModel,
              "slam_no_opt",
              "slam_no_opt"},
-    Audience{Style::kSlamNoOpt, "eucm", "", Code::kOrbslam3ReadBy, {kNoOpt}, &kByModel, "slam_no_opt", "slam_no_opt"},
-    Audience{Style::kSlamNoOpt, "", "", Code::kOrbslam3ReadBy, {kNoOpt}, &kByLayout, "slam_no_opt", "slam_no_opt"},
+    Audience{Style::kSlamNoOpt, "eucm", "", Code::kOrbslam3ReadBy, {kNoOpt}, Code::kOrbslam3StockByModel, "slam_no_opt", "slam_no_opt"},
+    Audience{Style::kSlamNoOpt, "", "", Code::kOrbslam3ReadBy, {kNoOpt}, Code::kOrbslam3StockByLayout, "slam_no_opt", "slam_no_opt"},
     Audience{Style::kOld,
              "ds",
              "",
              Code::kOrbslam3ReadBy,
              {"urbste/ORB_SLAM3 (branch feature/gopro_slam)"},
-             &kByModel,
+             Code::kOrbslam3StockByModel,
              "urbste/ORB_SLAM3",
              "urbste"},
-    Audience{Style::kV1, "", "", Code::kOrbslam3For, {kV1Program}, nullptr, "ORB-SLAM3", "orbslam3"},
-    Audience{Style::kOld, "", "", Code::kOrbslam3StyleBefore, {kV1Program}, nullptr, "ORB-SLAM3", "orbslam3"},
-    Audience{Style::kOrbSlam2, "", "", Code::kOrbslam3ForNotStock, {"ORB-SLAM2"}, &kByLayout, "ORB-SLAM2", "orbslam2"},
+    Audience{Style::kV1, "", "", Code::kOrbslam3For, {kV1Program}, Code::kNone, "ORB-SLAM3", "orbslam3"},
+    Audience{Style::kOld, "", "", Code::kOrbslam3StyleBefore, {kV1Program}, Code::kNone, "ORB-SLAM3", "orbslam3"},
+    Audience{Style::kOrbSlam2, "", "", Code::kOrbslam3ForNotStock, {"ORB-SLAM2"}, Code::kOrbslam3StockByLayout, "ORB-SLAM2", "orbslam2"},
 };
 
 /// Who reads it, as a clause; `stock`: how the stock program's settings are to be had, as a clause, or none.
@@ -198,12 +189,12 @@ Message headline_of(const Audience& audience, std::vector<Message> stock) {
 
 Message headline_of(const Audience& audience) {
   return headline_of(audience,
-                     audience.stock != nullptr ? std::vector{Message{audience.stock->clause}} : std::vector<Message>());
+                     audience.stock != Code::kNone ? std::vector{Message{audience.stock}} : std::vector<Message>());
 }
 
 /// The same as the comment that stands in files.
 std::string comment_of(const Audience& audience) {
-  return text::text_of(headline_of(audience, {})) + std::string(audience.stock != nullptr ? audience.stock->in_files : "");
+  return text::text_of(headline_of(audience, {}));
 }
 
 const Audience& audience_of(const Target& target, std::string_view model) {

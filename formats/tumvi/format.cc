@@ -25,10 +25,10 @@ namespace {
 constexpr std::array kModels = {
     StoredModel{"kb4", "pinhole-equidistant", true, "Kalibr (rays inside 90 deg), DSO (camera.txt)", {}},
     StoredModel{"mei", "omni-radtan", true, "Kalibr", {}},
-    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr, DSO (camera.txt)", kalibr::kNoK3, kalibr::kNoK3Reason},
-    StoredModel{"eucm", "eucm-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
-    StoredModel{"ds", "ds-none", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
-    StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kalibr::kAlphaRange, kalibr::kAlphaReason},
+    StoredModel{"radtan", "pinhole-radtan", true, "Kalibr, DSO (camera.txt)", kalibr::kNoK3, Code::kCamchainRadtanNoK3},
+    StoredModel{"eucm", "eucm-none", true, "Kalibr", kalibr::kAlphaRange, Code::kCamchainAlphaBelowOne},
+    StoredModel{"ds", "ds-none", true, "Kalibr", kalibr::kAlphaRange, Code::kCamchainAlphaBelowOne},
+    StoredModel{"ucm", "eucm-none with beta = 1", true, "Kalibr", kalibr::kAlphaRange, Code::kCamchainAlphaBelowOne},
     StoredModel{"fov", "pinhole-fov", true, "Kalibr (w in [0.5, 1.5]), DSO (camera.txt)", {}},
     StoredModel{"pinhole", "pinhole-radtan with zeros", true, "Kalibr, DSO (camera.txt)", {}},
 };

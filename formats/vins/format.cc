@@ -16,11 +16,11 @@ constexpr std::array kNoK3 = {ParameterRange{"k3", 0.0, 0.0}};
 constexpr std::array kDegreeFour = {ParameterRange{"a5", 0.0, 0.0}, ParameterRange{"a6", 0.0, 0.0},
                                     ParameterRange{"a7", 0.0, 0.0}, ParameterRange{"a8", 0.0, 0.0}};
 constexpr std::array kModels = {
-    StoredModel{"radtan", "PINHOLE", true, kReaders, kNoK3, "camodocal's PINHOLE has no k3"},
+    StoredModel{"radtan", "PINHOLE", true, kReaders, kNoK3, Code::kVinsPinholeNoK3},
     StoredModel{"rational", "PINHOLE_FULL", true, "VINS-Fusion", {}},
     StoredModel{"mei", "MEI", true, kReaders, {}},
     StoredModel{"kb4", "KANNALA_BRANDT", true, kReaders, {}},
-    StoredModel{"ocamcalib", "scaramuzza", true, kReaders, kDegreeFour, "camodocal's polynomial is of degree 4"},
+    StoredModel{"ocamcalib", "scaramuzza", true, kReaders, kDegreeFour, Code::kVinsDegreeFour},
     StoredModel{"pinhole", "PINHOLE", true, kReaders, {}},
 };
 constexpr std::array<std::string_view, 1> kInverse = {"inverse polynomial"};

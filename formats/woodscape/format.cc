@@ -17,7 +17,7 @@ namespace {
 /// Below, k1 cannot be pixels per radian: the reader refuses it, and so no camera may be written with one.
 constexpr std::array kInPixels = {ParameterRange{"k1", 10.0, 1e9}};
 constexpr std::array kModels = {
-    StoredModel{"woodscape", "radial_poly", true, "WoodScape's projection.py", kInPixels, "k1 counts pixels per radian"}};
+    StoredModel{"woodscape", "radial_poly", true, "WoodScape's projection.py", kInPixels, Code::kWoodscapeJsonInPixels}};
 constexpr std::array kOwnFacts = {OwnFact{"keys of its own"}};
 constexpr std::array kDemands = {Demand{"pose in the vehicle", "extrinsic"}};
 

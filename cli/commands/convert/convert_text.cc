@@ -48,7 +48,7 @@ std::string reach_text(const std::vector<ReachRow>& rows) {
 /// The program's reason, where it is the program's range that ends there and not the model's.
 std::string why_at_bound(const ConversionReport& report, const Format& to, const CameraModel& target) {
   const StoredModel* stored = find_stored_model(to, report.to_model, false);
-  if (stored == nullptr || stored->why.empty()) return "";
+  if (stored == nullptr || stored->why == Code{}) return "";
   const bool programs = std::ranges::any_of(stored->ranges, [&](const ParameterRange& range) {
     const std::span<const Parameter> own = model_info(target).parameters;
     const auto parameter = std::ranges::find(own, range.parameter.name(), &Parameter::name);
@@ -57,7 +57,7 @@ std::string why_at_bound(const ConversionReport& report, const Format& to, const
     return (*value == range.lower && range.lower > parameter->lower) ||
            (*value == range.upper && range.upper < parameter->upper);
   });
-  return programs ? " (" + std::string(stored->why) + ")" : "";
+  return programs ? " (" + text::text_of({stored->why}, with_options) + ")" : "";
 }
 
 /// What the search for a smaller worst pixel gained, and what it cost.

@@ -18,7 +18,7 @@ std::vector<std::string> stored_by(const CameraModel& model) {
   for (const Format& format : all_formats()) {
     const StoredModel* row = find_stored_model(format, model_info(model).id, false);
     if (row == nullptr) continue;
-    const std::string anew = within(model, row->ranges) ? "" : " (fitted anew: " + std::string(row->why) + ")";
+    const std::string anew = within(model, row->ranges) ? "" : " (fitted anew: " + text::text_of({row->why}) + ")";
     const std::string name = name_in(format, *row) + anew;
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
   }

@@ -25,6 +25,7 @@ constexpr CodeInfo other_lens(Code code, std::string_view text) {
 
 std::span<const CodeInfo> openvins_codes() {
   static constexpr std::array kRows = {
+      clause(Code::kOpenvinsChainRadtanNoK3, "OpenVINS' radtan has no k3"),
       clause(Code::kOpenvinsChainWithKey, "%YAML:1.0 and {0} below {1}"),
       other_lens(Code::kOpenvinsChainOtherLens,
                  "{0}: OpenVINS never reads camera_model: it would take the first four intrinsics of this {1} camera for fx fy "

@@ -22,6 +22,8 @@ constexpr std::string_view kIntoConfiguration = "write it into VINS-Fusion's own
 
 std::span<const CodeInfo> vins_codes() {
   static constexpr std::array kRows = {
+      clause(Code::kVinsDegreeFour, "camodocal's polynomial is of degree 4"),
+      clause(Code::kVinsPinholeNoK3, "camodocal's PINHOLE has no k3"),
       // Camera files, as read.
       error(Code::kVinsWrongSyntax, "wrong-syntax", "camodocal's camera files are YAML with keys at the top level"),
       of_reader(warning(Code::kVinsFirstLineNotYaml, "program-refuses",

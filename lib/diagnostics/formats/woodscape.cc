@@ -21,6 +21,7 @@ constexpr std::string_view kNotARotation = "not-a-rotation";
 
 std::span<const CodeInfo> woodscape_codes() {
   static constexpr std::array kRows = {
+      clause(Code::kWoodscapeJsonInPixels, "k1 counts pixels per radian"),
       // What speaks for the format.
       clause(Code::kWoodscapeJsonWithKey, "intrinsic with {0}"),
       clause(Code::kWoodscapeJsonWithQuaternion, "intrinsic with k1 beside an extrinsic with quaternion"),

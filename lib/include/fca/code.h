@@ -353,6 +353,7 @@ enum class Code : std::uint16_t {
   kCamchainImuHeadline,
 
   // OpenVINS' chains, as read and written.
+  kOpenvinsChainRadtanNoK3,
   kOpenvinsChainWithKey,
   kOpenvinsChainOtherLens,
   kOpenvinsChainTakenForRadtan,
@@ -436,6 +437,7 @@ enum class Code : std::uint16_t {
   kCalibResultsHeadlineEach,
 
   // WoodScape's files, as read and written.
+  kWoodscapeJsonInPixels,
   kWoodscapeJsonWithKey,
   kWoodscapeJsonWithQuaternion,
   kWoodscapeJsonOneObject,
@@ -581,6 +583,7 @@ enum class Code : std::uint16_t {
   kBasaltWrote,
 
   // ORB-SLAM3's settings, as read and written.
+  kOrbslam3AlphaAboveHalf,
   kOrbslam3NoKeys,
   kOrbslam3VersionMissing,
   kOrbslam3VersionNotString,
@@ -663,6 +666,8 @@ enum class Code : std::uint16_t {
   kOrbslam3RectifyFirst,
 
   // VINS-Fusion's files, as read and written.
+  kVinsDegreeFour,
+  kVinsPinholeNoK3,
   kVinsWrongSyntax,
   kVinsFirstLineNotYaml,
   kVinsTypeMissing,

@@ -31,7 +31,7 @@ struct StoredModel {
   bool stock = true;                       ///< Read by the format's own program; false: a dialect that only forks read.
   std::string_view read_by;                ///< Programs, for people.
   std::span<const ParameterRange> ranges;  ///< What the program demands beyond the model's own ranges (EUCM alpha > 0.5).
-  std::string_view why = {};               ///< Why it demands that, for people.
+  Code why = {};                           ///< Why it demands that, a clause.
   bool pairs_only = false;                 ///< A file holds one such camera, or a pair with its pose, and no other rig.
 };
 
