@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "named_part.h"
+#include "exchange.h"
 #include "parts.h"
 #include "subject.h"
 #include "tab_mend.h"
@@ -119,8 +119,7 @@ std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& sou
 void take_over(const Diagnostics& diagnostics, const text::Source& source, Findings& findings) {
   for (const Diagnostic& entry : diagnostics.entries()) {
     if (among(kSaidByTopics, id_of(entry))) continue;
-    if (id_of(entry) == "not-a-rotation" && entry.severity == Severity::kWarning && !contains(message_of(entry), "quaternion"))
-      continue;
+    if (entry.facts.code == Code::kRotationRough || entry.facts.code == Code::kRotationMirrors) continue;
     const Severity severity = among(kBeyondUs, id_of(entry)) ? Severity::kWarning : entry.severity;
     findings.add({.severity = severity,
                   .facts = entry.facts,

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "complaints.h"
 #include "layout_mend.h"
-#include "named_part.h"
 #include "tab_mend.h"
 
 #include <fca/code.h>
 #include <fca/formats/mend.h>
 #include <fca/formats/text/numbers.h>
-#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,47 +70,59 @@ consumers::ConsumerView view_after(text::Document document, const Mend& mend, co
   return program.load(document.bytes(), options);
 }
 
-/// The same complaint, be it about another line?
-bool says_alike(const std::vector<std::string>& refusals, const std::string& sentence) {
-  const auto without_digits = [](std::string text) {
-    std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
-    return text;
-  };
-  return std::ranges::find(refusals, without_digits(sentence), without_digits) != refusals.end();
+bool says(const std::vector<consumers::Complaint>& complaints, const Message& message) {
+  return std::ranges::find(complaints, message, &consumers::Complaint::facts) != complaints.end();
 }
 
-bool says(const std::vector<std::string>& refusals, const std::string& sentence) {
-  return std::ranges::find(refusals, sentence) != refusals.end();
+bool is_alike(const Message& a, const Message& b);
+
+/// A number is like any other, and the words of a parser may have numbers in them.
+bool is_alike_in(const Argument& a, const Argument& b) {
+  const auto clauses = [](const Argument& each) { return std::get_if<std::vector<Message>>(&each.value); };
+  const auto words = [](const Argument& each) {
+    const auto* const text = std::get_if<std::string>(&each.value);
+    std::string result = text == nullptr ? "" : *text;
+    std::erase_if(result, [](char c) { return c >= '0' && c <= '9'; });
+    return result;
+  };
+  if (clauses(a) != nullptr && clauses(b) != nullptr) return std::ranges::equal(*clauses(a), *clauses(b), is_alike);
+  return a.value.index() == b.value.index() && words(a) == words(b);
+}
+
+/// The same complaint, be it about another line?
+bool is_alike(const Message& a, const Message& b) {
+  return a.code == b.code && std::ranges::equal(a.arguments, b.arguments, is_alike_in);
 }
 
 }  // namespace
 
 std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
-                              const consumers::LoadOptions& options, const std::string& complaint) {
+                              const consumers::LoadOptions& options, const consumers::Complaint& complaint) {
   // Every try is a run of the program's parser; no real calibration is half as long.
   constexpr std::size_t kLongest = 512 * 1024;
   if (document.source().bytes.size() > kLongest) return std::nullopt;
-  const std::vector<std::string> before = sentences_of(program.load(document.bytes(), options).refusals);
+  const std::vector<consumers::Complaint> before = program.load(document.bytes(), options).refusals;
+  const Message& said = complaint.facts;
+  const auto is_like_it = [&said](const consumers::Complaint& each) { return is_alike(each.facts, said); };
   // Behind the header the program sees the file for the first time: it may go on to refuse something else.
   for (std::optional<Mend> (*layout)(const text::Document&) :
        {&without_mark, &checks::layout_mend, &checks::header_mend, &blanks_for_tabs}) {
     std::optional<Mend> mend = layout(document);
-    if (mend && is_apart_from_edits(*mend, document) && says(before, complaint) &&
-        !says_alike(sentences_of(view_after(document, *mend, program, options).refusals), complaint))
+    if (mend && is_apart_from_edits(*mend, document) && says(before, said) &&
+        std::ranges::none_of(view_after(document, *mend, program, options).refusals, is_like_it))
       return mend;
   }
   // What is missing no other spelling of its owner brings: a camera whose name is put in quotes is only overlooked.
-  if (complaint.find(" is missing") != std::string::npos) return std::nullopt;
-  const Node* named = checks::named_in(document, complaint);
+  if (!info(said.code).fix.empty()) return std::nullopt;
+  const Node* named = checks::node_at(document, complaint.key);
   if (named == nullptr) return std::nullopt;
   std::vector<const Node*> scalars;
   collect_scalars(*named, scalars);
   // The same complaint with another value in it is no progress.
   const auto helps = [&](const Mend& mend) {
     const consumers::ConsumerView after = view_after(document, mend, program, options);
-    const std::vector<std::string> refusals = sentences_of(after.refusals);
-    return !says(refusals, complaint) && !says(sentences_of(after.warnings), complaint) &&
-           std::ranges::all_of(refusals, [&](const std::string& each) { return says(before, each); });
+    return !says(after.refusals, said) && !says(after.warnings, said) &&
+           std::ranges::all_of(after.refusals, [&](const consumers::Complaint& each) { return says(before, each.facts); });
   };
   constexpr std::size_t kMostTried = 32;
   for (std::size_t i = 0; i < std::min(kMostTried, scalars.size()); ++i) {
@@ -120,6 +131,11 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
     }
   }
   return std::nullopt;
+}
+
+bool names_mend(const Message& complaint, const Mend& mend) {
+  const std::string id = id_of(mend.fix);
+  return checks::find_clause(complaint, [&id](const Message& each) { return id_of(each) == id; }) != nullptr;
 }
 
 }  // namespace fca

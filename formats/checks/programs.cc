@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "named_part.h"
+#include "complaints.h"
 #include "topics.h"
 
 #include <fca/code.h>
@@ -27,9 +27,10 @@ struct Attempt {
 /// Sentences of a program that are told one by one: for each its parser is asked again and again for a mend.
 constexpr std::size_t kMostSaid = 10;
 
-/// "Camera.fps is missing; ORB-SLAM3 V1.0 exits"
-bool is_of_missing_key(std::string_view sentence) {
-  return sentence.substr(std::min(sentence.find(' '), sentence.size())).starts_with(" is missing");
+bool has_fix(const Complaint& complaint) { return !info(complaint.facts.code).fix.empty(); }
+
+bool names_program(const Complaint& complaint) {
+  return find_clause(complaint.facts, [](const Message& each) { return info(each.code).names_program; }) != nullptr;
 }
 
 /// The modes that a file's keys speak for, the richest first; the others would not use what stands there.
@@ -102,25 +103,10 @@ class ProgramsCheck {
     return attempts;
   }
 
-  /// The first key of the file that the sentence has as a word: "(2 here, with T_imu_body)"; null if it has none.
-  [[nodiscard]] const text::Node* key_mentioned_in(const std::string& sentence) const {
-    constexpr std::string_view kBetween = " ,;:()";
-    for (std::size_t at = sentence.find_first_not_of(kBetween); at != std::string::npos;) {
-      const std::size_t end = std::min(sentence.find_first_of(kBetween, at), sentence.size());
-      const std::string_view word = std::string_view(sentence).substr(at, end - at);
-      const auto entry =
-          std::ranges::find_if(document_.root().entries, [word](const text::Entry& each) { return each.key.value == word; });
-      if (entry != document_.root().entries.end()) return &entry->key;
-      at = sentence.find_first_not_of(kBetween, end);
-    }
-    return nullptr;
-  }
-
   [[nodiscard]] SourceRange whole_file() const { return {document_.source().name, 0, 0}; }
 
-  [[nodiscard]] SourceRange place_of(const std::string& sentence) const {
-    const text::Node* node = named_in(document_, sentence);
-    if (node == nullptr) node = key_mentioned_in(sentence);
+  [[nodiscard]] SourceRange place_of(const Complaint& complaint) const {
+    const text::Node* node = node_at(document_, complaint.key);
     if (node == nullptr) return whole_file();
     SourceRange where = document_.range(*node);
     if (!node->is_scalar()) where.length = std::min<std::size_t>(where.length, 1);
@@ -150,7 +136,7 @@ class ProgramsCheck {
   }
 
   /// One refusal or warning, at its place, with the mend if there is a certain one.
-  void say(Finding finding, const Consumer& program, const std::string& mode, const std::string& complaint) {
+  void say(Finding finding, const Consumer& program, const std::string& mode, const Complaint& complaint) {
     finding.where = place_of(complaint);
     if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), complaint)) {
       finding.kind = mend->fix.code;
@@ -165,22 +151,16 @@ class ProgramsCheck {
   }
 
   void say_refusal(const Consumer& program, const std::string& mode, const Complaint& complaint) {
-    const std::string refusal = sentence_of(complaint);
-    const std::string_view first_word = program.program.substr(0, program.program.find(' '));
     Finding finding;
-    if (refusal.find(first_word) != std::string::npos) {
+    if (names_program(complaint)) {
       finding.facts = {Code::kProgramRefusesInItsWords, {facts_of(complaint)}};
     } else {
       std::vector<Message> in_mode;
       if (!mode.empty() && mode != "mono") in_mode = {{Code::kInMode, {mode}}};
       finding.facts = {Code::kProgramRefuses, {program.program, in_mode, facts_of(complaint)}};
     }
-    if (is_of_missing_key(refusal)) {
-      finding.remedy = {Code::kAddTheKey};
-    } else if (refusal.find("every top-level key") != std::string::npos) {
-      finding.remedy = {Code::kTakeOutOfTopLevel};
-    }
-    say(std::move(finding), program, mode, refusal);
+    if (has_fix(complaint)) finding.remedy = facts_of(complaint);
+    say(std::move(finding), program, mode, complaint);
   }
 
   void say_refusals(const Consumer& own, const std::vector<Attempt>& attempts) {
@@ -233,25 +213,25 @@ class ProgramsCheck {
     const std::vector<Complaint>& refusals = closest.view.refusals;
     findings_.add(Code::kReadByAnother,
                   {readers, own.program, facts_of(refusals.front()), and_more(refusals), how_to_write_for(own)},
-                  place_of(sentence_of(refusals.front())));
+                  place_of(refusals.front()));
   }
 
   void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {
     if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
     for (std::size_t i = 0; i < std::min(kMostSaid, view.warnings.size()); ++i) {
-      const std::string warning = sentence_of(view.warnings[i]);
+      const Complaint& warning = view.warnings[i];
       // Asked for that program, a camera that it takes for another is what one wanted to know.
       const bool wrong = options_.program != nullptr && misreads(view, warning);
       Finding finding;
       finding.severity = wrong ? Severity::kError : Severity::kWarning;
-      if (warning.find(own.program) == std::string::npos) {
-        finding.facts = {Code::kProgramMisreads, {own.program, facts_of(view.warnings[i])}};
+      if (names_program(warning)) {
+        finding.facts = {Code::kProgramMisreadsInItsWords, {facts_of(warning)}};
       } else {
-        finding.facts = {Code::kProgramMisreadsInItsWords, {facts_of(view.warnings[i])}};
+        finding.facts = {Code::kProgramMisreads, {own.program, facts_of(warning)}};
       }
-      if (is_of_missing_key(warning)) {
+      if (has_fix(warning)) {
         finding.outcome = {Code::kWhatNeedsItStops};
-        finding.remedy = {Code::kAddTheKey};
+        finding.remedy = facts_of(warning);
       }
       say(std::move(finding), own, mode, warning);
     }
@@ -259,10 +239,10 @@ class ProgramsCheck {
   }
 
   /// Is the warning about a camera that the program takes for another? Where none names that camera, it may be any.
-  static bool misreads(const ConsumerView& view, std::string_view warning) {
+  static bool misreads(const ConsumerView& view, const Complaint& warning) {
     return std::ranges::any_of(view.cameras, [&](const consumers::ConsumerCamera& camera) {
-      const auto names_it = [&camera](std::string_view each) { return each.starts_with(camera.name + "/"); };
-      return camera.misread && (names_it(warning) || std::ranges::none_of(sentences_of(view.warnings), names_it));
+      const auto names_it = [&camera](const Complaint& each) { return each.key.starts_with(camera.name + "/"); };
+      return camera.misread && (names_it(warning) || std::ranges::none_of(view.warnings, names_it));
     });
   }
 
@@ -277,12 +257,11 @@ class ProgramsCheck {
       if (each.view.loads()) modes.push_back(each.mode);
     }
     const std::vector<Complaint>& refusals = meant->view.refusals;
-    const std::string first = sentence_of(refusals.front());
     Finding finding;
     finding.severity = Severity::kWarning;
     finding.facts = {Code::kModeRefused, {mode, own.program, modes, facts_of(refusals.front()), and_more(refusals)}};
-    finding.where = place_of(first);
-    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), first)) {
+    finding.where = place_of(refusals.front());
+    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
       finding.remedy = mend->fix;
       finding.mend = SpanEdit{mend->span, mend->text};
     }

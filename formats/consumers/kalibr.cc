@@ -296,8 +296,10 @@ bool is_camera_key(const Value& key, std::size_t count) {
 void check_chain_keys(const Value& root, ConsumerView& view) {
   const std::size_t count = root.entries.size();
   std::vector<Message> foreign;
+  std::string first;
   for (const auto& [key, value] : root.entries) {
     if (is_camera_key(*key, count) || (foreign.empty() && key->text.empty())) continue;
+    if (foreign.empty()) first = key->text;
     const Code code = foreign.empty() ? Code::kKalibrSaysFirstKey : Code::kKalibrSaysNextKey;
     foreign.push_back({code, {key->text.substr(0, 80)}});
   }
@@ -307,7 +309,7 @@ void check_chain_keys(const Value& root, ConsumerView& view) {
     const std::string name = "cam" + std::to_string(i);
     if (root.find(name) == nullptr) missing = name;
   }
-  view.refusals.emplace_back(Code::kKalibrSaysForeignKeys, "", std::vector<Argument>{count, foreign, missing});
+  view.refusals.emplace_back(Code::kKalibrSaysForeignKeys, first + "/", std::vector<Argument>{count, foreign, missing});
 }
 
 struct ImuKey {
@@ -364,7 +366,7 @@ ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& /*option
   const pyyaml::ValuePtr root = load_map(bytes, view);
   if (!root) return view;
   if (root->find("imu0") != nullptr && root->find("update_rate") == nullptr) {
-    view.refusals.emplace_back(Code::kKalibrSaysImuNested, "imu0");
+    view.refusals.emplace_back(Code::kKalibrSaysImuNested, "imu0/");
     return view;
   }
   view.imu.emplace();

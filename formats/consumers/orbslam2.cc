@@ -133,7 +133,11 @@ void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, Consume
   const cv::FileNode node = settings.node("Camera.type");
   const std::string type = node.isString() ? node.string() : std::string();
   if (type != "EUCM" && type != "KB") {
-    settings.refuse_at("Camera.type", Code::kOrbslamNoOptType, {described_or_missing(node)});
+    if (node.empty()) {
+      settings.refuse_at("Camera.type", Code::kOrbslamNoOptTypeMissing);
+    } else {
+      settings.refuse_at("Camera.type", Code::kOrbslamNoOptType, {describe(node)});
+    }
     return;
   }
   const Intrinsics k = read_intrinsics(settings);

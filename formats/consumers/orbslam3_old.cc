@@ -53,7 +53,11 @@ class Parser {
     if (dialect_.knows_double_sphere) known.emplace_back("DoubleSphere");
     std::vector<Message> hint;
     if (settings_.has("Camera1.fx")) hint = {{Code::kOrbslamKeysOfV1}};
-    settings_.refuse_at("Camera.type", Code::kOrbslamOldType, {described_or_missing(node), settings_.program(), known, hint});
+    if (node.empty()) {
+      settings_.refuse_at("Camera.type", Code::kOrbslamOldTypeMissing, {settings_.program(), known, hint});
+    } else {
+      settings_.refuse_at("Camera.type", Code::kOrbslamOldType, {describe(node), settings_.program(), known, hint});
+    }
     return {};
   }
 

@@ -149,7 +149,7 @@ class Parser {
       const cv::FileNode second = settings_.node("Camera2." + std::string(key));
       if (!second.isReal() || !first.isReal() || first.real() == second.real()) continue;
       second_.misread = true;
-      settings_.warn_at("Camera2.k1", Code::kOrbslamSecondFisheyeIgnored);
+      settings_.warn_from("Camera2.k1", Code::kOrbslamSecondFisheyeIgnored);
       break;
     }
     read_overlap("Camera2");
@@ -183,7 +183,7 @@ class Parser {
     settings_.integer("Camera.fps");
     settings_.integer("Camera.RGB");
     if (!new_height && !new_width) return;
-    if (is_remapped()) return settings_.warn_at("Camera.newWidth", Code::kOrbslamNewSizeRectified);
+    if (is_remapped()) return settings_.warn_from("Camera.newWidth", Code::kOrbslamNewSizeRectified);
     if (new_height) rescale(scale_y_, height_, height);
     if (new_width) rescale(scale_x_, width_, width);
     warn_of_half_pixel();
@@ -198,7 +198,7 @@ class Parser {
   void warn_of_half_pixel() {
     const double shift = 0.5 * std::max(std::abs(1.0 - scale_x_), std::abs(1.0 - scale_y_));
     if (!(shift > 0.0 && std::isfinite(shift))) return;
-    settings_.warn_at("Camera.newWidth", Code::kOrbslamHalfPixelOff, {shift});
+    settings_.warn_from("Camera.newWidth", Code::kOrbslamHalfPixelOff, {shift});
   }
 
   void read_imu() {

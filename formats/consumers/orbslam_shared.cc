@@ -146,11 +146,6 @@ Projection eucm(const Intrinsics& k, float alpha, float beta) {
   };
 }
 
-Argument described_or_missing(const cv::FileNode& node) {
-  if (node.empty()) return Message{Code::kOrbslamMissing};
-  return description_of(node);
-}
-
 void Settings::refuse_missing(std::string_view key) { refuse_at(key, Code::kOrbslamKeyMissing, {program_}); }
 
 float Settings::real(std::string_view key, bool required) {
@@ -226,11 +221,10 @@ ConsumerView with_settings(std::string_view bytes, std::string_view program, con
     view.refusals.emplace_back(obstacle.code, "", obstacle.arguments);
     return view;
   }
-  return storage::read(bytes, program, storage::reader_of(program),
-                       [&](const cv::FileStorage& storage, ConsumerView& opened) {
-                         Settings settings(storage, program, opened);
-                         body(settings, *sensor, opened);
-                       });
+  return storage::read(bytes, program, storage::reader_of(program), [&](const cv::FileStorage& storage, ConsumerView& opened) {
+    Settings settings(storage, program, opened);
+    body(settings, *sensor, opened);
+  });
 }
 
 std::optional<std::array<double, 16>> rows_as_float(const cv::Mat& matrix) {

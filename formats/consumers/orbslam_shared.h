@@ -46,8 +46,6 @@ using PinholeDistortion = std::array<float, 5>;
 [[nodiscard]] Projection eucm(const Intrinsics& k, float alpha, float beta);
 
 using storage::description_of;
-/// What stands there; a clause where nothing does.
-[[nodiscard]] Argument described_or_missing(const cv::FileNode& node);
 
 /// A settings file that is open in cv::FileStorage, and what is said of it.
 class Settings {
@@ -66,6 +64,11 @@ class Settings {
   void warn_at(std::string_view key, Code code, std::vector<Argument> more = {}) {
     more.insert(more.begin(), key);
     view_.warnings.emplace_back(code, std::string(key), std::move(more));
+  }
+  /// Of several keys, of which this is the first.
+  void warn_from(std::string_view key, Code code, std::vector<Argument> more = {}) {
+    warn_at(key, code, std::move(more));
+    view_.warnings.back().key += '/';
   }
   [[nodiscard]] const std::string& program() const { return program_; }
   [[nodiscard]] cv::FileNode node(std::string_view key) const { return storage_[std::string(key)]; }

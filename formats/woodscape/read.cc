@@ -181,7 +181,7 @@ class CameraReader {
   bool warn_of_carla(const Node& extrinsic) {
     const text::Entry* carla = text::find_entry(extrinsic, kCarlaTranslation, reader_.dialect());
     if (carla == nullptr) return false;
-    reader_.say(carla->key, Code::kWoodscapeJsonCarla);
+    reader_.say(carla->key, Code::kWoodscapeJsonCarla, {"translation"});
     return true;
   }
 

@@ -40,7 +40,10 @@ constexpr CodeInfo loss(Code code, std::string_view id, std::string_view what, s
       .code = code, .id = id, .severity = Severity::kWarning, .about = About::kMeaning, .text = what, .why = why, .fix = fix};
 }
 
-/// Why a program does not run with a file.
+/// Of a key that a program misses.
+inline constexpr std::string_view kAddTheKey = "add it, as the calibration's result or the program's example file has it";
+
+/// Why a program does not run with a file. `fix`: what to do where no other spelling of a value helps.
 constexpr CodeInfo refusal(Code code, std::string_view text, std::string_view fix = {}) {
   return {
       .code = code, .id = "program-refuses", .severity = Severity::kError, .about = About::kReader, .text = text, .fix = fix};
@@ -54,6 +57,25 @@ constexpr CodeInfo misreading(Code code, std::string_view text, std::string_view
           .about = About::kReader,
           .text = text,
           .fix = fix};
+}
+
+/// The sentence names the program.
+constexpr CodeInfo naming(CodeInfo row) {
+  row.names_program = true;
+  return row;
+}
+
+constexpr CodeInfo named_refusal(Code code, std::string_view text, std::string_view fix = {}) {
+  return naming(refusal(code, text, fix));
+}
+
+constexpr CodeInfo named_misreading(Code code, std::string_view text, std::string_view fix = {}) {
+  return naming(misreading(code, text, fix));
+}
+
+/// How a program's complaint is mended: an id and what to do.
+constexpr CodeInfo mend(Code code, std::string_view id, std::string_view text) {
+  return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kReader, .text = text};
 }
 
 /// A part of another sentence, or words for people beside a result.

@@ -37,11 +37,12 @@ consumers::LoadOptions load_options(const Written& written) {
 }
 
 /// The program's first reason not to load the bytes; none if it loads them.
-Message first_refusal(const std::string& bytes, const std::string& program, const consumers::LoadOptions& options) {
+std::optional<consumers::Complaint> first_refusal(const std::string& bytes, const std::string& program,
+                                                  const consumers::LoadOptions& options) {
   const consumers::Consumer* consumer = consumers::find_consumer(program);
-  if (consumer == nullptr) return {};
-  const consumers::ConsumerView view = consumer->load(bytes, options);
-  return view.loads() ? Message{} : view.refusals.front().facts;
+  if (consumer == nullptr) return std::nullopt;
+  consumers::ConsumerView view = consumer->load(bytes, options);
+  return view.loads() ? std::nullopt : std::optional(std::move(view.refusals.front()));
 }
 
 }  // namespace
@@ -59,8 +60,8 @@ Message newly_refused(const Written& written, const text::Document* base) {
   const consumers::LoadOptions options = load_options(written);
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
-      const Message now = first_refusal(file.document.bytes(), id, options);
-      if (now.is_said() && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now;
+      const std::optional<consumers::Complaint> now = first_refusal(file.document.bytes(), id, options);
+      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return facts_of(*now);
     }
   }
   return {};
@@ -76,19 +77,18 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
       if (program == nullptr) continue;
       text::Document document = file.document;
       Diagnostics mends;
-      Message refusal;
+      std::optional<consumers::Complaint> refusal;
       for (int i = 0; i < kMostMends; ++i) {
         refusal = first_refusal(document.bytes(), id, options);
-        all_load = all_load && !refusal.is_said();
-        const std::optional<Mend> mend =
-            refusal.is_said() ? find_mend(document, *program, options, text::text_of(refusal)) : std::nullopt;
+        all_load = all_load && !refusal;
+        const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
         if (!mend) break;
         std::vector<Message> how;
-        if (!text::text_of(refusal).ends_with(text::text_of(mend->fix))) how.push_back({Code::kMendedHow, {mend->fix}});
-        mends.add(Code::kMended, {refusal, how}, document.source().range(mend->span));
+        if (!names_mend(facts_of(*refusal), *mend)) how.push_back({Code::kMendedHow, {mend->fix}});
+        mends.add(Code::kMended, {facts_of(*refusal), how}, document.source().range(mend->span));
         document.replace(mend->span, mend->text);
       }
-      if (refusal.is_said()) continue;
+      if (refusal) continue;
       file.document = std::move(document);
       for (const Diagnostic& each : mends.entries()) diagnostics.add(each);
     }
@@ -117,7 +117,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
-                                first_refusal(base->source().bytes, id, options) == proof.refusals.front().facts;
+                                first_refusal(base->source().bytes, id, options) == proof.refusals.front();
     if (refused_before) result.refused_before.push_back(program);
     if (!proof.agrees() && unchanged) {
       result.diagnostics.add(Code::kInputNotUnderstood, {program, disagreement(proof)});

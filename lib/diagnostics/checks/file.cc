@@ -9,11 +9,6 @@ namespace fca::diagnostics {
 
 namespace {
 
-/// How a program's complaint is mended: an id and what to do.
-constexpr CodeInfo mend(Code code, std::string_view id, std::string_view text) {
-  return {.code = code, .id = id, .severity = Severity::kNote, .about = About::kReader, .text = text};
-}
-
 constexpr CodeInfo of_reader(CodeInfo row, std::string_view consequence = {}) {
   row.about = About::kReader;
   row.consequence = consequence;
@@ -75,9 +70,7 @@ std::span<const CodeInfo> file_check_codes() {
       clause(Code::kConvertWithLayout, ", in the layout {1}"),
       clause(Code::kConvertToFiles, ", a file for each camera"),
       clause(Code::kConvertUnderName, ", under the name {0}"),
-      clause(Code::kAddTheKey, "add it, as the calibration's result or the program's example file has it"),
       clause(Code::kAddFileVersion, "add the line  File.version: \"1.0\""),
-      clause(Code::kTakeOutOfTopLevel, "take out of the top level what is no camera"),
       clause(Code::kWhatNeedsItStops, "What needs it does not run."),
       error(Code::kMatrixNotFloat, "matrix-not-float", "{0} has dt: {1}; ORB-SLAM3 reads its bytes as floats", "write dt: f"),
 

@@ -59,10 +59,10 @@ std::span<const CodeInfo> woodscape_codes() {
                .id = "carla-translation",
                .severity = Severity::kWarning,
                .about = About::kReader,
-               .text = "SynWoodScape's translation in CARLA's frame stands where \"translation\" should: projection.py stops "
-                       "with KeyError: 'translation'. CARLA is left-handed, its origin is another, and the published files "
+               .text = "SynWoodScape's translation in CARLA's frame stands where \"{0}\" should: projection.py stops "
+                       "with KeyError: '{0}'. CARLA is left-handed, its origin is another, and the published files "
                        "differ in the order of y and z, so that the pose is left out",
-               .fix = "add \"translation\": [x, y, z] of the camera in the vehicle (metres; x forward, y left, z up)"},
+               .fix = "add \"{0}\": [x, y, z] of the camera in the vehicle (metres; x forward, y left, z up)"},
 
       clause(Code::kWoodscapeJsonCentreFromMiddle, "WoodScape counts the centre from the middle of the image"),
       clause(Code::kWoodscapeJsonNoPlace, "a WoodScape JSON has no place for it"),

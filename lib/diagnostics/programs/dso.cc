@@ -10,18 +10,19 @@ namespace fca::diagnostics {
 std::span<const CodeInfo> dso_codes() {
   static constexpr std::array kRows = {
       refusal(Code::kDsoLineTooLong, "a line has more than 4096 characters; not read"),
-      refusal(
+      named_refusal(
           Code::kDsoUnknownLens,
           "line 1 is {0}; DSO wants RadTan, EquiDistant or KannalaBrandt with 8 numbers, FOV or Pinhole with 5, or the bare "
           "numbers (\"could not read calib file! exit.\")"),
       refusal(Code::kDsoNumberNotFinite, "a number of line 1 is not finite"),
-      refusal(Code::kDsoSizeNotRead, "line {0} ({1} size) is {2}; DSO wants two whole numbers"),
-      refusal(Code::kDsoOutputUnknown,
-              "line 3 is {0}; DSO wants exactly crop, full or none (no blank, no CR after it), or five numbers"),
-      refusal(Code::kDsoFullUnfinished, "line 3 is full, which DSO has not written yet: assert(false)"),
-      refusal(Code::kDsoSizesDiffer,
-              "line 3 is none, but the sizes of the lines 2 and 4 differ; DSO exits (\"rectification mode none requires input "
-              "and output dimenstions to match!\")"),
+      named_refusal(Code::kDsoSizeNotRead, "line {0} ({1} size) is {2}; DSO wants two whole numbers"),
+      named_refusal(Code::kDsoOutputUnknown,
+                    "line 3 is {0}; DSO wants exactly crop, full or none (no blank, no CR after it), or five numbers"),
+      named_refusal(Code::kDsoFullUnfinished, "line 3 is full, which DSO has not written yet: assert(false)"),
+      named_refusal(
+          Code::kDsoSizesDiffer,
+          "line 3 is none, but the sizes of the lines 2 and 4 differ; DSO exits (\"rectification mode none requires input "
+          "and output dimenstions to match!\")"),
       misreading(Code::kDsoFifthNumberIgnored, "the fifth number of Pinhole is read and ignored: it is no distortion"),
       misreading(Code::kDsoPixelsBelowOne,
                  "some of fx fy cx cy are below 1, but not both of cx and cy: DSO takes all four as pixels"),

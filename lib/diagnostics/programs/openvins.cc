@@ -9,19 +9,22 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> openvins_program_codes() {
   static constexpr std::array kRows = {
-      refusal(Code::kOpenVinsSaysKeyMissing, "{0} is missing; OpenVINS stops"),
-      refusal(Code::kOpenVinsSaysTooFewNumbers, "{0} has {1} numbers; OpenVINS takes {2} and stops"),
-      refusal(Code::kOpenVinsSaysNoNumbers, "{0} is no list of numbers; OpenVINS stops"),
-      refusal(Code::kOpenVinsSaysPoseMissing,
-              "{0} is missing, and T_imu_cam, too; OpenVINS wants one for every camera (T_cn_cnm1 is not read)"),
-      misreading(Code::kOpenVinsSaysPoseNotWhole,
-                 "{0} is no 4 x 4 list of rows; OpenVINS leaves what is missing at the identity"),
-      misreading(Code::kOpenVinsSaysModelNotRead,
-                 "{0} is {1}, which OpenVINS does not read: it takes the first four intrinsics for fx fy cx cy"),
-      misreading(Code::kOpenVinsSaysDistortionNotRead, "{0} is {1}; OpenVINS takes every name but equidistant for radtan"),
-      misreading(Code::kOpenVinsSaysTimeshiftNotRead, "{0} is not read: OpenVINS takes cam0's for all cameras"),
-      refusal(Code::kOpenVinsSaysImuMissing,
-              "{0} is missing: OpenVINS looks for the noise below it; Kalibr's own imu.yaml has it at the top"),
+      named_refusal(Code::kOpenVinsSaysKeyMissing, "{0} is missing; OpenVINS stops", kAddTheKey),
+      named_refusal(Code::kOpenVinsSaysTooFewNumbers, "{0} has {1} numbers; OpenVINS takes {2} and stops"),
+      named_refusal(Code::kOpenVinsSaysNoNumbers, "{0} is no list of numbers; OpenVINS stops"),
+      named_refusal(Code::kOpenVinsSaysPoseMissing,
+                    "{0} is missing, and T_imu_cam, too; OpenVINS wants one for every camera (T_cn_cnm1 is not read)",
+                    kAddTheKey),
+      named_misreading(Code::kOpenVinsSaysPoseNotWhole,
+                       "{0} is no 4 x 4 list of rows; OpenVINS leaves what is missing at the identity"),
+      named_misreading(Code::kOpenVinsSaysModelNotRead,
+                       "{0} is {1}, which OpenVINS does not read: it takes the first four intrinsics for fx fy cx cy"),
+      named_misreading(Code::kOpenVinsSaysDistortionNotRead,
+                       "{0} is {1}; OpenVINS takes every name but equidistant for radtan"),
+      named_misreading(Code::kOpenVinsSaysTimeshiftNotRead, "{0} is not read: OpenVINS takes cam0's for all cameras"),
+      named_refusal(Code::kOpenVinsSaysImuMissing,
+                    "{0} is missing: OpenVINS looks for the noise below it; Kalibr's own imu.yaml has it at the top",
+                    kAddTheKey),
   };
   return kRows;
 }

@@ -21,8 +21,8 @@ std::span<const CodeInfo> storage_program_codes() {
               "the file begins with a byte order mark (BOM), which cv::FileStorage does not parse"),
       refusal(Code::kStorageNoDocument, "cv::FileStorage finds no document in the file"),
       refusal(Code::kStorageNotTaken, "{0} does not take the file: {1}"),
-      clause(Code::kStorageReaderOf, "OpenCV's reader, which {0} uses,"),
-      refusal(Code::kStorageProgramStops, "{0} stops: {1}"),
+      naming(clause(Code::kStorageReaderOf, "OpenCV's reader, which {0} uses,")),
+      named_refusal(Code::kStorageProgramStops, "{0} stops: {1}"),
       clause(Code::kStorageNoCount, "{0} is no count of rows or columns"),
       clause(Code::kStorageTooFewNumbers, "it has {0} numbers for {1} places"),
       // What stands under a key of cv::FileStorage: reals keep a '.', so that they differ from ints.

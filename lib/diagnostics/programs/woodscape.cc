@@ -14,7 +14,7 @@ std::span<const CodeInfo> woodscape_program_codes() {
       refusal(Code::kPythonJsonTooDeep, "lists within lists, more than 900: RecursionError"),
       refusal(Code::kPythonJsonNotParsed, "JSONDecodeError at byte {0}: {1}"),
       refusal(Code::kPythonJsonNoObject, "the file holds no JSON object: TypeError"),
-      refusal(Code::kPythonKeyMissing, "{0} is missing: KeyError '{1}'{2}"),
+      refusal(Code::kPythonKeyMissing, "{0} is missing: KeyError '{1}'{2}", kAddTheKey),
       clause(Code::kPythonSimilarKey, " (there is \"{0}\")"),
       refusal(Code::kPythonNotAnObject, "{0} is no object: TypeError"),
       refusal(Code::kPythonNotANumber, "{0} is no number"),
@@ -28,7 +28,7 @@ std::span<const CodeInfo> woodscape_program_codes() {
                  "{0} is not \"radial_poly\"; it is not looked at, and the numbers are read as radial_poly"),
       refusal(Code::kProjectionPyNoRotation, "{0} is zero or not finite: ValueError"),
 
-      refusal(Code::kOmnidetNameMissing, "{0} is missing: KeyError '{0}' in generate_luts.py"),
+      refusal(Code::kOmnidetNameMissing, "{0} is missing: KeyError '{0}' in generate_luts.py", kAddTheKey),
       refusal(Code::kOmnidetTooFewValues, "{0} has {1} values; omnidet takes 8 by their place"),
       refusal(Code::kOmnidetValueNoNumber,
               "the value at place {1} of {0} is \"{2}\", which is no number; omnidet takes it for {3}"),

@@ -994,7 +994,6 @@ enum class Code : std::uint16_t {
   kOrbslamXml,
   kOrbslamNoHeader,
   kOrbslamKeyMissing,
-  kOrbslamMissing,
   kOrbslamNotReal,
   kOrbslamWriteReal,
   kOrbslamNotInt,
@@ -1013,10 +1012,12 @@ enum class Code : std::uint16_t {
   kOrbslamNoFocalLength,
   kOrbslamTypeNotRead,
   kOrbslam2SkipsUndistortion,
+  kOrbslamNoOptTypeMissing,
   kOrbslamNoOptType,
   kOrbslamNoOptK3Ignored,
   kOrbslamEucmRefusesAll,
   kOrbslamSmallMatrix,
+  kOrbslamOldTypeMissing,
   kOrbslamOldType,
   kOrbslamKeysOfV1,
   kOrbslamViewerStops,
@@ -1096,9 +1097,7 @@ enum class Code : std::uint16_t {
   kConvertWithLayout,
   kConvertToFiles,
   kConvertUnderName,
-  kAddTheKey,
   kAddFileVersion,
-  kTakeOutOfTopLevel,
   kWhatNeedsItStops,
   kMatrixNotFloat,
   kSpellReal,
@@ -1462,6 +1461,7 @@ struct CodeInfo {
   std::string_view why = {};          ///< Of a loss: why the target cannot hold it. Of an open question: why it is open.
   std::string_view consequence = {};  ///< What happens if the file is used as it is; may be empty.
   std::string_view fix = {};          ///< What to do: the fact that is missing, not an option of the command; may be empty.
+  bool names_program = false;         ///< Of what a program says: its sentence names the program.
 };
 
 /// The table: one row for each code but kNone.

@@ -23,6 +23,9 @@ struct Mend {
 /// What takes a refusal or warning of the program away; nothing where no single other spelling does. The document may have
 /// edits: the program is asked about its bytes with them, and they are never part of a mend.
 [[nodiscard]] std::optional<Mend> find_mend(const text::Document& document, const consumers::Consumer& program,
-                                            const consumers::LoadOptions& options, const std::string& complaint);
+                                            const consumers::LoadOptions& options, const consumers::Complaint& complaint);
+
+/// Does the complaint say itself how it is mended?
+[[nodiscard]] bool names_mend(const Message& complaint, const Mend& mend);
 
 }  // namespace fca

@@ -63,7 +63,11 @@ struct Complaint {
   Complaint(Code code, std::string place, std::vector<Argument> arguments = {})
       : key(std::move(place)), facts{code, std::move(arguments)} {}
 
-  std::string key;  ///< The path of what it is about, '/' between its keys: "cam0/intrinsics"; empty: none, or no keys (lines).
+  bool operator==(const Complaint&) const = default;
+
+  /// The path of what it is about, '/' between its keys: "cam0/intrinsics"; empty: none, or no keys (lines). With a '/' behind
+  /// it, it is about the key, whatever its value.
+  std::string key;
   Message facts = {};
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "named_part.h"
+#include "exchange.h"
 
-#include <fca/formats/text/dialect.h>
 #include <fca/formats/text/read_document.h>
 
 #include <optional>
@@ -14,21 +13,6 @@ namespace fca::checks {
 namespace {
 
 using text::Node;
-
-/// The value under a path of keys separated by '/' or '.'; keys may themselves hold points.
-const Node* find_path(const Node& mapping, std::string_view path) {
-  if (const text::Entry* entry = text::find_entry(mapping, path, text::Dialect::kOpenCv))
-    return entry->value.span.length > 0 ? &entry->value : &entry->key;
-  for (std::size_t at = path.find_first_of("/."); at != std::string_view::npos; at = path.find_first_of("/.", at + 1)) {
-    const text::Entry* owner = text::find_entry(mapping, path.substr(0, at), text::Dialect::kOpenCv);
-    if (owner == nullptr) continue;
-    if (owner->value.is_mapping()) {
-      if (const Node* found = find_path(owner->value, path.substr(at + 1))) return found;
-    }
-    return &owner->key;  // the key itself is missing there
-  }
-  return nullptr;
-}
 
 /// The list whose item begins there, and which.
 struct Item {
@@ -65,12 +49,6 @@ const Node* exchanged_with(const text::Document& document, const Format& format,
     if (format.read(std::span(&*reparsed, 1), options, diagnostics) && !diagnostics.has_errors()) return &items[other];
   }
   return nullptr;
-}
-
-const Node* named_in(const text::Document& document, std::string_view sentence) {
-  std::string_view name = sentence.substr(0, sentence.find(' '));
-  while (name.ends_with(':') || name.ends_with(',')) name.remove_suffix(1);
-  return name.empty() ? nullptr : find_path(document.root(), name);
 }
 
 }  // namespace fca::checks
