@@ -147,7 +147,7 @@ TEST(CheckFindings, MillimetresAreToldOncePerPose) {
     EXPECT_EQ(report.findings.size(), lines.size() / 3) << wrong;
     for (const Finding& finding : report.findings) {
       EXPECT_EQ(id_of(finding), "translation-in-mm");
-      EXPECT_TRUE(finding.facts.code == Code::kPoseInMillimetres || finding.facts.code == Code::kTranslationTooLong)
+      EXPECT_TRUE(finding.facts.code == Code::kPoseInMillimetres || finding.facts.code == Code::kTranslationInMillimetres)
           << message_of(finding);
     }
   }
