@@ -336,10 +336,10 @@ std::span<const std::string_view> modes_of(std::string_view format_id) {
 /// What a mode (empty: the first) has to say that is not said yet.
 void add_warnings(Readers::Program& program, std::string_view mode, const std::vector<consumers::Complaint>& warnings) {
   for (const consumers::Complaint& warning : warnings) {
-    const Message facts = facts_of(warning);
+    const Message facts = warning.facts;
     const auto is_said = [&facts](const consumers::Complaint& said) {
       if (said.facts.code == Code::kProgramAsMode) return said.facts.arguments.back() == Argument(facts);
-      return facts_of(said) == facts;
+      return said.facts == facts;
     };
     if (std::ranges::any_of(program.warnings, is_said)) continue;
     if (mode.empty()) {
@@ -369,7 +369,7 @@ Readers ask_readers(std::string_view format_id, std::string_view bytes, std::opt
       if (view.loads() && misreads_all(view)) {
         const bool says = !view.warnings.empty();
         const std::string key = says ? view.warnings.front().key : std::string();
-        const std::vector<Argument> why = {says ? facts_of(view.warnings.front()) : Message{Code::kProgramOtherModel}};
+        const std::vector<Argument> why = {says ? view.warnings.front().facts : Message{Code::kProgramOtherModel}};
         program.refusals = {{Code::kProgramWouldMisread, key, why}};
         add_warnings(program, mode, {{Code::kProgramMisreadsAll, key, why}});
         fewest = 0;
@@ -398,7 +398,7 @@ Message refused_by_all(std::string_view format, std::string_view bytes, bool wit
       asked.sensor = mode;
       const consumers::ConsumerView view = consumer.load(bytes, asked);
       if (view.loads() || view.finds_no_camera) return {};
-      if (!first.is_said()) first = {Code::kProgramSays, {consumer.program, facts_of(view.refusals.front())}};
+      if (!first.is_said()) first = {Code::kProgramSays, {consumer.program, view.refusals.front().facts}};
     }
   }
   return first;

@@ -153,13 +153,13 @@ class ProgramsCheck {
   void say_refusal(const Consumer& program, const std::string& mode, const Complaint& complaint) {
     Finding finding;
     if (names_program(complaint)) {
-      finding.facts = {Code::kProgramRefusesInItsWords, {facts_of(complaint)}};
+      finding.facts = {Code::kProgramRefusesInItsWords, {complaint.facts}};
     } else {
       std::vector<Message> in_mode;
       if (!mode.empty() && mode != "mono") in_mode = {{Code::kInMode, {mode}}};
-      finding.facts = {Code::kProgramRefuses, {program.program, in_mode, facts_of(complaint)}};
+      finding.facts = {Code::kProgramRefuses, {program.program, in_mode, complaint.facts}};
     }
-    if (has_fix(complaint)) finding.remedy = facts_of(complaint);
+    if (has_fix(complaint)) finding.remedy = complaint.facts;
     say(std::move(finding), program, mode, complaint);
   }
 
@@ -167,7 +167,7 @@ class ProgramsCheck {
     const auto fewest = std::ranges::min_element(attempts, {}, [](const Attempt& each) { return each.view.refusals.size(); });
     const std::vector<Complaint>& refusals = fewest->view.refusals;
     if (fewest->view.finds_no_camera && with_cameras_.value_or(false)) {
-      findings_.add(Code::kProgramFindsNoCamera, {facts_of(refusals.front())}, whole_file());
+      findings_.add(Code::kProgramFindsNoCamera, {refusals.front().facts}, whole_file());
       return;
     }
     const bool another_reads =
@@ -212,7 +212,7 @@ class ProgramsCheck {
     }
     const std::vector<Complaint>& refusals = closest.view.refusals;
     findings_.add(Code::kReadByAnother,
-                  {readers, own.program, facts_of(refusals.front()), and_more(refusals), how_to_write_for(own)},
+                  {readers, own.program, refusals.front().facts, and_more(refusals), how_to_write_for(own)},
                   place_of(refusals.front()));
   }
 
@@ -225,13 +225,13 @@ class ProgramsCheck {
       Finding finding;
       finding.severity = wrong ? Severity::kError : Severity::kWarning;
       if (names_program(warning)) {
-        finding.facts = {Code::kProgramMisreadsInItsWords, {facts_of(warning)}};
+        finding.facts = {Code::kProgramMisreadsInItsWords, {warning.facts}};
       } else {
-        finding.facts = {Code::kProgramMisreads, {own.program, facts_of(warning)}};
+        finding.facts = {Code::kProgramMisreads, {own.program, warning.facts}};
       }
       if (has_fix(warning)) {
         finding.outcome = {Code::kWhatNeedsItStops};
-        finding.remedy = facts_of(warning);
+        finding.remedy = warning.facts;
       }
       say(std::move(finding), own, mode, warning);
     }
@@ -259,7 +259,7 @@ class ProgramsCheck {
     const std::vector<Complaint>& refusals = meant->view.refusals;
     Finding finding;
     finding.severity = Severity::kWarning;
-    finding.facts = {Code::kModeRefused, {mode, own.program, modes, facts_of(refusals.front()), and_more(refusals)}};
+    finding.facts = {Code::kModeRefused, {mode, own.program, modes, refusals.front().facts, and_more(refusals)}};
     finding.where = place_of(refusals.front());
     if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
       finding.remedy = mend->fix;

@@ -59,7 +59,7 @@ constexpr std::array kTwice = {
 
 /// What says it: the finding, a clause in it, or the mend after which it is named.
 const Message* find_said(const Finding& finding, Code code) {
-  return find_clause(finding.code.empty() ? finding.facts : finding.remedy,
+  return find_clause(finding.kind == Code{} ? finding.facts : finding.remedy,
                      [code](const Message& each) { return each.code == code; });
 }
 
@@ -99,7 +99,7 @@ void tell_once(CheckReport& report) {
         }
         take_from(findings[other], findings[kept]);
         if (twice.says_cost) {
-          findings[kept].outcome = {Code::kItsCost, {facts_of(findings[other])}};
+          findings[kept].outcome = {Code::kItsCost, {findings[other].facts}};
         }
         findings.erase(findings.begin() + static_cast<std::ptrdiff_t>(other));
         if (other < kept) --kept;

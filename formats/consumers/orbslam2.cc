@@ -136,7 +136,7 @@ void load_slam_no_opt_settings(Settings& settings, const Sensor& sensor, Consume
     if (node.empty()) {
       settings.refuse_at("Camera.type", Code::kOrbslamNoOptTypeMissing);
     } else {
-      settings.refuse_at("Camera.type", Code::kOrbslamNoOptType, {describe(node)});
+      settings.refuse_at("Camera.type", Code::kOrbslamNoOptType, {description_of(node)});
     }
     return;
   }

@@ -56,7 +56,7 @@ class Parser {
     if (node.empty()) {
       settings_.refuse_at("Camera.type", Code::kOrbslamOldTypeMissing, {settings_.program(), known, hint});
     } else {
-      settings_.refuse_at("Camera.type", Code::kOrbslamOldType, {describe(node), settings_.program(), known, hint});
+      settings_.refuse_at("Camera.type", Code::kOrbslamOldType, {description_of(node), settings_.program(), known, hint});
     }
     return {};
   }

@@ -61,7 +61,7 @@ Message newly_refused(const Written& written, const text::Document* base) {
   for (const Written::File& file : written.files) {
     for (const std::string& id : file.programs) {
       const std::optional<consumers::Complaint> now = first_refusal(file.document.bytes(), id, options);
-      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return facts_of(*now);
+      if (now && (base == nullptr || now != first_refusal(base->source().bytes, id, options))) return now->facts;
     }
   }
   return {};
@@ -84,8 +84,8 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
         const std::optional<Mend> mend = refusal ? find_mend(document, *program, options, *refusal) : std::nullopt;
         if (!mend) break;
         std::vector<Message> how;
-        if (!names_mend(facts_of(*refusal), *mend)) how.push_back({Code::kMendedHow, {mend->fix}});
-        mends.add(Code::kMended, {facts_of(*refusal), how}, document.source().range(mend->span));
+        if (!names_mend(refusal->facts, *mend)) how.push_back({Code::kMendedHow, {mend->fix}});
+        mends.add(Code::kMended, {refusal->facts, how}, document.source().range(mend->span));
         document.replace(mend->span, mend->text);
       }
       if (refusal) continue;

@@ -22,7 +22,6 @@ namespace fca {
 [[nodiscard]] std::string why_of(const Loss& loss, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string remedy_of(const Loss& loss, text::Wording wording = text::table_wording);
 
-[[nodiscard]] inline Message facts_of(const Finding& finding) { return finding.facts; }
 [[nodiscard]] std::string id_of(const Finding& finding);
 [[nodiscard]] std::string message_of(const Finding& finding, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string consequence_of(const Finding& finding, text::Wording wording = text::table_wording);
@@ -37,7 +36,6 @@ namespace fca {
 
 namespace consumers {
 
-[[nodiscard]] inline Message facts_of(const Complaint& complaint) { return complaint.facts; }
 [[nodiscard]] std::string sentence_of(const Complaint& complaint, text::Wording wording = text::table_wording);
 [[nodiscard]] std::vector<std::string> sentences_of(std::span<const Complaint> complaints,
                                                     text::Wording wording = text::table_wording);
