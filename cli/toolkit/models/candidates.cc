@@ -3,6 +3,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
+#include <fca/formats/text/message.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
 
