@@ -222,8 +222,8 @@ bool check_distances(const Subject& subject, Findings& findings) {
     const Transform& T = rig.poses[i].T_a_b;
     if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;
     const double metres = distance_of(T);
-    say_distance(metres, Code::kTranslationInMillimetres, {metres, name_of(rig.poses[i])}, subject.places.pose(i, longest_row(T), 3),
-                 findings);
+    say_distance(metres, Code::kTranslationInMillimetres, {metres, name_of(rig.poses[i])},
+                 subject.places.pose(i, longest_row(T), 3), findings);
   }
   if (rig.baseline_m && too_far(subject, *rig.baseline_m) && !name_bf(subject, findings))
     say_distance(*rig.baseline_m, Code::kBaselineTooLong, {*rig.baseline_m}, subject.places.baseline(), findings);

@@ -163,8 +163,16 @@ constexpr std::array kAudiences = {
              Code::kOrbslam3StockByModel,
              "slam_no_opt",
              "slam_no_opt"},
-    Audience{Style::kSlamNoOpt, "eucm", "", Code::kOrbslam3ReadBy, {kNoOpt}, Code::kOrbslam3StockByModel, "slam_no_opt", "slam_no_opt"},
-    Audience{Style::kSlamNoOpt, "", "", Code::kOrbslam3ReadBy, {kNoOpt}, Code::kOrbslam3StockByLayout, "slam_no_opt", "slam_no_opt"},
+    Audience{Style::kSlamNoOpt,
+             "eucm",
+             "",
+             Code::kOrbslam3ReadBy,
+             {kNoOpt},
+             Code::kOrbslam3StockByModel,
+             "slam_no_opt",
+             "slam_no_opt"},
+    Audience{
+        Style::kSlamNoOpt, "", "", Code::kOrbslam3ReadBy, {kNoOpt}, Code::kOrbslam3StockByLayout, "slam_no_opt", "slam_no_opt"},
     Audience{Style::kOld,
              "ds",
              "",
@@ -175,7 +183,14 @@ constexpr std::array kAudiences = {
              "urbste"},
     Audience{Style::kV1, "", "", Code::kOrbslam3For, {kV1Program}, Code::kNone, "ORB-SLAM3", "orbslam3"},
     Audience{Style::kOld, "", "", Code::kOrbslam3StyleBefore, {kV1Program}, Code::kNone, "ORB-SLAM3", "orbslam3"},
-    Audience{Style::kOrbSlam2, "", "", Code::kOrbslam3ForNotStock, {"ORB-SLAM2"}, Code::kOrbslam3StockByLayout, "ORB-SLAM2", "orbslam2"},
+    Audience{Style::kOrbSlam2,
+             "",
+             "",
+             Code::kOrbslam3ForNotStock,
+             {"ORB-SLAM2"},
+             Code::kOrbslam3StockByLayout,
+             "ORB-SLAM2",
+             "orbslam2"},
 };
 
 /// Who reads it, as a clause; `stock`: how the stock program's settings are to be had, as a clause, or none.
@@ -188,14 +203,11 @@ Message headline_of(const Audience& audience, std::vector<Message> stock) {
 }
 
 Message headline_of(const Audience& audience) {
-  return headline_of(audience,
-                     audience.stock != Code::kNone ? std::vector{Message{audience.stock}} : std::vector<Message>());
+  return headline_of(audience, audience.stock != Code::kNone ? std::vector{Message{audience.stock}} : std::vector<Message>());
 }
 
 /// The same as the comment that stands in files.
-std::string comment_of(const Audience& audience) {
-  return text::text_of(headline_of(audience, {}));
-}
+std::string comment_of(const Audience& audience) { return text::text_of(headline_of(audience, {})); }
 
 const Audience& audience_of(const Target& target, std::string_view model) {
   const auto* const found = std::ranges::find_if(kAudiences, [&](const Audience& row) {
