@@ -196,7 +196,7 @@ std::optional<text::Document> with_other_value(const text::Document& document, c
 /// An error: there is no such key, or what stands there is no single value.
 void refuse_key(const text::Document& document, const std::string& key, Diagnostics& diagnostics) {
   if (const text::Entry* entry = find_nested(document, key)) {
-    const Message what{entry->value.is_sequence() ? Code::kValueIsList : Code::kValueIsGroup};
+    const Message what{entry->value.is_sequence() ? Code::kValueList : Code::kValueIsGroup};
     diagnostics.add(Code::kSetNoSingleValue, {key, what}, document.range(entry->value));
     return;
   }

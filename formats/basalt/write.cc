@@ -319,7 +319,7 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
     if (i > 0) losses.push_back(lost(Code::kBasaltImuDropped, imu.name, "noise and rate"));
     if (i == 0 && !imu.topic.empty()) losses.push_back(lost(Code::kTopicDropped, imu.name, "topic", {no_place, imu.topic}));
   }
-  if (rig.baseline_m) losses.push_back(lost(Code::kBasaltBaselineDropped, "", "baseline", {no_place, *rig.baseline_m}));
+  if (rig.baseline_m) losses.push_back(lost(Code::kBaselineDropped, "", "baseline", {no_place, *rig.baseline_m}));
 }
 
 }  // namespace

@@ -399,7 +399,7 @@ Message describe(const Value& value) {
     case Kind::kMap:
       return {Code::kValueMap};
   }
-  return {Code::kPyYamlEmpty};
+  return {Code::kValueEmpty};
 }
 
 Loaded safe_load(std::string_view text) {

@@ -92,7 +92,7 @@ class ChainReader {
     const auto string_at = [&](std::string_view k) -> std::optional<std::string> {
       const Node* value = reader_.find(node, k);
       if (value == nullptr) {
-        reader_.say(key, Code::kCamchainMissingKey, {name, k});
+        reader_.say(key, Code::kKeyMissing, {name, k});
         return std::nullopt;
       }
       return reader_.string(*value, name + " " + std::string(k));
@@ -137,7 +137,7 @@ class ChainReader {
     const Node* list = reader_.find(node, list_key);
     if (list == nullptr) {
       if (slots.empty()) return true;
-      reader_.say(key, Code::kCamchainMissingKey, {key.value, list_key});
+      reader_.say(key, Code::kKeyMissing, {key.value, list_key});
       return false;
     }
     const std::string what = key.value + " " + std::string(list_key);

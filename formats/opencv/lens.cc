@@ -184,7 +184,7 @@ class LensReader {
     const std::optional<Numbers> tangential = read_numbers(second, keys.tangential, reader_);
     if (!tangential) return std::nullopt;
     if (tangential->values.size() != 2) {
-      reader_.say(second, Code::kOpencvNumbersWanted, {keys.tangential, tangential->values.size(), 2});
+      reader_.say(second, Code::kNumbersWanted, {keys.tangential, tangential->values.size(), 2});
       return std::nullopt;
     }
     if (!set(*tangential, 0, keys.tangential, "p1", *model, reader_) ||

@@ -164,7 +164,7 @@ class CalibrationReader {
       return;
     }
     if (T->values.size() != 3) {
-      reader_.say(T_node, Code::kOpencvNumbersWanted, {layout_.translation, T->values.size(), 3});
+      reader_.say(T_node, Code::kNumbersWanted, {layout_.translation, T->values.size(), 3});
       return;
     }
     Transform T_c1_c0;

@@ -271,7 +271,7 @@ class CameraReader {
     std::string listed;
     for (const double value : inverse) listed += (listed.empty() ? "" : " ") + text::format_real(value);
     rig.extra_fields.push_back({camera.name, std::string(ocamcalib::kInverse),
-                                text::text_of({Code::kVinsInverseStated, {inverse.size(), error, listed}})});
+                                text::text_of({Code::kCalibResultsInverse, {inverse.size(), error, listed}})});
     return true;
   }
 

@@ -90,7 +90,6 @@ std::span<const CodeInfo> file_codes() {
       clause(Code::kWantsPlainText, "letters, digits and ._-+/~ only"),
       clause(Code::kWantsNumberAboveZero, "a number above 0"),
       clause(Code::kWantsNumberBetween, "a number from {0} to {1}"),
-      clause(Code::kValueIsList, "a list"),
       clause(Code::kValueIsGroup, "a group of values"),
   };
   return kRows;

@@ -171,7 +171,7 @@ bool leave_out_others(const Camera& camera, std::vector<std::string>& paths, con
 bool add_circle(const SampleImages& sample, const ImageChange& change, Files& files, Diagnostics& diagnostics) {
   Camera& camera = *sample.camera;
   if (!camera.image_size) {
-    diagnostics.add(Code::kSizeOfImagesUnknown, {camera.name});
+    diagnostics.add(Code::kImageSizeNotKnown, {camera.name});
     return false;
   }
   std::vector<std::string> paths = sample.paths;

@@ -49,8 +49,6 @@ std::span<const CodeInfo> basalt_codes() {
            "write where the new lens ends, or -1 for no limit"),
       loss(Code::kBasaltImuDropped, "imu-dropped", "{0} {1}", "Basalt has one IMU",
            "keep its file; a complete IMU can be written to one of Kalibr's"),
-      loss(Code::kBasaltBaselineDropped, "baseline-dropped", "{1} {3} m", "{2}",
-           "keep it for programs that ask for it by itself"),
 
       // Written: values that the input does not state.
       clause(Code::kBasaltInitialValue, "{0} (Basalt's own initial value: it stops without one)"),

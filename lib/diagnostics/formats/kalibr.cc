@@ -17,7 +17,6 @@ std::span<const CodeInfo> kalibr_codes() {
       warning(Code::kCamchainMisnamedCamera, "key-misspelt",
               "'{0}' holds a camera and is not read: cameras are cam0, cam1, ...", "rename it to the next free of them"),
       error(Code::kCamchainNoMapping, "not-a-mapping", "{0} holds no keys"),
-      error(Code::kCamchainMissingKey, "missing-key", "{0} has no {1}"),
       error(Code::kCamchainUnknownCamera, "unknown-model", "{0}: Kalibr has no camera_model '{1}'; it knows {2}", "{3}"),
       clause(Code::kCamchainNearNames, "did you mean {0:or}?"),
       error(Code::kCamchainUnknownDistortion, "unknown-model",

@@ -58,7 +58,6 @@ std::span<const CodeInfo> opencv_codes() {
             "calibrate with cv::omnidir::CALIB_FIX_SKEW"),
       error(Code::kOpencvSizeNotTwoNumbers, kLength, "{0} must be two numbers"),
       error(Code::kOpencvNotVector, kLength, "{0} is {1} x {2}; a vector is wanted"),
-      error(Code::kOpencvNumbersWanted, kLength, "{0} has {1} numbers; {2} are wanted"),
       error(Code::kOpencvRadialNumbers, kLength, "{0} has {1} numbers; 2 or 3 are wanted"),
       error(Code::kOpencvXiNumbers, kLength, "{0} has {1} numbers; one is wanted"),
 

@@ -63,9 +63,6 @@ std::span<const CodeInfo> vins_codes() {
               "inv_poly_parameters is up to {0:.3} px from the inverse of poly_parameters: projecting and unprojecting see two "
               "different lenses; fca-io goes by poly_parameters",
               "fit it to poly_parameters again"),
-      clause(Code::kVinsInverseStated,
-             "{0} coefficients, up to {1:.3} px from the exact inverse of the direct polynomial: {2}"),
-      clause(Code::kVinsInverseFitted, "{0} coefficients, fitted to the direct one within {1:.2} px"),
       warning(Code::kVinsInverseInexact, "inverse-inexact",
               "{0}: no inverse polynomial of the 20 coefficients that camodocal holds comes nearer to the direct one than "
               "{1:.2} px; it projects off by as much",

@@ -53,7 +53,6 @@ std::span<const CodeInfo> storage_program_codes() {
       clause(Code::kPyYamlNoColon, "'{0}' lacks a colon followed by a blank"),
       clause(Code::kPyYamlMergeOfNoMap, "'<<' wants a map"),
       // What stands under a key of PyYAML.
-      clause(Code::kPyYamlEmpty, "empty"),
       clause(Code::kPyYamlScalar, "the {0} {1}"),
       clause(Code::kPyYamlString, "the string '{0}'"),
       clause(Code::kPyYamlList, "a list of {0}"),

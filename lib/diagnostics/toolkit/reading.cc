@@ -15,7 +15,6 @@ std::span<const CodeInfo> reading_codes() {
               "put that file there"),
       error(Code::kGivenSizeContradicts, "size-contradicts", "{0} has {1} x {2} px in the file, and {3} x {4} px are given",
             "give a size only for files that state none"),
-      error(Code::kSizeOfImagesUnknown, "image-size-missing", "{0}: the image size is not known", "state it"),
       error(Code::kImageOfOtherSize, "image-size", "the image is {0} x {1} px, and {2} is known for {3} x {4} px", "{5}"),
       clause(Code::kGiveCalibratedSize, "give the images of the calibrated size"),
       clause(Code::kSayWhatWasDone, "say what was done to the images that are given, and nothing else"),
