@@ -231,7 +231,7 @@ std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Ca
   for (const ConvertedCamera& camera : *outcomes) {
     for (Diagnostic entry : camera.found.entries()) {
       // The library does not know which models the program reads.
-      if (id_of(entry) == "target-cannot-reach" && camera.report)
+      if (entry.facts.code == Code::kTargetCannotReach && camera.report)
         entry.remedy = {Code::kBetterModelsExist, {better_models(camera.source, *camera.report, format, choice)}};
       diagnostics.add(std::move(entry));
     }

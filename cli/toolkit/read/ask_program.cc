@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/folded_name.h>
-#include <fca/formats/wording.h>
 #include <fca/toolkit/programs.h>
 
 #include <algorithm>
@@ -18,9 +17,13 @@ bool same_cameras(const std::vector<CameraProof>& a, const std::vector<CameraPro
   });
 }
 
+bool say_the_same(const std::vector<consumers::Complaint>& a, const std::vector<consumers::Complaint>& b) {
+  return std::ranges::equal(a, b, {}, &consumers::Complaint::facts, &consumers::Complaint::facts);
+}
+
 bool come_to_the_same(const ProofResult& a, const ProofResult& b) {
-  return a.loads == b.loads && sentences_of(a.refusals) == sentences_of(b.refusals) &&
-         sentences_of(a.warnings) == sentences_of(b.warnings) && a.poses == b.poses && same_cameras(a.cameras, b.cameras);
+  return a.loads == b.loads && say_the_same(a.refusals, b.refusals) && say_the_same(a.warnings, b.warnings) &&
+         a.poses == b.poses && same_cameras(a.cameras, b.cameras);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What losses, findings and programs say, in words. Words that stand in a value (old writers, a mend that is known) are said in
-// place of the table's.
+// What losses, findings and programs say, in words. A remedy or an outcome that stands in a value is said in place of the
+// table's: who says it knows better.
 #pragma once
 
 #include <fca/formats/check.h>
