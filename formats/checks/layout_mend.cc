@@ -102,6 +102,7 @@ std::vector<Message> steps_to_top(const text::Source& source, const Top& top) {
 
 Message in_turn(const std::vector<Message>& steps) {
   std::vector<Message> clauses;
+  clauses.reserve(steps.size());
   for (const Message& step : steps) clauses.push_back(clauses.empty() ? step : Message{Code::kLayoutThen, {step}});
   return {Code::kLayoutOfOpenCv, {clauses}};
 }

@@ -158,9 +158,10 @@ void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& writte
       made_up.emplace_back(intrinsic.key);
     }
   }
-  if (!made_up.empty())
+  if (!made_up.empty()) {
     written.defaults.push_back(
         {"IMU intrinsics (" + text::enumerated(made_up) + ")", text::text_of({Code::kOpenvinsChainCalibratedImu}), false});
+  }
   if (std::optional<text::Document> document = text::parse_document({"kalibr_imu_chain.yaml", bytes}, diagnostics))
     written.files.push_back({*std::move(document), {}, {"openvins-imu"}});
 }
@@ -173,9 +174,10 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
     }
   }
   add_other_time_offsets(rig, rig.cameras.front().time_offset_s.value_or(0.0), Message{Code::kOpenvinsChainOneOffset}, losses);
-  for (std::size_t i = 1; i < rig.imus.size(); ++i)
+  for (std::size_t i = 1; i < rig.imus.size(); ++i) {
     losses.push_back(
         lost(Code::kCamchainImuDropped, rig.imus[i].name, "noise and rate", {Message{Code::kOpenvinsChainOneImu}}));
+  }
   if (rig.baseline_m) losses.push_back(lost(Code::kOpenvinsChainBaselineDropped, "", "baseline", {*rig.baseline_m}));
 }
 

@@ -36,9 +36,10 @@ ProbeResult probe(const text::Document& document) {
   const bool camera = is_plain_matrix(text::find(root, kMatrix, kDialect));
   for (const std::string_view key : {kRectification, kProjection, kCoefficients}) {
     if (!is_plain_matrix(text::find(root, key, kDialect))) continue;
-    if (camera)
-      return {evidence::kCamera,
-              Message{Code::kFoundMatrices, {std::vector<std::string>{std::string(kMatrix), std::string(key)}}}};
+    if (camera) {
+      const std::vector<std::string> both = {std::string(kMatrix), std::string(key)};
+      return {evidence::kCamera, Message{Code::kFoundMatrices, {both}}};
+    }
     return {evidence::kHint, Message{Code::kFoundMatrices, {key}}};
   }
   if (camera) return {evidence::kHint, Message{Code::kFoundMatrices, {kMatrix}}};

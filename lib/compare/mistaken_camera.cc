@@ -131,7 +131,7 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
     const double misfit = misfit_px(reference.model, candidate.undone, domain);
     if (!(misfit <= best)) continue;
     best = misfit;
-    mistake = {{candidate.code, {other.name}}};
+    mistake = Mistake{Message{candidate.code, {other.name}}};
     mistake->message.arguments.insert(mistake->message.arguments.end(), candidate.more.begin(), candidate.more.end());
   }
   return mistake;

@@ -404,6 +404,22 @@ TEST(Join, FilesOfOneCameraComeBackByteForByte) {
   }
 }
 
+// Cameras in another order than the base's: the first takes the place of the base's only one, whose name the second had.
+TEST(Into, AnAddedCameraTakesNoNameThatIsTaken) {
+  const TemporaryFolder folder;
+  const std::string chain = read_file(kTumvi);
+  const std::string base = folder.write("one.yaml", chain.substr(0, chain.find("cam1:")));
+  const Told run({"convert", kTumvi, "--camera", "1,0", "--into", base});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  ASSERT_FALSE(run.bytes().empty()) << run.text();
+  const Told written({"show", folder.write("two.yaml", run.bytes())});
+  const Told input({"show", kTumvi});
+  const auto model = [](const Told& shown, int camera) -> const rapidjson::Value& {
+    return shown.json()["files"][0]["cameras"][camera]["parameters"];
+  };
+  for (const int i : {0, 1}) EXPECT_EQ(model(written, i), model(input, 1 - i)) << written.text();
+}
+
 // Where one file holds them all the first is edited; of the others only the cameras come.
 TEST(Join, TheFirstFileIsEditedAndTheOthersCommentsAreListed) {
   const std::vector<std::string> command = {"convert", kTumvi, kDs, "--join", "--to", "kalibr", "--max-angle", "97.5"};

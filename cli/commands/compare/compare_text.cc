@@ -153,9 +153,10 @@ std::string compare_text(const ReferenceFile& reference, const ComparedFile& com
             pixels(*compared.inverse_px) + " px apart\n";
   }
   text += poses_text(comparison.poses) + facts_text(comparison.facts) + "\n";
-  if (!comparison.only_in_reference.empty())
-    text += paragraph(
-        "only in " + reference_name + ": " + enumerated(text::texts_of(comparison.only_in_reference, with_options), "and"), "");
+  if (!comparison.only_in_reference.empty()) {
+    const std::vector<std::string> only = text::texts_of(comparison.only_in_reference, with_options);
+    text += paragraph("only in " + reference_name + ": " + enumerated(only, "and"), "");
+  }
   if (!comparison.only_in_other.empty())
     text += paragraph("only in " + name + ": " + enumerated(text::texts_of(comparison.only_in_other, with_options), "and"), "");
   constexpr std::size_t kInVerdict = 3;

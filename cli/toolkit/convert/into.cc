@@ -27,13 +27,23 @@ std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig, bool in
   return result;
 }
 
-/// Names the rig's cameras as their counterparts. Any other name of a camera of the base, of one that was left out of the input
-/// and has a pose yet, becomes "NAME of the input".
+/// Names the rig's cameras as their counterparts; one that is added keeps its name, or gets a free one. Any other name of a
+/// camera of the base, of one that was left out of the input and has a pose yet, becomes "NAME of the input".
 void take_names(const Rig& base, std::span<const Camera* const> counterparts, Rig& rig, Kept& kept, Diagnostics& diagnostics) {
   std::vector<std::pair<std::string, std::string>> names;
+  const auto is_taken = [&](const std::string& name) {
+    return base.find_camera(name) != nullptr ||
+           std::ranges::find(names, name, &std::pair<std::string, std::string>::second) != names.end();
+  };
   for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
     const std::string& name = rig.cameras[i].name;
-    names.emplace_back(name, counterparts[i] != nullptr ? counterparts[i]->name : name);
+    if (counterparts[i] == nullptr) {
+      std::string added = name;
+      for (std::size_t place = 0; is_taken(added); ++place) added = "cam" + std::to_string(place);
+      names.emplace_back(name, added);
+      continue;
+    }
+    names.emplace_back(name, counterparts[i]->name);
     if (name == names.back().second) continue;
     kept.replaced.push_back(names.back().second);
     diagnostics.add(Code::kCameraReplaced, {name, names.back().second});

@@ -28,7 +28,7 @@ std::span<const CodeInfo> request_codes() {
       error(Code::kMistakeFound, kLimit, "{0}"),
       error(Code::kPoseBeyondLimit, kLimit, "{0}, more than is alike (0.5 deg, and 5 mm or 5 % of the distance)"),
       error(Code::kFactBeyondLimit, kLimit, "{0}, more than is alike (1 ms for times, else 5 %)"),
-      error(Code::kReferenceSaysMore, kLimit, "it does not say what the reference does: {0}"),
+      error(Code::kReferenceSaysMore, kLimit, "it does not say what the reference does: {0:and}"),
       clause(Code::kPoseDiffers, "T_{0}_{1} differs by {2:.3} deg and {3:.3} mm"),
       clause(Code::kTimeDiffers, "{0:_}{1} differs by {2:.3} ms"),
       clause(Code::kLengthDiffers, "{0:_}{1} differs by {2:.3} mm"),
