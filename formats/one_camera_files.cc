@@ -4,7 +4,6 @@
 #include "losses.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -34,7 +33,10 @@ std::optional<text::Document> fresh_file(const Format& format, const Camera& cam
   if (document && format.read(std::span(&*document, 1), {}, found)) return document;
   for (const Diagnostic& entry : found.entries()) {
     if (entry.severity != Severity::kError) continue;
-    diagnostics.add(Diagnostic{Severity::kError, {Code::kNotWrittenBecause, {camera.name, entry.facts}}, {}, entry.facts});
+    diagnostics.add({.severity = Severity::kError,
+                     .facts = {Code::kNotWrittenBecause, {camera.name, entry.facts}},
+                     .remedy = entry.facts,
+                     .kind = entry.facts.code});
   }
   return std::nullopt;
 }

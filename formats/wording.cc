@@ -36,13 +36,6 @@ std::string fix_of(const Finding& finding, text::Wording wording) {
                                   : text::fix_of(finding.facts, wording);
 }
 
-std::vector<std::string> checked_of(const CheckReport& report, text::Wording wording) {
-  std::vector<std::string> checked;
-  checked.reserve(report.checked.size());
-  for (const Message& each : report.checked) checked.push_back(text::text_of(each, wording));
-  return checked;
-}
-
 std::string id_of(const Undecided& undecided) {
   return std::string(info(undecided.kind != Code{} ? undecided.kind : undecided.facts.code).id);
 }

@@ -32,7 +32,8 @@ void put_checked(Html& html, const CheckResult& file) {
   }
   html.element("details", {}, [&] {
     html.element("summary", {}, "What was checked, and what could not be decided");
-    if (!report.checked.empty()) html.element("p", {}, "Checked: " + enumerated(checked_of(report, with_options)) + ".");
+    if (!report.checked.empty())
+      html.element("p", {}, "Checked: " + enumerated(text::texts_of(report.checked, with_options)) + ".");
     html.element("ul", {}, [&] {
       for (const Undecided& undecided : report.undecided) {
         html.element("li", {},

@@ -3,7 +3,6 @@
 #include "layout.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 
 #include <array>
 

@@ -5,7 +5,6 @@
 #include "../fields.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/limits.h>
 #include <fca/rig/rotation.h>

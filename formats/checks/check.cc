@@ -125,6 +125,7 @@ void take_over(const Diagnostics& diagnostics, const text::Source& source, Findi
                   .facts = entry.facts,
                   .where = entry.where,
                   .mend = mend_of(entry, source),
+                  .kind = entry.kind,
                   .remedy = entry.remedy});
   }
 }

@@ -42,7 +42,8 @@ void check_parts(const text::Document& document, const Format& format, const Che
   Findings findings(report);
   for (const Diagnostic& entry : diagnostics.entries()) {
     if (entry.where.file != document.source().name || findings.has(id_of(entry), entry.where)) continue;
-    findings.add({.severity = entry.severity, .facts = entry.facts, .where = entry.where, .remedy = entry.remedy});
+    findings.add(
+        {.severity = entry.severity, .facts = entry.facts, .where = entry.where, .kind = entry.kind, .remedy = entry.remedy});
   }
 }
 

@@ -37,10 +37,8 @@ constexpr std::array kTwice = {
     Twice{Code::kOpencvCameraCount, Code::kCvCameraCount},
     Twice{Code::kKalibrSaysAlphaOutside, Code::kCamchainAlphaBelowOne},
     Twice{Code::kWoodscapeJsonReadByNobody, Code::kProjectionPyIgnores},
-    Twice{Code::kMarkRemoved, Code::kOpencvNoDirective},
-    Twice{Code::kMarkRemoved, Code::kVinsFirstLineNotYaml},
-    Twice{Code::kLayoutOfOpenCv, Code::kOpencvNoDirective},
-    Twice{Code::kLayoutOfOpenCv, Code::kVinsFirstLineNotYaml},
+    Twice{Code::kMarkRemoved, Code::kYamlDirectiveMissing},
+    Twice{Code::kLayoutOfOpenCv, Code::kYamlDirectiveMissing},
     Twice{Code::kOrbslam3EucmWithoutType, Code::kOrbslamOldTypeMissing},
     // DSO names lines at most.
     Twice{Code::kCameraTxtAtan, Code::kDsoUnknownLens},

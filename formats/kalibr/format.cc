@@ -5,7 +5,6 @@
 #include "overlaps.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 
 #include <array>
 

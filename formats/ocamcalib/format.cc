@@ -3,7 +3,6 @@
 #include "ocamcalib.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <array>

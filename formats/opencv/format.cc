@@ -2,8 +2,6 @@
 #include "layout.h"
 #include "opencv.h"
 
-#include <fca/formats/text/message.h>
-
 #include <array>
 
 namespace fca::opencv {

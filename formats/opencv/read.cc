@@ -25,7 +25,7 @@ class CalibrationReader {
   void read_into(Rig& rig) {
     const bool yaml = document_.syntax() == text::Syntax::kYaml || document_.syntax() == text::Syntax::kOpenCvYaml;
     if (yaml && !document_.source().bytes.starts_with("%YAML")) {
-      reader_.say(document_.root().entries.front().key, Code::kOpencvNoDirective);
+      reader_.say(document_.root().entries.front().key, Code::kYamlDirectiveMissing);
     }
     reader_.warn_of_duplicates(document_.root());
     for (std::size_t i = 0; i < layout_.cameras.size(); ++i) read_camera(layout_.cameras[i], "cam" + std::to_string(i), rig);

@@ -4,7 +4,6 @@
 #include "../fields.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>

@@ -48,7 +48,7 @@ class CameraReader {
       : document_(document), reader_(document, kDialect, diagnostics), options_(options) {}
 
   void read_into(Rig& rig) {
-    if (!document_.source().bytes.starts_with("%YAML")) reader_.say(top(), Code::kVinsFirstLineNotYaml);
+    if (!document_.source().bytes.starts_with("%YAML")) reader_.say(top(), Code::kYamlDirectiveMissing);
     reader_.warn_of_duplicates(document_.root());
     const Layout* layout = read_type();
     if (layout == nullptr) return;

@@ -30,7 +30,7 @@ class ConfigReader {
       : config_(config), reader_(config, kDialect, diagnostics), options_(options) {}
 
   void read_into(std::span<const text::Document> camera_files, Rig& rig) {
-    if (!config_.source().bytes.starts_with("%YAML")) reader_.say(top(), Code::kVinsFirstLineNotYaml);
+    if (!config_.source().bytes.starts_with("%YAML")) reader_.say(top(), Code::kYamlDirectiveMissing);
     reader_.warn_of_duplicates(config_.root());
     const std::optional<std::size_t> count = read_count();
     const std::optional<ImageSize> size = read_size();

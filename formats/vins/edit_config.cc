@@ -7,7 +7,6 @@
 #include "../one_camera_files.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>

@@ -11,7 +11,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/file_name.h>
-#include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <utility>

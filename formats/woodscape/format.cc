@@ -4,7 +4,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/dialect.h>
-#include <fca/formats/text/message.h>
 
 #include <array>
 

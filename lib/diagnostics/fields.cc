@@ -22,6 +22,8 @@ constexpr std::string_view kPrintableName = "give it a name of printable charact
 
 std::span<const CodeInfo> field_codes() {
   static constexpr std::array kRows = {
+      reader_warning(Code::kYamlDirectiveMissing, "program-refuses",
+                     "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0"),
       note(Code::kKeyTwiceAlike, kTwice, "the key {0} stands twice, with the same value"),
       warning(Code::kKeyTwiceUnlike, kTwice, "the key {0} stands twice, with {1} and here with {2}, which is not read"),
       warning(Code::kKeyTwice, kTwice, "the key {0} stands twice; this one is not read"),

@@ -59,6 +59,22 @@ constexpr CodeInfo misreading(Code code, std::string_view text, std::string_view
           .fix = fix};
 }
 
+/// The same of what a program makes of a file.
+constexpr CodeInfo about_reader(CodeInfo row) {
+  row.about = About::kReader;
+  return row;
+}
+
+constexpr CodeInfo reader_warning(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
+  return about_reader(warning(code, id, text, fix));
+}
+
+/// The same with what happens if the file is used as it is.
+constexpr CodeInfo with_consequence(CodeInfo row, std::string_view consequence) {
+  row.consequence = consequence;
+  return row;
+}
+
 /// The sentence names the program.
 constexpr CodeInfo naming(CodeInfo row) {
   row.names_program = true;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of codes: whole, in order, and every sentence can be said.
+#include "message_samples.h"
+
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
 
@@ -17,26 +19,9 @@ namespace {
 
 std::array<std::string_view, 4> sentences_of_row(const CodeInfo& row) { return {row.text, row.why, row.consequence, row.fix}; }
 
-/// What {N:how} can write.
-Argument sample(const std::string& how) {
-  if (how == "s") return 2;
-  if (how == "or" || how == "and" || how == "then" || how == ",") return std::vector<std::string>{"a", "b"};
-  if (how == "short" || how == "_" || how == "shell" || how.empty()) return "name";
-  return 0.125;
-}
-
-/// Arguments for the placeholders of all sentences of a row; one that is written in two ways takes the special one.
 std::vector<Argument> samples(const CodeInfo& row) {
-  static const std::regex placeholder(R"(\{(\d+)(?::([^}]*))?\})");
   std::vector<Argument> arguments;
-  for (const std::string_view sentence : sentences_of_row(row)) {
-    const std::string text(sentence);
-    for (std::sregex_iterator match(text.begin(), text.end(), placeholder); match != std::sregex_iterator(); ++match) {
-      const std::size_t index = std::stoul((*match)[1]);
-      while (arguments.size() <= index) arguments.emplace_back("name");
-      if ((*match)[2].length() > 0) arguments[index] = sample((*match)[2]);
-    }
-  }
+  for (const std::string_view sentence : sentences_of_row(row)) test::add_samples(sentence, arguments);
   return arguments;
 }
 

@@ -71,7 +71,8 @@ CheckReport unreadable(const Diagnostics& diagnostics) {
   CheckReport report;
   report.is_calibration = false;
   for (const Diagnostic& entry : diagnostics.entries())
-    report.findings.push_back({.severity = entry.severity, .facts = entry.facts, .where = entry.where, .remedy = entry.remedy});
+    report.findings.push_back(
+        {.severity = entry.severity, .facts = entry.facts, .where = entry.where, .kind = entry.kind, .remedy = entry.remedy});
   return report;
 }
 

@@ -35,7 +35,7 @@ void put_file(Json& json, const CheckResult& file, const Console& console) {
   report.format != nullptr ? json.put("format", report.format->id) : json.null("format");
   json.array("findings", report.findings,
              [&](const Finding& finding) { json.object([&] { put_finding(json, finding, file.source); }); });
-  json.put("checked", checked_of(report, with_options));
+  json.put("checked", text::texts_of(report.checked, with_options));
   json.array("undecided", report.undecided, [&](const Undecided& undecided) {
     json.object([&] {
       json.put("code", id_of(undecided));

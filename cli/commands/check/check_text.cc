@@ -63,7 +63,7 @@ std::string check_text(const CheckResult& file) {
   if (report.format == nullptr) return text;
   if (file.instead) text += preview_text(*file.instead, "  ");
   text += readers_line(report.readers);
-  if (!report.checked.empty()) text += paragraph("checked: " + enumerated(checked_of(report, with_options)), "  ");
+  if (!report.checked.empty()) text += paragraph("checked: " + enumerated(text::texts_of(report.checked, with_options)), "  ");
   for (const Undecided& undecided : report.undecided)
     text += paragraph("not decidable: " + question_of(undecided, with_options) + "; " + why_of(undecided, with_options), "  ");
   return text;

@@ -5,7 +5,6 @@
 #include <fca/code.h>
 #include <fca/compare/compare.h>
 #include <fca/formats/stated_as.h>
-#include <fca/formats/text/message.h>
 #include <fca/toolkit/compare.h>
 
 #include <algorithm>
@@ -94,7 +93,7 @@ void judge_rest(ComparedFile& compared) {
 
 void apply_limits(const CompareRequest& request, const ReferenceFile& reference, ComparedFile& compared) {
   if (!request.max_error_px && !request.strict) return;
-  for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, Code::kMistakeFound, {sentence(mistake)});
+  for (const Mistake& mistake : compared.comparison->mistakes) exceed(compared, Code::kMistakeFound, {mistake.message});
   judge_pixels(request, reference, compared);
   if (request.strict) judge_rest(compared);
 }

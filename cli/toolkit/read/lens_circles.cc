@@ -4,7 +4,6 @@
 #include "image_planes.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/source.h>
 #include <fca/rig/lit_circle.h>
 

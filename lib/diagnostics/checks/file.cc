@@ -7,16 +7,6 @@
 
 namespace fca::diagnostics {
 
-namespace {
-
-constexpr CodeInfo of_reader(CodeInfo row, std::string_view consequence = {}) {
-  row.about = About::kReader;
-  row.consequence = consequence;
-  return row;
-}
-
-}  // namespace
-
 std::span<const CodeInfo> file_check_codes() {
   static constexpr std::array kRows = {
 
@@ -53,16 +43,16 @@ std::span<const CodeInfo> file_check_codes() {
       misreading(Code::kProgramMisreads, "{0}: {1}"),
       misreading(Code::kProgramMisreadsInItsWords, "{0}"),
       misreading(Code::kProgramMisreadsMore, "{0} warnings more"),
-      of_reader(warning(Code::kProgramFindsNoCamera, "program-finds-no-camera", "{0}",
-                        "rename the keys if a program of OpenCV's samples is to read it")),
-      of_reader(error(Code::kProgramOtherFormat, "program-other-format", "the {0} format is not read by {1}", "{2}")),
+      about_reader(warning(Code::kProgramFindsNoCamera, "program-finds-no-camera", "{0}",
+                           "rename the keys if a program of OpenCV's samples is to read it")),
+      about_reader(error(Code::kProgramOtherFormat, "program-other-format", "the {0} format is not read by {1}", "{2}")),
       question(Code::kProgramNoneAlone, "program-refuses", "whether a program loads the file",
                "none that fca-io knows reads such a file alone"),
-      of_reader(
-          warning(Code::kReadByAnother, "program-refuses", "read by {0}, not by {1}: {2}{3}", "{4}, for a file of {1}'s own"),
-          "{1} does not start with it; {0} does."),
-      of_reader(warning(Code::kModeRefused, "mode-refused",
-                        "the keys are those of {0}, and {1} starts only as {2} with them: {3}{4}")),
+      with_consequence(about_reader(warning(Code::kReadByAnother, "program-refuses", "read by {0}, not by {1}: {2}{3}",
+                                            "{4}, for a file of {1}'s own")),
+                       "{1} does not start with it; {0} does."),
+      about_reader(warning(Code::kModeRefused, "mode-refused",
+                           "the keys are those of {0}, and {1} starts only as {2} with them: {3}{4}")),
       clause(Code::kInMode, " ({0})"),
       clause(Code::kAndMore, " (and {0} more)"),
       clause(Code::kConvertFor, "convert {0} to {1}{2}"),

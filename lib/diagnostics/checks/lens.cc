@@ -25,31 +25,29 @@ constexpr std::string_view kUndistorted =
     "{0}: cv::undistortPoints, with its five steps, is off by up to {1:.3} px, and by more than {2:.2} px {3:.3} px from the "
     "principal point on";
 
-constexpr CodeInfo with(CodeInfo row, std::string_view consequence) {
-  row.consequence = consequence;
-  return row;
-}
-
 }  // namespace
 
 std::span<const CodeInfo> lens_check_codes() {
   static constexpr std::array kRows = {
 
-      with(warning(Code::kTangentialTooLarge, kFamily,
-                   "{0}: {1} = {2:.4} is no tangential distortion of a real lens (below 0.01); k3 and k4 of an equidistant "
-                   "(Kannala-Brandt) model often stand there",
-                   kNameTheFisheye),
-           "Straight lines bend sideways and pixels far from the centre are off by tens of pixels."),
-      with(warning(Code::kRectilinearTooWide, kFamily,
-                   "{0}: nearly no distortion (k1 = {1:.3}) at {2:.4} deg across the image: no such lens is built; an "
-                   "equidistant (Kannala-Brandt) model has such numbers",
-                   kNameTheFisheye),
-           kOffAtTheBorder),
-      with(warning(Code::kRadtanUnderEquidistant, kFamily,
-                   "{0}: k1 = {1:.4}, k2 = {2:.4} beside k3 and k4 of nearly 0 are a radial-tangential lens's k1 k2 p1 p2, not "
-                   "an equidistant one's",
-                   "if so, name the model radtan (plumb_bob, PinHole)"),
-           kOffAtTheBorder),
+      with_consequence(
+          warning(Code::kTangentialTooLarge, kFamily,
+                  "{0}: {1} = {2:.4} is no tangential distortion of a real lens (below 0.01); k3 and k4 of an equidistant "
+                  "(Kannala-Brandt) model often stand there",
+                  kNameTheFisheye),
+          "Straight lines bend sideways and pixels far from the centre are off by tens of pixels."),
+      with_consequence(
+          warning(Code::kRectilinearTooWide, kFamily,
+                  "{0}: nearly no distortion (k1 = {1:.3}) at {2:.4} deg across the image: no such lens is built; an "
+                  "equidistant (Kannala-Brandt) model has such numbers",
+                  kNameTheFisheye),
+          kOffAtTheBorder),
+      with_consequence(
+          warning(Code::kRadtanUnderEquidistant, kFamily,
+                  "{0}: k1 = {1:.4}, k2 = {2:.4} beside k3 and k4 of nearly 0 are a radial-tangential lens's k1 k2 p1 p2, not "
+                  "an equidistant one's",
+                  "if so, name the model radtan (plumb_bob, PinHole)"),
+          kOffAtTheBorder),
       error(Code::kSizeSwapped, "size-swapped",
             "{0}: the principal point ({1:.5}, {2:.5}) is the middle of a {4} x {3} image, not of one of {3} x {4}",
             "exchange width and height, or the two numbers of the principal point"),
@@ -72,8 +70,9 @@ std::span<const CodeInfo> lens_check_codes() {
       question(Code::kImageNotJudged, kFolds, "{0}: principal point, field of view and folding", "no image size in the file"),
       warning(Code::kFoldsInImage, kFolds, kNoRay,
               "calibrate with targets in the corners, or with a fisheye model; or do not use those pixels"),
-      with(note(Code::kFoldsAtCircle, kFolds, kNoRay, "if the lens sees there, calibrate with targets near the border"),
-           "Nothing, if those pixels are black; a ray beyond that angle lands on a wrong pixel."),
+      with_consequence(
+          note(Code::kFoldsAtCircle, kFolds, kNoRay, "if the lens sees there, calibrate with targets near the border"),
+          "Nothing, if those pixels are black; a ray beyond that angle lands on a wrong pixel."),
       warning(Code::kSecondSphere, "not-a-camera", "{0}: xi is {1}; Double Sphere's lies between -1 and 1",
               "was it xi of omni, or alpha of another list?"),
       warning(Code::kOcamA1NotZero, "a1-not-zero",

@@ -27,8 +27,6 @@ std::span<const CodeInfo> opencv_codes() {
       error(Code::kOpencvNoCalibration, "no-calibration",
             "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) stands here",
             "OpenCV's calibration samples write camera_matrix and distortion_coefficients"),
-      warning(Code::kOpencvNoDirective, "program-refuses",
-              "the first line is not %YAML; cv::FileStorage does not open the file", "begin the file with  %YAML:1.0"),
       error(Code::kOpencvCameraTwice, "stated-twice", "a camera {0} stands here and in the file before"),
       warning(Code::kOpencvCameraCount, "program-refuses", "{0} is {1}, but there are {2} cameras; MC-Calib's reader stops"),
 

@@ -13,11 +13,6 @@ constexpr std::string_view kAloneTheIdentity = "of a camera that is no part of a
 constexpr std::string_view kAloneItsMatrix =
     "of a camera that is no part of a stereo pair it is camera_matrix with a column of zeros";
 
-/// What ROS makes of a file that says what it means all the same.
-constexpr CodeInfo reader_warning(Code code, std::string_view id, std::string_view text, std::string_view fix) {
-  return {.code = code, .id = id, .severity = Severity::kWarning, .about = About::kReader, .text = text, .fix = fix};
-}
-
 }  // namespace
 
 std::span<const CodeInfo> ros_codes() {

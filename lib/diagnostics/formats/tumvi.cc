@@ -10,10 +10,6 @@ namespace fca::diagnostics {
 namespace {
 
 /// What DSO makes of the file, which is right but for that.
-constexpr CodeInfo of_dso(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
-  return {.code = code, .id = id, .severity = Severity::kWarning, .about = About::kReader, .text = text, .fix = fix};
-}
-
 constexpr std::string_view kLenses =
     "EquiDistant, KannalaBrandt or RadTan with 8 numbers (fx fy cx cy and four coefficients), FOV or Pinhole with 5";
 
@@ -26,24 +22,26 @@ std::span<const CodeInfo> tumvi_codes() {
       clause(Code::kCameraTxtWithMode, "a line of numbers, a size and a mode as in DSO's camera.txt"),
       clause(Code::kCameraTxtNumbers, "a line of numbers and a size as in DSO's camera.txt"),
 
-      of_dso(Code::kCameraTxtAtan, "program-refuses", "DSO knows no lens ATAN and stops; it is PTAM's name for DSO's FOV",
-             "write FOV"),
+      reader_warning(Code::kCameraTxtAtan, "program-refuses",
+                     "DSO knows no lens ATAN and stops; it is PTAM's name for DSO's FOV", "write FOV"),
       error(Code::kCameraTxtNotANumber, "not-a-number", "line 1: '{0}' is no number"),
       error(Code::kCameraTxtNoLens, "unknown-model", "line 1 is no lens of DSO's", kLenses),
       error(Code::kCameraTxtTooFewNumbers, "unknown-model", "line 1 has {0} numbers; {1} has {2}", kLenses),
       error(Code::kCameraTxtSize, "missing-block", "line 2 must be the image's width and height, two whole numbers"),
-      of_dso(Code::kCameraTxtSharesByCentre, "relative-by-centre",
-             "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
-      of_dso(Code::kCameraTxtFifthNumber, "program-ignores", "the fifth number of Pinhole is read by DSO and used for nothing"),
-      of_dso(Code::kCameraTxtNoOutput, "program-refuses",
-             "DSO wants a line 3 (crop, none or five numbers) and a line 4 (width and height of its images), and stops"),
-      of_dso(Code::kCameraTxtFull, "program-refuses", "DSO has not written \"full\" yet and stops", "write  crop"),
-      of_dso(Code::kCameraTxtMode, "program-refuses",
-             "line 3 must be exactly crop or none (no blank, no CR behind it) or five numbers; DSO stops"),
-      of_dso(Code::kCameraTxtSizesDiffer, "program-refuses",
-             "line 3 is none, but the sizes of the lines 2 and 4 differ: DSO stops"),
-      of_dso(Code::kCameraTxtNotRectified, "program-ignores",
-             "line 3 is none: DSO takes the images as they are, and ignores the distortion of line 1", "write  crop"),
+      reader_warning(Code::kCameraTxtSharesByCentre, "relative-by-centre",
+                     "cx and cy are below 1, so DSO takes fx and fy, too, as shares of the image's width and height"),
+      reader_warning(Code::kCameraTxtFifthNumber, "program-ignores",
+                     "the fifth number of Pinhole is read by DSO and used for nothing"),
+      reader_warning(
+          Code::kCameraTxtNoOutput, "program-refuses",
+          "DSO wants a line 3 (crop, none or five numbers) and a line 4 (width and height of its images), and stops"),
+      reader_warning(Code::kCameraTxtFull, "program-refuses", "DSO has not written \"full\" yet and stops", "write  crop"),
+      reader_warning(Code::kCameraTxtMode, "program-refuses",
+                     "line 3 must be exactly crop or none (no blank, no CR behind it) or five numbers; DSO stops"),
+      reader_warning(Code::kCameraTxtSizesDiffer, "program-refuses",
+                     "line 3 is none, but the sizes of the lines 2 and 4 differ: DSO stops"),
+      reader_warning(Code::kCameraTxtNotRectified, "program-ignores",
+                     "line 3 is none: DSO takes the images as they are, and ignores the distortion of line 1", "write  crop"),
 
       // Why a camera.txt cannot say a rig.
       clause(Code::kCameraTxtManyCameras, "it holds one camera, and here are {0}"),

@@ -9,12 +9,6 @@ namespace fca::diagnostics {
 
 namespace {
 
-/// What a program makes of a file.
-constexpr CodeInfo of_reader(CodeInfo row) {
-  row.about = About::kReader;
-  return row;
-}
-
 constexpr std::string_view kWhichIsRight = "which of the two is right?";
 constexpr std::string_view kIntoConfiguration = "write it into VINS-Fusion's own configuration";
 
@@ -26,9 +20,6 @@ std::span<const CodeInfo> vins_codes() {
       clause(Code::kVinsPinholeNoK3, "camodocal's PINHOLE has no k3"),
       // Camera files, as read.
       error(Code::kVinsWrongSyntax, "wrong-syntax", "camodocal's camera files are YAML with keys at the top level"),
-      of_reader(warning(Code::kVinsFirstLineNotYaml, "program-refuses",
-                        "the first line is not %YAML; cv::FileStorage does not open the file",
-                        "begin the file with  %YAML:1.0")),
       error(Code::kVinsTypeMissing, "missing-key",
             "there is no model_type: camodocal takes the camera for MEI and what it does not find for 0", "model_type: {0:or}"),
       error(Code::kVinsTypeMisspelt, "unknown-model",
@@ -43,12 +34,12 @@ std::span<const CodeInfo> vins_codes() {
       clause(Code::kVinsCoefficientsElsewhere,
              "KANNALA_BRANDT has its coefficients in projection_parameters, not in distortion_parameters"),
       clause(Code::kVinsCoefficientsByOtherNames, "k2 .. k5 are what OpenCV and Kalibr call k1 .. k4"),
-      of_reader(
+      about_reader(
           warning(Code::kVinsNoParameter, "program-ignores", "{0} {1} is no parameter of {2}: camodocal does not read it")),
       clause(Code::kVinsPolynomial, "the polynomial of degree 4"),
-      of_reader(warning(Code::kVinsRationalIgnored, "program-ignores",
-                        "k1, k2, p1 and p2 are 0: camodocal takes that for a lens without distortion and ignores k3 to k6",
-                        "write  k1: 1.0e-12")),
+      about_reader(warning(Code::kVinsRationalIgnored, "program-ignores",
+                           "k1, k2, p1 and p2 are 0: camodocal takes that for a lens without distortion and ignores k3 to k6",
+                           "write  k1: 1.0e-12")),
       error(Code::kVinsPolynomialSign, "polynomial-sign",
             "p0 is positive: the polynomial's z points to the back of the lens, so p0 is negative",
             "change the sign of all poly_parameters and of p1, p3, .. of inv_poly_parameters"),
@@ -56,7 +47,7 @@ std::span<const CodeInfo> vins_codes() {
             "ac and ac - ad ae must be positive: [ac ad; ae 1] mirrors the image or is singular"),
 
       // OCamCalib's inverse polynomial.
-      of_reader(warning(Code::kVinsCoefficientIgnored, "program-ignores", "{0} {1} is not read: camodocal has p0 to p19")),
+      about_reader(warning(Code::kVinsCoefficientIgnored, "program-ignores", "{0} {1} is not read: camodocal has p0 to p19")),
       warning(Code::kVinsInverseMissing, "inverse-missing",
               "there is no inv_poly_parameters: camodocal projects every point to the centre", "fit it to poly_parameters"),
       warning(Code::kVinsInverseStale, "stale-inverse",

@@ -9,11 +9,6 @@ namespace fca::diagnostics {
 
 namespace {
 
-constexpr CodeInfo about_reader(CodeInfo row) {
-  row.about = About::kReader;
-  return row;
-}
-
 constexpr std::string_view kNoOtherLayout = "into-another-layout";
 constexpr std::string_view kLimit = "error-limit";
 constexpr std::string_view kUseless = "option-without-use";

@@ -232,6 +232,7 @@ enum class Code : std::uint16_t {
   kXmlLine,
 
   // Values under the keys of a file, in every format.
+  kYamlDirectiveMissing,
   kKeyTwiceAlike,
   kKeyTwiceUnlike,
   kKeyTwice,
@@ -466,7 +467,6 @@ enum class Code : std::uint16_t {
   kOpencvFoundFurtherKey,
   kOpencvFoundPose,
   kOpencvNoCalibration,
-  kOpencvNoDirective,
   kOpencvCameraTwice,
   kOpencvMatrixOfIntegers,
   kOpencvMatrixType,
@@ -665,7 +665,6 @@ enum class Code : std::uint16_t {
   kVinsDegreeFour,
   kVinsPinholeNoK3,
   kVinsWrongSyntax,
-  kVinsFirstLineNotYaml,
   kVinsTypeMissing,
   kVinsTypeMisspelt,
   kVinsTypeUnknown,

@@ -27,6 +27,7 @@ struct Diagnostic {
   Message facts;  ///< What is wrong.
   SourceRange where = {};
   Message remedy = {};  ///< How to mend it, where the caller knows better than the table: that code's `fix`, else its `text`.
+  Code kind = {};       ///< Whose id it has, where that is not the sentence\'s: that of the error that this one wraps.
 };
 
 /// The public name of what is said, kebab-case: "missing-key", "not-a-rotation".

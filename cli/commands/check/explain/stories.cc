@@ -49,13 +49,13 @@ Python's json take them for content and stop; PyYAML skips them. --fix takes the
 out rather than guessed.)"},
     Story{
         "centre-off",
-        R"(Compared are |cx - (w - 1) / 2| with w / 2, and the same downwards; above 0.3 is said. Real lenses are mounted within
+        R"(Compared are |cx - (w - 1) / 2| with w / 2, and the same downwards; above 0.3 is reported. Real lenses are mounted within
 0.1. A cropped image, other resolution's numbers and an exchange of numbers look so, and a poor calibration.)"},
     Story{"centre-outside",
           "As centre-off, above 1: Kalibr refuses a negative one. Only a crop that leaves out the middle is so."},
     Story{"centre-swapped",
           R"(calib_results.txt has the centre as row, column and the size as height, width. MATLAB's DistortionCenter is column,
-row. The other order is said if it puts the centre at most half as far from the middle, and as it stands it is more than 0.03
+row. The other order is reported if it puts the centre at most half as far from the middle, and as it stands it is more than 0.03
 diagonals of the image from there; on an image that is almost square nobody can tell.)"},
     Story{
         "comment-lines",
@@ -93,9 +93,10 @@ Camera.fx and stops.)"},
           R"(A focal length below 0.05 of the width would see more than 1100 deg across an equidistant image; above 20 times the
 width, less than 3 deg. Millimetres (4.2) and normalised numbers (0.83) look like the first, a missing decimal point like
 the second.)"},
-    Story{"focal-lengths-differ",
-          "Pixels are square on nearly every sensor of the last twenty years: above 5 % is said. Anamorphic images are right "
-          "so."},
+    Story{
+        "focal-lengths-differ",
+        "Pixels are square on nearly every sensor of the last twenty years: above 5 % is reported. Anamorphic images are right "
+        "so."},
     Story{"folds-inside-image", R"(A polynomial that fits the calibrated part of the image may turn round beyond it:
 
   radius |        ___
@@ -113,12 +114,13 @@ border, an error. --max-angle says what counts as lens.)"},
     Story{"imu-noise-too-large",
           R"(Asked for is the continuous-time density sigma_c. A discrete deviation at rate f is  sigma_d = sigma_c sqrt(f): at
 200 Hz 14 times larger. In degrees a gyroscope's is 57 times larger. People multiply the data sheet's by 5 to 20 for SLAM,
-which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is said. Down to a twentieth of that, where a
+which is allowed for: above 2e-2 rad/s/sqrt(Hz) or 0.2 m/s^2/sqrt(Hz) is reported. Down to a twentieth of that, where a
 deviation and a density that was made larger look alike, it is called not decidable.)"},
     Story{"imu-noise-too-small",
-          "A variance is the density squared: (1.7e-4)^2 = 2.9e-8. Below 2e-6 rad/s/sqrt(Hz) or 2e-5 m/s^2/sqrt(Hz) is said."},
+          "A variance is the density squared: (1.7e-4)^2 = 2.9e-8. Below 2e-6 rad/s/sqrt(Hz) or 2e-5 m/s^2/sqrt(Hz) is "
+          "reported."},
     Story{"imu-rate",
-          "IMUs of cameras run at 100 to 1000 Hz; below 20 and above 10000 Hz is said. 0.2 is kilohertz, 0.005 the step in "
+          "IMUs of cameras run at 100 to 1000 Hz; below 20 and above 10000 Hz is reported. 0.2 is kilohertz, 0.005 the step in "
           "seconds."},
     Story{"imu-sensors-swapped", "In SI units a MEMS gyroscope has about 1e-4 and its accelerometer 1e-3."},
     Story{"imu-walk-above-noise",
@@ -261,7 +263,7 @@ Scaled by s they become  f' = s f,  c' = s (c + 0.5) - 0.5.)"},
         "skew",
         R"(K(0, 1): pixels whose rows and columns are not at right angles. Calibrated skews are noise; the models of the other formats
 have no place for one.)"},
-    Story{"stale-inverse", "The inverse polynomial is a fit to the direct one, to 0.01 px when fresh. Above 1 px is said."},
+    Story{"stale-inverse", "The inverse polynomial is a fit to the direct one, to 0.01 px when fresh. Above 1 px is reported."},
     Story{"stereo-order",
           "T_c1_c2 takes points of camera 2 to camera 1: its translation is where camera 2 stands, x > 0 for the right one."},
     Story{
@@ -290,7 +292,7 @@ read as metres are 110 m. OpenCV's stereo calibration has the unit of the board.
 
 and stops after five steps without looking at what is left. The steeper the distortion the slower it is, and where the
 radius of the image hardly grows with the angle it walks away. Told is how far the lens images the found ray from the pixel
-that was asked for; above 1 px is said. cv::undistort and remapping are not concerned: they go from ray to pixel.)"},
+that was asked for; above 1 px is reported. cv::undistort and remapping are not concerned: they go from ray to pixel.)"},
     Story{
         "units-not-stated",
         R"(OpenCV's stereo calibration gives T in the unit of the board's squares: metres, centimetres or millimetres. Compare its

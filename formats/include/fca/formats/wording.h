@@ -27,9 +27,6 @@ namespace fca {
 [[nodiscard]] std::string consequence_of(const Finding& finding, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string fix_of(const Finding& finding, text::Wording wording = text::table_wording);
 
-/// What was checked, each in words.
-[[nodiscard]] std::vector<std::string> checked_of(const CheckReport& report, text::Wording wording = text::table_wording);
-
 [[nodiscard]] std::string id_of(const Undecided& undecided);
 [[nodiscard]] std::string question_of(const Undecided& undecided, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string why_of(const Undecided& undecided, text::Wording wording = text::table_wording);
