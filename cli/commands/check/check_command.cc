@@ -70,9 +70,10 @@ ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
 CheckReport unreadable(const Diagnostics& diagnostics) {
   CheckReport report;
   report.is_calibration = false;
-  for (const Diagnostic& entry : diagnostics.entries())
+  for (const Diagnostic& entry : diagnostics.entries()) {
     report.findings.push_back(
         {.severity = entry.severity, .facts = entry.facts, .where = entry.where, .kind = entry.kind, .remedy = entry.remedy});
+  }
   return report;
 }
 
