@@ -29,18 +29,9 @@ inline bool says(const CheckReport& report, std::string_view code) {
   return std::ranges::any_of(report.findings, [code](const Finding& finding) { return id_of(finding) == code; });
 }
 
-inline std::string severity_word(Severity severity) {
-  return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
-}
-
 /// "6:16 error int-for-real"; "-" for a finding of the whole file.
 inline std::string line_of(const Finding& finding, const text::Source& source) {
-  std::string place = "-";
-  if (finding.where.offset > 0 || finding.where.length > 0) {
-    const text::Position position = source.position(finding.where.offset);
-    place = std::to_string(position.line) + ":" + std::to_string(position.column);
-  }
-  return place + " " + severity_word(finding.severity) + " " + id_of(finding);
+  return place_of(finding.where, source) + " " + severity_word(finding.severity) + " " + id_of(finding);
 }
 
 inline bool has_corpus() { return fs::exists(shared_dir() / "corpus" / "kalibr"); }

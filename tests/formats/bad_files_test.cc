@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// testdata/formats/<format>/bad: every file stands beside what people are told about it, word for word. Adding a file adds a
-// test: put NAME there and run with FCA_WRITE_EXPECTED=1 to have NAME.expected written, then read it.
+// testdata/formats/<format>/bad: every file stands beside what is said of it, as codes and values; their words stand elsewhere
+// (lib/diagnostics). Adding a file adds a test: put NAME there and run with FCA_WRITE_EXPECTED=1 to have NAME.expected
+// written, then read it.
 //
-// A file can be bad in three ways, and NAME.expected holds them in this order: the reader refuses or warns; the numbers
-// are no camera (validate); it is a camera, but the format's own program would not load it (ask_readers; its first reason).
+// A file can be bad in three ways, and NAME.expected holds them in this order:
+//   3:11-15 error ID ARGUMENTS     the reader refuses or warns, of these columns; what it proposes stands behind "->"
+//   no camera: CAMERA: ID ARGUMENTS     the numbers are no camera (validate)
+//   PROGRAM refuses: ID KEY ARGUMENTS     the format's own program would not load it (ask_readers; its first reason)
+// How arguments are written: id_and_arguments.h.
 #include "formats/test_files.h"
+#include "id_and_arguments.h"
 
+#include <fca/code.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/wording.h>
 #include <fca/models/camera_model.h>
@@ -24,28 +30,47 @@ bool is_stock(const std::string& program, const Calibration& calibration) {
          (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
 }
 
+/// "3:11-15": where it begins and ends; "3:11" of one character, "-" of the whole file.
+std::string range_of(const SourceRange& where, const text::Source& source) {
+  const std::string place = place_of(where, source);
+  if (where.length < 2) return place;
+  const text::Position end = source.position(where.offset + where.length - 1);
+  const bool one_line = end.line == source.position(where.offset).line;
+  return place + "-" + (one_line ? "" : std::to_string(end.line) + ":") + std::to_string(end.column);
+}
+
+std::string line_of(const Diagnostic& diagnostic, const text::Source& source) {
+  std::string line = range_of(diagnostic.where, source) + " " + severity_word(diagnostic.severity) + " ";
+  if (id_of(diagnostic) != id_of(diagnostic.facts)) line += id_of(diagnostic) + ": ";
+  line += id_and_arguments(diagnostic.facts);
+  return diagnostic.remedy.is_said() ? line + " -> " + id_and_arguments(diagnostic.remedy) : line;
+}
+
 std::string judged(const fs::path& path) {
   Parsed parsed = parse(read_file(path), path.filename().string());
   std::optional<Calibration> calibration;
   if (parsed.document) calibration = read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics);
-  std::string text = parsed.rendered();
+  std::string text;
+  for (const Diagnostic& diagnostic : parsed.diagnostics.entries()) text += line_of(diagnostic, parsed.source) + "\n";
   if (!calibration) return text;
   for (const Camera& camera : calibration->rig.cameras) {
-    for (const std::string& problem : text::texts_of(validate(camera.model)))
-      text += "no camera: " + camera.name + ": " + problem + "\n";
+    for (const Message& problem : validate(camera.model))
+      text += "no camera: " + camera.name + ": " + id_and_arguments(problem) + "\n";
   }
   const bool cameras = !calibration->rig.cameras.empty();
   const Readers readers = ask_readers(calibration->format->id, parsed.source.bytes, cameras);
   for (const Readers::Program& program : readers.programs) {
-    if (is_stock(program.program, *calibration) && !program.refusals.empty())
-      text += program.program + " would refuse it: " + sentence_of(program.refusals.front()) + "\n";
+    if (!is_stock(program.program, *calibration) || program.refusals.empty()) continue;
+    const consumers::Complaint& refusal = program.refusals.front();
+    text += program.program + " refuses: " + id_of(refusal.facts) + " " + in_quotes_if_needed(refusal.key);
+    text += id_and_arguments(refusal.facts).substr(id_of(refusal.facts).size()) + "\n";
   }
   return text;
 }
 
 class BadFiles : public testing::TestWithParam<fs::path> {};
 
-TEST_P(BadFiles, AreExplainedWordForWord) {
+TEST_P(BadFiles, AreJudgedAsExpected) {
   const fs::path expected = GetParam().string() + ".expected";
   const std::string text = judged(GetParam());
   if (std::getenv("FCA_WRITE_EXPECTED") != nullptr) std::ofstream(expected, std::ios::binary) << text;
@@ -104,8 +129,11 @@ TEST(BadModels, AKnownTypeInTheWrongStyleIsNotCalledUnknown) {
                                         std::string("\"") + type + "\""));
     ASSERT_TRUE(parsed.document);
     EXPECT_FALSE(read_calibration({*parsed.document}, nullptr, {}, parsed.diagnostics)) << type;
-    const std::string message = message_of(parsed.diagnostics.entries().at(0));
-    EXPECT_EQ(message.find(type, message.find("none of")), std::string::npos) << message;
+    const Message& said = parsed.diagnostics.entries().at(0).facts;
+    EXPECT_EQ(said.code, Code::kOrbslam3TypeOfForks) << id_and_arguments(said);
+    ASSERT_EQ(said.arguments.size(), 3U);
+    EXPECT_EQ(said.arguments[0], Argument(type));
+    EXPECT_FALSE(speaks_of({said.code, {said.arguments[1], said.arguments[2]}}, type)) << id_and_arguments(said);
   }
 }
 

@@ -70,6 +70,17 @@ inline std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+inline std::string severity_word(Severity severity) {
+  return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
+}
+
+/// "3:11": line and column of where it begins; "-" of the whole file.
+inline std::string place_of(const SourceRange& where, const text::Source& source) {
+  if (where.offset == 0 && where.length == 0) return "-";
+  const text::Position position = source.position(where.offset);
+  return std::to_string(position.line) + ":" + std::to_string(position.column);
+}
+
 /// What parsing (and reading) came to, with everything that was said.
 struct Parsed {
   std::optional<text::Document> document;
