@@ -5,6 +5,7 @@
 #include "formats/test_files.h"
 #include "write_guard.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 #include <fca/rig/limits.h>
@@ -109,7 +110,7 @@ TEST(WriteGuard, NothingIsWrittenThatIsNotANumber) {
     Diagnostics diagnostics;
     EXPECT_FALSE(holds_finite_numbers(written, nullptr, diagnostics)) << word;
     ASSERT_EQ(diagnostics.entries().size(), 1U);
-    EXPECT_EQ(message_of(diagnostics.entries().front()), "Camera.bf would not be a finite number in file.yaml");
+    EXPECT_EQ(diagnostics.entries().front().facts, (Message{Code::kNumberWouldNotBeFinite, {"Camera.bf", "file.yaml"}}));
   }
 }
 

@@ -125,8 +125,7 @@ inline std::string place_and_code(const std::string& bytes, const std::string& n
   if (parsed.document) return "no error";
   if (parsed.diagnostics.entries().size() != 1) return "several errors";
   const Diagnostic& entry = parsed.diagnostics.entries().front();
-  const text::Position position = parsed.source.position(entry.where.offset);
-  return std::to_string(position.line) + ":" + std::to_string(position.column) + " " + id_of(entry);
+  return place_of(entry.where, parsed.source) + " " + id_of(entry);
 }
 
 }  // namespace fca::test
