@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // evaluate: what it prints of the paper (Lee, Fisheye-Calib-Adapter, 2024, Tables 1-3) is in the paper, and what it prints of
 // its own cameras is true. The formulas here are written from the paper and share no code with the library.
-#include "cli/run_program.h"
+#include "cli/told.h"
 
 #include <algorithm>
 #include <array>
@@ -825,7 +825,7 @@ TEST_F(EvaluateImage, RefusesWhatIsNoImageOfThePapersCameras) {
   const TemporaryFolder folder;
   const RunResult other = run_program({"evaluate", "--image", folder.write("small.pgm", rings_and_stripes(640, 480))});
   EXPECT_EQ(other.code, 2);
-  EXPECT_TRUE(contains(other.err, "752 x 480")) << other.err;
+  EXPECT_TRUE(says(other.err, "image-size", "752 x 480")) << other.err;
   EXPECT_EQ(run_program({"evaluate", "--image", folder.write("text.pgm", "no image")}).code, 2);
   EXPECT_EQ(run_program({"evaluate", "--image", folder / "missing.png"}).code, 4);
 }

@@ -144,9 +144,9 @@ TEST(ExitCodes, AlphaOneIsNotWrittenForKalibr) {
   const TemporaryFolder folder;
   const std::string path = folder.write("alpha-one.yaml", with_replaced(read_file(kEucm), "0.6291060881178562", "1.0"));
   const std::string output = folder / "out.yaml";
-  const RunResult shown = run_program({"show", path});
-  EXPECT_EQ(shown.code, 0) << shown.err;
-  EXPECT_TRUE(contains(shown.out, "Kalibr: no")) << shown.out;
+  const Told shown({"show", path, "--for", "kalibr"});
+  EXPECT_EQ(shown.code(), 0) << shown.text();
+  EXPECT_FALSE(shown.json()["files"][0]["for"]["as"][0]["loads"].GetBool()) << shown.text();
   const RunResult run = run_program({"convert", path, "--to", "kalibr", "-o", output});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_FALSE(contains(read_file(output), "intrinsics: [1.0,")) << read_file(output);

@@ -5,6 +5,7 @@
 #include "cli/run_program.h"
 #include "formats/rigs.h"
 
+#include <fca/code.h>
 #include <fca/formats/calibration.h>
 
 #include <algorithm>
@@ -116,10 +117,12 @@ void convert_into(const Input& input, const Format& from, const Format& to, cons
   for (const rapidjson::Value& camera : json["cameras"].GetArray())
     (camera["exact"].GetBool() ? classes.exact : classes.fitted).insert(camera["from_model"].GetString() + condition);
   std::string lost;
+  const std::string_view kept = info(Code::kPosesOfGroupsKept).text;  // of its words, those behind the cameras
+  const std::string poses_are_kept(kept.substr(kept.rfind('}') + 1));
   for (const rapidjson::Value& loss : json["losses"].GetArray()) {
     const std::string what = loss["what"].GetString();
     classes.dropped.insert(fact_of(loss["code"].GetString(), what, from, to));
-    if (!contains(loss["why"].GetString(), "to each other is kept")) lost += what + "; ";
+    if (!contains(loss["why"].GetString(), poses_are_kept)) lost += what + "; ";
     if (to.pair_poses && from.many_cameras && contains(what, "_cam2")) classes.dropped.insert(kButForAStereoPair);
   }
   // Of cameras that are posed by way of the IMU, their poses to each other go with it.

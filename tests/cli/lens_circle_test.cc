@@ -125,7 +125,7 @@ TEST(LensCircleOption, EachCameraOfARigHasItsOwn) {
 
   const RunResult whose = run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", small});
   EXPECT_EQ(whose.code, 2);
-  EXPECT_TRUE(contains(whose.err, "cam0=IMAGE")) << whose.err;
+  EXPECT_TRUE(says(whose.err, "lens-circle-of-none", "cam0=IMAGE")) << whose.err;
   const RunResult nobody =
       run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", "cam9=" + small});
   EXPECT_EQ(nobody.code, 2);
@@ -315,7 +315,7 @@ TEST(LensCircleOption, RefusesWhatIsNoImageOfTheCamera) {
   EXPECT_EQ(run_with(folder / "missing.pgm").code, 4);
   const RunResult nothing = run_with("cam0=");
   EXPECT_EQ(nothing.code, 2);
-  EXPECT_TRUE(contains(nothing.err, "cam0=")) << nothing.err;
+  EXPECT_TRUE(says(nothing.err, "no-image", "cam0=")) << nothing.err;
   const std::string good = folder.write("good.pgm", image(512, 240.0));
   EXPECT_EQ(run_with(good, {"--max-angle", "60"}).code, 3);
   // What is advised is not what was done.

@@ -411,7 +411,7 @@ TEST(RigOptions, WhatAModeLacksIsSaidWithTheOptionThatGivesIt) {
       run_program({"convert", "-", "--with", kImu, "--to", "orbslam3", "--sensor", "mono-inertial"},
                   {.input = "cam0:\n  camera_model: pinhole\n  intrinsics: [200.0, 200.0, 320.0, 240.0]\n"
                             "  distortion_model: none\n  distortion_coeffs: []\n  resolution: [640, 480]\n"});
-  EXPECT_TRUE(contains(bare.err, "camchain-imucam.yaml")) << bare.err;
+  EXPECT_TRUE(says(bare.err, "sensor-not-served", "camchain-imucam.yaml")) << bare.err;
   // A baseline makes a pair of rectified images only: not to be proposed, and not to be proposed again.
   EXPECT_FALSE(contains(error({kTumvi, "--camera", "0", "--sensor", "stereo"}), "--baseline"));
   const std::string bent = error({kTumvi, "--camera", "0", "--sensor", "stereo", "--baseline", "0.1"});
