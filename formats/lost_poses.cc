@@ -81,7 +81,16 @@ std::string program_of(const Format& format, const Written& written) {
   return std::string(format.program);
 }
 
-Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group& b, const std::string& program,
+/// What pose it is: "T_cam_cam", "T_cam_imu"; nothing of other frames.
+std::string_view kind_of(const Rig& rig, const PoseEdge& edge) {
+  const FrameKind a = rig.kind_of(edge.a);
+  const FrameKind b = rig.kind_of(edge.b);
+  if (a == FrameKind::kCamera && b == FrameKind::kCamera) return "T_cam_cam";
+  const bool with_camera = a == FrameKind::kCamera || b == FrameKind::kCamera;
+  return with_camera && (a == FrameKind::kImu || b == FrameKind::kImu) ? "T_cam_imu" : "";
+}
+
+Loss loss_of(std::string key, const std::vector<std::string>& poses, const Group& a, const Group& b, const std::string& program,
              const Message& remedy) {
   std::vector<Message> groups;
   for (const Group* group : {&a, &b}) {
@@ -89,7 +98,8 @@ Loss loss_of(const std::vector<std::string>& poses, const Group& a, const Group&
   }
   std::vector<Message> kept;
   if (!groups.empty() && a != b) kept.push_back({Code::kPosesOfGroupsKept, {groups}});
-  return lost(Code::kPoseDropped, "", "", {poses, program, kept, remedy.is_said() ? remedy : Message{Code::kKeepTheInput}});
+  return lost(Code::kPoseDropped, "", std::move(key),
+              {poses, program, kept, remedy.is_said() ? remedy : Message{Code::kKeepTheInput}});
 }
 
 }  // namespace
@@ -113,21 +123,31 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
     if (another_name) kept.poses.push_back(edge);
   }
   // In the order in which the poses are stated.
-  std::vector<std::pair<std::pair<Group, Group>, std::vector<std::string>>> lost;
+  struct Row {
+    std::pair<Group, Group> groups;
+    std::string key;
+    std::vector<std::string> poses;
+  };
+  std::vector<Row> lost;
   for (const PoseEdge& edge : rig.poses) {
     const std::optional<Transform> written_pose = kept.resolve(edge.a, edge.b);
     // Of poses that contradict each other a file may keep either.
     if (same_pose(written_pose, edge.T_a_b) || same_pose(written_pose, around(rig, edge))) continue;
     std::pair<Group, Group> groups = {group_of(edge.a, frames, kept), group_of(edge.b, frames, kept)};
     if (groups.second < groups.first) std::swap(groups.first, groups.second);
-    auto row = std::ranges::find(lost, groups, &decltype(lost)::value_type::first);
-    if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}});
-    row->second.push_back("T_" + edge.a + "_" + edge.b);
+    auto row = std::ranges::find(lost, groups, &Row::groups);
+    if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}, {}});
+    row->poses.push_back("T_" + edge.a + "_" + edge.b);
+    row->key = std::max(row->key, std::string(kind_of(rig, edge)), [](const std::string& a, const std::string& b) {
+      return a.empty() ? !b.empty() : b == "T_cam_cam";  // what weighs most
+    });
   }
   std::vector<Loss> losses;
   losses.reserve(lost.size());
-  for (const auto& [groups, poses] : lost)
-    losses.push_back(loss_of(poses, groups.first, groups.second, program_of(format, written), written.pose_remedy));
+  for (const Row& row : lost) {
+    losses.push_back(
+        loss_of(row.key, row.poses, row.groups.first, row.groups.second, program_of(format, written), written.pose_remedy));
+  }
   return losses;
 }
 

@@ -265,17 +265,18 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 }
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera) {
+                  const Rig& rig, std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera,
+                  std::span<const Camera> calibrated) {
   Rig written = rig;
   written.cameras.clear();
   for (const std::string& name : cameras) {
     if (const Camera* camera = rig.find_camera(name)) written.cameras.push_back(*camera);
   }
-  return prove(consumer, bytes, options, written, max_angle_rad, each_camera);
+  return prove(consumer, bytes, options, written, max_angle_rad, each_camera, calibrated);
 }
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, double max_angle_rad, const ForEach& each_camera) {
+                  const Rig& rig, double max_angle_rad, const ForEach& each_camera, std::span<const Camera> calibrated) {
   const consumers::ConsumerView view = consumer.load(bytes, options);
   ProofResult result;
   result.program = consumer.program;
@@ -285,8 +286,12 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   if (!result.loads) return result;
   // The rig's cameras by position: formats may rename them.
   std::vector<Comparison> comparisons(std::min(rig.cameras.size(), view.cameras.size()));
+  std::vector<CameraDistance> distances(comparisons.size());
   each_camera(comparisons.size(), [&](std::size_t i) {
-    comparisons[i] = compare_camera(rig.cameras[i], view.cameras[i], consumer.tolerance_px, max_angle_rad);
+    const Camera& camera = rig.cameras[i];
+    comparisons[i] = compare_camera(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
+    const auto before = std::ranges::find(calibrated, camera.name, &Camera::name);
+    distances[i] = distance_of(before != calibrated.end() ? *before : camera, camera.model, view.cameras[i], max_angle_rad);
   });
   Comparison comparison;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
@@ -295,7 +300,8 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
     comparison.add(one);
     const bool agrees = one.agrees && one.misread == 0.0 && (one.compared > 0.0 || one.asked == 0.0);
     result.cameras.push_back({rig.cameras[i].name, theirs.model, theirs.width, theirs.height, theirs.misread, agrees,
-                              std::max(one.worst, one.misread), one.asked > 0.0 ? one.compared / one.asked : 0.0});
+                              std::max(one.worst, one.misread), one.asked > 0.0 ? one.compared / one.asked : 0.0,
+                              distances[i]});
   }
   result.without_cameras = rig.cameras.empty();
   result.max_diff_px = comparison.worst;

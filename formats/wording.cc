@@ -43,6 +43,17 @@ std::string id_of(const Undecided& undecided) {
 std::string question_of(const Undecided& undecided, text::Wording wording) { return text::text_of(undecided.facts, wording); }
 std::string why_of(const Undecided& undecided, text::Wording wording) { return text::why_of(undecided.facts, wording); }
 
+std::string id_of(const Reason& reason) {
+  return std::string(info(reason.kind != Code{} ? reason.kind : reason.facts.code).id);
+}
+
+std::string message_of(const Reason& reason, text::Wording wording) { return text::text_of(reason.facts, wording); }
+
+std::string fix_of(const Reason& reason, text::Wording wording) {
+  return reason.remedy.is_said() ? text::in_place(reason.remedy, text::Part::kFix, wording)
+                                 : text::fix_of(reason.facts, wording);
+}
+
 namespace consumers {
 
 std::string sentence_of(const Complaint& complaint, text::Wording wording) { return text::text_of(complaint.facts, wording); }

@@ -5,6 +5,7 @@
 #include "toolkit/words.h"
 #include "words.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/message.h>
 #include <fca/rig/limits.h>
 
@@ -38,6 +39,17 @@ std::optional<std::string> take_setting(const std::string& word, std::vector<Key
   if (std::ranges::find(settings, key, &KeyValue::key) != settings.end())
     return "--set " + key + " comes twice; one value can stand there";
   settings.push_back({key, word.substr(equals + 1)});
+  return std::nullopt;
+}
+
+/// "CODE" or "CODE:CAMERA"
+std::optional<std::string> take_acceptance(const std::string& word, std::vector<Acceptance>& accepted) {
+  const std::size_t colon = word.find(':');
+  const std::string id = word.substr(0, colon);
+  std::vector<std::string> known;
+  for (const CodeInfo& code : all_codes()) known.emplace_back(code.id);
+  if (std::ranges::find(known, id) == known.end()) return unknown_word("code", id, known, "the verdict names them");
+  accepted.push_back({id, colon == std::string::npos ? "" : word.substr(colon + 1)});
   return std::nullopt;
 }
 
@@ -79,6 +91,11 @@ void add_target_options(Options& options, ConvertRequest& request) {
   options.each("--set", "KEY=VALUE",
                "A value of the written file that no calibration states; KEY may be nested (cam0/rostopic); repeatable",
                [&request](const std::string& word) { return take_setting(word, request.settings); });
+}
+
+void add_accept_option(Options& options, std::vector<Acceptance>& accepted) {
+  options.each("--accept", "CODE[:CAMERA]", "Write the file although the verdict is 'do not use' for this reason; repeatable",
+               [&accepted](const std::string& word) { return take_acceptance(word, accepted); });
 }
 
 std::optional<std::string> problem_with(const ConvertRequest& request) {

@@ -14,6 +14,8 @@ namespace fca::cli {
 
 /// All of them but --to and --model, whose words are each command's own.
 void add_target_options(Options& options, ConvertRequest& request);
+/// --accept: reasons against the written file that do not stop it.
+void add_accept_option(Options& options, std::vector<Acceptance>& accepted);
 
 /// A usage error among them together, in words.
 [[nodiscard]] std::optional<std::string> problem_with(const ConvertRequest& request);

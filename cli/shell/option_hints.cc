@@ -117,12 +117,6 @@ constexpr std::array kHints = {
     OptionHint{Code::kOrbslam3BaselineDropped, text::Part::kFix, "--sensor rgbd writes it"},
     OptionHint{Code::kOrbslam3StockByModel, text::Part::kText, " (leave out --model for that)"},
     OptionHint{Code::kOrbslam3StockByLayout, text::Part::kText, " (--orbslam3-layout v1 for that)"},
-    OptionHint{Code::kOrbslam3WriteOldStyle, text::Part::kText,
-               "--orbslam3-layout old: V1.0 also reads the older style, and there both cameras rightly"},
-    OptionHint{
-        Code::kOrbslam3RectifyFirst, text::Part::kText,
-        "rectify the images first (cv::stereoRectify) and convert one camera of the rectified pair with --baseline METRES "
-        "--sensor stereo; or --model kb4 --orbslam3-layout old, where V1.0 reads both cameras rightly"},
 
     // VINS-Fusion's files.
     OptionHint{Code::kVinsSizeMissing, text::Part::kFix, "--size WIDTHxHEIGHT gives it"},

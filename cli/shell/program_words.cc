@@ -3,6 +3,7 @@
 
 #include "option_hints.h"
 #include "toolkit/words.h"
+#include "verdict_text.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/source.h>
@@ -84,7 +85,7 @@ std::string program_reading_text(const ProgramReading& reading, const Calibratio
   }
   for (const ProgramReading::Mode& mode : reading.modes) {
     const std::string who = mode.names.empty() ? "" : "as " + enumerated(mode.names) + ": ";
-    text += "  " + who + (mode.proof.loads ? "loads it\n" : "refuses it\n");
+    text += "  " + who + (mode.proof.loads ? "loads it; " : "refuses it; ") + std::string(in_words(mode.verdict.word)) + "\n";
     text += mode.proof.loads ? view_text(mode.proof, calibration.rig, lens_given) : refusal_text(mode.proof.refusals);
   }
   return text;

@@ -10,6 +10,7 @@
 #include <fca/convert/domain.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/verdict.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
@@ -66,6 +67,7 @@ namespace {
 struct Topic {
   Code checked;  ///< Of a file that gave it something to look at.
   bool (*check)(const Subject&, Findings&);
+  bool Format::*of = nullptr;  ///< It is about what formats with this hold; null: about the cameras, which all hold.
 };
 
 constexpr std::array kTopics = {
@@ -73,11 +75,11 @@ constexpr std::array kTopics = {
     Topic{Code::kCheckedLens, &check_lens},
     Topic{Code::kCheckedFamily, &check_family},
     Topic{Code::kCheckedUndistortion, &check_undistortion},  // not with numbers that those before do not believe
-    Topic{Code::kCheckedRotations, &check_rotations},
-    Topic{Code::kCheckedPoses, &check_redundant_poses},
-    Topic{Code::kCheckedDistances, &check_distances},  // not those that the poses before have named
-    Topic{Code::kCheckedImu, &check_imu},
-    Topic{Code::kCheckedTime, &check_time},
+    Topic{Code::kCheckedRotations, &check_rotations, &Format::extrinsics},
+    Topic{Code::kCheckedPoses, &check_redundant_poses, &Format::extrinsics},
+    Topic{Code::kCheckedDistances, &check_distances, &Format::extrinsics},  // not those that the poses before have named
+    Topic{Code::kCheckedImu, &check_imu, &Format::imu},
+    Topic{Code::kCheckedTime, &check_time, &Format::time_offset},
     Topic{Code::kCheckedOcamcalib, &check_ocamcalib},
     Topic{Code::kCheckedOrbslam3, &check_orbslam3},
 };
@@ -196,11 +198,13 @@ void sort_by_place(std::vector<Finding>& findings) {
   std::ranges::stable_sort(findings, before);
 }
 
-void run_topics(const text::Document& document, const Calibration& calibration, const CheckOptions& options,
+/// `to`: null for all topics, else only those about what that format holds.
+void run_topics(const text::Document& document, const Calibration& calibration, const CheckOptions& options, const Format* to,
                 CheckReport& report) {
   const Subject subject{document, calibration, options, Places(document, calibration)};
   Findings findings(report);
   for (const Topic& topic : kTopics) {
+    if (to != nullptr && topic.of != nullptr && !(to->*topic.of)) continue;
     if (topic.check(subject, findings)) report.checked.push_back({topic.checked});
   }
 }
@@ -215,8 +219,8 @@ bool CheckReport::has(Severity severity) const {
 
 namespace {
 
-/// As far as the file can be read: text, format, calibration.
-CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
+/// As far as the file can be read: text, format, calibration, which goes into `calibration`.
+CheckReport looked_at(const text::Source& source, const CheckOptions& options, std::optional<Calibration>& calibration) {
   CheckReport report;
   checks::Findings findings(report);
   Diagnostics diagnostics;
@@ -239,7 +243,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   }
   report.format = detected->format;
   report.why = detected->why;
-  const std::optional<Calibration> calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
+  calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
   checks::take_over(diagnostics, source, findings);
   report.holds_no_camera = calibration && calibration->rig.cameras.empty();
   // What the reader refuses for a fault of the file is said; programs would stumble over the same place.
@@ -247,7 +251,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
     checks::check_programs(*document, *detected->format, calibration ? &*calibration : nullptr, options, report);
   }
   if (calibration) {
-    checks::run_topics(*document, *calibration, options, report);
+    checks::run_topics(*document, *calibration, options, nullptr, report);
     if (options.parts) checks::check_parts(*document, *detected->format, options, report);
   } else {
     if (report.findings.empty()) {
@@ -261,14 +265,39 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options) {
   return report;
 }
 
+Verdict verdict_on(const CheckReport& report, const Rig* rig) {
+  VerdictFacts facts;
+  facts.to = report.format;
+  facts.mode = report.mode;
+  if (report.proof) facts.proofs = std::span(&*report.proof, 1);
+  facts.findings = report.findings;
+  facts.rig = report.format != nullptr ? rig : nullptr;
+  facts.is_read = rig != nullptr;
+  return decide(facts);
+}
+
 }  // namespace
 
 CheckReport check_file(const text::Source& source, const CheckOptions& options) {
-  CheckReport report = looked_at(source, options);
+  std::optional<Calibration> calibration;
+  CheckReport report = looked_at(source, options, calibration);
   checks::tell_once(report);
+  std::erase_if(report.findings, [&options](const Finding& finding) { return checks::among(options.ignored, id_of(finding)); });
   checks::sort_by_place(report.findings);
   checks::add_usual_fixes(report);
+  report.verdict = verdict_on(report, calibration ? &calibration->rig : nullptr);
   return report;
+}
+
+std::vector<Finding> findings_about_meaning(const text::Document& document, const Calibration& calibration,
+                                            const Diagnostics& diagnostics, const CheckOptions& options, const Format& to) {
+  CheckReport report;
+  report.format = calibration.format;
+  checks::Findings findings(report);
+  checks::take_over(diagnostics, document.source(), findings);
+  checks::run_topics(document, calibration, options, &to, report);
+  checks::tell_once(report);
+  return std::move(report.findings);
 }
 
 std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace fca::checks {
 
@@ -69,6 +70,7 @@ class ProgramsCheck {
     }
     const std::vector<Attempt> attempts = attempt(*own);
     report_.checked.push_back({Code::kCheckedProgram, {own->program}});
+    prove_meant_mode(*own);
     // What the keys are for counts; if that is refused, whatever starts.
     auto loaded = std::ranges::find(attempts, format_.modes.empty() ? "" : meant_mode(document_), &Attempt::mode);
     if (loaded == attempts.end() || !loaded->view.loads())
@@ -101,6 +103,19 @@ class ProgramsCheck {
     for (const std::string_view mode : format_.modes) attempts.push_back({std::string(mode), {}});
     for (Attempt& each : attempts) each.view = program.load(document_.source().bytes, load_options(each.mode));
     return attempts;
+  }
+
+  /// What the program makes of the cameras in the mode that the keys are for.
+  void prove_meant_mode(const Consumer& program) {
+    if (calibration_ == nullptr) return;
+    const std::string mode = format_.modes.empty() ? "" : meant_mode(document_);
+    report_.mode = mode;
+    report_.proof = prove(program, document_.source().bytes, load_options(mode), calibration_->rig,
+                          options_.max_angle_rad.value_or(std::numbers::pi));
+    if (report_.proof->loads) return;
+    for (const Readers::Program& other : report_.readers.programs) {
+      if (other.loads && other.program != program.program) report_.proof->read_by.push_back(other.program);
+    }
   }
 
   [[nodiscard]] SourceRange whole_file() const { return {document_.source().name, 0, 0}; }

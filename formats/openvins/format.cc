@@ -96,7 +96,7 @@ Transform pose_of(const Rig& rig, const Camera& camera, std::vector<DefaultedVal
   const std::optional<Transform> T = pose_in(rig, first.name, camera);
   const bool known = T && first.name != camera.name;
   const Argument value = known ? Argument(Message{Code::kOpenvinsChainPoseInFrame, {first.name}}) : Argument("identity");
-  defaults.push_back({camera.name + " T_imu_cam", text::text_of({Code::kOpenvinsChainPoseMadeUp, {value}}), true});
+  defaults.push_back({camera.name + " T_imu_cam", text::text_of({Code::kOpenvinsChainPoseMadeUp, {value}}), true, true});
   return T.value_or(Transform{});
 }
 

@@ -71,7 +71,7 @@ std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Ta
   for (const Field& field : fields) {
     if (const std::optional<Note> note = note_on(field, target, rig)) {
       const bool is_pose = field.shape == fields::Shape::kMatrix;
-      result.push_back({field.key, is_pose ? "identity" : field.tokens.front(), note->look_at_it});
+      result.push_back({field.key, is_pose ? "identity" : field.tokens.front(), note->look_at_it, is_pose});
     }
   }
   for (const std::string_view group : kGroups) {

@@ -10,6 +10,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
+#include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
 #include <array>
@@ -32,8 +33,14 @@ bool only_when_asked(const Sensor& sensor) { return sensor.depth; }
 /// The richest mode the rig fully serves; `next`: a clause on what is missing for the next richer one.
 Sensor richest_sensor(const Rig& rig, Style style, std::vector<Message>& next) {
   Sensor best = *find_sensor("mono");
+  const bool is_pair = rig.cameras.size() < 2 || may_be_stereo(rig, rig.cameras[0], rig.cameras[1]);
   for (const Sensor& sensor : kSensors) {
+    if (sensor.two_cameras && !is_pair) continue;
     if (!only_when_asked(sensor) && missing_for(rig, sensor, style).empty()) best = sensor;
+  }
+  if (!is_pair) {
+    next = {Message{Code::kOrbslam3NoPair, {rig.cameras[0].name, rig.cameras[1].name}}};
+    return best;
   }
   const std::string_view wished = rig.cameras.size() > 1 ? "stereo-inertial" : "mono-inertial";
   if (best.id != wished && best.id != "stereo-inertial" && style != Style::kSlamNoOpt) {
@@ -292,16 +299,6 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   return target;
 }
 
-/// What to do about a camera that V1.0 misreads. With depth it undistorts nothing. Of a pair it is the second: Settings.cc,
-/// readCamera2, takes Camera2's k1..k4 of KannalaBrandt8 from Camera1; Settings.h, camera2DistortionCoef, gives
-/// cv::stereoRectify the first PinHole's coefficients twice. The parser before it reads both KannalaBrandt8 cameras rightly,
-/// and knows no second PinHole.
-Message remedy_for_misreading(const Rig& rig, const Sensor& sensor) {
-  if (sensor.depth) return {Code::kOrbslam3UndistortFirst};
-  if (!sensor.two_cameras || rig.cameras.size() < 2) return {};
-  return {model_info(rig.cameras[1].model).id == "kb4" ? Code::kOrbslam3WriteOldStyle : Code::kOrbslam3RectifyFirst};
-}
-
 }  // namespace
 
 std::optional<Written> write(const text::Document* base_document, const Rig& rig, const WriteOptions& options,
@@ -356,7 +353,6 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   written.headline = {Code::kOrbslam3Headline, {headline_of(audience), target->sensor.id, next}};
   written.sensor = target->sensor.id;
   if (target->sensor.two_cameras) written.first_is_left = {Code::kOrbslam3FirstIsLeft};
-  if (target->style == Style::kV1) written.misread_remedy = remedy_for_misreading(rig, target->sensor);
   return written;
 }
 

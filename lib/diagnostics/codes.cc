@@ -52,6 +52,7 @@ std::vector<CodeInfo> joined_topics() {
            diagnostics::reading_codes(),
            diagnostics::convert_codes(),
            diagnostics::request_codes(),
+           diagnostics::verdict_codes(),
        })
     rows.insert(rows.end(), topic.begin(), topic.end());
   std::ranges::stable_sort(rows, {}, &CodeInfo::code);

@@ -47,5 +47,6 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> reading_codes();
 [[nodiscard]] std::span<const CodeInfo> convert_codes();
 [[nodiscard]] std::span<const CodeInfo> request_codes();
+[[nodiscard]] std::span<const CodeInfo> verdict_codes();
 
 }  // namespace fca::diagnostics

@@ -134,7 +134,8 @@ std::string said(const Case& command) {
   fresh.write("lit.pgm", Lit{}.file());
   for (const std::string& file : command.files) make_file(file, fresh);
   std::vector<std::string> words = words_of(command.line.substr(std::string("$ fca-io").size()));
-  const RunResult run = run_program(words, {.input = command.input, .folder = folder, .limit_seconds = 600.0});
+  const RunResult run =
+      run_program(words, {.input = command.input, .folder = folder, .limit_seconds = 600.0, .in_full = false});
   std::string text = command.line + "\n";
   for (const std::string& file : command.files) text += file + "\n";
   std::istringstream input(command.input);

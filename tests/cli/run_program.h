@@ -5,6 +5,7 @@
 
 #include "command.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -88,6 +89,7 @@ struct RunOptions {
   std::string input;            ///< Standard input.
   std::string folder;           ///< Working directory; empty: a fresh one.
   double limit_seconds = 60.0;  ///< Of the release build.
+  bool in_full = true;          ///< `convert` prints all that it found (-v), not the summary alone.
 };
 
 /// What is written is kept.
@@ -120,7 +122,9 @@ class WorkingFolder {
 };
 
 /// Runs the command in this process.
-inline RunResult run_program(const std::vector<std::string>& words, const RunOptions& options = {}) {
+inline RunResult run_program(std::vector<std::string> words, const RunOptions& options = {}) {
+  const auto has = [&words](const char* word) { return std::ranges::find(words, word) != words.end(); };
+  if (options.in_full && !words.empty() && words.front() == "convert" && !has("--json") && !has("-q")) words.emplace_back("-v");
   const TemporaryFolder fresh;
   const WorkingFolder folder(options.folder.empty() ? fresh.path() : fs::path(options.folder));
   RunResult run;

@@ -62,7 +62,8 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
 
 ExitCode code_of(const CheckReport& report, const CheckArguments& arguments) {
   if (!report.is_calibration) return ExitCode::kBadInput;
-  const bool bad = report.has(Severity::kError) || (arguments.fail_on_warnings && report.has(Severity::kWarning));
+  const bool bad = report.verdict.word == VerdictWord::kDoNotUse || report.has(Severity::kError) ||
+                   (arguments.fail_on_warnings && report.has(Severity::kWarning));
   return bad ? ExitCode::kJudgedBad : ExitCode::kGood;
 }
 

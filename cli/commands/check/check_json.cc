@@ -5,6 +5,7 @@
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
 #include "shell/option_hints.h"
+#include "shell/verdict_json.h"
 
 #include <fca/formats/wording.h>
 
@@ -33,6 +34,7 @@ void put_file(Json& json, const CheckResult& file, const Console& console) {
   const CheckReport& report = file.report;
   json.put("file", file.source.name);
   report.format != nullptr ? json.put("format", report.format->id) : json.null("format");
+  put_verdict(json, report.verdict);
   json.array("findings", report.findings,
              [&](const Finding& finding) { json.object([&] { put_finding(json, finding, file.source); }); });
   json.put("checked", text::texts_of(report.checked, with_options));

@@ -3,6 +3,7 @@
 #include "explain/stories.h"
 #include "preview_text.h"
 #include "shell/option_hints.h"
+#include "shell/verdict_text.h"
 #include "toolkit/words.h"
 
 #include <fca/formats/text/render.h>
@@ -19,7 +20,7 @@ std::size_t count_of(const CheckReport& report, Severity severity) {
   return static_cast<std::size_t>(std::ranges::count(report.findings, severity, &Finding::severity));
 }
 
-std::string verdict(const CheckReport& report) {
+std::string count_text(const CheckReport& report) {
   std::vector<std::string> parts;
   const std::size_t errors = count_of(report, Severity::kError);
   const std::size_t warnings = count_of(report, Severity::kWarning);
@@ -54,11 +55,11 @@ std::string readers_line(const Readers& readers) {
 
 std::string check_text(const CheckResult& file) {
   const CheckReport& report = file.report;
-  std::string text = text::printable(file.source.name) + ": ";
+  std::string text = text::printable(file.source.name) + ": " + std::string(in_words(report.verdict.word)) + "; ";
   text += report.format == nullptr ? ""
                                    : std::string(report.format->title) + " (" +
                                          (report.why.is_said() ? text::text_of(report.why, with_options) : "--from") + "); ";
-  text += verdict(report) + "\n";
+  text += count_text(report) + "\n";
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;
   if (file.instead) text += preview_text(*file.instead, "  ");

@@ -58,6 +58,15 @@ std::optional<std::string> opencv_model_problem(const ConvertArguments& argument
   return opencv_model_without_use(inputs, results);
 }
 
+/// What was accepted for nothing is a mistake, or a leftover.
+void warn_of_unused(const std::vector<Acceptance>& accepted, const Verdict& verdict, const Console& console) {
+  for (const Acceptance& each : accepted) {
+    const auto used = [&each](const Reason& reason) { return reason.is_accepted && each.covers(reason); };
+    if (std::ranges::any_of(verdict.reasons, used)) continue;
+    console.err("warning: --accept " + each.id + (each.camera.empty() ? "" : ":" + each.camera) + " was not needed\n");
+  }
+}
+
 ExitCode run_convert(const ConvertArguments& arguments, const Invocation& invocation, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(arguments.inputs))
     return console.refuse(ExitCode::kIo, *problem);
@@ -90,10 +99,16 @@ ExitCode run_convert(const ConvertArguments& arguments, const Invocation& invoca
     }
     if (!arguments.json) {
       if (!outcome.files.empty() && outcome.status <= Status::kRejected && in_full) {
-        const std::string report = convert_text(outcome, !arguments.dry_run);
+        const bool written = !arguments.dry_run;
+        std::string report = arguments.quiet ? "" : convert_summary(outcome, written);
+        if (arguments.verbose > 0) report += "\n" + convert_text(outcome, written);
         file_on_stdout && !arguments.dry_run ? console.say_aside(report) : console.say(report);
       }
-      in_full ? console.show(outcome.diagnostics) : console.show_errors(outcome.diagnostics);
+      const bool has_result = outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo;
+      const bool is_summed_up = has_result && arguments.verbose == 0;
+      in_full && !arguments.quiet && !is_summed_up ? console.show(outcome.diagnostics)
+                                                   : console.show_errors(outcome.diagnostics);
+      if (has_result) warn_of_unused(arguments.request.accepted, outcome.verdict, console);
     }
     code = worse(code, outcome.code);
   }
@@ -140,8 +155,11 @@ void add_options(Options& options, ConvertArguments& arguments) {
                    return std::nullopt;
                  });
   options.flag("--strict", "Fail if anything of the input cannot be carried", request.strict);
-  options.flag_pair("--verify", "Ask the real program's reader about the bytes before they are put in place (the default)",
-                    "--no-verify", "Do not ask it", request.verify);
+  options.flag_pair(
+      "--verify",
+      "Try the written bytes with our re-implementation of the program's reader before they are put in place (the default)",
+      "--no-verify", "Do not try it", request.verify);
+  add_accept_option(options, request.accepted);
   options.count("--jobs", "N",
                 "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)",
                 request.jobs, 1, 1024);
@@ -149,6 +167,8 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.flag("--force", "Overwrite existing files", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
   options.flag("--json", "One JSON document on standard output", arguments.json);
+  options.counted_flag("-v,--verbose", "The full report; -vv: with its tables", arguments.verbose);
+  options.flag("-q,--quiet", "Errors only", arguments.quiet);
   options.footer(
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"
@@ -163,6 +183,7 @@ void add_convert_command(Application& application) {
                     const auto arguments = std::make_shared<ConvertArguments>();
                     add_options(options, *arguments);
                     return [arguments](const Invocation& invocation, Console& console) {
+                      arguments->request.reach_table = arguments->json || arguments->verbose > 0;
                       arguments->request.extension = std::filesystem::path(arguments->output).extension().string();
                       return run_convert(*arguments, invocation, console);
                     };

@@ -17,7 +17,9 @@ void add_convert_command(Application& application);
 [[nodiscard]] std::string camera_line(const ConvertedCamera& camera);
 /// "proof: Kalibr loads it; ...": what the real programs make of the written files, and below each line what belongs to it.
 [[nodiscard]] std::string proofs_text(const ConvertResult& result);
-/// The report for people (convert_text.cc) and for scripts (convert_json.cc).
+/// The verdict and what a user must act on, in some ten lines (summary.cc).
+[[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written);
+/// The full report for people (convert_text.cc) and for scripts (convert_json.cc).
 [[nodiscard]] std::string convert_text(const ConvertOutcome& outcome, bool written);
 [[nodiscard]] std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console);
 

@@ -6,6 +6,7 @@
 #include "shell/judgement_json.h"
 #include "shell/option_hints.h"
 #include "shell/parameters_json.h"
+#include "shell/verdict_json.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
@@ -91,6 +92,7 @@ void put_losses(Json& json, const ConvertOutcome& outcome) {
       json.put("what", what_of(loss, with_options));
       json.put("why", why_of(loss, with_options));
       json.put("do", remedy_of(loss, with_options));
+      json.put("matters", matters(loss, *outcome.to, outcome.mode));
     });
   });
 }
@@ -102,6 +104,20 @@ std::string written_name(const ConvertOutcome& outcome, const std::string& name)
   return camera == outcome.cameras.end() ? name : camera->name();
 }
 
+/// `with_text`: also of files that have a path.
+void put_outputs(Json& json, const char* key, const ConvertOutcome& outcome, const std::vector<ConvertedFile>& files,
+                 bool with_text) {
+  json.array(key, files, [&](const ConvertedFile& output) {
+    json.object([&] {
+      output.path.empty() ? json.null("path") : json.put("path", output.path);
+      std::vector<std::string> names;
+      for (const std::string& name : output.cameras) names.push_back(written_name(outcome, name));
+      json.put("cameras", std::span<const std::string>(names));
+      if (with_text || output.path.empty()) json.put("text", output.bytes);
+    });
+  });
+}
+
 }  // namespace
 
 void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& console) {
@@ -109,16 +125,11 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
   if (outcome.from != nullptr) json.put("from", outcome.from->id);
   if (outcome.to != nullptr) json.put("to", outcome.to->id);
   if (outcome.headline.is_said()) json.put("headline", text::text_of(outcome.headline, with_options));
+  if (outcome.status <= Status::kRejected) put_verdict(json, outcome.verdict);
   const std::vector<ConvertedFile> none;
-  json.array("outputs", outcome.code == ExitCode::kGood ? outcome.files : none, [&](const ConvertedFile& output) {
-    json.object([&] {
-      output.path.empty() ? json.null("path") : json.put("path", output.path);
-      std::vector<std::string> names;
-      for (const std::string& name : output.cameras) names.push_back(written_name(outcome, name));
-      json.put("cameras", std::span<const std::string>(names));
-      if (output.path.empty()) json.put("text", output.bytes);
-    });
-  });
+  const bool is_refused = outcome.status == Status::kRejected;
+  put_outputs(json, "outputs", outcome, outcome.code == ExitCode::kGood ? outcome.files : none, false);
+  if (is_refused) put_outputs(json, "refused_outputs", outcome, outcome.files, true);
   json.put("exit_code", static_cast<int>(outcome.code));
   json.array("cameras", outcome.cameras, [&](const ConvertedCamera& camera) {
     json.object([&] {

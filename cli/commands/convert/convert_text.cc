@@ -123,7 +123,6 @@ std::vector<std::string> rightly_read(const ProofResult& proof) {
 }  // namespace
 
 std::string proofs_text(const ConvertResult& outcome) {
-  const std::string remedy = text::text_of(outcome.misread_remedy, with_options);
   std::string text;
   for (const std::string& path : outcome.unproven)
     text += "proof: none: no program that fca-io knows reads " + (path.empty() ? "such keys" : path) + "\n";
@@ -147,7 +146,6 @@ std::string proofs_text(const ConvertResult& outcome) {
       text += "  warning: " + text::printable(warning) + "\n";
     if (proof.misread_px > 0.0) {
       text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
-      if (!remedy.empty()) text += "  do: " + remedy + "\n";
     }
   }
   return text;

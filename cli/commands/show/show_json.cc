@@ -5,6 +5,7 @@
 #include "shell/parameters_json.h"
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
+#include "shell/verdict_json.h"
 #include "show_command.h"
 #include "toolkit/words.h"
 
@@ -51,6 +52,7 @@ void put_imu(Json& json, const Imu& imu) {
 void put_mode(Json& json, const ProgramReading::Mode& mode, bool lens_given) {
   const ProofResult& proof = mode.proof;
   json.put("modes", std::span<const std::string>(mode.names));
+  put_verdict(json, mode.verdict);
   json.put("loads", proof.loads);
   json.put("refusals", sentences_of(proof.refusals, with_options));
   json.array("cameras", proof.cameras, [&json](const CameraProof& camera) {

@@ -20,6 +20,7 @@ CheckOptions options_for(const CheckRequest& request, bool with_cameras) {
   options.from = request.inputs.format;
   options.max_angle_rad = request.inputs.max_angle_rad;
   options.parts = true;
+  options.ignored = request.ignored;
   if (request.program != nullptr) options.program = &reader_of(*request.program, with_cameras);
   return options;
 }
@@ -35,11 +36,9 @@ CheckResult check(const CheckRequest& request, const text::Source& source, Files
   CheckResult result{source, check_file(source, options_for(request, true)), std::nullopt};
   if (result.report.holds_no_camera && request.program != nullptr)
     result.report = check_file(source, options_for(request, false));
-  std::erase_if(result.report.findings, [&request](const Finding& finding) {
-    return std::ranges::find(request.ignored, id_of(finding)) != request.ignored.end();
-  });
   if (request.program != nullptr && source.name != text::kStandardInput && is_for_another_format(result.report))
     result.instead = preview_conversion(source.name, request.inputs, *request.program, files);
+  if (result.instead) result.report.verdict = result.instead->verdict;
   return result;
 }
 

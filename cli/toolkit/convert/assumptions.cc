@@ -12,7 +12,7 @@ void list_assumed_units(const Calibration& calibration, const Format& to, Writte
     return camera.name != rig.cameras.front().name && rig.resolve(camera.name, rig.cameras.front().name);
   });
   if (posed && !calibration.poses_without_unit.empty())
-    written.defaults.push_back({"translation unit", "taken as metres", true});
+    written.defaults.push_back({"translation unit", "taken as metres", true, true});
 }
 
 }  // namespace fca

@@ -23,8 +23,7 @@ void warn_of_poor_fits(const ConvertRequest& request, ConvertResult& result) {
 void apply_limits(const ConvertRequest& request, ConvertResult& result) {
   for (const ProofResult& proof : result.proofs) {
     if (!request.max_error_px || proof.misread_px <= *request.max_error_px) continue;
-    result.diagnostics.add(Code::kMisreadBeyondLimit,
-                           {proof.program, proof.misread_px, *request.max_error_px, result.misread_remedy});
+    result.diagnostics.add(Code::kMisreadBeyondLimit, {proof.program, proof.misread_px, *request.max_error_px});
     result.status = Status::kRejected;
   }
   for (const ConvertedCamera& camera : result.cameras) {
@@ -44,9 +43,11 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
     result.diagnostics.add(Code::kErrorBeyondLimit, {camera.source.name, worst, *request.max_error_px});
     result.status = Status::kRejected;
   }
-  if (request.strict && !result.losses.empty()) {
-    std::vector<Message> what;
-    for (const Loss& loss : result.losses) what.push_back(facts_of(loss));
+  std::vector<Message> what;
+  for (const Loss& loss : result.losses) {
+    if (request.strict && matters(loss, *result.to, result.mode)) what.push_back(facts_of(loss));
+  }
+  if (!what.empty()) {
     result.diagnostics.add(Code::kLossesNotAllowed, {what});
     result.status = Status::kRejected;
   }

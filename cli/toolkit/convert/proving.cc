@@ -7,6 +7,7 @@
 #include <fca/formats/mend.h>
 #include <fca/formats/wording.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace fca {
@@ -43,6 +44,20 @@ std::optional<consumers::Complaint> first_refusal(const std::string& bytes, cons
   if (consumer == nullptr) return std::nullopt;
   consumers::ConsumerView view = consumer->load(bytes, options);
   return view.loads() ? std::nullopt : std::optional(std::move(view.refusals.front()));
+}
+
+/// Programs that the file is not written for and that load it.
+std::vector<std::string> other_readers(const ConvertedFile& file, const consumers::LoadOptions& options) {
+  const std::string_view format = consumers::find_consumer(file.programs.front())->format;
+  std::vector<std::string> names;
+  for (const consumers::Consumer& each : consumers::all_consumers()) {
+    const bool is_asked = std::ranges::find(file.programs, each.id) != file.programs.end();
+    if (is_asked || !each.reads(format) || each.cameras == file.cameras.empty()) continue;
+    const consumers::ConsumerView view = each.load(file.bytes, options);
+    const bool misreads = std::ranges::any_of(view.cameras, &consumers::ConsumerCamera::misread);
+    if (view.loads() && !misreads) names.emplace_back(each.program);
+  }
+  return names;
 }
 
 }  // namespace
@@ -106,14 +121,18 @@ void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagn
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
             const text::Document* base, ConvertResult& result) {
   bool judged = false;
+  std::vector<Camera> calibrated;
+  for (const ConvertedCamera& camera : result.cameras) calibrated.push_back(camera.source);
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
     const consumers::LoadOptions options = load_options(written);
-    ProofResult proof =
-        prove(*consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
-              [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); });
+    ProofResult proof = prove(
+        *consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
+        [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);
+    proof.is_first = id == output.programs.front();
+    if (!proof.loads) proof.read_by = other_readers(output, options);
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&
@@ -125,9 +144,13 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
       result.diagnostics.add(Code::kEditNotProven, {program, proof.refusals.front().facts, request.into});
     } else if (!proof.agrees()) {
       const bool of_base = !request.into.empty() && !proof.loads;
-      result.diagnostics.add(of_base ? Code::kProofOfBaseFailed : Code::kProofFailed,
+      const bool is_accepted = std::ranges::any_of(request.accepted, [&proof](const Acceptance& acceptance) {
+        return !proof.loads && acceptance.id == info(Code::kVerdictRefused).id;
+      });
+      result.diagnostics.add(is_accepted ? Severity::kWarning : Severity::kError,
+                             of_base ? Code::kProofOfBaseFailed : Code::kProofFailed,
                              {program, disagreement(proof), request.into});
-      result.status = worse(result.status, Status::kRejected);
+      if (!is_accepted) result.status = worse(result.status, Status::kRejected);
     }
     result.proofs.push_back(std::move(proof));
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/folded_name.h>
+#include <fca/formats/verdict.h>
 #include <fca/toolkit/programs.h>
 
 #include <algorithm>
@@ -69,6 +70,12 @@ ProgramReading ask_program(const consumers::Consumer& program, const Calibration
     ProgramReading::Mode& found = same != reading.modes.end() ? *same : reading.modes.emplace_back();
     if (!mode.empty()) found.names.emplace_back(mode);
     found.proof = std::move(proof);
+    VerdictFacts facts;
+    facts.to = &format;
+    facts.mode = mode;
+    facts.proofs = std::span(&found.proof, 1);
+    facts.rig = &calibration.rig;
+    found.verdict = decide(facts);
   }
   return reading;
 }

@@ -134,7 +134,7 @@ bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagno
 
 }  // namespace
 
-std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
+std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
   std::vector<std::string> paths = inputs.files;
   paths.insert(paths.end(), inputs.parts.begin(), inputs.parts.end());
   std::vector<text::Document> documents;
@@ -149,15 +149,24 @@ std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, 
   std::optional<Calibration> calibration =
       read_calibration(std::move(documents), inputs.format, read_options(inputs), diagnostics);
   if (!calibration || !has_given_size(inputs, *calibration, diagnostics)) return std::nullopt;
+  return calibration;
+}
+
+bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration, Diagnostics& diagnostics) {
   if (inputs.cameras) {
-    const std::optional<std::vector<std::size_t>> places = places_of(*inputs.cameras, calibration->rig, diagnostics);
-    if (!places) return std::nullopt;
-    keep_only(*places, calibration->rig);
+    const std::optional<std::vector<std::size_t>> places = places_of(*inputs.cameras, calibration.rig, diagnostics);
+    if (!places) return false;
+    keep_only(*places, calibration.rig);
   }
-  if (!add_lens_circles(inputs.lens_circles, inputs.change, files, calibration->rig, diagnostics)) return std::nullopt;
+  if (!add_lens_circles(inputs.lens_circles, inputs.change, files, calibration.rig, diagnostics)) return false;
   const std::string& input = inputs.files.front();
-  if (!change_images(inputs.change, input, calibration->rig, diagnostics)) return std::nullopt;
-  if (inputs.imu_noise && !make_densities(*inputs.imu_noise, input, calibration->rig, diagnostics)) return std::nullopt;
+  return change_images(inputs.change, input, calibration.rig, diagnostics) &&
+         (!inputs.imu_noise || make_densities(*inputs.imu_noise, input, calibration.rig, diagnostics));
+}
+
+std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
+  std::optional<Calibration> calibration = read_as_stated(inputs, files, diagnostics);
+  if (!calibration || !apply_choices(inputs, files, *calibration, diagnostics)) return std::nullopt;
   return calibration;
 }
 

@@ -154,15 +154,8 @@ std::span<const CodeInfo> orbslam3_codes() {
       clause(Code::kOrbslam3StockByLayout, " (the layout v1 for that)"),
 
       // What to do, and why.
+      clause(Code::kOrbslam3NoPair, "; not stereo: {0} and {1} have less than a quarter of their images in common"),
       clause(Code::kOrbslam3FirstIsLeft, "ORB-SLAM3 takes the first camera of a stereo pair for the left one"),
-      clause(Code::kOrbslam3UndistortFirst,
-             "undistort the images first, those of depth too (cv::initUndistortRectifyMap), and convert the camera that they "
-             "then have"),
-      clause(Code::kOrbslam3WriteOldStyle,
-             "write the layout old: V1.0 also reads the older style, and there both cameras rightly"),
-      clause(Code::kOrbslam3RectifyFirst,
-             "rectify the images first (cv::stereoRectify) and convert one camera of the rectified pair with its baseline, for "
-             "the mode stereo; or write the model kb4 in the layout old, where V1.0 reads both cameras rightly"),
   };
   return kRows;
 }

@@ -64,6 +64,20 @@ enum class Code : std::uint16_t {
   kDsoOutputShares,
   kDsoNotRectified,
 
+  // Why a file is less than ready to use.
+  kVerdictPixelsOff,
+  kVerdictMisread,
+  kVerdictNoRays,
+  kVerdictRefused,
+  kVerdictReadBy,
+  kVerdictPosesDiffer,
+  kVerdictNumbersDiffer,
+  kVerdictPosesContradict,
+  kVerdictNotAsked,
+  kVerdictNoReader,
+  kVerdictLost,
+  kVerdictInvented,
+
   // What a check finds about an IMU and about time.
   kImuNoiseTooSmall,
   kImuNoiseTooLarge,
@@ -657,9 +671,7 @@ enum class Code : std::uint16_t {
   kOrbslam3StockByModel,
   kOrbslam3StockByLayout,
   kOrbslam3FirstIsLeft,
-  kOrbslam3UndistortFirst,
-  kOrbslam3WriteOldStyle,
-  kOrbslam3RectifyFirst,
+  kOrbslam3NoPair,
 
   // VINS-Fusion's files, as read and written.
   kVinsDegreeFour,

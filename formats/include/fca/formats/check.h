@@ -6,6 +6,7 @@
 #include <fca/formats/calibration.h>
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/proof.h>
+#include <fca/formats/verdict_value.h>
 
 #include <optional>
 #include <span>
@@ -49,8 +50,11 @@ struct CheckReport {
   std::vector<Finding> findings;   ///< In the order of their places.
   std::vector<Message> checked;    ///< Clauses: what the file gave a check to look at.
   std::vector<Undecided> undecided;
-  Readers readers;                 ///< Who reads the file.
-  std::vector<std::string> parts;  ///< Paths of the files that it names as parts of it and that are there.
+  Readers readers;                   ///< Who reads the file.
+  std::optional<ProofResult> proof;  ///< What the program that it is for makes of it; none: no such program, or no camera.
+  std::string mode;                  ///< Of that program, which the keys are for.
+  Verdict verdict;                   ///< Whether to use the file with that program.
+  std::vector<std::string> parts;    ///< Paths of the files that it names as parts of it and that are there.
   [[nodiscard]] bool has(Severity severity) const;
 };
 
@@ -59,11 +63,18 @@ struct CheckOptions {
   const Format* from = nullptr;                  ///< Null: detected.
   const consumers::Consumer* program = nullptr;  ///< The program the file is meant for; null: the format's own.
   std::optional<double> max_angle_rad;           ///< What counts as lens, from the axis.
+  std::vector<std::string> ignored;              ///< Ids of findings that are left out.
   bool parts = false;                            ///< Are the files that it names as parts of it to be looked for, and read?
 };
 
 /// Checks one file by itself. The faults of its parts are told by a check of theirs.
 [[nodiscard]] CheckReport check_file(const text::Source& source, const CheckOptions& options);
+
+/// What is wrong with the meaning of what a document states, of that what `to` holds: sizes, lenses, poses, noise. Programs are
+/// not asked. `calibration` was read from the document, and from others perhaps; `diagnostics`: what its readers found.
+[[nodiscard]] std::vector<Finding> findings_about_meaning(const text::Document& document, const Calibration& calibration,
+                                                          const Diagnostics& diagnostics, const CheckOptions& options,
+                                                          const Format& to);
 
 /// The file with every mend that is certain, also those that only show when others are made; nothing if there is none. Only
 /// spellings change (a decimal point, quotes, a header), no value.

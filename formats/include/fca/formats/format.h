@@ -53,6 +53,7 @@ struct DefaultedValue {
   std::string key;
   std::string value;
   bool look_at_it = false;  ///< The user must check it (fps, colour order); the others are tuning with upstream's value.
+  bool invented = false;    ///< A fact of the calibration that no input states: an IMU's noise or pose, the unit of lengths.
 };
 
 struct Format;
@@ -105,7 +106,6 @@ struct Written {
   std::string opencv_model;  ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
   Message first_is_left;     ///< Why the first of two cameras is to be the left one, for people; none: nothing asks for it.
   Message pose_remedy;       ///< What to do about poses that the files do not say; may be none.
-  Message misread_remedy;    ///< What to do where the program is known to misread such a file; may be none.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<PoseEdge> restated;  ///< Poses that the files say otherwise than the rig, on purpose; each is among the losses.

@@ -4,6 +4,7 @@
 
 #include <fca/convert/domain.h>
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/pixel_distance.h>
 #include <fca/rig/rig.h>
 
 #include <cstddef>
@@ -23,10 +24,11 @@ struct CameraProof {
   std::string model;  ///< What the program takes the lens for, in its own words.
   int width = 0;      ///< Of the image the program works on, in pixels; 0 where the file does not state it.
   int height = 0;
-  bool misread = false;         ///< The program is known to take its numbers from the wrong place of a right file.
-  bool agrees = true;           ///< To what the program's precision allows.
-  double max_diff_px = 0.0;     ///< Between the program's pixels and ours, where both have one.
-  double compared_share = 0.0;  ///< Of the image asked about, how much both answer.
+  bool misread = false;          ///< The program is known to take its numbers from the wrong place of a right file.
+  bool agrees = true;            ///< To what the program's precision allows.
+  double max_diff_px = 0.0;      ///< Between the program's pixels and ours, where both have one.
+  double compared_share = 0.0;   ///< Of the image asked about, how much both answer.
+  CameraDistance distance = {};  ///< From the camera as it was calibrated; zeros without an image size.
 };
 
 /// What one program makes of a file that is to say `rig`.
@@ -53,6 +55,8 @@ struct ProofResult {
   std::vector<std::string> poses;    ///< Those that it holds: "T_cam0_cam1".
   std::vector<consumers::Complaint> refusals;
   std::vector<consumers::Complaint> warnings;  ///< What it silently misreads or ignores.
+  bool is_first = true;                        ///< The program that the file is written for; others may read it, too.
+  std::vector<std::string> read_by = {};       ///< Where it refuses the file: other programs that read it.
   /// Is the file right? What the program is known to misread of right files is not held against it.
   [[nodiscard]] bool agrees() const { return loads && pixels_agree && poses_agree && other_numbers.empty(); }
   /// Does the program understand all that the file says?
@@ -65,14 +69,16 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 
 /// Would `consumer` load these bytes and understand the rig's cameras (those named in `cameras`, in that order) as we mean
 /// them? Compared are pixels, poses, and what other numbers both state. Rays: a lattice over each camera's image, up to
-/// `max_angle_rad` from the axis; what lies beyond is not asked about. `each_camera` may compare several at once.
+/// `max_angle_rad` from the axis; what lies beyond is not asked about. `each_camera` may compare several at once. `calibrated`:
+/// the cameras before they were fitted, from which CameraProof::distance is; those that are not among them are the rig's.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras,
-                                double max_angle_rad = std::numbers::pi, const ForEach& each_camera = one_after_the_other);
+                                double max_angle_rad = std::numbers::pi, const ForEach& each_camera = one_after_the_other,
+                                std::span<const Camera> calibrated = {});
 /// The same of all the rig's cameras.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig, double max_angle_rad = std::numbers::pi,
-                                const ForEach& each_camera = one_after_the_other);
+                                const ForEach& each_camera = one_after_the_other, std::span<const Camera> calibrated = {});
 
 /// Who reads a file, for people.
 struct Readers {

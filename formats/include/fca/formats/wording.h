@@ -7,6 +7,7 @@
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/format.h>
 #include <fca/formats/text/message.h>
+#include <fca/formats/verdict.h>
 
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ namespace fca {
 [[nodiscard]] std::string id_of(const Undecided& undecided);
 [[nodiscard]] std::string question_of(const Undecided& undecided, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string why_of(const Undecided& undecided, text::Wording wording = text::table_wording);
+
+[[nodiscard]] std::string id_of(const Reason& reason);
+[[nodiscard]] std::string message_of(const Reason& reason, text::Wording wording = text::table_wording);
+[[nodiscard]] std::string fix_of(const Reason& reason, text::Wording wording = text::table_wording);
 
 namespace consumers {
 

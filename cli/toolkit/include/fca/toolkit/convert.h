@@ -6,6 +6,7 @@
 #include <fca/formats/format.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/set_value.h>
+#include <fca/formats/verdict.h>
 #include <fca/toolkit/files.h>
 #include <fca/toolkit/inputs.h>
 #include <fca/toolkit/status.h>
@@ -81,18 +82,28 @@ struct ConvertRequest {
   std::string extension;             ///< Of the file to be written, with its point, for formats with several syntaxes.
   Objective objective = Objective::kRms;
   bool every_pixel = false;             ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
+  bool reach_table = false;             ///< ConversionReport::reach is wanted.
   std::optional<double> frame_rate_hz;  ///< For formats that state it.
   std::optional<double> baseline_m;     ///< Of a rectified pair or depth sensor.
   std::vector<KeyValue> settings;       ///< Values of the written file that no calibration states.
   std::optional<double> max_error_px;   ///< kRejected if a camera's largest error is more.
   bool strict = false;                  ///< kRejected if anything of the input is lost.
   bool verify = true;                   ///< The programs that read the files are asked about their bytes.
+  std::vector<Acceptance> accepted;     ///< Reasons against the file that do not stop it.
   ProvenanceComment provenance = ProvenanceComment::kInFreshFiles;
   std::string made_by;   ///< For that comment: the command or program that asks; empty: none.
   std::size_t jobs = 0;  ///< Cameras at the same time; 0: as many as there are processors.
   OutputRoom room;
   /// The path of a file of the result, for messages and for the file's `path`; null: files have none.
   std::function<std::string(const ConvertResult& result, std::size_t file)> path_of;
+};
+
+/// Another way to write the same, for the same program: how far it understands the worst camera.
+struct OtherWriting {
+  std::string layout;
+  std::string model;  ///< Of all cameras.
+  double rms_px = 0.0;
+  double max_px = 0.0;
 };
 
 /// What came of it. Where `status` is neither kDone nor kRejected, only what was reached is set.
@@ -104,9 +115,12 @@ struct ConvertResult {
   bool lens_given = false;  ///< By an angle or a circle: shares are of the lens.
   std::vector<ConvertedCamera> cameras;
   std::vector<ConvertedFile> files;
-  Message headline;        ///< Mode, who reads it, who does not.
-  std::string mode;        ///< That was written for.
-  Message misread_remedy;  ///< What to do where the program is known to misread such a file; may be none.
+  Message headline;     ///< Mode, who reads it, who does not.
+  std::string mode;     ///< That was written for.
+  std::string layout;   ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
+  Verdict verdict;      ///< Whether to use the files.
+  double rms_px = 0.0;  ///< Of the camera that the program understands worst.
+  std::vector<OtherWriting> others;  ///< Ways that were tried and are worse or, if one is asked for, better.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;
   std::vector<ProofResult> proofs;

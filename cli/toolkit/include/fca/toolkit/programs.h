@@ -4,6 +4,7 @@
 
 #include <fca/formats/calibration.h>
 #include <fca/formats/proof.h>
+#include <fca/formats/verdict_value.h>
 
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct ProgramReading {
   struct Mode {
     std::vector<std::string> names;  ///< Empty: the program has none.
     ProofResult proof;
+    Verdict verdict;  ///< Whether to use the file so.
   };
   const consumers::Consumer* program = nullptr;
   bool reads_format = true;

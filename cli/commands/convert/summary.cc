@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The report that is printed without -v: the verdict, and what a user must act on.
+#include "convert_command.h"
+#include "shell/option_hints.h"
+#include "shell/verdict_text.h"
+#include "toolkit/words.h"
+
+#include <fca/code.h>
+#include <fca/formats/wording.h>
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+std::string name_of_outputs(const ConvertOutcome& outcome) {
+  std::vector<std::string> paths;
+  for (const ConvertedFile& file : outcome.files) {
+    if (!file.path.empty()) paths.push_back(file.path);
+  }
+  if (paths.empty()) return outcome.one_of_many ? outcome.input : std::string(outcome.to->title);
+  constexpr std::size_t kMost = 2;
+  if (paths.size() <= kMost) return enumerated(paths);
+  return paths.front() + " and " + counted(paths.size() - 1, "other file");
+}
+
+std::string first_line(const ConvertOutcome& outcome, bool written) {
+  std::string text = name_of_outputs(outcome) + ": " + std::string(in_words(outcome.verdict.word));
+  if (outcome.code != ExitCode::kGood && written) text += ", nothing written";
+  return text + "; " + text::text_of(outcome.headline, with_options) + "\n";
+}
+
+const PixelDistance* distance_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
+  for (const ProofResult& proof : outcome.proofs) {
+    if (!proof.is_first) continue;
+    const auto seen = std::ranges::find(proof.cameras, camera.source.name, &CameraProof::name);
+    if (seen != proof.cameras.end() && seen->distance.decisive().region > 0.0) return &seen->distance.decisive();
+  }
+  return nullptr;
+}
+
+SummaryLine line_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
+  const PixelDistance* distance = distance_of(outcome, camera);
+  return {camera.name_in_words(), camera_line(camera) + (distance != nullptr ? "; " + distance_in_words(*distance) : "")};
+}
+
+/// Parts of the image beyond the region that decides.
+void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+  constexpr double kNoticeable = 0.01;
+  for (const ProofResult& proof : outcome.proofs) {
+    double most = 0.0;
+    for (const CameraProof& camera : proof.cameras) {
+      const CameraDistance& distance = camera.distance;
+      if (!proof.is_first || !distance.is_wide || distance.in_circle.no_rays > kNoticeable) continue;
+      most = std::max(most, distance.in_image.no_rays * distance.in_image.region);
+    }
+    if (most > kNoticeable)
+      lines.push_back({"limit", proof.program + " has no right ray outside the image's inscribed circle: " + percent(most) +
+                                    " of the image"});
+  }
+}
+
+void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+  std::vector<std::string> settings;
+  for (const DefaultedValue& value : outcome.defaults) {
+    if (value.look_at_it && !is_invented(value)) settings.push_back(value.key + " " + value.value);
+  }
+  if (!settings.empty()) lines.push_back({"set", enumerated(settings) + ": no input states it"});
+}
+
+void add_left_out(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+  std::vector<std::string> cameras;
+  for (const Loss& loss : outcome.losses) {
+    if (info(loss.kind).id == info(Code::kOrbslam3ThirdCameraDropped).id) cameras.push_back(loss.owner);
+  }
+  if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras)});
+}
+
+std::string in_words(const OtherWriting& writing) {
+  return (writing.layout.empty() ? "the usual one" : writing.layout) + ", " + writing.model;
+}
+
+void add_other_writings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+  if (outcome.others.empty()) return;
+  std::string text = (outcome.layout.empty() ? "the usual one: " : outcome.layout + ": ") + pixels(outcome.rms_px) + " px rms";
+  for (const OtherWriting& other : outcome.others)
+    text += "; " + in_words(other) + ": " + pixels(other.rms_px) + " px rms, worst " + pixels(other.max_px) + " px";
+  lines.push_back({"layouts", text});
+}
+
+/// What is left for -v.
+std::size_t details(const ConvertOutcome& outcome) {
+  const auto is_detail = [&outcome](const Loss& loss) { return !matters(loss, *outcome.to, outcome.mode); };
+  const auto not_to_set = std::ranges::count(outcome.defaults, false, &DefaultedValue::look_at_it);
+  const auto& entries = outcome.diagnostics.entries();
+  const auto not_errors =
+      std::ranges::count_if(entries, [](const Diagnostic& entry) { return entry.severity != Severity::kError; });
+  return static_cast<std::size_t>(std::ranges::count_if(outcome.losses, is_detail) + not_to_set + not_errors);
+}
+
+}  // namespace
+
+std::string convert_summary(const ConvertOutcome& outcome, bool written) {
+  std::vector<SummaryLine> lines;
+  for (const ConvertedCamera& camera : outcome.cameras) lines.push_back(line_of(outcome, camera));
+  for (SummaryLine& line : lines_of(outcome.verdict)) lines.push_back(std::move(line));
+  add_limits(outcome, lines);
+  add_other_writings(outcome, lines);
+  add_left_out(outcome, lines);
+  add_settings(outcome, lines);
+  std::string text = first_line(outcome, written) + summary_text(lines);
+  if (const std::size_t count = details(outcome); count > 0) text += "  " + counted(count, "detail") + ": -v\n";
+  return text;
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verdict_text.h"
+
+#include "option_hints.h"
+#include "toolkit/words.h"
+
+#include <fca/code.h>
+#include <fca/formats/wording.h>
+
+#include <algorithm>
+
+namespace fca::cli {
+
+namespace {
+
+constexpr std::size_t kColumns = 80;
+constexpr std::size_t kIndent = 2;
+constexpr std::size_t kAbout = 11;  // the column of what a line is about
+
+/// Words in lines; the first line continues one that is `used` characters long.
+std::string wrapped_at(const std::string& text, std::size_t used, std::size_t indent) {
+  std::string result;
+  std::size_t column = used;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    at = end + 1;
+    const bool is_first = column == indent;
+    if (!is_first && column + 1 + word.size() > kColumns) {
+      result += "\n" + std::string(indent, ' ') + word;
+      column = indent + word.size();
+    } else {
+      result += (is_first ? "" : " ") + word;
+      column += word.size() + (is_first ? 0 : 1);
+    }
+  }
+  return result;
+}
+
+/// What kind of thing the reason is about.
+std::string_view label_of(const Reason& reason) {
+  switch (reason.facts.code) {
+    case Code::kVerdictNoRays:
+      return "limit";
+    case Code::kVerdictMisread:
+      return "misread";
+    case Code::kVerdictRefused:
+      return "refused";
+    case Code::kVerdictNotAsked:
+    case Code::kVerdictNoReader:
+      return "not proven";
+    case Code::kVerdictLost:
+      return "lost";
+    case Code::kVerdictInvented:
+      return "made up";
+    default:
+      return reason.word == VerdictWord::kDoNotUse ? "wrong" : "look at";
+  }
+}
+
+std::string sentence_of(const Reason& reason) {
+  std::string text = message_of(reason, with_options);
+  const std::string fix = fix_of(reason, with_options);
+  if (reason.facts.code == Code::kVerdictLost) {
+    const auto* clauses = std::get_if<std::vector<Message>>(&reason.facts.arguments.front().value);
+    const std::string remedy = clauses != nullptr ? text::fix_of(clauses->front(), with_options) : "";
+    if (!remedy.empty()) text += ": " + remedy;
+  } else if (!fix.empty()) {
+    text += "; fix: " + fix;
+  }
+  if (reason.is_accepted) text += " (accepted)";
+  return text;
+}
+
+}  // namespace
+
+std::string_view in_words(VerdictWord word) {
+  switch (word) {
+    case VerdictWord::kReady:
+      return "ready";
+    case VerdictWord::kUseWithCare:
+      return "use with care";
+    case VerdictWord::kDoNotUse:
+      return "do not use";
+  }
+  return "";
+}
+
+std::string summary_text(const std::vector<SummaryLine>& lines) {
+  std::vector<SummaryLine> merged;
+  for (const SummaryLine& line : lines) {
+    const auto same = std::ranges::find(merged, line.text, &SummaryLine::text);
+    if (same == merged.end()) {
+      merged.push_back(line);
+    } else if (same->about != line.about) {
+      same->about += ", " + line.about;
+    }
+  }
+  std::string text;
+  constexpr std::size_t kText = kIndent + kAbout + 2;
+  for (const SummaryLine& line : merged) {
+    const std::string head = std::string(kIndent, ' ') + padded(line.about, kAbout) + "  ";
+    text += head + wrapped_at(line.text, head.size(), kText) + "\n";
+  }
+  return text;
+}
+
+std::vector<SummaryLine> lines_of(const Verdict& verdict) {
+  std::vector<SummaryLine> lines;
+  std::vector<std::string> codes;
+  for (auto at = verdict.reasons.begin(); at != verdict.reasons.end(); ++at) {
+    const Reason& reason = *at;
+    if (reason.word == VerdictWord::kDoNotUse && std::ranges::find(codes, id_of(reason)) == codes.end())
+      codes.push_back(id_of(reason));
+    if (reason.facts.code == Code::kVerdictPixelsOff) continue;
+    // The same loss of several cameras is one line.
+    const auto is_like = [&reason](const Reason& other) {
+      return reason.facts.code == Code::kVerdictLost && other.kind == reason.kind && other.camera != reason.camera;
+    };
+    if (std::any_of(verdict.reasons.begin(), at, is_like)) continue;
+    std::vector<std::string> likewise;
+    for (auto other = at + 1; other != verdict.reasons.end(); ++other) {
+      if (is_like(*other)) likewise.push_back(other->camera);
+    }
+    const bool names_camera = reason.facts.code == Code::kVerdictNoRays && !reason.camera.empty();
+    lines.push_back({names_camera ? reason.camera : std::string(label_of(reason)),
+                     sentence_of(reason) + (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise")});
+  }
+  std::string accept;
+  for (const std::string& code : codes) accept += " --accept " + code;
+  if (!accept.empty()) lines.push_back({"anyway", accept.substr(1)});
+  return lines;
+}
+
+std::string distance_in_words(const PixelDistance& distance) {
+  constexpr double kNothing = 0.001;  // px
+  if (distance.max <= kNothing) return "understood within 0.001 px";
+  return pixels(distance.rms) + " px rms off (99 %: " + pixels(distance.p99) + ", worst " + pixels(distance.max) + " px)";
+}
+
+}  // namespace fca::cli

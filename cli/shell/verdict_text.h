@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The verdict on a file, for people.
+#pragma once
+
+#include <fca/formats/verdict.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::cli {
+
+/// "ready", "use with care", "do not use"
+[[nodiscard]] std::string_view in_words(VerdictWord word);
+
+/// A line of a summary: what it is about, and the rest.
+struct SummaryLine {
+  std::string about;
+  std::string text;
+  bool operator==(const SummaryLine&) const = default;
+};
+
+/// Equal lines about several cameras are one; in 80 columns, each behind two blanks.
+[[nodiscard]] std::string summary_text(const std::vector<SummaryLine>& lines);
+
+/// The reasons but for distances in pixels, which stand with the cameras; and how to write the file all the same.
+[[nodiscard]] std::vector<SummaryLine> lines_of(const Verdict& verdict);
+
+/// "understood within 0.001 px", "0.12 px rms off (99 %: 0.4, worst 2.9 px)"
+[[nodiscard]] std::string distance_in_words(const PixelDistance& distance);
+
+}  // namespace fca::cli

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The other layouts in which a program reads a file: it may understand one of them better.
+#pragma once
+
+#include "start.h"
+
+namespace fca {
+
+/// How far, in pixels rms, the program that the files are written for understands the worst camera; 0 where nothing is known.
+[[nodiscard]] double worst_rms_px(const ConvertResult& result);
+
+/// Where the program misreads a camera, writes the other layouts, too, each in the cameras' own models or, where it does not
+/// hold those, in the best that it holds. The best for that program becomes the result, unless the request asks for a layout or
+/// a model; the rest is listed (ConvertResult::others). `before`: the result as it was before anything was written.
+void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
+
+}  // namespace fca

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a conversion begins with: its input, and the base that it is written into.
+#pragma once
+
+#include "base.h"
+
+#include <fca/formats/check.h>
+
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace fca {
+
+struct Start {
+  std::optional<Calibration> into;  ///< The request's base.
+  Calibration input;
+  Base base;                      ///< Points into the two above.
+  std::vector<Finding> findings;  ///< About the meaning of the input.
+};
+
+/// False with errors. `programs`: who reads the target gets ready meanwhile.
+[[nodiscard]] bool read_start(const ConvertRequest& request, Files& files, Start& start, std::jthread& programs,
+                              ConvertResult& result);
+
+}  // namespace fca

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "writing.h"
+
+#include "assumptions.h"
+#include "camera_names.h"
+#include "choose_model.h"
+#include "into.h"
+#include "parallel_for.h"
+#include "placing.h"
+#include "provenance.h"
+#include "proving.h"
+#include "settings.h"
+#include "stale_facts.h"
+#include "stereo_order.h"
+#include "write_rig.h"
+
+#include <fca/convert/reach.h>
+
+#include <algorithm>
+
+namespace fca {
+
+namespace {
+
+Rig converted_rig(const Calibration& calibration, const std::vector<ConvertedCamera>& cameras, const ConvertRequest& request) {
+  Rig rig = calibration.rig;
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    rig.cameras[i] = cameras[i].target;
+    if (request.frame_rate_hz) rig.cameras[i].frame_rate_hz = request.frame_rate_hz;
+  }
+  if (request.baseline_m) rig.baseline_m = request.baseline_m;
+  return rig;
+}
+
+/// The rig with the poses that the files say otherwise.
+Rig as_restated(Rig rig, const Written& written) {
+  for (const PoseEdge& edge : written.restated) {
+    const auto stated =
+        std::ranges::find_if(rig.poses, [&edge](const PoseEdge& other) { return other.a == edge.a && other.b == edge.b; });
+    if (stated != rig.poses.end()) {
+      stated->T_a_b = edge.T_a_b;
+    } else {
+      rig.poses.push_back(edge);
+    }
+  }
+  return rig;
+}
+
+/// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
+void add_reach(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
+  parallel_for(cameras.size(), choice.jobs, [&](std::size_t i) {
+    ConvertedCamera& camera = cameras[i];
+    const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
+    if (!camera.report || camera.report->exact || stored == nullptr) return;
+    Diagnostics told_already;
+    camera.report->reach = reach_table(camera.source, options_for(*stored, choice), *camera.report, told_already);
+  });
+}
+
+/// Of joined files the one that an output is an edit of; null if it is none.
+const text::Document* input_of(const ConvertedFile& output, const Written& written, const Calibration& calibration) {
+  const auto file = std::ranges::find(written.files, output.cameras, &Written::File::cameras);
+  if (file == written.files.end()) return nullptr;
+  const auto input = std::ranges::find_if(calibration.documents, [&file](const text::Document& document) {
+    return document.source().bytes == file->document.source().bytes;
+  });
+  return input == calibration.documents.end() ? nullptr : &*input;
+}
+
+/// Step by step: each of them is false where there are errors.
+class Writing {
+ public:
+  Writing(const ConvertRequest& request, const Start& start, ConvertResult& result)
+      : request_(request), input_(start.input), into_(start.into), base_(start.base), result_(result) {}
+
+  [[nodiscard]] bool run() {
+    if (!fit() || !write() || !place()) return false;
+    if (request_.verify) prove();
+    return true;
+  }
+
+ private:
+  [[nodiscard]] ModelChoice choice() const;
+  /// Into the result's cameras.
+  [[nodiscard]] bool fit();
+  /// Into rig_: the cameras that were fitted, in the rig of the input, or of the base.
+  [[nodiscard]] bool put_together();
+  /// Into written_.
+  [[nodiscard]] bool write();
+  /// What was written, into the result; its files where they go.
+  [[nodiscard]] bool place();
+  void prove();
+
+  const ConvertRequest& request_;
+  const Calibration& input_;
+  const std::optional<Calibration>& into_;
+  const Base& base_;
+  ConvertResult& result_;
+  Rig rig_;    ///< What is written.
+  Kept kept_;  ///< Of the base.
+  Written written_;
+};
+
+ModelChoice Writing::choice() const {
+  ModelChoice choice;
+  choice.model = request_.model;
+  choice.max_angle_rad = request_.inputs.max_angle_rad;
+  choice.every_pixel = request_.every_pixel;
+  choice.jobs = request_.jobs;
+  choice.objective = request_.objective;
+  choice.among = models_for(request_, base_, input_.rig, *result_.to);
+  choice.same_format = input_.format == result_.to && input_.one_format;
+  return choice;
+}
+
+bool Writing::fit() {
+  if (!holds_model(request_, base_, input_.rig, *result_.to, result_.diagnostics)) return false;
+  const ModelChoice chosen = choice();
+  std::optional<std::vector<ConvertedCamera>> cameras =
+      convert_cameras(input_.rig.cameras, *result_.to, chosen, result_.diagnostics);
+  if (!cameras) return false;
+  result_.cameras = *std::move(cameras);
+  if (request_.reach_table) add_reach(*result_.to, chosen, result_.cameras);
+  return put_together();
+}
+
+bool Writing::put_together() {
+  rig_ = converted_rig(input_, result_.cameras, request_);
+  if (!into_) return true;
+  const bool order_given = request_.inputs.cameras && request_.inputs.cameras->size() > 1;
+  rig_ = put_into(into_->rig, std::move(rig_), order_given, kept_, result_.diagnostics);
+  if (!sizes_agree(*into_, input_, rig_, request_, result_.diagnostics)) return false;
+  for (std::size_t i = 0; i < result_.cameras.size(); ++i) result_.cameras[i].source.name = rig_.cameras[i].name;
+  return true;
+}
+
+bool Writing::write() {
+  const Format& to = *result_.to;
+  std::optional<Written> written = write_rig(input_, rig_, base_, request_, kept_.replaced, result_);
+  if (!written || !is_edit_of_base(request_, base_, *written, result_.diagnostics)) return false;
+  if (into_) tell_of_kept(kept_, *written, to, result_.diagnostics);
+  list_assumed_units(input_, to, *written);
+  const bool edits_input = !into_ && base_.document != nullptr;
+  if (edits_input && !request_.inputs.change.changes_nothing())
+    list_facts_of_other_images(input_.rig, to, *written, result_.diagnostics);
+  if (into_) list_facts_of_other_lenses(into_->rig, rig_, to, *written, result_.diagnostics);
+  written_ = *std::move(written);
+  name_as_written(to, written_, result_.cameras);
+  // Before the settings: what those make of a file is no edit of the input any more.
+  add_provenance(request_, input_, written_, result_);
+  if (!apply_settings(request_, to, written_, result_.diagnostics)) return false;
+  for (Loss& loss : written_.losses) name_as_in_file(loss, result_.cameras);
+  warn_of_wrong_side(rig_, request_, written_.first_is_left, result_);
+  return true;
+}
+
+bool Writing::place() {
+  result_.headline = written_.headline;
+  result_.mode = written_.sensor;
+  result_.losses = written_.losses;
+  result_.defaults = written_.defaults;
+  for (const Written::File& file : written_.files) {
+    result_.files.push_back({file.document.source().name, "", file.document.bytes(), file.document.syntax(), file.cameras,
+                             file.programs, file.named});
+  }
+  if (!place_files(request_, result_)) return false;
+  // Cameras that no file holds are listed as lost; their fits are nobody's business.
+  std::erase_if(result_.cameras, [this](const ConvertedCamera& camera) {
+    return std::ranges::none_of(result_.files, [&camera](const ConvertedFile& file) {
+      return std::ranges::find(file.cameras, camera.source.name) != file.cameras.end();
+    });
+  });
+  return true;
+}
+
+void Writing::prove() {
+  const bool edits_it = base_.document != nullptr && base_.into == nullptr;  // then the proof says so
+  if (!edits_it) warn_if_refused(input_, request_.inputs, result_.diagnostics);
+  const Rig meant = as_restated(rig_, written_);
+  for (const ConvertedFile& file : result_.files) {
+    const text::Document* own = input_of(file, written_, input_);
+    verify(meant, file, request_, written_, own != nullptr ? own : base_.document, result_);
+  }
+}
+
+}  // namespace
+
+bool write_as_asked(const ConvertRequest& request, const Start& start, ConvertResult& result) {
+  return Writing(request, start, result).run();
+}
+
+}  // namespace fca

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How far apart a camera and the program that reads its file see the same ray: one number for the fit's error and the program's
+// misreading together.
+#pragma once
+
+#include <fca/formats/consumers/consumer.h>
+#include <fca/rig/rig.h>
+
+namespace fca {
+
+/// Distances between the camera's pixel of a ray and the program's, over a region of the image. Pixels of the camera's image.
+struct PixelDistance {
+  double rms = 0.0;
+  double p99 = 0.0;     ///< 99th percentile.
+  double max = 0.0;     ///< Of the points of a lattice.
+  double region = 0.0;  ///< The region's share of the image, 0 to 1: only pixels that have a ray.
+  double no_rays =
+      0.0;  ///< Share of the region for which the program has no right pixel or no right ray; not in the distances.
+  bool operator==(const PixelDistance&) const = default;
+};
+
+struct CameraDistance {
+  PixelDistance in_circle;  ///< Inside the largest circle about the middle of the image.
+  PixelDistance in_image;
+  bool is_wide = false;  ///< The lens sees more than 120 deg: its corners are beyond what programs use.
+
+  /// That by which the file is evaluated.
+  [[nodiscard]] const PixelDistance& decisive() const { return is_wide ? in_circle : in_image; }
+};
+
+/// `camera`: as it was calibrated; of a known image size. `written`: the same camera in the model of the file. `reader`: what
+/// the program holds of it. Rays further than `max_angle_rad` from the axis, or outside the camera's image circle, are not
+/// asked for.
+[[nodiscard]] CameraDistance distance_of(const Camera& camera, const CameraModel& written,
+                                         const consumers::ConsumerCamera& reader, double max_angle_rad);
+
+}  // namespace fca

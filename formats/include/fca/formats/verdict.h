@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How it is decided whether to use a file, for all that print or return a verdict.
+#pragma once
+
+#include <fca/formats/check.h>
+#include <fca/formats/proof.h>
+#include <fca/formats/verdict_value.h>
+#include <fca/rig/contradictions.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca {
+
+/// A reason that the user overrules.
+struct Acceptance {
+  std::string id;
+  std::string camera = {};  ///< Empty: of any.
+  [[nodiscard]] bool covers(const Reason& reason) const;
+};
+
+/// All that is known of a written file, or of one that is evaluated as it is.
+struct VerdictFacts {
+  const Format* to = nullptr;                ///< Of the file.
+  std::string_view mode = {};                ///< Of `to`'s modes, that it is for.
+  std::span<const ProofResult> proofs = {};  ///< Of each file the program that it is for comes first.
+  bool is_read = true;                       ///< False: its findings say why it cannot be read; all errors count.
+  bool is_asked = true;                      ///< False: no program was asked on purpose.
+  bool has_reader = true;                    ///< False: of some file no program is known that reads it.
+  std::span<const Loss> losses = {};
+  std::span<const DefaultedValue> defaults = {};
+  std::span<const Finding> findings = {};  ///< About the meaning of what the file states (findings_about_meaning).
+  const Rig* rig = nullptr;                ///< As read, for its contradictions.
+  std::span<const Acceptance> accepted = {};
+};
+
+[[nodiscard]] Verdict decide(const VerdictFacts& facts);
+
+/// Does a program of the format, started in that mode, miss what was lost? If not it is a detail: a topic, an identity matrix,
+/// an IMU beside a format of lenses.
+[[nodiscard]] bool matters(const Loss& loss, const Format& to, std::string_view mode);
+
+/// The same of a value that was made up: not a setting of the program, but a fact of the calibration.
+[[nodiscard]] bool is_invented(const DefaultedValue& value);
+
+}  // namespace fca

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/pixel_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace fca {
+
+namespace {
+
+/// Steps of the lattice along each side. Even: every second point is asked for the program's ray.
+constexpr int kSteps = 32;
+/// A pixel or ray that is further off than this, where programs are known to go wrong, is none.
+constexpr double kWrongPx = 1.0;
+
+/// One point of the lattice.
+struct Point {
+  double area = 0.0;      ///< For how many cells it stands.
+  double distance = 0.0;  ///< px
+};
+
+double distance_between(const Pixel& a, const Pixel& b) {
+  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
+}
+
+/// Collects one region.
+class Region {
+ public:
+  void add(double area, const std::optional<double>& distance) {
+    asked_ += area;
+    if (distance) points_.push_back({area, *distance});
+  }
+  void add_wrong_rays(double area) { wrong_rays_ += area; }
+
+  [[nodiscard]] PixelDistance summary() && {
+    PixelDistance result;
+    constexpr double kCells = kSteps * kSteps;
+    result.region = asked_ / kCells;
+    double answered = 0.0;
+    double squares = 0.0;
+    for (const Point& point : points_) {
+      answered += point.area;
+      squares += point.area * point.distance * point.distance;
+      result.max = std::max(result.max, point.distance);
+    }
+    if (asked_ > 0.0) result.no_rays = std::min(1.0, (asked_ - answered + wrong_rays_) / asked_);
+    if (!(answered > 0.0)) return result;
+    result.rms = std::sqrt(squares / answered);
+    result.p99 = percentile(0.99 * answered);
+    return result;
+  }
+
+ private:
+  /// The smallest distance that at least `area` of the points do not exceed.
+  double percentile(double area) {
+    std::ranges::sort(points_, {}, &Point::distance);
+    double below = 0.0;
+    for (const Point& point : points_) {
+      below += point.area;
+      if (below >= area) return point.distance;
+    }
+    return points_.back().distance;
+  }
+
+  std::vector<Point> points_;
+  double asked_ = 0.0;
+  double wrong_rays_ = 0.0;
+};
+
+class Comparison {
+ public:
+  Comparison(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader, double max_angle_rad)
+      : camera_(camera),
+        written_(written),
+        reader_(reader),
+        is_kept_(camera.model == written),
+        last_cosine_(max_angle_rad < std::numbers::pi ? std::cos(max_angle_rad) : -2.0) {}
+
+  CameraDistance run() {
+    CameraDistance result;
+    if (!camera_.image_size) return result;
+    const Pixel last = {camera_.image_size->width - 1.0, camera_.image_size->height - 1.0};
+    const double radius = 0.5 * std::min(last[0], last[1]);
+    const auto width_of = [](int step) { return step == 0 || step == kSteps ? 0.5 : 1.0; };
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        const Pixel pixel = {last[0] * i / kSteps, last[1] * j / kSteps};
+        const bool in_circle = distance_between(pixel, {0.5 * last[0], 0.5 * last[1]}) <= radius;
+        compare_at(pixel, width_of(i) * width_of(j), in_circle, i % 2 == 0 && j % 2 == 0);
+      }
+    }
+    constexpr double kWide = std::numbers::pi / 3.0;  // 60 deg from the axis
+    result.is_wide = smallest_cosine_ < std::cos(kWide);
+    result.in_circle = std::move(in_circle_).summary();
+    result.in_image = std::move(in_image_).summary();
+    return result;
+  }
+
+ private:
+  void compare_at(const Pixel& pixel, double area, bool in_circle, bool ask_for_ray) {
+    if (camera_.lens_circle && !camera_.lens_circle->contains(pixel)) return;
+    const std::optional<Ray> ray = unproject(camera_.model, pixel);
+    if (!ray || (*ray)[2] < last_cosine_) return;
+    smallest_cosine_ = std::min(smallest_cosine_, (*ray)[2]);
+    const std::optional<double> distance = distance_at(pixel, *ray);
+    // Rays are asked for at every fourth point, which stands for four.
+    const double wrong_rays = distance && ask_for_ray && has_wrong_ray(pixel) ? 4.0 * area : 0.0;
+    for (Region* region : {&in_image_, &in_circle_}) {
+      if (region == &in_circle_ && !in_circle) continue;
+      region->add(area, distance);
+      region->add_wrong_rays(wrong_rays);
+    }
+  }
+
+  /// Nothing where the model of the file or the program has no right pixel.
+  [[nodiscard]] std::optional<double> distance_at(const Pixel& pixel, const Ray& ray) const {
+    if (!is_kept_ && !project(written_, ray)) return std::nullopt;
+    const std::optional<Pixel> theirs = reader_.project(ray);
+    if (!theirs) return std::nullopt;
+    const double distance = distance_between({(*theirs)[0] / reader_.scale[0], (*theirs)[1] / reader_.scale[1]}, pixel);
+    // From 90 degrees on some programs mirror.
+    if (!std::isfinite(distance) || (ray[2] <= 0.0 && distance > kWrongPx)) return std::nullopt;
+    return distance;
+  }
+
+  /// Does the program's own ray of the pixel lead back to another pixel?
+  [[nodiscard]] bool has_wrong_ray(const Pixel& pixel) const {
+    if (!reader_.unproject) return false;
+    const Pixel theirs = {pixel[0] * reader_.scale[0], pixel[1] * reader_.scale[1]};
+    const std::optional<Ray> ray = reader_.unproject(theirs);
+    const std::optional<Pixel> back = ray ? reader_.project(*ray) : std::nullopt;
+    return back && distance_between(*back, theirs) > kWrongPx;
+  }
+
+  const Camera& camera_;
+  const CameraModel& written_;
+  const consumers::ConsumerCamera& reader_;
+  bool is_kept_;
+  double last_cosine_;
+  double smallest_cosine_ = 1.0;
+  Region in_image_;
+  Region in_circle_;
+};
+
+}  // namespace
+
+CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
+                           double max_angle_rad) {
+  return Comparison(camera, written, reader, max_angle_rad).run();
+}
+
+}  // namespace fca

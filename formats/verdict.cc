@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/formats/verdict.h>
+
+#include <fca/code.h>
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/wording.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+namespace fca {
+
+namespace {
+
+/// Up to here a distance or share is none that anybody notices, and up to there one can work with it.
+struct Limits {
+  double ready;
+  double care;
+};
+constexpr Limits kRmsPx = {0.25, 2.0};
+constexpr Limits kP99Px = {1.0, 5.0};
+constexpr Limits kNoRays = {0.01, 0.5};
+constexpr Limits kPoseRad = {1e-3, 0.5 * std::numbers::pi / 180.0};
+constexpr Limits kPoseM = {1e-3, 1e-2};
+
+VerdictWord word_of(double value, const Limits& limits) {
+  if (value <= limits.ready) return VerdictWord::kReady;
+  return value <= limits.care ? VerdictWord::kUseWithCare : VerdictWord::kDoNotUse;
+}
+
+VerdictWord worse(VerdictWord a, VerdictWord b) { return std::max(a, b); }
+
+/// A program whose files those are not in the first place needs to be that one: no more than care.
+VerdictWord weighed(VerdictWord word, bool is_first) { return is_first ? word : std::min(word, VerdictWord::kUseWithCare); }
+
+void add_cameras(const ProofResult& proof, bool is_first, std::vector<Reason>& reasons) {
+  for (const CameraProof& camera : proof.cameras) {
+    const PixelDistance& distance = camera.distance.decisive();
+    const VerdictWord pixels = worse(word_of(distance.rms, kRmsPx), word_of(distance.p99, kP99Px));
+    const auto add = [&](VerdictWord word, Code code, std::vector<Argument> arguments) {
+      if (word == VerdictWord::kReady) return;
+      reasons.push_back({weighed(word, is_first), {code, std::move(arguments)}, camera.name, distance});
+    };
+    add(pixels, Code::kVerdictPixelsOff, {proof.program, distance.rms, distance.p99, distance.max});
+    constexpr double kSeen = 1.0;  // px
+    if (pixels == VerdictWord::kReady && camera.misread && distance.max > kSeen)
+      add(VerdictWord::kUseWithCare, Code::kVerdictMisread, {proof.program, distance.max});
+    const double compared = distance.region * (1.0 - distance.no_rays);
+    add(word_of(distance.no_rays, kNoRays), Code::kVerdictNoRays, {proof.program, distance.no_rays, compared});
+  }
+}
+
+std::vector<Message> facts_of(const std::vector<consumers::Complaint>& complaints) {
+  std::vector<Message> messages;
+  for (const consumers::Complaint& complaint : complaints) messages.push_back(complaint.facts);
+  return messages;
+}
+
+/// What the program holds otherwise than the rig: that would be a fault of the writer.
+void add_disagreement(const ProofResult& proof, bool is_first, std::vector<Reason>& reasons) {
+  const VerdictWord word = weighed(VerdictWord::kDoNotUse, is_first);
+  if (!proof.poses_agree) reasons.push_back({word, {Code::kVerdictPosesDiffer, {proof.program, proof.max_diff_pose}}});
+  if (!proof.other_numbers.empty())
+    reasons.push_back({word, {Code::kVerdictNumbersDiffer, {proof.program, proof.other_numbers}}});
+}
+
+void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  if (!facts.is_asked) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNotAsked}});
+  if (!facts.has_reader) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNoReader, {facts.to->program}}});
+  for (const ProofResult& proof : facts.proofs) {
+    if (proof.loads) {
+      add_cameras(proof, proof.is_first, reasons);
+      add_disagreement(proof, proof.is_first, reasons);
+      continue;
+    }
+    // Written for one program, and another reads it: whoever has that one can use it.
+    const bool another_reads = std::ranges::any_of(facts.proofs, &ProofResult::loads) || !proof.read_by.empty();
+    const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first && !another_reads);
+    std::vector<Message> others;
+    if (!proof.read_by.empty()) others.push_back({Code::kVerdictReadBy, {proof.read_by}});
+    reasons.push_back({word, {Code::kVerdictRefused, {proof.program, facts_of(proof.refusals), others}}});
+  }
+}
+
+/// Is the number, list or matrix one that changes nothing: zeros, or an identity?
+bool is_neutral(const std::string& value) {
+  std::vector<double> numbers;
+  constexpr std::string_view kDigits = "+-.0123456789eE";
+  for (std::size_t at = value.find_first_of(kDigits); at != std::string::npos; at = value.find_first_of(kDigits, at)) {
+    const std::size_t end = std::min(value.find_first_not_of(kDigits, at), value.size());
+    const std::optional<double> number = text::parse_real(value.substr(at, end - at));
+    if (!number) return false;
+    numbers.push_back(*number);
+    at = end;
+  }
+  if (numbers.empty()) return false;
+  if (std::ranges::all_of(numbers, [](double number) { return number == 0.0; })) return true;
+  std::size_t side = 1;
+  while (side * side < numbers.size()) ++side;
+  if (side < 2 || side * side != numbers.size()) return false;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] != (i % (side + 1) == 0 ? 1.0 : 0.0)) return false;
+  }
+  return true;
+}
+
+/// What corrects an IMU's measurements, as Kalibr, OpenVINS and Basalt name it; and its clock.
+constexpr std::array<std::string_view, 15> kOfImus = {"M",
+                                                      "A",
+                                                      "C_gyro_i",
+                                                      "Tw",
+                                                      "Ta",
+                                                      "Tg",
+                                                      "R_IMUtoGYRO",
+                                                      "R_IMUtoACC",
+                                                      "T_i_b",
+                                                      "time_offset",
+                                                      "r_accel_x_i",
+                                                      "r_accel_y_i",
+                                                      "r_accel_z_i",
+                                                      "calib_accel_bias",
+                                                      "calib_gyro_bias"};
+
+bool corrects_an_imu(const std::string& key) {
+  const std::string_view last = std::string_view(key).substr(key.rfind('/') == std::string::npos ? 0 : key.rfind('/') + 1);
+  return std::ranges::find(kOfImus, last) != kOfImus.end();
+}
+
+const double* number_in(const Loss& loss, std::size_t index) {
+  return index < loss.values.size() ? std::get_if<double>(&loss.values[index].value) : nullptr;
+}
+
+const std::string* text_in(const Loss& loss, std::size_t index) {
+  return index < loss.values.size() ? std::get_if<std::string>(&loss.values[index].value) : nullptr;
+}
+
+void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  for (const Loss& loss : facts.losses) {
+    if (!matters(loss, *facts.to, facts.mode)) continue;
+    reasons.push_back({.facts = {Code::kVerdictLost, {Message(facts_of(loss))}}, .camera = loss.owner, .kind = loss.kind});
+  }
+  const bool needs_imu = facts.mode.ends_with("inertial");
+  std::vector<std::string> invented;
+  for (const DefaultedValue& value : facts.defaults) {
+    if (is_invented(value)) invented.push_back(value.key);
+  }
+  if (invented.empty()) return;
+  reasons.push_back({needs_imu ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare, {Code::kVerdictInvented, {invented}}});
+}
+
+void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  for (const Finding& finding : facts.findings) {
+    const Code kind = finding.kind != Code{} ? finding.kind : finding.facts.code;
+    if (finding.severity == Severity::kNote) continue;
+    // What programs refuse and misread, their proofs say, in numbers.
+    const bool counts = info(kind).about == About::kMeaning || (!facts.is_read && finding.severity == Severity::kError);
+    if (!counts) continue;
+    if (facts.rig != nullptr && info(kind).id == info(Code::kVerdictPosesContradict).id) continue;  // decided by its numbers
+    const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
+    reasons.push_back({.word = word, .facts = finding.facts, .remedy = finding.remedy, .kind = kind});
+  }
+}
+
+void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  if (facts.rig == nullptr || !facts.to->extrinsics) return;
+  for (const PoseLoop& loop : contradictions(*facts.rig)) {
+    const PoseEdge& edge = facts.rig->poses[loop.edge];
+    const PoseDifference& difference = loop.difference;
+    const VerdictWord word = worse(word_of(difference.angle_rad, kPoseRad), word_of(difference.distance_m, kPoseM));
+    if (word == VerdictWord::kReady) continue;
+    constexpr double kDegrees = 180.0 / std::numbers::pi;
+    reasons.push_back({.word = word,
+                       .facts = {Code::kVerdictPosesContradict,
+                                 {edge.a, edge.b, difference.angle_rad * kDegrees, difference.distance_m * 100.0}}});
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(VerdictWord word) {
+  constexpr std::array<std::string_view, 3> kNames = {"ready", "use-with-care", "do-not-use"};
+  return kNames.at(static_cast<std::size_t>(word));
+}
+
+bool Acceptance::covers(const Reason& reason) const {
+  return id == id_of(reason) && (camera.empty() || camera == reason.camera);
+}
+
+bool matters(const Loss& loss, const Format& to, std::string_view mode) {
+  const bool uses_imu = to.imu && (to.modes.empty() || mode.ends_with("inertial"));
+  switch (loss.kind) {
+    case Code::kTimeOffsetDropped: {
+      const double* seconds = number_in(loss, 0);
+      return uses_imu && seconds != nullptr && *seconds != 0.0;
+    }
+    case Code::kVinsTimeOffsetDropped: {
+      const double* seconds = number_in(loss, 0);
+      return seconds != nullptr && *seconds != 0.0;
+    }
+    case Code::kOtherTimeOffset:
+      return true;
+    case Code::kImuDropped:
+    case Code::kImuFileDropped:
+    case Code::kCamchainImuDropped:
+      return uses_imu;
+    case Code::kPoseDropped:
+      return loss.key == "T_cam_cam" ? to.extrinsics : uses_imu && loss.key == "T_cam_imu";
+    case Code::kBaselineDropped:
+      return to.extrinsics;
+    case Code::kStaleOfImagesLost:
+    case Code::kStaleOfLensesLost:
+    case Code::kOpencvStaleKept:
+    case Code::kBasaltStaleRadius:
+    case Code::kWoodscapeStaleTranslation:
+      return true;
+    case Code::kNotCarriedValue: {
+      const std::string* value = text_in(loss, 1);
+      return uses_imu && corrects_an_imu(loss.key) && value != nullptr && !is_neutral(*value);
+    }
+    default:
+      return false;
+  }
+}
+
+bool is_invented(const DefaultedValue& value) { return value.invented; }
+
+Verdict decide(const VerdictFacts& facts) {
+  Verdict verdict;
+  add_programs(facts, verdict.reasons);
+  add_contradictions(facts, verdict.reasons);
+  add_findings(facts, verdict.reasons);
+  add_facts(facts, verdict.reasons);
+  for (Reason& reason : verdict.reasons) {
+    const auto covers = [&reason](const Acceptance& acceptance) { return acceptance.covers(reason); };
+    reason.is_accepted = reason.word == VerdictWord::kDoNotUse && std::ranges::any_of(facts.accepted, covers);
+    if (reason.is_accepted) reason.word = VerdictWord::kUseWithCare;
+    verdict.word = worse(verdict.word, reason.word);
+  }
+  std::ranges::stable_sort(verdict.reasons, std::ranges::greater{}, &Reason::word);
+  return verdict;
+}
+
+}  // namespace fca

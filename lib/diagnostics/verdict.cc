@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Why a file is less than ready to use. {0} is the program as a rule.
+#include "rows.h"
+#include "topics.h"
+
+#include <array>
+
+namespace fca::diagnostics {
+
+std::span<const CodeInfo> verdict_codes() {
+  static constexpr std::array kRows = {
+      reader_warning(Code::kVerdictPixelsOff, "pixels-off", "{0} sees it {1:px} px rms off (99 %: {2:px}, worst {3:px} px)"),
+      reader_warning(Code::kVerdictMisread, "program-misreads",
+                     "{0} takes other numbers than the file's: worst pixel {1:px} px off"),
+      reader_warning(Code::kVerdictNoRays, "no-right-rays", "{0} has no right ray for {1:%}; {2:%} of the image compared"),
+      about_reader(error(Code::kVerdictRefused, "program-refuses", "{0} refuses it: {1:and}{2}")),
+      clause(Code::kVerdictReadBy, "; {0:and} loads it"),
+      about_reader(error(Code::kVerdictPosesDiffer, "proof-failed", "an element of {0}'s poses differs by {1:.3}")),
+      about_reader(error(Code::kVerdictNumbersDiffer, "proof-failed", "{0} holds other numbers: {1:and}")),
+      warning(Code::kVerdictPosesContradict, "poses-contradict",
+              "two statements of T_{0}_{1} differ by {2:.3} deg and {3:.3} cm"),
+      reader_warning(Code::kVerdictNotAsked, "not-proven", "no program's reader was tried"),
+      reader_warning(Code::kVerdictNoReader, "not-proven", "no program that fca-io knows reads it",
+                     "write it anew, with the keys that {0} reads"),
+      warning(Code::kVerdictLost, "lost", "{0}"),
+      warning(Code::kVerdictInvented, "invented-value", "{0:and}: no input states it, and it matters"),
+  };
+  return kRows;
+}
+
+}  // namespace fca::diagnostics
