@@ -186,6 +186,12 @@ std::string_view name_of(VerdictWord word) {
   return kNames.at(static_cast<std::size_t>(word));
 }
 
+bool may_be_accepted(const Reason& reason) {
+  constexpr std::array kLimits = {Code::kMisreadBeyondLimit, Code::kMissingBeyondLimit, Code::kErrorBeyondLimit,
+                                  Code::kLossesNotAllowed};
+  return std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
+}
+
 bool Acceptance::covers(const Reason& reason) const {
   return id == id_of(reason) && (camera.empty() || camera == reason.camera);
 }
@@ -236,7 +242,8 @@ Verdict decide(const VerdictFacts& facts) {
   add_facts(facts, verdict.reasons);
   for (Reason& reason : verdict.reasons) {
     const auto covers = [&reason](const Acceptance& acceptance) { return acceptance.covers(reason); };
-    reason.is_accepted = reason.word == VerdictWord::kDoNotUse && std::ranges::any_of(facts.accepted, covers);
+    reason.is_accepted =
+        reason.word == VerdictWord::kDoNotUse && may_be_accepted(reason) && std::ranges::any_of(facts.accepted, covers);
     if (reason.is_accepted) reason.word = VerdictWord::kUseWithCare;
     verdict.word = worse(verdict.word, reason.word);
   }

@@ -5,6 +5,7 @@
 #include "toolkit/words.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/source.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
@@ -99,8 +100,8 @@ std::string summary_text(const std::vector<SummaryLine>& lines) {
   std::string text;
   constexpr std::size_t kText = kIndent + kAbout + 2;
   for (const SummaryLine& line : merged) {
-    const std::string head = std::string(kIndent, ' ') + padded(line.about, kAbout) + "  ";
-    text += head + wrapped_at(line.text, head.size(), kText) + "\n";
+    const std::string head = std::string(kIndent, ' ') + padded(text::printable(line.about), kAbout) + "  ";
+    text += head + wrapped_at(text::printable(line.text), head.size(), kText) + "\n";
   }
   return text;
 }
@@ -110,7 +111,8 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict) {
   std::vector<std::string> codes;
   for (auto at = verdict.reasons.begin(); at != verdict.reasons.end(); ++at) {
     const Reason& reason = *at;
-    if (reason.word == VerdictWord::kDoNotUse && std::ranges::find(codes, id_of(reason)) == codes.end())
+    if (reason.word == VerdictWord::kDoNotUse && may_be_accepted(reason) &&
+        std::ranges::find(codes, id_of(reason)) == codes.end())
       codes.push_back(id_of(reason));
     if (reason.facts.code == Code::kVerdictPixelsOff) continue;
     // The same loss of several cameras is one line.

@@ -57,7 +57,6 @@ constexpr std::array kConsumers{
              .format = "orbslam3",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_orbslam3>,
-             .writing = {.layout = "v1"},
              .prepare = &prepare_storage_programs},
     Consumer{.id = "orbslam2",
              .program = "ORB-SLAM2",

@@ -205,7 +205,8 @@ TEST(Compare, CamerasAreMatchedByNameOrAsChosen) {
 TEST(Compare, MistakesAreCalledByName) {
   const TemporaryFolder folder;
   const std::string good = folder / "good.yaml";
-  ASSERT_EQ(run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "-o", good}).code, 0);
+  ASSERT_EQ(run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--orbslam3-layout", "v1", "-o", good}).code,
+            0);
   // The pose as Kalibr has it, where ORB-SLAM3 wants the other direction.
   const std::string text = read_file(good);
   const std::size_t key = text.find("IMU.T_b_c1");

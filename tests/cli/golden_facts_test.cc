@@ -54,7 +54,8 @@ TEST(GoldenFacts, SlamNoOptsDelayIsKalibrsTimeshiftWithTheOtherSign) {
   EXPECT_TRUE(contains(to_kalibr.out, "timeshift_cam_imu: -0.0125\n")) << to_kalibr.out << to_kalibr.err;
   // The other way, into the fork's file: that number alone, and its comment stays.
   const std::string chain = folder.write("chain.yaml", with_replaced(to_kalibr.out, "-0.0125", "0.5"));
-  const RunResult back = run_program({"convert", chain, "--to", "orbslam3", "--model", "eucm", "--into", delayed});
+  const RunResult back =
+      run_program({"convert", chain, "--to", "orbslam3", "--model", "eucm", "--into", delayed, "--accept", "program-refuses"});
   EXPECT_TRUE(contains(back.out, "Camera.delaytoimu: -0.5 # by hand\n")) << back.out << back.err;
   EXPECT_FALSE(contains(back.err, "time-offset-dropped")) << back.err;
 }
@@ -77,7 +78,7 @@ TEST(GoldenFacts, OpenCvsRAndTAreKalibrsTCnCnm1) {
 // ORB-SLAM3: p_c1 = T_c1_c2 p_c2, a rigid motion the other way: R' = R^T, t' = -R^T t.
 TEST(GoldenFacts, OrbSlam3sTC1C2IsItsInverse) {
   const std::vector<std::vector<double>> kalibr = kalibr_rows();
-  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3"});
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--orbslam3-layout", "v1"});
   ASSERT_EQ(run.code, 0) << run.err;
   const cv::Mat T = matrix_in(run.out, "Stereo.T_c1_c2");
   ASSERT_EQ(T.type(), CV_32F);

@@ -110,6 +110,8 @@ TEST(ImageChange, TumVi1024BecomesTumVi512) {
   const TemporaryFolder folder;
   std::string chain = read_file(kTumvi);
   for (const auto& [small, large] : {std::pair("[512, 512]", "[1024, 1024]"), std::pair("[512, 512]", "[1024, 1024]"),
+                                     std::pair("190.97847715128717, 190.9733070521226", "381.9570, 381.9466"),
+                                     std::pair("190.44236969414825, 190.4344384721956", "380.8847, 380.8689"),
                                      std::pair("254.93170605935475, 256.8974428996504", "510.3634, 514.2949"),
                                      std::pair("252.59949716835982, 254.91723064636983", "505.6990, 510.3345")})
     chain = with_replaced(chain, small, large);

@@ -97,7 +97,8 @@ TEST(Options, MaxAngleCutsTheLensInProjectToo) {
 
 TEST(Options, ALayoutThatItsProgramRefusesIsWrittenAnew) {
   const std::string chain = testdata("formats/kalibr/good/opencv-header.yaml");  // OpenVINS' first line
-  const RunResult same = run_program({"convert", chain, "--to", "kalibr"});
+  EXPECT_EQ(run_program({"convert", chain, "--to", "kalibr"}).code, 1) << "Kalibr refuses it";
+  const RunResult same = run_program({"convert", chain, "--to", "kalibr", "--accept", "program-refuses"});
   EXPECT_EQ(same.code, 0) << same.err;
   EXPECT_EQ(same.out, read_file(chain));
   const RunResult other = run_program({"convert", chain, "--to", "kalibr", "--model", "kb4"});

@@ -48,7 +48,8 @@ TEST(Refusals, AHugePose) {
 
 TEST(Refusals, AHugePoseOfSettings) {
   const TemporaryFolder folder;
-  const RunResult run = run_program({"convert", kChain, "--with", kImu, "--to", "orbslam3", "-o", folder / "s.yaml"});
+  const RunResult run =
+      run_program({"convert", kChain, "--with", kImu, "--to", "orbslam3", "--orbslam3-layout", "v1", "-o", folder / "s.yaml"});
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string settings = read_file(folder / "s.yaml");
   expect_refused(with_replaced(settings, "0.10106342741419427", "1e308"), {"--to", "kalibr"}, "out-of-range",

@@ -82,7 +82,7 @@ TEST(RigOptions, ASecondCameraOnTheLeftIsWarnedOfWithTheCommand) {
   const RunResult right = run_program({"convert", kTumvi, "--to", "orbslam3"});
   EXPECT_FALSE(says(right.err, "stereo-order")) << right.err;
   const RunResult left = run_program({"convert", kTumvi, "--camera", "1,0", "--to", "orbslam3"});
-  EXPECT_TRUE(says(left.err, "stereo-order", "convert " + kTumvi + " --to orbslam3 --camera 0,1")) << left.err;
+  EXPECT_TRUE(says(left.err, "stereo-order", "convert " + kTumvi + " --to orbslam3 -v --camera 0,1")) << left.err;
   // The command that is proposed has nothing to propose.
   EXPECT_FALSE(says(run_program({"convert", kTumvi, "--camera", "0,1", "--to", "orbslam3"}).err, "stereo-order"));
   const RunResult mono = run_program({"convert", kTumvi, "--camera", "1,0", "--to", "orbslam3", "--sensor", "mono"});
@@ -158,7 +158,7 @@ TEST(RigOptions, TheProposedCommandIsOneThatAShellTakes) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a b.yaml", read_file(kTumvi));
   const RunResult run = run_program({"convert", path, "--camera", "1,0", "--to", "orbslam3"});
-  EXPECT_TRUE(says(run.err, "stereo-order", "convert '" + path + "' --to orbslam3 --camera 0,1")) << run.err;
+  EXPECT_TRUE(says(run.err, "stereo-order", "convert '" + path + "' --to orbslam3 -v --camera 0,1")) << run.err;
 }
 
 TEST(RigOptions, SetWritesAValueInItsType) {
@@ -207,7 +207,8 @@ TEST(RigOptions, SetKnowsWhatAValueMayBe) {
   EXPECT_TRUE(says(refusal({"--fps", "20", "--set", "Camera.fps=30"}), "set-contradicts", "--fps 20"));
   EXPECT_TRUE(says(refusal({"--set", "Stereo.T_c1_c2/dt=d"}), "set-contradicts", "Stereo.T_c1_c2/dt"));
   // What agrees is no contradiction.
-  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--fps", "30", "--set", "Camera.fps=30"});
+  const RunResult run =
+      run_program({"convert", kTumvi, "--to", "orbslam3", "--fps", "30", "--set", "Camera.fps=30", "--orbslam3-layout", "v1"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(value_of(run.out, "Camera.fps"), "30");
 }
@@ -267,7 +268,8 @@ TEST(RigOptions, TwoStatementsOfAPoseAreNamedByTheirFiles) {
       "  T_cn_cnm1:\n  - [1.0, 0.0, 0.0, -0.5]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n"
       "  - [0.0, 0.0, 0.0, 1.0]\n";
   const std::string chain = folder.write("chain.yaml", chain_without_poses() + pose);
-  const RunResult run = run_program({"convert", chain, "--with", kExtrinsics, "--to", "orbslam3", "--sensor", "stereo"});
+  const RunResult run = run_program(
+      {"convert", chain, "--with", kExtrinsics, "--to", "orbslam3", "--sensor", "stereo", "--accept", "poses-contradict"});
   for (const std::string& named : {std::string("T_cam1_cam0"), kExtrinsics, chain})
     EXPECT_TRUE(says(run.err, "poses-contradict", named)) << run.err;
   const Transform T = rig_in(run.out).resolve("cam1", "cam0").value();
@@ -276,7 +278,7 @@ TEST(RigOptions, TwoStatementsOfAPoseAreNamedByTheirFiles) {
 
 // What is not written as it stood is said with what is written.
 TEST(RigOptions, ARoundedRateIsSaidWithItsValue) {
-  const Told run({"convert", kTumvi, "--to", "orbslam3", "--fps", "29.97"});
+  const Told run({"convert", kTumvi, "--to", "orbslam3", "--fps", "29.97", "--orbslam3-layout", "v1"});
   EXPECT_EQ(value_of(run.bytes(), "Camera.fps"), "30");
   EXPECT_TRUE(run.lost("frame-rate-rounded", "29.97 Hz")) << run.text();
 }
@@ -461,9 +463,10 @@ TEST(RigOptions, EveryModeHasExactlyTheKeysItNeeds) {
     std::vector<std::string> options;
   };
   for (const Mode& mode : {Mode{"mono", {&common}, {}}, Mode{"stereo", {&common, &stereo}, {}},
-                           Mode{"rgbd", {&common, &depth}, {"--camera", "0", "--baseline", "0.05"}},
+                           Mode{"rgbd", {&common, &depth}, {"--camera", "0", "--baseline", "0.05", "--accept", "pixels-off"}},
                            Mode{"mono-inertial", {&common, &imu}, {}}, Mode{"stereo-inertial", {&common, &stereo, &imu}, {}}}) {
-    std::vector<std::string> words = {"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--sensor", mode.name};
+    std::vector<std::string> words = {"convert",           kTumvi, "--with", kImu, "--to", "orbslam3", "--sensor", mode.name,
+                                      "--orbslam3-layout", "v1"};
     words.insert(words.end(), mode.options.begin(), mode.options.end());
     const RunResult run = run_program(words);
     ASSERT_EQ(run.code, 0) << mode.name << run.err;

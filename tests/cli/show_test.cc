@@ -97,7 +97,7 @@ TEST(Show, FieldsOfViewOfAPinhole) {
 }
 
 std::string settings() {
-  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--orbslam3-layout", "v1"});
   EXPECT_EQ(run.code, 0) << run.err;
   return run.out;
 }

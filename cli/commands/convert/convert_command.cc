@@ -98,7 +98,7 @@ ExitCode run_convert(const ConvertArguments& arguments, const Invocation& invoca
       tried += arguments.dry_run ? 1 : write_outputs(arguments, std::span(outcomes).subspan(i), console);
     }
     if (!arguments.json) {
-      if (!outcome.files.empty() && outcome.status <= Status::kRejected && in_full) {
+      if (!outcome.files.empty() && outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo && in_full) {
         const bool written = !arguments.dry_run;
         std::string report = arguments.quiet ? "" : convert_summary(outcome, written);
         if (arguments.verbose > 0) report += "\n" + convert_text(outcome, written);

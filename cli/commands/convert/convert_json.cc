@@ -147,6 +147,14 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
     });
   });
   put_proofs(json, outcome);
+  json.array("other_writings", outcome.others, [&](const OtherWriting& other) {
+    json.object([&] {
+      json.put("layout", other.layout);
+      json.put("model", other.model);
+      json.put("rms_px", other.rms_px);
+      json.put("max_px", other.max_px);
+    });
+  });
   put_defaults(json, outcome);
   put_losses(json, outcome);
   put_diagnostics(json, outcome.diagnostics, console);

@@ -17,7 +17,8 @@ namespace {
 /// The command's words without those that only say where the file goes and how it is shown: the same conversion gives the same
 /// file.
 std::string made_by(const std::vector<std::string>& words) {
-  constexpr std::array<std::string_view, 5> kOfNoMatter = {"--json", "--force", "--fsync", "--dry-run", "--provenance"};
+  constexpr std::array<std::string_view, 10> kOfNoMatter = {"--json", "--force", "--fsync",   "--dry-run", "--provenance",
+                                                            "-v",     "-vv",     "--verbose", "-q",        "--quiet"};
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -65,6 +66,10 @@ void add_commands(const std::vector<std::string>& words, ConvertOutcome& outcome
     with_commands.add(std::move(entry));
   }
   outcome.diagnostics = std::move(with_commands);
+  for (Reason& reason : outcome.verdict.reasons) {
+    if (reason.facts.code == Code::kSecondIsLeft)
+      reason.remedy = {Code::kCommandInstead, {command_with_cameras(words, outcome.better_order)}};
+  }
 }
 
 /// The images that show where the lens ends are not written over.

@@ -20,7 +20,7 @@ std::vector<Finding> findings_since(const ConvertResult& before, const ConvertRe
   std::vector<Finding> findings;
   const std::vector<Diagnostic>& entries = result.diagnostics.entries();
   for (std::size_t i = before.diagnostics.entries().size(); i < entries.size(); ++i) {
-    if (entries[i].severity != Severity::kWarning || entries[i].facts.code == Code::kPoorFit) continue;
+    if (entries[i].severity == Severity::kNote || entries[i].facts.code == Code::kPoorFit) continue;
     findings.push_back(
         {.severity = entries[i].severity, .facts = entries[i].facts, .kind = entries[i].kind, .remedy = entries[i].remedy});
   }
@@ -42,7 +42,15 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.findings = findings;
   facts.rig = &start.input.rig;
   facts.accepted = request.accepted;
-  return decide(facts);
+  Verdict verdict = decide(facts);
+  // What is refused as it was before the edit has its fix with that diagnostic.
+  for (const Diagnostic& entry : result.diagnostics.entries()) {
+    if (entry.facts.code != Code::kInputNotUnderstood && entry.facts.code != Code::kEditNotProven) continue;
+    for (Reason& reason : verdict.reasons) {
+      if (reason.facts.code == Code::kVerdictRefused) reason.remedy = entry.facts;
+    }
+  }
+  return verdict;
 }
 
 bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {

@@ -37,7 +37,6 @@ std::optional<ConvertResult> written_as(const ConvertRequest& request, const Sta
 std::optional<ConvertResult> in_layout(ConvertRequest request, std::string_view layout, const Start& start,
                                        const ConvertResult& before, const ConvertResult& result) {
   request.layout = {result.to, std::string(layout)};
-  request.mode = result.mode;
   if (std::optional<ConvertResult> kept = written_as(request, start, before, result)) return kept;
   if (request.model != nullptr) return std::nullopt;
   std::optional<ConvertResult> best;

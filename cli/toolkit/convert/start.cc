@@ -8,20 +8,45 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 namespace fca {
 
 namespace {
 
-/// What the checks find in the file with the cameras, before anything of it is changed.
-std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRequest& request, const Format& to,
-                                 const Diagnostics& diagnostics) {
+CheckOptions check_options(const ConvertRequest& request, const Format* from) {
   CheckOptions options;
   options.reading = read_options(request.inputs);
-  options.from = calibration.format;
+  options.reading.join = false;
+  options.from = from;
   options.max_angle_rad = request.inputs.max_angle_rad;
-  return findings_about_meaning(calibration.documents[calibration.with_cameras], calibration, diagnostics, options, to);
+  return options;
+}
+
+/// What the checks find in the files, each by itself, before anything of them is changed. `diagnostics`: what their readers
+/// found in all of them.
+std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRequest& request, const Format& to,
+                                 const Diagnostics& diagnostics) {
+  if (calibration.documents.size() == 1) {
+    const CheckOptions options = check_options(request, calibration.format);
+    return findings_about_meaning(calibration.documents.front(), calibration, diagnostics, options, to);
+  }
+  std::vector<Finding> findings;
+  for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
+    CheckOptions options = check_options(request, calibration.formats[i]);
+    Diagnostics known;  // from the first reading
+    std::optional<Calibration> one = read_calibration({calibration.documents[i]}, options.from, {}, known);
+    // A size that was given is for the files that state none.
+    if (one && !one->rig.cameras.empty() && one->rig.cameras.front().image_size) options.reading.image_size.reset();
+    if (options.reading.image_size) one = read_calibration({calibration.documents[i]}, options.from, options.reading, known);
+    if (!one) continue;
+    // What the readers found stands with the first.
+    std::ranges::move(findings_about_meaning(calibration.documents[i], *one, i == 0 ? diagnostics : Diagnostics{}, options, to),
+                      std::back_inserter(findings));
+  }
+  return findings;
 }
 
 /// Of more cameras than the target's program uses it takes the stereo pair. A choice of the user's stays, and a file of the

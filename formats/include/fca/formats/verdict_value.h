@@ -30,6 +30,9 @@ struct Reason {
   bool is_accepted = false;                    ///< By the user: it does no more than ask for care.
 };
 
+/// Limits that the user set are not overruled by the user.
+[[nodiscard]] bool may_be_accepted(const Reason& reason);
+
 struct Verdict {
   VerdictWord word = VerdictWord::kReady;
   std::vector<Reason> reasons;  ///< The worst first.
