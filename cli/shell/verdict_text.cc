@@ -106,6 +106,12 @@ std::string summary_text(const std::vector<SummaryLine>& lines) {
   return text;
 }
 
+std::string wrapped_line(const std::string& sentence) {
+  const std::string text = text::printable(sentence);
+  const std::size_t first = std::min(text.find(' '), text.size());
+  return text.substr(0, first) + wrapped_at(text.substr(std::min(first + 1, text.size())), first, kIndent) + "\n";
+}
+
 std::vector<SummaryLine> lines_of(const Verdict& verdict) {
   std::vector<SummaryLine> lines;
   std::vector<std::string> codes;

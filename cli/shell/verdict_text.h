@@ -23,6 +23,9 @@ struct SummaryLine {
 /// Equal lines about several cameras are one; in 80 columns, each behind two blanks.
 [[nodiscard]] std::string summary_text(const std::vector<SummaryLine>& lines);
 
+/// One sentence in lines of 80 columns; all but the first stand behind two blanks.
+[[nodiscard]] std::string wrapped_line(const std::string& sentence);
+
 /// The reasons but for distances in pixels, which stand with the cameras; and how to write the file all the same.
 [[nodiscard]] std::vector<SummaryLine> lines_of(const Verdict& verdict);
 

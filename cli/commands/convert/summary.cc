@@ -28,7 +28,7 @@ std::string name_of_outputs(const ConvertOutcome& outcome) {
 std::string first_line(const ConvertOutcome& outcome, bool written) {
   std::string text = name_of_outputs(outcome) + ": " + std::string(in_words(outcome.verdict.word));
   if (outcome.code != ExitCode::kGood && written) text += ", nothing written";
-  return text + "; " + text::text_of(outcome.headline, with_options) + "\n";
+  return wrapped_line(text + "; " + text::text_of(outcome.headline, with_options));
 }
 
 const PixelDistance* distance_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
