@@ -97,7 +97,7 @@ TEST(Readme, ShowsWhatTheProgramPrints) {
     words.erase(words.begin());
     // An example may use what an earlier one wrote, or write it again.
     if (std::ranges::find(words, "-o") != words.end()) words.emplace_back("--force");
-    const RunResult run = run_program(words, {.folder = folder.path().string()});
+    const RunResult run = run_program(words, {.folder = folder.path().string(), .in_full = false});
     const std::vector<std::string> printed = lines_of(run.out + run.err);
     EXPECT_EQ(missing_from(printed, example.output), "") << run.out << run.err;
   }

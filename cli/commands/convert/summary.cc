@@ -48,17 +48,19 @@ SummaryLine line_of(const ConvertOutcome& outcome, const ConvertedCamera& camera
 /// Parts of the image beyond the region that decides.
 void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   constexpr double kNoticeable = 0.01;
+  double most = 0.0;
+  std::string program;
   for (const ProofResult& proof : outcome.proofs) {
-    double most = 0.0;
     for (const CameraProof& camera : proof.cameras) {
       const CameraDistance& distance = camera.distance;
       if (!proof.is_first || !distance.is_wide || distance.in_circle.no_rays > kNoticeable) continue;
       most = std::max(most, distance.in_image.no_rays * distance.in_image.region);
+      program = proof.program;
     }
-    if (most > kNoticeable)
-      lines.push_back({"limit", proof.program + " has no right ray outside the image's inscribed circle: " + percent(most) +
-                                    " of the image"});
   }
+  if (most > kNoticeable)
+    lines.push_back(
+        {"limit", program + " has no right ray outside the image's inscribed circle: " + percent(most) + " of the image"});
 }
 
 void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {

@@ -77,9 +77,11 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
     return false;
   }
   if (request.verify) programs = prepare_programs(*result.to);
-  std::optional<Calibration> input = read_as_stated(request.inputs, files, result.diagnostics);
+  Diagnostics found;  // in the input, not in the base
+  std::optional<Calibration> input = read_as_stated(request.inputs, files, found);
+  for (const Diagnostic& entry : found.entries()) result.diagnostics.add(entry);
   if (!input) return false;
-  start.findings = findings_of(*input, request, *result.to, result.diagnostics);
+  start.findings = findings_of(*input, request, *result.to, found);
   if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
   put_pair_first(request, *result.to, *input);
   start.input = *std::move(input);
