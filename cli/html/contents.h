@@ -25,6 +25,8 @@ struct ReportContents {
   /// All models of each camera; empty where they were not asked for.
   std::vector<ModelsResult::OfCamera> models;
 
+  Verdict verdict;  ///< As ReportResult's.
+
   std::string command;  ///< That made the page.
   std::string convert;  ///< That would write the file; empty: none.
 };

@@ -43,6 +43,12 @@ pre { padding: 10px 12px; margin: 6px 0; white-space: pre-wrap; border: 1px soli
 .tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 190px), 1fr)); gap: 12px; margin: 14px 0; }
 .tile { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 12px 16px; }
 .tile .big { font-size: 1.3rem; font-weight: 600; line-height: 1.3; }
+.verdict { border-left: 8px solid var(--good); }
+.verdict.care { border-left-color: var(--warning); }
+.verdict.stop { border-left-color: var(--error); }
+.verdict .word { font-size: 1.6rem; font-weight: 700; line-height: 1.25; color: var(--good); }
+.verdict.care .word { color: var(--warning); }
+.verdict.stop .word { color: var(--error); }
 .figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 14px; align-items: start; }
 figure { margin: 0; background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 12px 14px; }
 figcaption { font-weight: 600; margin-bottom: 8px; }

@@ -75,12 +75,8 @@ void put_losses_tile(Html& html, const ConvertResult& outcome) {
   const auto to_look_at = static_cast<std::size_t>(std::ranges::count(outcome.defaults, true, &DefaultedValue::look_at_it));
   std::vector<std::string> lines;
   if (to_look_at > 0) lines.push_back(counted(to_look_at, "value") + " to set by hand");
-  for (const ProofResult& proof : outcome.proofs) {
-    lines.push_back(proof.program + (!proof.loads         ? " would refuse it"
-                                     : proof.understood() ? " reads it as meant"
-                                     : proof.agrees()     ? " loads it, and misreads a part"
-                                                          : " loads it, and understands something else"));
-  }
+  for (const ProofResult& proof : outcome.proofs)
+    lines.push_back(proof.program + (proof.loads ? " loads it" : " would refuse it"));
   std::size_t losses = outcome.losses.size();
   for (const ConvertedCamera& camera : outcome.cameras) {
     const double missing = camera.unrepresented_share();
@@ -99,14 +95,7 @@ void put_summary(Html& html, const ReportContents& contents) {
   html.element("p", {{"class", "soft"}},
                std::string(calibration.format->title) + " (" + text::text_of(calibration.why, with_options) +
                    "), as fca-io " FCA_VERSION " reads it");
-  if (contents.conversion && contents.conversion->headline.is_said()) {
-    html.element("p", {}, [&] {
-      html.element("span", {{"class", "strong"}},
-                   "The written file: " + text::text_of(contents.conversion->headline, with_options) + ".");
-      if (contents.conversion->status == Status::kRejected)
-        html.element("span", {{"class", "error strong"}}, " convert would refuse to write it.");
-    });
-  }
+  put_verdict(html, contents);
   html.element("div", {{"class", "tiles"}}, [&] {
     put_rig_tile(html, calibration.rig);
     if (contents.conversion) {

@@ -112,7 +112,7 @@ std::string wrapped_line(const std::string& sentence) {
   return text.substr(0, first) + wrapped_at(text.substr(std::min(first + 1, text.size())), first, kIndent) + "\n";
 }
 
-std::vector<SummaryLine> lines_of(const Verdict& verdict) {
+std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
   std::vector<SummaryLine> lines;
   std::vector<std::string> codes;
   for (auto at = verdict.reasons.begin(); at != verdict.reasons.end(); ++at) {
@@ -120,7 +120,8 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict) {
     if (reason.word == VerdictWord::kDoNotUse && may_be_accepted(reason) &&
         std::ranges::find(codes, id_of(reason)) == codes.end())
       codes.push_back(id_of(reason));
-    if (reason.facts.code == Code::kVerdictPixelsOff) continue;
+    const bool is_distance = reason.facts.code == Code::kVerdictPixelsOff;
+    if (is_distance && !with_distances) continue;
     // The same loss of several cameras is one line.
     const auto is_like = [&reason](const Reason& other) {
       return reason.facts.code == Code::kVerdictLost && other.kind == reason.kind && other.camera != reason.camera;
@@ -130,7 +131,7 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict) {
     for (auto other = at + 1; other != verdict.reasons.end(); ++other) {
       if (is_like(*other)) likewise.push_back(other->camera);
     }
-    const bool names_camera = reason.facts.code == Code::kVerdictNoRays && !reason.camera.empty();
+    const bool names_camera = (is_distance || reason.facts.code == Code::kVerdictNoRays) && !reason.camera.empty();
     lines.push_back({names_camera ? reason.camera : std::string(label_of(reason)),
                      sentence_of(reason) + (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise")});
   }

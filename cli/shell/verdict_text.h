@@ -26,8 +26,9 @@ struct SummaryLine {
 /// One sentence in lines of 80 columns; all but the first stand behind two blanks.
 [[nodiscard]] std::string wrapped_line(const std::string& sentence);
 
-/// The reasons but for distances in pixels, which stand with the cameras; and how to write the file all the same.
-[[nodiscard]] std::vector<SummaryLine> lines_of(const Verdict& verdict);
+/// The reasons, and how to write the file all the same. `with_distances`: those in pixels, too, which a summary has with its
+/// cameras.
+[[nodiscard]] std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances = true);
 
 /// "understood within 0.001 px", "0.12 px rms off (99 %: 0.4, worst 2.9 px)"
 [[nodiscard]] std::string distance_in_words(const PixelDistance& distance);

@@ -38,7 +38,7 @@ constexpr std::array kDemands = {
     Demand{"frame rate", "Camera.fps", nullptr, &Format::frame_rate},
     Demand{"colour order", "Camera.RGB"},
     Demand{"depth threshold", "ThDepth", &Format::extrinsics},
-    Demand{"overlapping columns", "overlapping", &Format::extrinsics},
+    Demand{"overlapping columns", "lapping", &Format::extrinsics},
     Demand{"ORBextractor.*", "ORBextractor"},
     Demand{"Viewer.*", "Viewer"},
 };

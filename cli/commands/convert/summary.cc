@@ -106,7 +106,7 @@ std::size_t details(const ConvertOutcome& outcome) {
 std::string convert_summary(const ConvertOutcome& outcome, bool written) {
   std::vector<SummaryLine> lines;
   for (const ConvertedCamera& camera : outcome.cameras) lines.push_back(line_of(outcome, camera));
-  for (SummaryLine& line : lines_of(outcome.verdict)) lines.push_back(std::move(line));
+  for (SummaryLine& line : lines_of(outcome.verdict, false)) lines.push_back(std::move(line));
   add_limits(outcome, lines);
   add_other_writings(outcome, lines);
   add_left_out(outcome, lines);

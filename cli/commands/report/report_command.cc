@@ -9,6 +9,7 @@
 #include "options/words.h"
 #include "shell/kept_inputs.h"
 #include "shell/option_hints.h"
+#include "shell/verdict_text.h"
 #include "toolkit/save/output_file.h"
 #include "toolkit/words.h"
 
@@ -52,7 +53,7 @@ ReportRequest request_of(const ReportArguments& arguments) {
   request.inputs = arguments.inputs;
   if (has_target(arguments)) {
     request.conversion = arguments.conversion;
-    request.conversion->room.further_files = false;  // as convert writes to one place
+    request.conversion->reach_table = true;
   }
   request.model = arguments.conversion.model;
   request.every_model = arguments.every_model;
@@ -102,11 +103,19 @@ ExitCode run_report(const ReportArguments& arguments, const Invocation& invocati
   contents.conversion = std::move(result.conversion);
   contents.to = contents.conversion ? contents.conversion->to : nullptr;
   contents.models = std::move(result.models);
+  contents.verdict = std::move(result.verdict);
   contents.max_angle_rad = arguments.inputs.max_angle_rad;
   contents.command = command_line(invocation.options, "report", [](const std::string&) { return true; });
   if (contents.to != nullptr) contents.convert = convert_line(arguments, invocation);
   console.show(contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics);
-  return put(arguments, report_page(contents), console);
+  const ExitCode code = put(arguments, report_page(contents), console);
+  const bool on_page = !arguments.output.empty() && arguments.output != "-";
+  if (on_page && code == ExitCode::kGood) {
+    const std::string what = contents.to != nullptr ? "what convert would write" : "the file";
+    console.say(wrapped_line(what + ": " + std::string(in_words(contents.verdict.word))) +
+                summary_text(lines_of(contents.verdict)));
+  }
+  return contents.verdict.word == VerdictWord::kDoNotUse ? worse(code, ExitCode::kJudgedBad) : code;
 }
 
 void add_options(Options& options, ReportArguments& arguments) {

@@ -3,6 +3,7 @@
 #include <fca/convert/convert.h>
 #include <fca/toolkit/report.h>
 
+#include <algorithm>
 #include <string>
 
 namespace fca {
@@ -58,6 +59,13 @@ bool converted(const ReportRequest& request, Files& files, ReportResult& result)
   return result.status <= Status::kRejected;
 }
 
+Verdict verdict_of(const ReportResult& result) {
+  if (result.conversion && result.conversion->to != nullptr) return result.conversion->verdict;
+  const auto worst =
+      std::ranges::max_element(result.checks, {}, [](const CheckResult& checked) { return checked.report.verdict.word; });
+  return worst == result.checks.end() ? Verdict{} : worst->report.verdict;
+}
+
 }  // namespace
 
 ReportResult report(const ReportRequest& request, Files& files) {
@@ -84,6 +92,7 @@ ReportResult report(const ReportRequest& request, Files& files) {
     result.models = *std::move(models);
   }
   result.checks = checked(request, *result.reading.calibration, files);
+  result.verdict = verdict_of(result);
   return result;
 }
 

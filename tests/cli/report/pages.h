@@ -27,7 +27,7 @@ inline std::string page(const std::vector<std::string>& words, const RunOptions&
   std::vector<std::string> all = {"report"};
   all.insert(all.end(), words.begin(), words.end());
   const RunResult run = run_program(all, options);
-  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_LE(run.code, 1) << run.err;  // 1: the verdict is against the file, and the page says so
   return run.out;
 }
 

@@ -28,6 +28,8 @@ struct ReportResult {
   /// Without a format (ConvertResult::to): the cameras alone.
   std::optional<ConvertResult> conversion;
   std::vector<ModelsResult::OfCamera> models;
+  /// Whether to use the written file or, without a conversion to a format, the files as they are: the worst of them.
+  Verdict verdict;
 
   /// Of all that was done.
   [[nodiscard]] const Diagnostics& diagnostics() const { return conversion ? conversion->diagnostics : reading.diagnostics; }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sections.h"
+
+#include "shell/option_hints.h"
+#include "shell/verdict_text.h"
+#include "toolkit/words.h"
+
+#include <fca/formats/wording.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fca::cli {
+
+namespace {
+
+std::string class_of(VerdictWord word) {
+  switch (word) {
+    case VerdictWord::kReady:
+      return "card verdict";
+    case VerdictWord::kUseWithCare:
+      return "card verdict care";
+    case VerdictWord::kDoNotUse:
+      return "card verdict stop";
+  }
+  return "";
+}
+
+void put_tile(Html& html, const std::string& title, const std::string& big, const std::string& small) {
+  html.element("div", {{"class", "tile"}}, [&] {
+    html.element("div", {{"class", "soft"}}, title);
+    html.element("div", {{"class", "big"}}, big);
+    html.element("div", {{"class", "soft"}}, small);
+  });
+}
+
+/// The cameras as the program sees them that the file is for.
+std::vector<CameraProof> seen_cameras(const ReportContents& contents) {
+  std::vector<CameraProof> cameras;
+  const auto add = [&cameras](const ProofResult& proof) {
+    if (!proof.is_first) return;
+    std::ranges::copy_if(proof.cameras, std::back_inserter(cameras),
+                         [](const CameraProof& camera) { return camera.distance.in_image.region > 0.0; });
+  };
+  if (contents.to != nullptr) {
+    for (const ProofResult& proof : contents.conversion->proofs) add(proof);
+  } else {
+    for (const CheckResult& file : contents.checks) {
+      if (file.report.proof) add(*file.report.proof);
+    }
+  }
+  return cameras;
+}
+
+void put_pixels(Html& html, const std::vector<CameraProof>& cameras) {
+  const auto worst =
+      std::ranges::max_element(cameras, {}, [](const CameraProof& camera) { return camera.distance.decisive().rms; });
+  if (worst == cameras.end()) return;
+  const PixelDistance& distance = worst->distance.decisive();
+  put_tile(html, "Worst camera, as the program sees it", pixels(distance.rms) + " px rms",
+           worst->name + ": 99 % within " + pixels(distance.p99) + " px, worst " + pixels(distance.max) + " px");
+  const auto compared = [](const CameraProof& camera) {
+    return camera.distance.in_image.region * (1.0 - camera.distance.in_image.no_rays);
+  };
+  const auto least = std::ranges::min_element(cameras, {}, compared);
+  const double missing = least->distance.in_image.region * least->distance.in_image.no_rays;
+  constexpr double kNoticeable = 5e-4;
+  const bool distance_covers_image = least->distance.in_image.region > 1.0 - kNoticeable;
+  put_tile(html, "Compared", percent(compared(*least)) + " of the image",
+           missing > kNoticeable   ? "the program has no right ray for " + percent(missing)
+           : distance_covers_image ? "the program has a ray for every pixel"
+                                   : "the program has a ray for all that counts as lens");
+}
+
+void put_settings(Html& html, const ReportContents& contents) {
+  if (contents.to == nullptr) return;
+  std::vector<std::string> settings;
+  for (const DefaultedValue& value : contents.conversion->defaults) {
+    if (value.look_at_it) settings.push_back(value.key);
+  }
+  put_tile(html, "To set by hand", settings.empty() ? "nothing" : counted(settings.size(), "value"), enumerated(settings));
+}
+
+}  // namespace
+
+void put_verdict(Html& html, const ReportContents& contents) {
+  const Verdict& verdict = contents.verdict;
+  std::string word(in_words(verdict.word));
+  word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
+  html.element("div", {{"class", class_of(verdict.word)}}, [&] {
+    html.element("div", {{"class", "word"}}, word);
+    if (contents.conversion && contents.conversion->headline.is_said()) {
+      const bool refused = contents.conversion->status == Status::kRejected;
+      html.element("div", {},
+                   "The file that convert " + std::string(refused ? "refuses to write" : "writes") + ": " +
+                       text::text_of(contents.conversion->headline, with_options));
+    }
+    html.element("ul", {}, [&] {
+      for (const SummaryLine& line : lines_of(verdict)) html.element("li", {}, line.about + ": " + line.text);
+    });
+  });
+  html.element("div", {{"class", "tiles"}}, [&] {
+    put_pixels(html, seen_cameras(contents));
+    put_settings(html, contents);
+  });
+}
+
+}  // namespace fca::cli
