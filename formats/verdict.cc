@@ -146,7 +146,7 @@ void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   const bool needs_imu = facts.mode.ends_with("inertial");
   std::vector<std::string> invented;
   for (const DefaultedValue& value : facts.defaults) {
-    if (is_invented(value)) invented.push_back(value.key);
+    if (value.invented) invented.push_back(value.key);
   }
   if (invented.empty()) return;
   reasons.push_back({needs_imu ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare, {Code::kVerdictInvented, {invented}}});
@@ -231,8 +231,6 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
       return false;
   }
 }
-
-bool is_invented(const DefaultedValue& value) { return value.invented; }
 
 Verdict decide(const VerdictFacts& facts) {
   Verdict verdict;

@@ -3,7 +3,7 @@
 
 #include "json.h"
 
-#include <fca/formats/verdict.h>
+#include <fca/formats/verdict_value.h>
 
 namespace fca::cli {
 

@@ -2,7 +2,7 @@
 // The verdict on a file, for people.
 #pragma once
 
-#include <fca/formats/verdict.h>
+#include <fca/formats/verdict_value.h>
 
 #include <string>
 #include <string_view>

@@ -92,7 +92,7 @@ void put_losses(Json& json, const ConvertOutcome& outcome) {
       json.put("what", what_of(loss, with_options));
       json.put("why", why_of(loss, with_options));
       json.put("do", remedy_of(loss, with_options));
-      json.put("matters", matters(loss, *outcome.to, outcome.mode));
+      json.put("matters", loss.matters);
     });
   });
 }

@@ -49,24 +49,21 @@ SummaryLine line_of(const ConvertOutcome& outcome, const ConvertedCamera& camera
 void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   constexpr double kNoticeable = 0.01;
   double most = 0.0;
-  std::string program;
   for (const ProofResult& proof : outcome.proofs) {
     for (const CameraProof& camera : proof.cameras) {
       const CameraDistance& distance = camera.distance;
       if (!proof.is_first || !distance.is_wide || distance.in_circle.no_rays > kNoticeable) continue;
       most = std::max(most, distance.in_image.no_rays * distance.in_image.region);
-      program = proof.program;
     }
   }
   if (most > kNoticeable)
-    lines.push_back(
-        {"limit", program + " has no right ray outside the image's inscribed circle: " + percent(most) + " of the image"});
+    lines.push_back({"limit", "no right ray outside the inscribed circle: " + percent(most) + " of the image"});
 }
 
 void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> settings;
   for (const DefaultedValue& value : outcome.defaults) {
-    if (value.look_at_it && !is_invented(value)) settings.push_back(value.key + " " + value.value);
+    if (value.look_at_it && !value.invented) settings.push_back(value.key + " " + value.value);
   }
   if (!settings.empty()) lines.push_back({"set", enumerated(settings) + ": no input states it"});
 }
@@ -80,25 +77,24 @@ void add_left_out(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines
 }
 
 std::string in_words(const OtherWriting& writing) {
-  return (writing.layout.empty() ? "the usual one" : writing.layout) + ", " + writing.model;
+  return (writing.layout.empty() ? "the usual" : writing.layout) + ", " + writing.model;
 }
 
 void add_other_writings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   if (outcome.others.empty()) return;
-  std::string text = (outcome.layout.empty() ? "the usual one: " : outcome.layout + ": ") + pixels(outcome.rms_px) + " px rms";
+  std::string text = (outcome.layout.empty() ? "the usual: " : outcome.layout + ": ") + pixels(outcome.rms_px) + " px rms";
   for (const OtherWriting& other : outcome.others)
-    text += "; " + in_words(other) + ": " + pixels(other.rms_px) + " px rms, worst " + pixels(other.max_px) + " px";
+    text += "; " + in_words(other) + ": " + pixels(other.rms_px) + " px rms, worst " + pixels(other.max_px);
   lines.push_back({"layouts", text});
 }
 
 /// What is left for -v.
 std::size_t details(const ConvertOutcome& outcome) {
-  const auto is_detail = [&outcome](const Loss& loss) { return !matters(loss, *outcome.to, outcome.mode); };
   const auto not_to_set = std::ranges::count(outcome.defaults, false, &DefaultedValue::look_at_it);
   const auto& entries = outcome.diagnostics.entries();
   const auto not_errors =
       std::ranges::count_if(entries, [](const Diagnostic& entry) { return entry.severity != Severity::kError; });
-  return static_cast<std::size_t>(std::ranges::count_if(outcome.losses, is_detail) + not_to_set + not_errors);
+  return static_cast<std::size_t>(std::ranges::count(outcome.losses, false, &Loss::matters) + not_to_set + not_errors);
 }
 
 }  // namespace

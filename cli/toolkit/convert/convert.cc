@@ -5,6 +5,7 @@
 #include "convert/writing.h"
 
 #include <fca/code.h>
+#include <fca/formats/verdict.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/convert.h>
 
@@ -61,6 +62,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   if (!write_as_asked(request, start, result)) return false;
   if (request.verify) try_other_layouts(request, start, before, result);
   result.rms_px = worst_rms_px(result);
+  for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);
   warn_of_poor_fits(request, result);
   apply_limits(request, result);
   result.verdict = verdict_of(request, start, before, result);

@@ -45,7 +45,7 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
   }
   std::vector<Message> what;
   for (const Loss& loss : result.losses) {
-    if (request.strict && matters(loss, *result.to, result.mode)) what.push_back(facts_of(loss));
+    if (request.strict && loss.matters) what.push_back(facts_of(loss));
   }
   if (!what.empty()) {
     result.diagnostics.add(Code::kLossesNotAllowed, {what});

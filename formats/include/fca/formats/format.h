@@ -41,6 +41,7 @@ struct Loss {
   std::string owner = {};             ///< A camera by its name in the rig ("cam0"), an IMU, a file; empty: the rig.
   std::string key = {};               ///< "timeshift_cam_imu"
   std::vector<Argument> values = {};  ///< 0.0021
+  bool matters = false;               ///< The target's program uses the fact; the conversion decides it.
 };
 
 /// A loss by its facts, which its sentences name as {0} (owner), {1} (key), {2} ... (values).

@@ -14,13 +14,6 @@
 
 namespace fca {
 
-/// A reason that the user overrules.
-struct Acceptance {
-  std::string id;
-  std::string camera = {};  ///< Empty: of any.
-  [[nodiscard]] bool covers(const Reason& reason) const;
-};
-
 /// All that is known of a written file, or of one that is evaluated as it is.
 struct VerdictFacts {
   const Format* to = nullptr;                ///< Of the file.
@@ -41,8 +34,5 @@ struct VerdictFacts {
 /// Does a program of the format, started in that mode, miss what was lost? If not it is a detail: a topic, an identity matrix,
 /// an IMU beside a format of lenses.
 [[nodiscard]] bool matters(const Loss& loss, const Format& to, std::string_view mode);
-
-/// The same of a value that was made up: not a setting of the program, but a fact of the calibration.
-[[nodiscard]] bool is_invented(const DefaultedValue& value);
 
 }  // namespace fca

@@ -38,4 +38,11 @@ struct Verdict {
   std::vector<Reason> reasons;  ///< The worst first.
 };
 
+/// A reason that the user overrules.
+struct Acceptance {
+  std::string id;
+  std::string camera = {};  ///< Empty: of any.
+  [[nodiscard]] bool covers(const Reason& reason) const;
+};
+
 }  // namespace fca

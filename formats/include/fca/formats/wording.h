@@ -7,7 +7,7 @@
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/format.h>
 #include <fca/formats/text/message.h>
-#include <fca/formats/verdict.h>
+#include <fca/formats/verdict_value.h>
 
 #include <span>
 #include <string>

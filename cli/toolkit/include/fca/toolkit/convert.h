@@ -6,7 +6,7 @@
 #include <fca/formats/format.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/set_value.h>
-#include <fca/formats/verdict.h>
+#include <fca/formats/verdict_value.h>
 #include <fca/toolkit/files.h>
 #include <fca/toolkit/inputs.h>
 #include <fca/toolkit/status.h>

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What users are told first, on real files of the corpus (skipped without it) and on files written here.
+#include "cli/read_rig.h"
+#include "cli/run_program.h"
+#include "cli/told.h"
+
+#include <fca/formats/consumers/consumer.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+
+/// A file of the corpus; empty where it is not there.
+std::string corpus(const std::string& name) {
+  const fs::path path = fs::path(FCA_SHARED_DIR) / "corpus" / name;
+  return fs::exists(path) ? path.string() : std::string();
+}
+
+std::size_t lines_in(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+
+std::size_t longest_line(const std::string& text) {
+  std::size_t longest = 0;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) longest = std::max(longest, line.size());
+  return longest;
+}
+
+/// The word of a run with --json.
+std::string word_of(const Told& run) { return run.json()["verdict"]["word"].GetString(); }
+
+std::set<std::string> codes_of(const Told& run) {
+  std::set<std::string> codes;
+  for (const auto& reason : run.json()["verdict"]["reasons"].GetArray()) codes.insert(reason["code"].GetString());
+  return codes;
+}
+
+const std::string kT265 = "kalibr/rpng__open_vins__config__rs_t265__kalibr_imucam_chain.yaml";
+const std::string kT265Imu = "kalibr/rpng__open_vins__config__rs_t265__kalibr_imu_chain.yaml";
+const std::string kEuroc = "kalibr/rpng__open_vins__config__euroc_mav__kalibr_imucam_chain.yaml";
+const std::string kEurocImu = "kalibr/rpng__open_vins__config__euroc_mav__kalibr_imu_chain.yaml";
+
+TEST(VerdictFirst, AFisheyePairGetsTheLayoutThatTheProgramReadsRightly) {
+  const std::string chain = corpus(kT265);
+  if (chain.empty()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  const std::vector<std::string> words = {"convert", chain, "--with", corpus(kT265Imu), "--to", "orbslam3"};
+  const Told run(words);
+  EXPECT_EQ(run.code(), 0) << run.text();
+  const consumers::ConsumerView view = consumers::find_consumer("orbslam3")->load(run.bytes(), {"stereo-inertial"});
+  ASSERT_EQ(view.cameras.size(), 2U) << run.text();
+  const Rig rig = rig_in(read_file(chain));
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (const Pixel& pixel : {Pixel{200.0, 300.0}, Pixel{424.0, 700.0}, Pixel{650.0, 150.0}}) {
+      const std::optional<Ray> ray = unproject(rig.cameras[i].model, pixel);
+      ASSERT_TRUE(ray);
+      const auto theirs = view.cameras[i].project(*ray);
+      ASSERT_TRUE(theirs);
+      EXPECT_NEAR((*theirs)[0], pixel[0], 0.001);
+      EXPECT_NEAR((*theirs)[1], pixel[1], 0.001);
+    }
+  }
+  const RunResult text = run_program(words, {.in_full = false});
+  EXPECT_LE(lines_in(text.err), 10U) << text.err;
+  EXPECT_LE(longest_line(text.err), 80U) << text.err;
+}
+
+TEST(VerdictFirst, AMisreadPinholePairIsUsedWithCareAndBothLayoutsAreShown) {
+  const std::string chain = corpus(kEuroc);
+  if (chain.empty()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  const std::vector<std::string> words = {"convert", chain, "--with", corpus(kEurocImu), "--to", "orbslam3"};
+  const Told run(words);
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_EQ(word_of(run), "use-with-care") << run.text();
+  EXPECT_GE(run.json()["other_writings"].Size(), 1U);
+  const RunResult text = run_program(words, {.in_full = false});
+  EXPECT_LE(lines_in(text.err), 10U) << text.err;
+}
+
+TEST(VerdictFirst, AWrongImageSizeIsNotWritten) {
+  const std::string pair = corpus("opencv/sourishg__jackal-navigation__src__calibration__stereo_calib.yml");
+  if (pair.empty()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  const TemporaryFolder folder;
+  const std::vector<std::string> words = {"convert", pair, "--size", "640x360", "--to", "kalibr", "-o", folder / "out.yaml"};
+  const Told run(words);
+  EXPECT_EQ(run.code(), 1) << run.text();
+  EXPECT_TRUE(codes_of(run).contains("size-unlike-centre")) << run.text();
+  EXPECT_TRUE(folder.names().empty());
+  EXPECT_EQ(run.json()["refused_outputs"].Size(), 1U);
+  std::vector<std::string> accepted = words;
+  accepted.insert(accepted.end(), {"--accept", "size-unlike-centre"});
+  EXPECT_EQ(run_program(accepted).code, 0);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"out.yaml"});
+}
+
+TEST(VerdictFirst, CamerasAtRightAnglesAreNoPair) {
+  const std::string rig = corpus("kalibr/ethz-asl__rovio__cfg__calibration.yaml");
+  if (rig.empty()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  const Told run({"convert", rig, "--to", "orbslam3"});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_EQ(run.json()["cameras"].Size(), 1U) << run.text();
+  const RunResult text = run_program({"convert", rig, "--to", "orbslam3"}, {.in_full = false});
+  for (const char* camera : {"cam1", "cam2", "cam3", "cam4"}) EXPECT_TRUE(contains(text.err, camera)) << text.err;
+}
+
+/// Three cameras: the second looks backwards, the first and the third are a pair.
+std::string chain_of_three() {
+  const auto camera = [](int index, const std::string& pose) {
+    return "cam" + std::to_string(index) +
+           ":\n  camera_model: pinhole\n  intrinsics: [400.0, 400.0, 319.5, 239.5]\n  distortion_model: radtan\n"
+           "  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  resolution: [640, 480]\n" +
+           pose;
+  };
+  const std::string turned =
+      "  T_cn_cnm1:\n  - [-1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, -1.0, 0.0]\n  - [0.0, 0.0, 0.0, "
+      "1.0]\n";
+  const std::string back =
+      "  T_cn_cnm1:\n  - [-1.0, 0.0, 0.0, -0.1]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, -1.0, 0.0]\n  - [0.0, 0.0, 0.0, "
+      "1.0]\n";
+  return camera(0, "") + camera(1, turned) + camera(2, back);
+}
+
+TEST(VerdictFirst, ThePairIsTheTwoThatSeeTheSame) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("three.yaml", chain_of_three());
+  const Told run({"convert", chain, "--to", "orbslam3"});
+  ASSERT_EQ(run.json()["cameras"].Size(), 2U) << run.text();
+  EXPECT_STREQ(run.json()["cameras"][0]["input_name"].GetString(), "cam0");
+  EXPECT_STREQ(run.json()["cameras"][1]["input_name"].GetString(), "cam2");
+  // A choice of the user's stays.
+  const Told chosen({"convert", chain, "--camera", "0,1", "--to", "orbslam3", "--sensor", "stereo"});
+  EXPECT_STREQ(chosen.json()["cameras"][1]["input_name"].GetString(), "cam1");
+}
+
+TEST(VerdictFirst, AFileThatItsOwnProgramRefusesIsNotWrittenAgain) {
+  const std::string chain = testdata("formats/kalibr/good/opencv-header.yaml");
+  const Told run({"convert", chain, "--to", "kalibr"});
+  EXPECT_EQ(run.code(), 1) << run.text();
+  ASSERT_FALSE(run.json()["verdict"]["reasons"].Empty());
+  const auto& reason = run.json()["verdict"]["reasons"][0];
+  EXPECT_STREQ(reason["code"].GetString(), "program-refuses");
+  EXPECT_GT(reason["fix"].GetStringLength(), 0U) << run.text();
+  EXPECT_EQ(run_program({"convert", chain, "--to", "kalibr", "--anew"}).code, 0);
+}
+
+TEST(VerdictFirst, OnStandardOutputNothingComesOfARefusedFile) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--max-error", "1e-9", "--model", "radtan"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.out, "");
+}
+
+TEST(VerdictFirst, StrictFailsForWhatMatters) {
+  EXPECT_EQ(run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--strict"}).code, 0) << "topics and overlaps";
+  const TemporaryFolder folder;
+  const std::string model = "  distortion_model: equidistant\n";
+  const std::string delayed =
+      folder.write("delayed.yaml", with_replaced(read_file(kTumvi), model, model + "  timeshift_cam_imu: 0.01\n"));
+  EXPECT_EQ(run_program({"convert", delayed, "--with", kImu, "--to", "orbslam3", "--strict"}).code, 1);
+}
+
+TEST(VerdictFirst, AcceptKnowsItsCodes) {
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "opencv", "--accept", "no-such-code"}).code, 3);
+  const RunResult unneeded = run_program({"convert", kTumvi, "--to", "opencv", "--accept", "left-handed"});
+  EXPECT_EQ(unneeded.code, 0);
+  EXPECT_TRUE(contains(unneeded.err, "--accept left-handed")) << unneeded.err;
+}
+
+TEST(VerdictFirst, DryRunsAndConversionsSayTheSame) {
+  for (const char* model : {"kb4", "pinhole"}) {
+    const std::vector<std::string> words = {"convert", kTumvi, "--to", "opencv", "--model", model};
+    std::vector<std::string> dry = words;
+    dry.emplace_back("--dry-run");
+    const Told run(words);
+    const Told tried(dry);
+    EXPECT_EQ(run.code(), tried.code());
+    EXPECT_EQ(run.json()["verdict"], tried.json()["verdict"]);
+  }
+}
+
+// JSON, check's preview and the page say what convert says.
+TEST(VerdictFirst, EveryOutputSaysTheSame) {
+  const Told converted({"convert", kTumvi, "--to", "orbslam3"});
+  const Told checked({"check", kTumvi, "--for", "orbslam3"});
+  EXPECT_EQ(checked.json()["files"][0]["verdict"]["word"], converted.json()["verdict"]["word"]) << checked.text();
+  const RunResult page = run_program({"report", kTumvi, "--to", "orbslam3"});
+  EXPECT_TRUE(contains(page.out, ">Ready<")) << word_of(converted);
+}
+
+TEST(VerdictFirst, QuietSaysNothingOfAGoodFile) {
+  const TemporaryFolder folder;
+  const RunResult run = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "ds", "-q", "-o", folder / "out.yaml"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out + run.err, "");
+}
+
+}  // namespace
+}  // namespace fca::test

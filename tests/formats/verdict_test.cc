@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The verdict by what it is decided from: numbers at both sides of each limit, lost facts, made-up values, acceptances.
+#include <fca/code.h>
+#include <fca/formats/verdict.h>
+#include <fca/formats/wording.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace fca {
+namespace {
+
+PixelDistance distance(double rms, double p99, double no_rays = 0.0) {
+  return {.rms = rms, .p99 = p99, .max = 100.0, .region = 1.0, .no_rays = no_rays};
+}
+
+ProofResult proof_of(const PixelDistance& in_circle, const PixelDistance& in_image, bool is_wide) {
+  ProofResult proof;
+  proof.program = "PROGRAM";
+  proof.loads = proof.pixels_agree = proof.poses_agree = true;
+  CameraProof camera;
+  camera.name = "cam0";
+  camera.distance = {in_circle, in_image, is_wide};
+  proof.cameras = {camera};
+  return proof;
+}
+
+VerdictWord word_of(const ProofResult& proof) {
+  VerdictFacts facts;
+  facts.to = find_format("kalibr");
+  facts.proofs = std::span(&proof, 1);
+  return decide(facts).word;
+}
+
+VerdictWord word_of(const PixelDistance& all) { return word_of(proof_of(all, all, false)); }
+
+TEST(Verdict, PixelsDecideByTheirRmsAndTheirNinetyNinthPercentile) {
+  EXPECT_EQ(word_of(distance(0.25, 1.0)), VerdictWord::kReady) << "whatever the worst pixel";
+  EXPECT_EQ(word_of(distance(0.251, 0.5)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(word_of(distance(0.1, 1.01)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(word_of(distance(2.0, 5.0)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(word_of(distance(2.01, 3.0)), VerdictWord::kDoNotUse);
+  EXPECT_EQ(word_of(distance(1.0, 5.01)), VerdictWord::kDoNotUse);
+}
+
+TEST(Verdict, WhatHasNoRightRayCountsAsAShare) {
+  EXPECT_EQ(word_of(distance(0.0, 0.0, 0.01)), VerdictWord::kReady);
+  EXPECT_EQ(word_of(distance(0.0, 0.0, 0.011)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(word_of(distance(0.0, 0.0, 0.51)), VerdictWord::kDoNotUse);
+}
+
+TEST(Verdict, TheCornersOfAWideLensDoNotDecide) {
+  EXPECT_EQ(word_of(proof_of(distance(0.0, 0.0), distance(9.0, 40.0, 0.3), true)), VerdictWord::kReady);
+  EXPECT_EQ(word_of(proof_of(distance(0.0, 0.0), distance(9.0, 40.0, 0.3), false)), VerdictWord::kDoNotUse);
+}
+
+TEST(Verdict, AProgramThatRefusesIsEnough) {
+  ProofResult refusing = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
+  refusing.loads = false;
+  EXPECT_EQ(word_of(refusing), VerdictWord::kDoNotUse);
+  refusing.read_by = {"ANOTHER"};
+  EXPECT_EQ(word_of(refusing), VerdictWord::kUseWithCare) << "whoever has the other one can use it";
+  refusing.read_by.clear();
+  refusing.is_first = false;
+  EXPECT_EQ(word_of(refusing), VerdictWord::kUseWithCare) << "it is not written for that one";
+}
+
+TEST(Verdict, WithoutAProgramItIsNoMoreThanCare) {
+  VerdictFacts facts;
+  facts.to = find_format("kalibr");
+  EXPECT_EQ(decide(facts).word, VerdictWord::kReady);
+  facts.is_asked = false;
+  EXPECT_EQ(decide(facts).word, VerdictWord::kUseWithCare);
+  facts.is_asked = true;
+  facts.has_reader = false;
+  EXPECT_EQ(decide(facts).word, VerdictWord::kUseWithCare);
+}
+
+Finding finding(Severity severity, Code code) {
+  Finding result;
+  result.severity = severity;
+  result.facts = {code, {"cam0"}};
+  return result;
+}
+
+VerdictWord word_of(const std::vector<Finding>& findings) {
+  VerdictFacts facts;
+  facts.to = find_format("kalibr");
+  facts.findings = findings;
+  return decide(facts).word;
+}
+
+TEST(Verdict, FindingsAboutMeaningCountAndThoseAboutReadersDoNot) {
+  EXPECT_EQ(word_of({finding(Severity::kError, Code::kAnyLeftHanded)}), VerdictWord::kDoNotUse);
+  EXPECT_EQ(word_of({finding(Severity::kWarning, Code::kAnyLeftHanded)}), VerdictWord::kUseWithCare);
+  EXPECT_EQ(word_of({finding(Severity::kNote, Code::kAnyLeftHanded)}), VerdictWord::kReady);
+  EXPECT_EQ(word_of({finding(Severity::kError, Code::kDsoUnknownLens)}), VerdictWord::kReady);
+}
+
+VerdictWord word_of(const Loss& loss, const char* format, const char* mode) {
+  VerdictFacts facts;
+  facts.to = find_format(format);
+  facts.mode = mode;
+  facts.losses = std::span(&loss, 1);
+  return decide(facts).word;
+}
+
+TEST(Verdict, ALossMattersToProgramsThatUseTheFact) {
+  const Loss offset = lost(Code::kTimeOffsetDropped, "cam0", "timeshift_cam_imu", {0.01, "why"});
+  EXPECT_EQ(word_of(offset, "orbslam3", "stereo-inertial"), VerdictWord::kUseWithCare);
+  EXPECT_EQ(word_of(offset, "orbslam3", "stereo"), VerdictWord::kReady) << "nothing is compared with an IMU's clock";
+  EXPECT_EQ(word_of(offset, "opencv", ""), VerdictWord::kReady);
+  EXPECT_EQ(word_of(lost(Code::kTimeOffsetDropped, "cam0", "timeshift_cam_imu", {0.0, "why"}), "orbslam3", "stereo-inertial"),
+            VerdictWord::kReady);
+}
+
+TEST(Verdict, WhatCorrectsAnImuMattersUnlessItChangesNothing) {
+  const auto tw = [](const char* value) {
+    return lost(Code::kNotCarriedValue, "imu0", "Tw", {Message{Code::kKeepTheInput}, std::string(value)});
+  };
+  const char* mode = "mono-inertial";
+  EXPECT_EQ(word_of(tw("[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"), "orbslam3", mode), VerdictWord::kReady);
+  EXPECT_EQ(word_of(tw("[[0.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]]"), "orbslam3", mode), VerdictWord::kReady);
+  EXPECT_EQ(word_of(tw("[[1.01, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"), "orbslam3", mode), VerdictWord::kUseWithCare);
+}
+
+TEST(Verdict, WhatTheModeNeedsIsNotMadeUp) {
+  const DefaultedValue pose{"T_imu_cam", "identity", true, true};
+  VerdictFacts facts;
+  facts.to = find_format("orbslam3");
+  facts.defaults = std::span(&pose, 1);
+  facts.mode = "mono";
+  EXPECT_EQ(decide(facts).word, VerdictWord::kUseWithCare);
+  facts.mode = "mono-inertial";
+  EXPECT_EQ(decide(facts).word, VerdictWord::kDoNotUse);
+}
+
+TEST(Verdict, PosesThatContradictCountByTheirNumbers) {
+  Rig rig;
+  rig.cameras.resize(2);
+  rig.cameras[0].name = "cam0";
+  rig.cameras[1].name = "cam1";
+  const auto shifted = [](double metres) { return Transform{{1, 0, 0, metres, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; };
+  const auto word = [&](double metres, const char* format) {
+    rig.poses = {{"cam1", "cam0", shifted(0.1)}, {"cam1", "cam0", shifted(0.1 + metres)}};
+    VerdictFacts facts;
+    facts.to = find_format(format);
+    facts.rig = &rig;
+    return decide(facts).word;
+  };
+  EXPECT_EQ(word(0.0005, "kalibr"), VerdictWord::kReady);
+  EXPECT_EQ(word(0.005, "kalibr"), VerdictWord::kUseWithCare);
+  EXPECT_EQ(word(0.05, "kalibr"), VerdictWord::kDoNotUse);
+  EXPECT_EQ(word(0.05, "ocamcalib"), VerdictWord::kReady) << "it holds no poses";
+}
+
+TEST(Verdict, AnAcceptedReasonAsksForCare) {
+  const ProofResult bad = proof_of(distance(9.0, 20.0), distance(9.0, 20.0), false);
+  VerdictFacts facts;
+  facts.to = find_format("kalibr");
+  facts.proofs = std::span(&bad, 1);
+  const std::string id(info(Code::kVerdictPixelsOff).id);
+  for (const auto& [acceptance, word] : {std::pair{Acceptance{id, ""}, VerdictWord::kUseWithCare},
+                                         {Acceptance{id, "cam0"}, VerdictWord::kUseWithCare},
+                                         {Acceptance{id, "cam1"}, VerdictWord::kDoNotUse},
+                                         {Acceptance{"left-handed", ""}, VerdictWord::kDoNotUse}}) {
+    facts.accepted = std::span(&acceptance, 1);
+    EXPECT_EQ(decide(facts).word, word) << acceptance.id << ":" << acceptance.camera;
+  }
+}
+
+// A limit of the user's own is no opinion of the program's.
+TEST(Verdict, ALimitIsNotAccepted) {
+  const std::vector<Finding> findings = {finding(Severity::kError, Code::kErrorBeyondLimit)};
+  const Acceptance acceptance{std::string(info(Code::kErrorBeyondLimit).id), ""};
+  VerdictFacts facts;
+  facts.to = find_format("kalibr");
+  facts.findings = findings;
+  facts.accepted = std::span(&acceptance, 1);
+  EXPECT_EQ(decide(facts).word, VerdictWord::kDoNotUse);
+}
+
+TEST(Verdict, TheWorstReasonComesFirst) {
+  const std::vector<Finding> findings = {finding(Severity::kWarning, Code::kAnyCentreOff),
+                                         finding(Severity::kError, Code::kAnyLeftHanded)};
+  VerdictFacts facts;
+  facts.to = find_format("kalibr");
+  facts.findings = findings;
+  const Verdict verdict = decide(facts);
+  ASSERT_EQ(verdict.reasons.size(), 2U);
+  EXPECT_EQ(verdict.reasons.front().facts.code, Code::kAnyLeftHanded);
+}
+
+}  // namespace
+}  // namespace fca
