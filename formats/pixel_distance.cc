@@ -12,7 +12,7 @@ namespace fca {
 namespace {
 
 /// Steps of the lattice along each side. Even: every second point is asked for the program's ray.
-constexpr int kSteps = 32;
+constexpr int kSteps = 24;
 /// A pixel or ray that is further off than this, where programs are known to go wrong, is none.
 constexpr double kWrongPx = 1.0;
 

@@ -54,9 +54,10 @@ SourceRange place_of_lens(const Subject& subject, const Camera& camera) {
 
 void check_coverage(const Subject& subject, const Camera& camera, Findings& findings) {
   const ImageSize size = *camera.image_size;
-  const Uncovered uncovered = uncovered_part(camera.model, size);
   const double ends = max_angle(camera.model);
-  if (uncovered.share == 0.0 || ends >= subject.options.max_angle_rad.value_or(std::numbers::pi)) return;
+  if (ends >= subject.options.max_angle_rad.value_or(std::numbers::pi)) return;
+  const Uncovered uncovered = uncovered_part(camera.model, size);
+  if (uncovered.share == 0.0) return;
   const Pixel centre = principal_point(camera.model);
   const double nearest_border = std::min({centre[0], size.width - 1.0 - centre[0], centre[1], size.height - 1.0 - centre[1]});
   constexpr double kFisheye = 85.0 / kDegreesPerRadian;

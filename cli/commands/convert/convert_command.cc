@@ -183,7 +183,7 @@ void add_convert_command(Application& application) {
                     const auto arguments = std::make_shared<ConvertArguments>();
                     add_options(options, *arguments);
                     return [arguments](const Invocation& invocation, Console& console) {
-                      arguments->request.reach_table = arguments->json || arguments->verbose > 0;
+                      arguments->request.in_detail = arguments->json || arguments->verbose > 0;
                       arguments->request.extension = std::filesystem::path(arguments->output).extension().string();
                       return run_convert(*arguments, invocation, console);
                     };

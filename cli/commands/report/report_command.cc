@@ -53,7 +53,7 @@ ReportRequest request_of(const ReportArguments& arguments) {
   request.inputs = arguments.inputs;
   if (has_target(arguments)) {
     request.conversion = arguments.conversion;
-    request.conversion->reach_table = true;
+    request.conversion->in_detail = true;
   }
   request.model = arguments.conversion.model;
   request.every_model = arguments.every_model;

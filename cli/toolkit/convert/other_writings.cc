@@ -3,9 +3,14 @@
 
 #include "writing.h"
 
+#include <fca/convert/reach.h>
+
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace fca {
 
@@ -31,21 +36,6 @@ std::optional<ConvertResult> written_as(const ConvertRequest& request, const Sta
   ConvertResult other = before;
   if (!write_as_asked(request, start, other) || !serves_the_same(other, result)) return std::nullopt;
   return other;
-}
-
-/// In the layout, in the cameras' models; where it does not hold them, in that of the format's models which is best in it.
-std::optional<ConvertResult> in_layout(ConvertRequest request, std::string_view layout, const Start& start,
-                                       const ConvertResult& before, const ConvertResult& result) {
-  request.layout = {result.to, std::string(layout)};
-  if (std::optional<ConvertResult> kept = written_as(request, start, before, result)) return kept;
-  if (request.model != nullptr) return std::nullopt;
-  std::optional<ConvertResult> best;
-  for (const StoredModel& stored : result.to->models) {
-    request.model = find_model(stored.model);
-    std::optional<ConvertResult> fitted = written_as(request, start, before, result);
-    if (fitted && (!best || worst_rms_px(*fitted) < worst_rms_px(*best))) best = std::move(fitted);
-  }
-  return best;
 }
 
 /// The largest of a figure over the cameras, as the program that the files are written for sees them.
@@ -76,6 +66,52 @@ bool is_better(const ConvertResult& other, const ConvertResult& best) {
   return !is_good || has_same_models(other, best);
 }
 
+/// The best way to write the files so far, and those beside it.
+class Choice {
+ public:
+  Choice(const ConvertRequest& request, const ConvertResult& result)
+      : is_free_(request.layout.name.empty() && request.model == nullptr), best_(result), layout_(request.layout.name) {
+    for (const std::string_view layout : result.to->layouts) {
+      if (layout != request.layout.name) left_.push_back(layout);
+    }
+  }
+
+  void consider(std::optional<ConvertResult> other, std::string_view layout) {
+    if (!other) return;
+    std::erase(left_, layout);
+    if (std::ranges::equal(other->files, best_.files, {}, &ConvertedFile::bytes, &ConvertedFile::bytes)) return;
+    if (is_free_ && is_better(*other, best_)) {
+      others_.push_back(named(best_, layout_));
+      best_ = *std::move(other);
+      layout_ = layout;
+    } else if (is_free_ || worst_rms_px(*other) < worst_rms_px(best_)) {
+      others_.push_back(named(*other, std::string(layout)));
+    }
+  }
+
+  /// Is nothing to be gained by another model?
+  [[nodiscard]] bool is_good() const {
+    const auto is_enough = [](const OtherWriting& other) { return other.max_px <= kNoticeable; };
+    return largest(best_, &PixelDistance::max) <= kNoticeable || std::ranges::any_of(others_, is_enough);
+  }
+
+  /// Those in which the files could not be written for the same program.
+  [[nodiscard]] std::vector<std::string_view> layouts_left() const { return left_; }
+
+  [[nodiscard]] ConvertResult take() && {
+    best_.layout = layout_;
+    best_.others = std::move(others_);
+    return std::move(best_);
+  }
+
+ private:
+  bool is_free_;
+  ConvertResult best_;
+  std::string layout_;
+  std::vector<OtherWriting> others_;
+  std::vector<std::string_view> left_;
+};
+
 }  // namespace
 
 double worst_rms_px(const ConvertResult& result) { return largest(result, &PixelDistance::rms); }
@@ -85,25 +121,26 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   if (proof == nullptr || !proof->loads || start.base.document != nullptr) return;
   const auto is_off = [](const CameraProof& camera) { return camera.misread && camera.distance.decisive().max > kNoticeable; };
   if (std::ranges::none_of(proof->cameras, is_off)) return;
-  const bool is_free = request.layout.name.empty() && request.model == nullptr;
-  std::vector<OtherWriting> others;
-  ConvertResult best = result;
-  std::string best_layout = request.layout.name;
+  const bool is_wide = std::ranges::any_of(proof->cameras, [](const CameraProof& camera) { return camera.distance.is_wide; });
+  Choice choice(request, result);
+  ConvertRequest other = request;
+  // First in the models that the cameras have: nothing is fitted for that.
   for (const std::string_view layout : result.to->layouts) {
-    if (layout == request.layout.name) continue;
-    std::optional<ConvertResult> other = in_layout(request, layout, start, before, result);
-    if (!other || std::ranges::equal(other->files, result.files, {}, &ConvertedFile::bytes, &ConvertedFile::bytes)) continue;
-    if (is_free && is_better(*other, best)) {
-      others.push_back(named(best, best_layout));
-      best = *std::move(other);
-      best_layout = layout;
-    } else if (is_free || worst_rms_px(*other) < worst_rms_px(best)) {
-      others.push_back(named(*other, std::string(layout)));
+    other.layout = {result.to, std::string(layout)};
+    if (choice.is_good()) break;
+    if (layout != request.layout.name) choice.consider(written_as(other, start, before, result), layout);
+  }
+  if (!choice.is_good() && request.model == nullptr) {
+    for (const std::string_view layout : choice.layouts_left()) {
+      for (const StoredModel& stored : result.to->models) {
+        if (!stored.stock || (is_wide && sees_ahead_only(stored.model))) continue;
+        other.layout = {result.to, std::string(layout)};
+        other.model = find_model(stored.model);
+        choice.consider(written_as(other, start, before, result), layout);
+      }
     }
   }
-  result = std::move(best);
-  result.layout = best_layout;
-  result.others = std::move(others);
+  result = std::move(choice).take();
 }
 
 }  // namespace fca

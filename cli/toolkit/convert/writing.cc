@@ -120,7 +120,7 @@ bool Writing::fit() {
       convert_cameras(input_.rig.cameras, *result_.to, chosen, result_.diagnostics);
   if (!cameras) return false;
   result_.cameras = *std::move(cameras);
-  if (request_.reach_table) add_reach(*result_.to, chosen, result_.cameras);
+  if (request_.in_detail) add_reach(*result_.to, chosen, result_.cameras);
   return put_together();
 }
 
@@ -175,7 +175,7 @@ bool Writing::place() {
 
 void Writing::prove() {
   const bool edits_it = base_.document != nullptr && base_.into == nullptr;  // then the proof says so
-  if (!edits_it) warn_if_refused(input_, request_.inputs, result_.diagnostics);
+  if (request_.in_detail && !edits_it) warn_if_refused(input_, request_.inputs, result_.diagnostics);
   const Rig meant = as_restated(rig_, written_);
   for (const ConvertedFile& file : result_.files) {
     const text::Document* own = input_of(file, written_, input_);

@@ -82,7 +82,9 @@ struct ConvertRequest {
   std::string extension;             ///< Of the file to be written, with its point, for formats with several syntaxes.
   Objective objective = Objective::kRms;
   bool every_pixel = false;             ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
-  bool reach_table = false;             ///< ConversionReport::reach is wanted.
+  /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::reach), and whether the input's own
+  /// program would refuse the input.
+  bool in_detail = false;
   std::optional<double> frame_rate_hz;  ///< For formats that state it.
   std::optional<double> baseline_m;     ///< Of a rectified pair or depth sensor.
   std::vector<KeyValue> settings;       ///< Values of the written file that no calibration states.
