@@ -152,6 +152,15 @@ void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   reasons.push_back({needs_imu ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare, {Code::kVerdictInvented, {invented}}});
 }
 
+/// Is the same defect of the same camera, which messages name first, among the reasons?
+bool is_told(const std::vector<Reason>& reasons, const Finding& finding, Code kind) {
+  return std::ranges::any_of(reasons, [&](const Reason& reason) {
+    const bool same_owner = reason.facts.arguments.empty() || finding.facts.arguments.empty() ||
+                            reason.facts.arguments.front() == finding.facts.arguments.front();
+    return id_of(reason) == info(kind).id && same_owner;
+  });
+}
+
 void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   for (const Finding& finding : facts.findings) {
     const Code kind = finding.kind != Code{} ? finding.kind : finding.facts.code;
@@ -161,6 +170,7 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (!counts) continue;
     if (facts.rig != nullptr && info(kind).id == info(Code::kVerdictPosesContradict).id) continue;  // decided by its numbers
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
+    if (is_told(reasons, finding, kind)) continue;
     reasons.push_back({.word = word, .facts = finding.facts, .remedy = finding.remedy, .kind = kind});
   }
 }

@@ -33,7 +33,7 @@ Application::Application() : parser_(std::make_unique<Parser>()) {
   app.set_version_flag("--version", "fca-io " FCA_VERSION);
   app.require_subcommand(0, 1);
   app.footer(
-      "fca-io FILE is short for fca-io show FILE.\n\n"
+      "fca-io FILE is short for fca-io show FILE; diff is compare, undistort is remap.\n\n"
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n\n"
       "Exit codes: 0 good; 1 done but judged bad, nothing written; 2 bad input; 3 usage; 4 input/output; 70 a bug.");
@@ -59,11 +59,29 @@ bool is_path(const std::string& word) {
          CLI::detail::check_path(word.c_str()) != CLI::detail::path_type::nonexistent;
 }
 
+/// What other programs call the same: `diff A B`, `help convert`, `version`.
+void replace_aliases(std::vector<std::string>& words) {
+  if (words.empty()) return;
+  std::string& first = words.front();
+  if (first == "diff") {
+    first = "compare";
+  } else if (first == "undistort") {
+    first = "remap";
+  } else if (first == "version") {
+    first = "--version";
+  } else if (first == "help" && words.size() > 1) {
+    words = {words[1], "--help"};
+  } else if (first == "help") {
+    first = "--help";
+  }
+}
+
 }  // namespace
 
 ExitCode Application::run(std::span<const std::string> given, Console& console) {
   Invocation invocation{{given.begin(), given.end()}, {}};
   std::vector<std::string> words = invocation.words;
+  replace_aliases(words);
   const std::vector<std::string> names = parser_->names();
   const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
   if (!words.empty() && (!words.front().starts_with('-') || words.front() == "-") && !is_name(words.front())) {

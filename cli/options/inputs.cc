@@ -6,6 +6,8 @@
 
 #include <fca/formats/text/numbers.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace fca::cli {
@@ -64,11 +66,19 @@ CameraImage parse_camera_image(const std::string& word) {
   return {word.substr(0, equals), word.substr(equals + 1)};
 }
 
+std::optional<std::string> take_unit(const std::string& word, std::optional<double>& target) {
+  constexpr std::array kUnits = {std::pair{"m", 1.0}, std::pair{"cm", 1e-2}, std::pair{"mm", 1e-3}};
+  const auto* const unit = std::ranges::find_if(kUnits, [&word](const auto& each) { return word == each.first; });
+  if (unit == kUnits.end()) return "--unit is m, cm or mm, not '" + word + "'";
+  target = unit->second;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void add_input_options(Options& options, Inputs& inputs) {
   options.value("--from", "FORMAT", "The input's format (default: found by its content)",
-                [&inputs](const std::string& word) { return take_format(word, inputs.format); });
+                [&inputs](const std::string& word) { return take_format("--from", word, inputs.format); });
   options.each("--with", "FILE", "A further part of the same calibration, e.g. imu.yaml; may be given several times",
                inputs.parts);
   options.value("--camera", "LIST", "Only these cameras, in this order: 1,0 or cam1", [&inputs](const std::string& word) {
@@ -77,6 +87,8 @@ void add_input_options(Options& options, Inputs& inputs) {
   });
   options.value("--size", "WxH", "Image size of an input that does not state one: 640x480",
                 [&inputs](const std::string& word) { return take_size("--size", word, inputs.image_size); });
+  options.value("--unit", "m|cm|mm", "The unit of translations in files that do not state it (OpenCV's; default: metres)",
+                [&inputs](const std::string& word) { return take_unit(word, inputs.length_unit_m); });
   options.value("--crop", "X,Y,W,H", "The images are this part of the calibrated ones; before --binning and --resize",
                 [&inputs](const std::string& word) { return take_region(word, inputs.change.crop); });
   options.whole_number("--binning", "N", "N x N pixels of the calibrated images are one; before --resize",

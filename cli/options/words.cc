@@ -3,6 +3,8 @@
 
 #include "toolkit/words.h"
 
+#include <fca/formats/program_names.h>
+
 namespace fca::cli {
 
 namespace {
@@ -18,6 +20,17 @@ std::vector<std::string> format_ids() {
 std::string format_names() { return enumerated(format_ids()); }
 
 std::string unknown_format(std::string_view typed) { return unknown_word("format", typed, format_ids()); }
+
+namespace {
+
+/// A program that fca-io knows and has no format for.
+std::string not_served(const ProgramName& program, std::string_view option) {
+  const std::string what = std::string(program.title) + " reads " + std::string(program.reads);
+  if (option == "--from") return what + ", which fca-io does not read; as " + std::string(program.format) + " it may";
+  return what + ", which fca-io does not write; the nearest is " + std::string(option) + " " + std::string(program.format);
+}
+
+}  // namespace
 
 std::string unknown_model(std::string_view typed) {
   std::vector<std::string> names;
@@ -35,9 +48,23 @@ std::vector<std::string> split(std::string_view list) {
   return parts;
 }
 
-std::optional<std::string> take_format(const std::string& word, const Format*& target) {
+std::optional<std::string> take_format(const std::string& option, const std::string& word, const Format*& target) {
   target = find_format(word);
-  return target != nullptr ? std::nullopt : std::optional(unknown_format(word));
+  if (target != nullptr) return std::nullopt;
+  const ProgramName* program = find_program_name(word);
+  if (program == nullptr) return unknown_format(word);
+  if (!program->is_served()) return not_served(*program, option);
+  target = find_format(program->format);
+  return std::nullopt;
+}
+
+std::optional<std::string> take_target(const std::string& word, ConvertRequest& request) {
+  const ProgramName* program = find_format(word) == nullptr ? find_program_name(word) : nullptr;
+  std::optional<std::string> problem = take_format("--to", word, request.to);
+  if (problem || program == nullptr) return problem;
+  if (!program->layout.empty() && request.layout.name.empty()) request.layout = {request.to, std::string(program->layout)};
+  request.extension = program->extension;
+  return std::nullopt;
 }
 
 std::optional<std::string> take_model(const std::string& word, const ModelInfo*& target) {

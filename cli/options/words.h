@@ -2,6 +2,8 @@
 // Typed words that name things or hold numbers, and what is wrong with those that do not.
 #pragma once
 
+#include <fca/toolkit/convert.h>
+
 #include <fca/formats/format.h>
 #include <fca/rig/rig.h>
 
@@ -22,7 +24,9 @@ namespace fca::cli {
 [[nodiscard]] std::vector<std::string> split(std::string_view list);
 
 /// Takes a format, or a camera model, of that name. Returns why it cannot, in a sentence.
-[[nodiscard]] std::optional<std::string> take_format(const std::string& word, const Format*& target);
+[[nodiscard]] std::optional<std::string> take_format(const std::string& option, const std::string& word, const Format*& target);
+/// --to: also a program's name, which may stand for a layout or a syntax, too.
+[[nodiscard]] std::optional<std::string> take_target(const std::string& word, ConvertRequest& request);
 [[nodiscard]] std::optional<std::string> take_model(const std::string& word, const ModelInfo*& target);
 /// Takes "640x480". `option` is named where it cannot.
 [[nodiscard]] std::optional<std::string> take_size(const std::string& option, const std::string& word,

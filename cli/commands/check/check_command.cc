@@ -32,8 +32,10 @@ std::string unknown_code(const std::string& code) {
 std::optional<std::string> usage_error(const CheckArguments& arguments) {
   const Inputs& inputs = arguments.request.inputs;
   if (const std::optional<std::string> error = problem_with(inputs)) return error;
-  if (!inputs.parts.empty() || inputs.join || inputs.cameras || changes_images(inputs)) {
-    return "check looks at every file as it stands: --with, --join, --camera, --crop, --binning and --resize have no use here";
+  if (!inputs.parts.empty() || inputs.join || inputs.cameras || inputs.length_unit_m || changes_images(inputs)) {
+    return "check looks at every file as it stands: --with, --join, --camera, --unit, --crop, --binning and --resize have no "
+           "use "
+           "here";
   }
   if (arguments.write && !arguments.fix) return "--write is for --fix";
   if (arguments.fix && (arguments.json || arguments.sarif))
@@ -155,7 +157,7 @@ void add_options(Options& options, CheckArguments& arguments) {
   add_input_options(options, request.inputs);
   add_join_option(options, request.inputs);
   // Refused: a file is looked at as it stands.
-  options.hide({"--with", "--join", "--camera", "--crop", "--binning", "--resize"});
+  options.hide({"--with", "--join", "--camera", "--unit", "--crop", "--binning", "--resize"});
   add_program_option(options,
                      "The program the file is meant for; if it reads another format, what convert would make of it: " +
                          enumerated(program_ids(), "or") + " (default: the format's own)",

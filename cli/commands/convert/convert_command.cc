@@ -10,6 +10,8 @@
 #include "shell/written_outputs.h"
 #include "toolkit/words.h"
 
+#include <fca/toolkit/read.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -67,9 +69,30 @@ void warn_of_unused(const std::vector<Acceptance>& accepted, const Verdict& verd
   }
 }
 
-ExitCode run_convert(const ConvertArguments& arguments, const Invocation& invocation, Console& console) {
-  if (const std::optional<std::string> problem = problem_with_patterns(arguments.inputs))
+/// `convert camchain.yaml imu.yaml`: of a few inputs the one with cameras is the calibration, the others are parts of it.
+ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector<FoundFile>& files, Streams& streams) {
+  constexpr std::size_t kMost = 4;
+  if (arguments.request.inputs.join || files.size() < 2 || files.size() > kMost) return arguments;
+  if (!std::ranges::all_of(files, [](const FoundFile& file) { return file.named && is_regular(file); })) return arguments;
+  ConvertArguments result = arguments;
+  result.inputs.clear();
+  for (const FoundFile& file : files) {
+    CommandFiles unheard(streams);
+    ReadRequest request{arguments.request.inputs, nullptr};
+    request.inputs.files = {file.path};
+    request.inputs.parts.clear();
+    request.inputs.cameras.reset();
+    const Reading reading = read(request, unheard);
+    const bool is_part = reading.calibration && reading.calibration->rig.cameras.empty();
+    (is_part ? result.request.inputs.parts : result.inputs).push_back(file.path);
+  }
+  return result.inputs.size() == 1 ? result : arguments;
+}
+
+ExitCode run_convert(const ConvertArguments& given, const Invocation& invocation, Console& console) {
+  if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
+  const ConvertArguments arguments = with_parts(given, walk(given.inputs), console.streams());
   const std::vector<FoundFile> files = walk(arguments.inputs);
   if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular), console);
@@ -126,7 +149,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.positional("INPUT", "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input",
                      arguments.inputs);
   options.value("--to", "FORMAT", "The format to write",
-                [&request](const std::string& word) { return take_format(word, request.to); });
+                [&request](const std::string& word) { return take_target(word, request); });
   options.value("--model", "MODEL", "The camera model to write (default: kept, else the best that the stock program reads)",
                 [&request](const std::string& word) { return take_model(word, request.model); });
   options.value(
@@ -184,7 +207,8 @@ void add_convert_command(Application& application) {
                     add_options(options, *arguments);
                     return [arguments](const Invocation& invocation, Console& console) {
                       arguments->request.in_detail = arguments->json || arguments->verbose > 0;
-                      arguments->request.extension = std::filesystem::path(arguments->output).extension().string();
+                      const std::string extension = std::filesystem::path(arguments->output).extension().string();
+                      if (!extension.empty()) arguments->request.extension = extension;
                       return run_convert(*arguments, invocation, console);
                     };
                   });

@@ -122,7 +122,7 @@ void add_options(Options& options, ReportArguments& arguments) {
   ConvertRequest& conversion = arguments.conversion;
   options.positional("INPUT", "Calibration file(s); '-' is standard input", arguments.inputs.files);
   options.value("--to", "FORMAT", "Show what converting it to this format does",
-                [&conversion](const std::string& word) { return take_format(word, conversion.to); });
+                [&conversion](const std::string& word) { return take_target(word, conversion); });
   options.value("--model", "MODEL|all",
                 "Show what converting the cameras to this model does; all: every model beside the others, and which to take",
                 [&arguments](const std::string& word) -> std::optional<std::string> {

@@ -7,6 +7,7 @@
 #include <fca/rig/image_change.h>
 #include <fca/rig/leave_out.h>
 #include <fca/toolkit/inputs.h>
+#include <fca/toolkit/read.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +133,20 @@ bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagno
   return true;
 }
 
+/// Translations without a unit in metres; false with an error where there are none.
+bool make_metres(double unit_m, const std::string& input, Calibration& calibration, Diagnostics& diagnostics) {
+  if (calibration.poses_without_unit.empty()) {
+    diagnostics.add(Code::kUnitWithoutUse, {calibration.format->title}, {input, 0, 0});
+    return false;
+  }
+  for (PoseEdge& edge : calibration.rig.poses) {
+    if (!has_assumed_unit(edge, calibration)) continue;
+    for (const std::size_t at : {3U, 7U, 11U}) edge.T_a_b.values[at] *= unit_m;
+  }
+  calibration.poses_without_unit.clear();
+  return true;
+}
+
 }  // namespace
 
 std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
@@ -149,6 +164,8 @@ std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Di
   std::optional<Calibration> calibration =
       read_calibration(std::move(documents), inputs.format, read_options(inputs), diagnostics);
   if (!calibration || !has_given_size(inputs, *calibration, diagnostics)) return std::nullopt;
+  if (inputs.length_unit_m && !make_metres(*inputs.length_unit_m, inputs.files.front(), *calibration, diagnostics))
+    return std::nullopt;
   return calibration;
 }
 

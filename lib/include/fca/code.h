@@ -1292,6 +1292,7 @@ enum class Code : std::uint16_t {
   kUnknownCamera,
   kCameraTwice,
   kPartMissing,
+  kUnitWithoutUse,
   kGivenSizeContradicts,
   kImageOfOtherSize,
   kGiveCalibratedSize,

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/folded_name.h>
+#include <fca/formats/program_names.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fca {
+
+namespace {
+
+using Name = std::string_view;
+
+// Served by a format.
+constexpr std::array kKalibr = {Name("camchain")};
+constexpr std::array kTumvi = {Name("tum-vi")};
+constexpr std::array kDso = {Name("dso"), Name("ldso"), Name("stereo-dso"), Name("dm-vio"), Name("vi-dso"), Name("tandem")};
+constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camodocal"), Name("gvins"),
+                              Name("d2slam"),    Name("lvi-sam"),     Name("kitti-360")};
+constexpr std::array kOrbslam3 = {Name("orbslam"), Name("orb-slam"), Name("orb_slam3_ros"), Name("visual-sgraphs")};
+constexpr std::array kOrbslam2 = {Name("orbslam2"), Name("orb-slam2")};
+constexpr std::array kOpenvins = {Name("ov_msckf"), Name("sqrtvins")};
+constexpr std::array kBasalt = {Name("monado"), Name("xrtslam"), Name("granite")};
+constexpr std::array kRos = {Name("ros2"),         Name("camera_info"), Name("rtabmap"),  Name("isaac-ros"),
+                             Name("apriltag_ros"), Name("image_proc"),  Name("autoware"), Name("rovio")};
+constexpr std::array kOpencv = {Name("cv2"), Name("filestorage")};
+constexpr std::array kOcamcalib = {Name("ocam"), Name("scaramuzza")};
+constexpr std::array kWoodscape = {Name("synwoodscape")};
+
+// Not written: what they read.
+constexpr std::array kColmap = {Name("colmap"),    Name("pycolmap"),
+                                Name("glomap"),    Name("hloc"),
+                                Name("3dgs"),      Name("gsplat"),
+                                Name("inria-gs"),  Name("3dgrut"),
+                                Name("3dgut"),     Name("lichtfeld"),
+                                Name("postshot"),  Name("brush"),
+                                Name("opensplat"), Name("gaussian-splatting")};
+constexpr std::array kNerfstudio = {Name("nerfstudio"), Name("splatfacto"), Name("nerfacto"),        Name("instant-ngp"),
+                                    Name("ngp"),        Name("torch-ngp"),  Name("transforms.json"), Name("luma")};
+constexpr std::array kEuroc = {Name("euroc"), Name("asl"), Name("mav0")};
+constexpr std::array kKimera = {Name("kimera"), Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
+constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
+constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("maplab"), Name("rovioli")};
+constexpr std::array kFastLivo = {Name("fast-livo"), Name("fast-livo2")};
+constexpr std::array kMsckfVio = {Name("msckf_vio")};
+constexpr std::array kStella = {Name("stella"), Name("stella_vslam"), Name("openvslam"), Name("plp-slam")};
+constexpr std::array kMrcal = {Name("mrcal"), Name("deltacamera")};
+constexpr std::array kOpensfm = {Name("opensfm"), Name("odm"), Name("webodm")};
+constexpr std::array kDepthai = {Name("oak"), Name("oakd"), Name("depthai"), Name("luxonis")};
+constexpr std::array kRealsense = {Name("realsense"), Name("d435"), Name("d435i"), Name("d455"), Name("t265"), Name("rs2")};
+constexpr std::array kZed = {Name("zed"), Name("zed2"), Name("zedmini"), Name("zedx"), Name("stereolabs")};
+constexpr std::array kOpenicc = {Name("openicc"), Name("gopro"), Name("umi"), Name("openimucameracalibrator")};
+constexpr std::array kAria = {Name("aria"), Name("project-aria"), Name("fisheye624"), Name("vrs")};
+constexpr std::array kFtheta = {Name("ftheta"), Name("ncore"), Name("driveworks"), Name("isaac-sim"), Name("omniverse")};
+constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam")};
+constexpr std::array kMetashape = {Name("metashape"), Name("photoscan"), Name("agisoft")};
+constexpr std::array kKitti = {Name("kitti"), Name("kitti-odom")};
+constexpr std::array kMast3r = {Name("mast3r"), Name("mast3r-slam")};
+constexpr std::array kMatlab = {Name("matlab")};
+constexpr std::array kSpectacular = {Name("spectacularai"), Name("sai")};
+
+constexpr std::array kNames = {
+    ProgramName{kKalibr, "Kalibr", "kalibr"},
+    ProgramName{kTumvi, "TUM-VI", "tumvi"},
+    ProgramName{.names = kDso, .title = "DSO", .format = "tumvi", .extension = ".txt"},
+    ProgramName{kVins, "VINS", "vins"},
+    ProgramName{kOrbslam3, "ORB-SLAM3", "orbslam3"},
+    ProgramName{kOrbslam2, "ORB-SLAM2", "orbslam3", "orbslam2"},
+    ProgramName{kOpenvins, "OpenVINS", "openvins"},
+    ProgramName{kBasalt, "Basalt", "basalt"},
+    ProgramName{kRos, "ROS", "ros"},
+    ProgramName{kOpencv, "OpenCV", "opencv"},
+    ProgramName{kOcamcalib, "OCamCalib", "ocamcalib"},
+    ProgramName{kWoodscape, "WoodScape", "woodscape"},
+    ProgramName{kColmap, "COLMAP", "opencv", "", "", "cameras.txt or cameras.bin of a model folder"},
+    ProgramName{kNerfstudio, "nerfstudio", "opencv", "", "", "transforms.json"},
+    ProgramName{kEuroc, "EuRoC", "kalibr", "", "", "a sensor.yaml per sensor"},
+    ProgramName{kKimera, "Kimera", "kalibr", "", "", "LeftCameraParams.yaml, RightCameraParams.yaml and ImuParams.yaml"},
+    ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
+    ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
+    ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},
+    ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
+    ProgramName{kStella, "stella_vslam", "orbslam3", "", "", "a configuration of its own in YAML"},
+    ProgramName{kMrcal, "mrcal", "opencv", "", "", ".cameramodel files"},
+    ProgramName{kOpensfm, "OpenSfM", "opencv", "", "", "camera_models.json"},
+    ProgramName{kDepthai, "DepthAI", "opencv", "", "", "the device's EEPROM as JSON"},
+    ProgramName{kRealsense, "RealSense", "opencv", "", "", "the device's own memory (rs-enumerate-devices prints it)"},
+    ProgramName{kZed, "ZED", "opencv", "", "", "SN*.conf"},
+    ProgramName{kOpenicc, "OpenImuCameraCalibrator", "opencv", "", "", "a JSON of its own"},
+    ProgramName{kAria, "Project Aria", "opencv", "", "", "a JSON of its own, with the model Fisheye624"},
+    ProgramName{kFtheta, "NVIDIA's f-theta", "ocamcalib", "", "", "a rig.json with polynomials of its own"},
+    ProgramName{kCuvslam, "cuVSLAM", "ros", "", "", "camera_info, or a dialect of EuRoC's sensor.yaml"},
+    ProgramName{kMetashape, "Metashape", "opencv", "", "", "an XML of its own"},
+    ProgramName{kKitti, "KITTI", "ros", "", "", "calib.txt (KITTI-360's fisheyes are VINS' MEI: vins)"},
+    ProgramName{kMast3r, "MASt3R-SLAM", "opencv", "", "", "intrinsics.yaml"},
+    ProgramName{kMatlab, "MATLAB", "opencv", "", "", "objects of its own (cameraIntrinsicsKB, fisheyeIntrinsics)"},
+    ProgramName{kSpectacular, "SpectacularAI", "opencv", "", "", "calibration.json"},
+};
+
+}  // namespace
+
+std::span<const ProgramName> all_program_names() { return kNames; }
+
+const ProgramName* find_program_name(std::string_view typed) {
+  const std::string wanted = folded(typed);
+  const auto found = std::ranges::find_if(kNames, [&wanted](const ProgramName& row) {
+    return std::ranges::any_of(row.names, [&wanted](Name name) { return folded(name) == wanted; });
+  });
+  return found == kNames.end() ? nullptr : &*found;
+}
+
+}  // namespace fca

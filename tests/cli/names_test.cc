@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What people type: names of programs for formats, other names of commands, a second input, a unit.
+#include "cli/read_rig.h"
+#include "cli/run_program.h"
+#include "cli/told.h"
+
+#include <fca/formats/program_names.h>
+
+#include <set>
+
+namespace fca::test {
+namespace {
+
+const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+
+// A name either is a format's or is answered with one that works.
+TEST(Names, EveryProgramIsServedOrAnswered) {
+  for (const ProgramName& program : all_program_names()) {
+    ASSERT_NE(find_format(program.format), nullptr) << program.title;
+    for (const std::string_view name : program.names) {
+      const std::string typed(name);
+      EXPECT_EQ(find_format(typed), nullptr) << typed << " is a format, and needs no other name";
+      const RunResult run = run_program({"convert", kTumvi, "--camera", "0", "--max-angle", "40", "--to", typed});
+      if (program.is_served()) {
+        EXPECT_NE(run.code, 3) << typed << run.err;
+        continue;
+      }
+      EXPECT_EQ(run.code, 3) << typed;
+      for (const std::string_view part : {program.title, program.reads, program.format})
+        EXPECT_TRUE(contains(run.err, std::string(part))) << typed << ": " << run.err;
+      EXPECT_EQ(run_program({"show", kTumvi, "--from", typed}).code, 3) << typed;
+    }
+  }
+}
+
+TEST(Names, NoneStandsTwice) {
+  std::set<std::string> names;
+  for (const ProgramName& program : all_program_names()) {
+    for (const std::string_view name : program.names) EXPECT_TRUE(names.insert(std::string(name)).second) << name;
+  }
+}
+
+TEST(Names, AProgramsNameMayMeanALayoutOrASyntax) {
+  const Told orbslam2({"convert", kTumvi, "--camera", "0", "--model", "radtan", "--max-angle", "40", "--to", "ORB_SLAM2"});
+  EXPECT_TRUE(consumers::find_consumer("orbslam2")->load(orbslam2.bytes(), {"mono"}).loads()) << orbslam2.text();
+  const Told dso({"convert", kTumvi, "--camera", "0", "--model", "radtan", "--max-angle", "40", "--to", "dso"});
+  EXPECT_TRUE(consumers::find_consumer("dso")->load(dso.bytes(), {}).loads()) << dso.text();
+}
+
+TEST(Names, CommandsHaveOthersToo) {
+  EXPECT_EQ(run_program({"diff", kTumvi, kTumvi}).out, run_program({"compare", kTumvi, kTumvi}).out);
+  EXPECT_EQ(run_program({"help", "convert"}).out, run_program({"convert", "--help"}).out);
+  EXPECT_EQ(run_program({"undistort", "--help"}).out, run_program({"remap", "--help"}).out);
+  EXPECT_EQ(run_program({"help"}).out, run_program({"--help"}).out);
+  EXPECT_EQ(run_program({"version"}).out, run_program({"--version"}).out);
+}
+
+TEST(Names, AnImuBesideAChainIsAPartOfIt) {
+  const Told with({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--no-provenance"});
+  for (const auto& [first, second] : {std::pair{kTumvi, kImu}, std::pair{kImu, kTumvi}}) {
+    const Told beside({"convert", first, second, "--to", "orbslam3", "--no-provenance"});
+    EXPECT_EQ(beside.code(), 0) << beside.text();
+    EXPECT_EQ(beside.bytes(), with.bytes());
+  }
+  // Two with cameras stay two calibrations.
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program({"convert", kTumvi, kTumvi, "--to", "opencv", "-o", folder / "{stem}.yml"}).code, 3);
+}
+
+TEST(Names, AUnitIsForTranslationsWithoutOne) {
+  const std::string pair = testdata("formats/opencv/good/stereo-14.yml");
+  const std::vector<std::string> words = {"convert", pair, "--size", "640x480", "--to", "kalibr"};
+  const auto in_unit = [&words](const char* unit) {
+    std::vector<std::string> all = words;
+    if (*unit != '\0') all.insert(all.end(), {"--unit", unit});
+    return Told(all);
+  };
+  const Told assumed = in_unit("");
+  EXPECT_TRUE(assumed.made_up("translation unit")) << assumed.text();
+  const double metres = (*rig_in(assumed.bytes()).resolve("cam1", "cam0"))(0, 3);
+  for (const auto& [unit, factor] : {std::pair{"m", 1.0}, {"cm", 1e-2}, {"mm", 1e-3}}) {
+    const Told run = in_unit(unit);
+    EXPECT_FALSE(run.made_up("translation unit")) << run.text();
+    EXPECT_NEAR((*rig_in(run.bytes()).resolve("cam1", "cam0"))(0, 3), factor * metres, 1e-12) << unit;
+  }
+  EXPECT_EQ(in_unit("inch").code(), 3);
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "opencv", "--unit", "mm"}).code, 3) << "Kalibr's are metres";
+}
+
+}  // namespace
+}  // namespace fca::test
