@@ -5,6 +5,7 @@
 #include "image_field.h"
 #include "map_figure.h"
 #include "shell/option_hints.h"
+#include "shell/recommendation.h"
 #include "table.h"
 #include "toolkit/words.h"
 
@@ -18,38 +19,6 @@ namespace fca::cli {
 
 namespace {
 
-std::string in_words(const Candidate& candidate) {
-  const ConversionReport& report = candidate.conversion->report;
-  const std::string id(candidate.model->id);
-  if (report.exact) return id + " (exact)";
-  const Judgement& j = report.judgement;
-  std::string text = id + " (rms " + pixels(j.error.rms) + " px, worst pixel " + pixels(j.error.max) + " px";
-  constexpr double kNoticeable = 1e-3;
-  if (j.coverage.unrepresentable > kNoticeable)
-    text += ", up to " + text::format_short(report.scored_to_deg, 3) + " deg from the axis only";
-  return text + ")";
-}
-
-/// Which to take, for a reader and without one.
-std::string recommendation(const std::vector<Candidate>& candidates, const Format* to) {
-  const Candidate* best = recommended(candidates, to);
-  if (best == nullptr) return "No model could be fitted; the table says why.";
-  const bool read_by_some = !best->stored_by.empty();
-  if (to != nullptr) {
-    std::string text = "For " + std::string(to->program) + ": " + in_words(*best) + ".";
-    const Candidate* any = recommended(candidates, nullptr);
-    if (any != best) text += " Best of all is " + in_words(*any) + ", which it does not read.";
-    return text;
-  }
-  std::string text = best->conversion->report.exact && best->conversion->report.from_model == best->conversion->report.to_model
-                         ? "Keep " + std::string(best->model->id) + ": it is exact."
-                         : "Take " + in_words(*best) + ".";
-  if (!read_by_some) text += " No program that fca-io knows reads it.";
-  const Candidate* next = recommended_beside(candidates, *best);
-  if (next != nullptr) text += " For a program that does not read it: " + in_words(*next) + ".";
-  return text;
-}
-
 /// Does check warn of anything in the file?
 bool is_doubted(const ReportContents& contents) {
   return std::ranges::any_of(contents.checks, [](const CheckResult& file) {
@@ -60,19 +29,29 @@ bool is_doubted(const ReportContents& contents) {
 }
 
 void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, const Candidate* best) {
-  Table table{{"model", "rms px", "max px", "scored", "unreachable", "stored by"}, {}, "cards"};
+  const bool is_wide = std::ranges::any_of(candidates, [](const Candidate& each) { return each.distance.is_wide; });
+  Table table{{"model", is_wide ? "rms px, inscribed circle" : "rms px", "whole image: rms px", "max px", "scored",
+               "unreachable", "stored by"},
+              {},
+              "cards"};
+  std::vector<const Candidate*> rows = ranked(candidates);
   for (const Candidate& candidate : candidates) {
+    if (!candidate.conversion) rows.push_back(&candidate);
+  }
+  for (const Candidate* row : rows) {
+    const Candidate& candidate = *row;
     const std::string id = std::string(candidate.model->id) + (&candidate == best ? " \u2190 recommended" : "");
     if (!candidate.conversion) {
       const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
       table.rows.push_back(
-          {id, "", "", "", "",
+          {id, "", "", "", "", "",
            "not fitted: " + (why.empty() ? "it does not describe the lens" : message_of(why.back(), with_options))});
       continue;
     }
     const Judgement& j = candidate.conversion->report.judgement;
     const bool exact = candidate.conversion->report.exact;
-    table.rows.push_back({id, exact ? "exact" : pixels(j.error.rms), exact ? "exact" : pixels(j.error.max),
+    table.rows.push_back({id, exact ? "exact" : pixels(candidate.distance.decisive().rms),
+                          exact ? "exact" : pixels(j.error.rms), exact ? "exact" : pixels(j.error.max),
                           percent(j.coverage.scored), percent(j.coverage.unrepresentable), enumerated(candidate.stored_by)});
   }
   put_table(html, table);

@@ -4,6 +4,8 @@
 #include "options/inputs.h"
 #include "shell/json.h"
 #include "shell/option_hints.h"
+#include "shell/recommendation.h"
+#include "shell/verdict_text.h"
 #include "toolkit/words.h"
 
 #include <fca/formats/consumers/consumer.h>
@@ -163,6 +165,10 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
     json.put("scored_share", j.coverage.scored);
     json.put("outside_lens_share", j.coverage.outside_lens);
     json.put("unrepresentable_share", j.coverage.unrepresentable);
+    json.put("decisive_rms_px", candidate.distance.decisive().rms);
+    json.put("decisive_p99_px", candidate.distance.decisive().p99);
+    json.put("region", candidate.distance.is_wide ? "inscribed-circle" : "image");
+    json.put("reaches_all", reaches_all(candidate));
     json.put("read_by", std::span<const std::string>(candidate.stored_by));
   };
   json.object([&] {
@@ -172,6 +178,8 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
       json.object([&] {
         json.put("name", of_camera.camera.name);
         json.put("model", model_info(of_camera.camera.model).id);
+        const Candidate* best = recommended(of_camera.candidates, nullptr);
+        best != nullptr ? json.put("recommended", best->model->id) : json.null("recommended");
         json.array("targets", of_camera.candidates,
                    [&](const Candidate& candidate) { json.object([&] { put_candidate(candidate); }); });
       });
@@ -180,24 +188,43 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
   return json.document();
 }
 
+constexpr std::size_t kModelWidth = 11;
+constexpr std::size_t kNumberWidth = 10;
+
+std::string row_text(const Candidate& candidate) {
+  const ConversionReport& report = candidate.conversion->report;
+  const PixelDistance& distance = candidate.distance.decisive();
+  std::string text = "  " + padded(candidate.model->id, kModelWidth);
+  if (report.exact) {
+    text += padded("exact", 2 * kNumberWidth);
+  } else {
+    text += padded(pixels(distance.rms), kNumberWidth) + padded(pixels(distance.p99), kNumberWidth);
+  }
+  text += padded(report.exact ? "exact" : pixels(report.judgement.error.rms), kNumberWidth) +
+          padded(report.exact ? "" : pixels(report.judgement.error.max), kNumberWidth);
+  const std::string to = text::format_short(report.scored_to_deg, 3) + " deg";
+  return text + (reaches_all(candidate) ? "all" : "to " + to) + "\n";
+}
+
 std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {
-  constexpr std::size_t kModel = 10;
-  constexpr std::size_t kError = 11;
-  constexpr std::size_t kReach = 13;
-  std::string text = camera.name + " (" + std::string(model_info(camera.model).id) + ") as\n  " + padded("model", kModel) +
-                     padded("rms px", kError) + padded("max px", kError) + padded("scored", kModel) +
-                     padded("unreachable", kReach) + "stored by\n";
+  const bool is_wide = std::ranges::any_of(candidates, [](const Candidate& each) { return each.distance.is_wide; });
+  std::string text =
+      wrapped_line(camera.name + " (" + std::string(model_info(camera.model).id) + "): " + recommendation(candidates, nullptr));
+  text += "  " + padded("", kModelWidth) + padded(is_wide ? "inscribed circle" : "image", 2 * kNumberWidth) +
+          padded(is_wide ? "whole image" : "", 2 * kNumberWidth) + "\n  " + padded("model", kModelWidth) +
+          padded("rms px", kNumberWidth) + padded("99 % px", kNumberWidth) + padded("rms px", kNumberWidth) +
+          padded("max px", kNumberWidth) + "reaches\n";
+  bool all_before = true;
+  for (const Candidate* candidate : ranked(candidates)) {
+    if (all_before && !reaches_all(*candidate)) text += "  not all of the lens:\n";
+    all_before = reaches_all(*candidate);
+    text += row_text(*candidate);
+  }
   for (const Candidate& candidate : candidates) {
-    text += "  " + padded(candidate.model->id, kModel);
-    if (!candidate.conversion) {
-      const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
-      text += why.empty() ? "does not fit\n" : message_of(why.back(), with_options) + "\n";
-      continue;
-    }
-    const Judgement& j = candidate.conversion->report.judgement;
-    text += padded(pixels(j.error.rms), kError) + padded(pixels(j.error.max), kError) +
-            padded(percent(j.coverage.scored), kModel) + padded(percent(j.coverage.unrepresentable), kReach) +
-            enumerated(candidate.stored_by) + "\n";
+    if (candidate.conversion) continue;
+    const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
+    text += wrapped_line("  " + std::string(candidate.model->id) + ": " +
+                         (why.empty() ? "does not fit" : message_of(why.back(), with_options)));
   }
   return text;
 }

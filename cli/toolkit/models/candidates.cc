@@ -8,6 +8,8 @@
 #include <fca/toolkit/read.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace fca {
 
@@ -31,8 +33,20 @@ bool is_better_choice(const Candidate& a, const Candidate& b) {
   const ConversionReport& of_a = a.conversion->report;
   const ConversionReport& of_b = b.conversion->report;
   if (of_a.exact != of_b.exact) return of_a.exact;
-  if (of_a.exact) return of_a.from_model == of_a.to_model;
-  return is_better(of_a, of_b);
+  if (of_a.exact) return of_a.from_model == of_a.to_model && of_b.from_model != of_b.to_model;
+  if (reaches_all(a) != reaches_all(b)) return reaches_all(a);
+  const PixelDistance& at_a = a.distance.decisive();
+  const PixelDistance& at_b = b.distance.decisive();
+  constexpr double kSameReach = 1e-3;
+  if (!reaches_all(a) && std::abs(at_a.no_rays - at_b.no_rays) > kSameReach) return at_a.no_rays < at_b.no_rays;
+  return at_a.rms < at_b.rms;
+}
+
+/// The model in place of a program that reads a file of it.
+CameraDistance distance_to(const Camera& camera, const CameraModel& model, std::optional<double> max_angle_rad) {
+  consumers::ConsumerCamera reader;
+  reader.project = [&model](const Ray& ray) { return project(model, ray); };
+  return distance_of(camera, model, reader, max_angle_rad.value_or(std::numbers::pi));
 }
 
 template <class Admits>
@@ -47,6 +61,20 @@ const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits)
 
 }  // namespace
 
+bool reaches_all(const Candidate& candidate) {
+  constexpr double kNoticeable = 0.01;
+  return candidate.distance.decisive().no_rays <= kNoticeable;
+}
+
+std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {
+  std::vector<const Candidate*> result;
+  for (const Candidate& candidate : candidates) {
+    if (candidate.conversion) result.push_back(&candidate);
+  }
+  std::ranges::stable_sort(result, [](const Candidate* a, const Candidate* b) { return is_better_choice(*a, *b); });
+  return result;
+}
+
 std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad) {
   std::vector<Candidate> result;
   for (const ModelInfo& model : all_models()) {
@@ -56,7 +84,10 @@ std::vector<Candidate> candidates(const Camera& camera, std::optional<double> ma
     options.model = model.id;
     options.max_angle_rad = max_angle_rad;
     candidate.conversion = convert(camera, options, candidate.diagnostics);
-    if (candidate.conversion) candidate.stored_by = stored_by(candidate.conversion->camera.model);
+    if (candidate.conversion) {
+      candidate.stored_by = stored_by(candidate.conversion->camera.model);
+      candidate.distance = distance_to(camera, candidate.conversion->camera.model, max_angle_rad);
+    }
     result.push_back(std::move(candidate));
   }
   return result;

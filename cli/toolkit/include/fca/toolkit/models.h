@@ -4,6 +4,7 @@
 
 #include <fca/convert/convert.h>
 #include <fca/formats/format.h>
+#include <fca/formats/pixel_distance.h>
 #include <fca/toolkit/inputs.h>
 #include <fca/toolkit/status.h>
 
@@ -17,14 +18,24 @@ namespace fca {
 struct Candidate {
   const ModelInfo* model = nullptr;
   std::optional<Conversion> conversion;
+  /// From the camera to the model: of a lens wider than 120 deg the circle about the middle of the image decides, not its
+  /// corners.
+  CameraDistance distance = {};
   std::vector<std::string> stored_by;
   Diagnostics diagnostics;
 };
 
+/// Does the model reach all of the region that decides?
+[[nodiscard]] bool reaches_all(const Candidate& candidate);
+
+/// The candidates that could be fitted, the best first: those that reach all of the region that decides before those that do
+/// not, then by the error there.
+[[nodiscard]] std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates);
+
 /// All models, in the order of the list.
 [[nodiscard]] std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad);
 
-/// The candidate to take: the camera's own model if it is exact, else the one that covers most and errs least. Of those that
+/// The candidate to take: the camera's own model if it is exact, else the first of those that are ranked. Of those that
 /// the stock program of `format` reads, if one is given. Null where there is none.
 [[nodiscard]] const Candidate* recommended(const std::vector<Candidate>& candidates, const Format* format);
 
