@@ -13,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace fca {
@@ -99,7 +100,8 @@ void add_not_carried(std::span<const ExtraField> extras, const Message& why, std
     } else if (extra.value.empty()) {
       losses.push_back(lost(Code::kNotCarried, extra.owner, extra.key, {why}));
     } else {
-      losses.push_back(lost(Code::kNotCarriedValue, extra.owner, extra.key, {why, extra.value}));
+      const Argument value = extra.said.is_said() ? Argument(extra.said) : Argument(extra.value);
+      losses.push_back(lost(Code::kNotCarriedValue, extra.owner, extra.key, {why, value}));
     }
   }
 }
@@ -139,10 +141,15 @@ void add_beyond_base(std::span<const ExtraField> extras, std::span<const ExtraFi
 }
 
 std::vector<ExtraField> extras_beyond(std::span<const ExtraField> extras, std::span<const ExtraField> there) {
-  const std::set<ExtraField> stated(there.begin(), there.end());
+  const auto as_spelled = [](const ExtraField& extra) {
+    return std::tuple<std::string_view, std::string_view, std::string_view>(extra.owner, extra.key, extra.value);
+  };
+  std::multimap<decltype(as_spelled(there[0])), const ExtraField*> stated;
+  for (const ExtraField& extra : there) stated.emplace(as_spelled(extra), &extra);
   std::vector<ExtraField> result;
   for (const ExtraField& extra : extras) {
-    if (!stated.contains(extra)) result.push_back(extra);
+    const auto [first, last] = stated.equal_range(as_spelled(extra));
+    if (std::none_of(first, last, [&extra](const auto& row) { return *row.second == extra; })) result.push_back(extra);
   }
   return result;
 }

@@ -16,6 +16,14 @@ std::string what_of(const Loss& loss, text::Wording wording) { return text::text
 std::string why_of(const Loss& loss, text::Wording wording) { return text::why_of(facts_of(loss), wording); }
 std::string remedy_of(const Loss& loss, text::Wording wording) { return text::fix_of(facts_of(loss), wording); }
 
+std::string value_of(const DefaultedValue& value, text::Wording wording) { return text::words_of(value.value, wording); }
+
+std::string text_of(const DefaultedValue& value, text::Wording wording) { return value.key + " " + value_of(value, wording); }
+
+std::string value_of(const ExtraField& extra, text::Wording wording) {
+  return extra.said.is_said() ? text::text_of(extra.said, wording) : extra.value;
+}
+
 std::string id_of(const Finding& finding) {
   return std::string(info(finding.kind != Code{} ? finding.kind : finding.facts.code).id);
 }

@@ -4,6 +4,7 @@
 #include "chart.h"
 #include "image_field.h"
 #include "map_figure.h"
+#include "shell/model_words.h"
 #include "shell/option_hints.h"
 #include "shell/recommendation.h"
 #include "table.h"
@@ -52,7 +53,7 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
     const bool exact = candidate.conversion->report.exact;
     table.rows.push_back({id, exact ? "exact" : pixels(candidate.distance.decisive().rms),
                           exact ? "exact" : pixels(j.error.rms), exact ? "exact" : pixels(j.error.max),
-                          percent(j.coverage.scored), percent(j.coverage.unrepresentable), enumerated(candidate.stored_by)});
+                          percent(j.coverage.scored), percent(j.coverage.unrepresentable), enumerated(stored_by_in_words(candidate))});
   }
   put_table(html, table);
 }

@@ -43,7 +43,7 @@ void put_defaults(Html& html, const std::vector<DefaultedValue>& defaults) {
   const auto put = [&](const char* title, bool look_at_it) {
     std::vector<std::string> values;
     for (const DefaultedValue& value : defaults) {
-      if (value.look_at_it == look_at_it) values.push_back(value.key + " " + value.value);
+      if (value.look_at_it == look_at_it) values.push_back(text_of(value, with_options));
     }
     if (values.empty()) return;
     html.element("h3", {}, title);

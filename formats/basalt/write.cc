@@ -7,7 +7,6 @@
 #include "../one_camera_files.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/rotation.h>
@@ -143,7 +142,7 @@ Imu completed(const Rig& rig, std::vector<DefaultedValue>& defaults) {
   const auto complete = [&](std::optional<double>& value, std::string_view key, double initial) {
     if (value) return;
     value = initial;
-    defaults.push_back({std::string(key), text::text_of({Code::kBasaltInitialValue, {initial}}), true, true});
+    defaults.push_back({std::string(key), Message{Code::kBasaltInitialValue, {initial}}, true, true});
   };
   complete(imu.rate_hz, kRate, kInitialRate);
   for (const Noise& noise : kNoises) complete(imu.*noise.member, noise.key, noise.initial);
@@ -159,7 +158,7 @@ std::string compose(const Rig& rig, const ImuPoses& poses, Written& written) {
     if (!poses.known() || !T) {
       const bool in_frame = T && poses.frame() != camera.name;
       const Message value = in_frame ? Message{Code::kBasaltPoseInFrame, {poses.frame()}} : Message{Code::kBasaltIdentity};
-      written.defaults.push_back({camera.name + " T_imu_cam", text::text_of(value), true, true});
+      written.defaults.push_back({camera.name + " T_imu_cam", value, true, true});
     }
     std::vector<Field> fields = translation_fields(T.value_or(Transform{}));
     std::ranges::move(rotation_fields(nearest_quaternion(T.value_or(Transform{}))), std::back_inserter(fields));

@@ -6,7 +6,6 @@
 #include "../fields.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/models/ocamcalib_parameters.h>
 
@@ -55,8 +54,9 @@ class ResultsReader {
     }
     const double error = inverse_error(camera, *inverse);
     if (!swapped) warn_if_stale(*blocks, error);  // else the lens is not where the centre says
-    rig.extra_fields.push_back({"cam0", std::string(kInverse),
-                                text::text_of({Code::kCalibResultsInverse, {inverse->size(), error, listed(*inverse)}})});
+    const std::string values = listed(*inverse);
+    rig.extra_fields.push_back(
+        {"cam0", std::string(kInverse), values, {Code::kCalibResultsInverse, {inverse->size(), error, values}}});
     rig.cameras.push_back(std::move(camera));
     return rig;
   }

@@ -9,7 +9,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/file_name.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 
@@ -60,7 +59,7 @@ void tell_inverse(const Camera& camera, const InversePolynomial& inverse, Writte
   constexpr double kGoal = 1e-6;
   const bool good = inverse.error_px <= kGoal;
   const Message fitted{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}};
-  written.defaults.push_back({camera.name + " " + std::string(kInverse), text::text_of(fitted), !good});
+  written.defaults.push_back({camera.name + " " + std::string(kInverse), fitted, !good});
   if (!good) diagnostics.add(Code::kCalibResultsInverseInexact, {camera.name, inverse.error_px});
 }
 

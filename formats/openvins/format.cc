@@ -11,7 +11,6 @@
 #include "../one_camera_files.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/prose.h>
 #include <fca/formats/text/read_document.h>
 
@@ -95,8 +94,8 @@ Transform pose_of(const Rig& rig, const Camera& camera, std::vector<DefaultedVal
   const Camera& first = rig.cameras.front();
   const std::optional<Transform> T = pose_in(rig, first.name, camera);
   const bool known = T && first.name != camera.name;
-  const Argument value = known ? Argument(Message{Code::kOpenvinsChainPoseInFrame, {first.name}}) : Argument("identity");
-  defaults.push_back({camera.name + " T_imu_cam", text::text_of({Code::kOpenvinsChainPoseMadeUp, {value}}), true, true});
+  const Message value = known ? Message{Code::kOpenvinsChainPoseInFrame, {first.name}} : Message{Code::kIdentity};
+  defaults.push_back({camera.name + " T_imu_cam", Message{Code::kOpenvinsChainPoseMadeUp, {value}}, true, true});
   return T.value_or(Transform{});
 }
 
@@ -160,7 +159,7 @@ void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& writte
   }
   if (!made_up.empty()) {
     written.defaults.push_back(
-        {"IMU intrinsics (" + text::enumerated(made_up) + ")", text::text_of({Code::kOpenvinsChainCalibratedImu}), false});
+        {"IMU intrinsics (" + text::enumerated(made_up) + ")", Message{Code::kOpenvinsChainCalibratedImu}, false});
   }
   if (std::optional<text::Document> document = text::parse_document({"kalibr_imu_chain.yaml", bytes}, diagnostics))
     written.files.push_back({*std::move(document), {}, {"openvins-imu"}});

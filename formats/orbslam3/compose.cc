@@ -4,6 +4,8 @@
 
 #include "../composed.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 #include <array>
 
@@ -71,7 +73,8 @@ std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Ta
   for (const Field& field : fields) {
     if (const std::optional<Note> note = note_on(field, target, rig)) {
       const bool is_pose = field.shape == fields::Shape::kMatrix;
-      result.push_back({field.key, is_pose ? "identity" : field.tokens.front(), note->look_at_it, is_pose});
+      const Argument value = is_pose ? Argument(Message{Code::kIdentity}) : Argument(field.tokens.front());
+      result.push_back({field.key, value, note->look_at_it, is_pose});
     }
   }
   for (const std::string_view group : kGroups) {
@@ -79,7 +82,7 @@ std::vector<DefaultedValue> defaulted(const std::vector<Field>& fields, const Ta
     const auto members = std::ranges::count_if(fields, in_group);
     const auto ours = std::ranges::count_if(fields, [&](const Field& f) { return in_group(f) && upstreams(f, target); });
     if (members > 0 && ours == members) {
-      result.push_back({std::string(group) + "*", "upstream's", false});
+      result.push_back({std::string(group) + "*", Message{Code::kOrbslam3Upstreams}, false});
       continue;
     }
     for (const Field& field : fields) {

@@ -18,6 +18,8 @@ namespace fca::text {
 
 namespace {
 
+constexpr std::string_view kShort = "short";
+
 /// An argument in a sentence.
 struct Slot {
   const Argument* argument;
@@ -53,7 +55,7 @@ struct InWords {
 
   std::string operator()(const std::string& text) const {
     if (how.empty()) return text;
-    if (how == "short") return shortened(text);
+    if (how == kShort) return shortened(text);
     if (how == "shell") return shell_word(text);
     if (how == "_") return text.empty() ? text : text + " ";
     refuse(how);
@@ -89,8 +91,9 @@ struct InWords {
     std::vector<std::string> texts;
     texts.reserve(clauses.size());
     for (const Message& clause : clauses) texts.push_back(text_of(clause, wording));
-    if (!how.empty()) return enumerated(texts, how);
-    return std::accumulate(texts.begin(), texts.end(), std::string());
+    if (!how.empty() && how != kShort) return enumerated(texts, how);
+    const std::string all = std::accumulate(texts.begin(), texts.end(), std::string());
+    return how == kShort ? shortened(all) : all;
   }
 };
 
@@ -129,6 +132,10 @@ std::string_view table_wording(Code code, Part part) {
       return row.fix;
   }
   return {};
+}
+
+std::string words_of(const Argument& argument, Wording wording) {
+  return std::visit(InWords{.how = {}, .wording = wording}, argument.value);
 }
 
 std::string filled(std::string_view pattern, std::span<const Argument> arguments, Wording wording) {

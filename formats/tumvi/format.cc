@@ -10,7 +10,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/file_name.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
@@ -124,7 +123,7 @@ std::optional<Written> write_camera_txt(const text::Document* base, const std::o
     written.files = fresh_files(rig, why, diagnostics);
     if (written.files.empty()) return std::nullopt;
     written.defaults.push_back({"rectification (line 3)", "crop", false});
-    written.defaults.push_back({"size of DSO's images (line 4)", text::text_of({Code::kCameraTxtSizeOfCamera}), false});
+    written.defaults.push_back({"size of DSO's images (line 4)", Message{Code::kCameraTxtSizeOfCamera}, false});
   }
   list_camera_losses(rig, "DSO", written.losses);
   const std::vector<ExtraField> there = edits ? old->extra_fields : std::vector<ExtraField>();

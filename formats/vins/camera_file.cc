@@ -7,7 +7,6 @@
 #include "../ocamcalib/ocamcalib.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/models/ocamcalib_parameters.h>
 
@@ -270,8 +269,8 @@ class CameraReader {
     if (error > kStalePx) reader_.say(*node, Code::kVinsInverseStale, {error});
     std::string listed;
     for (const double value : inverse) listed += (listed.empty() ? "" : " ") + text::format_real(value);
-    rig.extra_fields.push_back({camera.name, std::string(ocamcalib::kInverse),
-                                text::text_of({Code::kCalibResultsInverse, {inverse.size(), error, listed}})});
+    rig.extra_fields.push_back(
+        {camera.name, std::string(ocamcalib::kInverse), listed, {Code::kCalibResultsInverse, {inverse.size(), error, listed}}});
     return true;
   }
 

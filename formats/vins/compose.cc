@@ -7,7 +7,6 @@
 #include "../ocamcalib/inverse.h"
 
 #include <fca/code.h>
-#include <fca/formats/text/message.h>
 
 namespace fca::vins {
 
@@ -27,9 +26,9 @@ std::vector<double> fitted_inverse(const Camera& camera, Written& written, Diagn
   const ocamcalib::InversePolynomial inverse = ocamcalib::fit_inverse(camera, kInverseCount);
   constexpr double kGoal = 1e-6;  // px
   const bool good = inverse.error_px <= kGoal;
-  written.defaults.push_back(
-      {camera.name + " inverse polynomial",
-       text::text_of({Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}}), !good});
+  written.defaults.push_back({camera.name + " inverse polynomial",
+                              Message{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}},
+                              !good});
   if (!good) diagnostics.add(Code::kVinsInverseInexact, {camera.name, inverse.error_px});
   return inverse.coefficients;
 }

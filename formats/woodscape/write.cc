@@ -8,7 +8,6 @@
 
 #include <fca/code.h>
 #include <fca/formats/file_name.h>
-#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/rig/rotation.h>
@@ -170,9 +169,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                             diagnostics);
       if (frame != kVehicle || !pose) {
         const bool known = pose && frame != camera.name;
-        const Argument value = known ? Argument(Message{Code::kOpenvinsChainPoseInFrame, {frame}}) : Argument("identity");
-        written.defaults.push_back(
-            {camera.name + " extrinsic", text::text_of({Code::kWoodscapeJsonPoseMadeUp, {value}}), true});
+        const Message value = known ? Message{Code::kOpenvinsChainPoseInFrame, {frame}} : Message{Code::kIdentity};
+        written.defaults.push_back({camera.name + " extrinsic", Message{Code::kWoodscapeJsonPoseMadeUp, {value}}, true});
       }
     }
     if (!document) return std::nullopt;

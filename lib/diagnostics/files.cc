@@ -91,6 +91,7 @@ std::span<const CodeInfo> file_codes() {
       clause(Code::kWantsNumberAboveZero, "a number above 0"),
       clause(Code::kWantsNumberBetween, "a number from {0} to {1}"),
       clause(Code::kValueIsGroup, "a group of values"),
+      clause(Code::kIdentity, "identity"),
   };
   return kRows;
 }

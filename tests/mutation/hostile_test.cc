@@ -116,7 +116,7 @@ Rig named_rig(const std::string& first) {
 std::string said_of(const Written& written, const Diagnostics& diagnostics) {
   std::string text;
   for (const Loss& loss : written.losses) text += id_of(loss) + " " + what_of(loss) + " " + why_of(loss) + "\n";
-  for (const DefaultedValue& value : written.defaults) text += value.key + " " + value.value + "\n";
+  for (const DefaultedValue& value : written.defaults) text += text_of(value) + "\n";
   for (const Diagnostic& entry : diagnostics.entries()) text += message_of(entry) + "\n";
   return text;
 }

@@ -62,7 +62,7 @@ std::string preview_text(const ConvertResult& outcome, const std::string& indent
   std::vector<std::string> made_up;
   for (const bool look_at_it : {true, false}) {  // those first
     for (const DefaultedValue& value : outcome.defaults) {
-      if (value.look_at_it == look_at_it) made_up.push_back(value.key + " " + value.value);
+      if (value.look_at_it == look_at_it) made_up.push_back(text_of(value, with_options));
     }
   }
   text += list_text("lost: ", losses, indent + "  ") + list_text("made up: ", made_up, indent + "  ");

@@ -72,13 +72,14 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
 void put_defaults(Json& json, const ConvertOutcome& outcome) {
   json.array("defaults", outcome.defaults, [&](const DefaultedValue& value) {
     json.object([&] {
+      const std::string words = value_of(value, with_options);
       json.put("key", value.key);
-      if (const std::optional<int> whole = text::parse_int(value.value)) {
+      if (const std::optional<int> whole = text::parse_int(words)) {
         json.put("value", *whole);
-      } else if (const std::optional<double> number = text::parse_real(value.value)) {
+      } else if (const std::optional<double> number = text::parse_real(words)) {
         json.put("value", *number);
       } else {
-        json.put("value", value.value);
+        json.put("value", words);
       }
       json.put("look_at_it", value.look_at_it);
     });

@@ -101,9 +101,9 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
   std::vector<std::string> rest;
   for (const DefaultedValue& value : defaults) {
     if (value.look_at_it) {
-      look += "  " + value.key + " " + value.value + "\n";
+      look += "  " + text_of(value, with_options) + "\n";
     } else {
-      rest.push_back(value.key + " " + value.value);
+      rest.push_back(text_of(value, with_options));
     }
   }
   std::string text;

@@ -3,6 +3,7 @@
 
 #include "options/inputs.h"
 #include "shell/json.h"
+#include "shell/model_words.h"
 #include "shell/option_hints.h"
 #include "shell/recommendation.h"
 #include "shell/verdict_text.h"
@@ -169,7 +170,7 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
     json.put("decisive_p99_px", candidate.distance.decisive().p99);
     json.put("region", candidate.distance.is_wide ? "inscribed-circle" : "image");
     json.put("reaches_all", reaches_all(candidate));
-    json.put("read_by", std::span<const std::string>(candidate.stored_by));
+    json.put("read_by", std::span<const std::string>(stored_by_in_words(candidate)));
   };
   json.object([&] {
     json.put("fca_io", FCA_VERSION);

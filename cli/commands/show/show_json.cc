@@ -93,7 +93,7 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
     json.array("also_in_file", calibration.rig.extra_fields, [&](const ExtraField& extra) {
       json.object([&] {
         json.put("key", with_owner(extra));
-        json.put("value", extra.value);
+        json.put("value", value_of(extra, with_options));
       });
     });
     json.array("read_by", shown.readers.programs, [&](const Readers::Program& program) {

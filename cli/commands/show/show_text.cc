@@ -53,7 +53,7 @@ std::string camera_text(const Camera& camera, std::span<const ExtraField> extras
   if (camera.frame_rate_hz) text += "  rate     " + text::format_short(*camera.frame_rate_hz) + " Hz\n";
   if (!camera.topic.empty()) text += "  topic    " + camera.topic + "\n";
   for (const ExtraField& extra : extras) {
-    if (is_of(extra, camera)) text += "  " + extra.key + ": " + text::shortened(extra.value) + "\n";
+    if (is_of(extra, camera)) text += "  " + extra.key + ": " + text::shortened(value_of(extra, with_options)) + "\n";
   }
   return text;
 }

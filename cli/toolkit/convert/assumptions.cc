@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "assumptions.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
 
 namespace fca {
@@ -12,7 +14,7 @@ void list_assumed_units(const Calibration& calibration, const Format& to, Writte
     return camera.name != rig.cameras.front().name && rig.resolve(camera.name, rig.cameras.front().name);
   });
   if (posed && !calibration.poses_without_unit.empty())
-    written.defaults.push_back({"translation unit", "taken as metres", true, true});
+    written.defaults.push_back({"translation unit", Message{Code::kTakenAsMetres}, true, true});
 }
 
 }  // namespace fca

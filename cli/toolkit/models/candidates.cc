@@ -3,7 +3,6 @@
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
-#include <fca/formats/text/message.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
 
@@ -16,16 +15,15 @@ namespace fca {
 namespace {
 
 /// Who stores these very numbers, and who demands others.
-std::vector<std::string> stored_by(const CameraModel& model) {
-  std::vector<std::string> names;
+std::vector<StoringFormat> stored_by(const CameraModel& model) {
+  std::vector<StoringFormat> formats;
   for (const Format& format : all_formats()) {
     const StoredModel* row = find_stored_model(format, model_info(model).id, false);
     if (row == nullptr) continue;
-    const std::string anew = within(model, row->ranges) ? "" : " (fitted anew: " + text::text_of({row->why}) + ")";
-    const std::string name = name_in(format, *row) + anew;
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    const StoringFormat one{name_in(format, *row), within(model, row->ranges) ? Code::kNone : row->why};
+    if (std::ranges::find(formats, one) == formats.end()) formats.push_back(one);
   }
-  return names;
+  return formats;
 }
 
 /// An exact one that is the camera's own before one that contains it.

@@ -20,6 +20,7 @@ constexpr std::string_view kFileOfItsOwn = "write it to a file of its own";
 std::span<const CodeInfo> orbslam3_codes() {
   static constexpr std::array kRows = {
       clause(Code::kOrbslam3AlphaAboveHalf, "these programs reject every point below alpha = 0.5"),
+      clause(Code::kOrbslam3Upstreams, "upstream's"),
       // As read.
       error(Code::kOrbslam3NoKeys, "not-settings", "no keys at the top level"),
       warning(Code::kOrbslam3VersionMissing, "file-version-missing",

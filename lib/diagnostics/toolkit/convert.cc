@@ -37,6 +37,7 @@ std::span<const CodeInfo> convert_codes() {
       bad_request(Code::kModelNotStorable, "model-not-storable", "{0} cannot hold {1}; it holds {2}"),
       bad_request(Code::kSettingContradictsRate, "set-contradicts",
                   "{0} = {1} and the frame rate of {2} Hz contradict each other"),
+      clause(Code::kTakenAsMetres, "taken as metres"),
 
       // The file that is written into.
       bad_request(Code::kIntoWithoutCamera, "into-without-camera",

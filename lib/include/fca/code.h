@@ -333,6 +333,7 @@ enum class Code : std::uint16_t {
   kWantsNumberAboveZero,
   kWantsNumberBetween,
   kValueIsGroup,
+  kIdentity,
 
   // Kalibr's chains, as read and written.
   kCamchainWithKey,
@@ -594,6 +595,7 @@ enum class Code : std::uint16_t {
 
   // ORB-SLAM3's settings, as read and written.
   kOrbslam3AlphaAboveHalf,
+  kOrbslam3Upstreams,
   kOrbslam3NoKeys,
   kOrbslam3VersionMissing,
   kOrbslam3VersionNotString,
@@ -1340,6 +1342,7 @@ enum class Code : std::uint16_t {
   kImuIsAnother,
   kModelNotStorable,
   kSettingContradictsRate,
+  kTakenAsMetres,
   kIntoWithoutCamera,
   kIntoAnotherFormat,
   kIntoWithoutPose,

@@ -49,10 +49,10 @@ struct Loss {
   return {kind, std::move(owner), std::move(key), std::move(values)};
 }
 
-/// A value the inputs do not state and the target demands.
+/// A value the inputs do not state and the target demands. fca/formats/wording.h words it.
 struct DefaultedValue {
   std::string key;
-  std::string value;
+  Argument value;           ///< As the file spells it, or a clause.
   bool look_at_it = false;  ///< The user must check it (fps, colour order); the others are tuning with upstream's value.
   bool invented = false;    ///< A fact of the calibration that no input states: an IMU's noise or pose, the unit of lengths.
 };

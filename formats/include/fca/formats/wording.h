@@ -23,6 +23,11 @@ namespace fca {
 [[nodiscard]] std::string why_of(const Loss& loss, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string remedy_of(const Loss& loss, text::Wording wording = text::table_wording);
 
+[[nodiscard]] std::string value_of(const DefaultedValue& value, text::Wording wording = text::table_wording);
+/// All of it: "Camera.fps 30.0".
+[[nodiscard]] std::string text_of(const DefaultedValue& value, text::Wording wording = text::table_wording);
+[[nodiscard]] std::string value_of(const ExtraField& extra, text::Wording wording = text::table_wording);
+
 [[nodiscard]] std::string id_of(const Finding& finding);
 [[nodiscard]] std::string message_of(const Finding& finding, text::Wording wording = text::table_wording);
 [[nodiscard]] std::string consequence_of(const Finding& finding, text::Wording wording = text::table_wording);

@@ -2,11 +2,11 @@
 // What a calibration means, whatever file it came from. Units: metres, radians, seconds, pixels.
 #pragma once
 
+#include <fca/message.h>
 #include <fca/models/camera_model.h>
 #include <fca/rig/lens_circle.h>
 #include <fca/rig/transform.h>
 
-#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,7 +54,8 @@ struct ExtraField {
   std::string owner;  ///< The camera, IMU or mapping of the file that it is said of; empty: the file as a whole.
   std::string key;    ///< As the file spells it: "line_delay", "Viewer.PointSize".
   std::string value;  ///< A scalar as spelled; of lists and matrices what they say ("[1.0, 2.0]").
-  auto operator<=>(const ExtraField&) const = default;  // NOLINT(modernize-use-nullptr): it compares with 0, not with a pointer
+  Message said = {};  ///< What people are told in place of the value, where that is more; none: the value.
+  bool operator==(const ExtraField&) const = default;
 };
 
 /// What people are told: the key behind its owner's name, "cam0 line_delay".

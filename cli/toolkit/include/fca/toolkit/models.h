@@ -14,6 +14,13 @@
 
 namespace fca {
 
+/// A format that stores a model.
+struct StoringFormat {
+  std::string name;
+  Code demands = {};  ///< Why the format has the camera's numbers fitted anew, a clause; kNone: it stores these very numbers.
+  bool operator==(const StoringFormat&) const = default;
+};
+
 /// One model as a camera's target. No conversion: it cannot describe the camera, `diagnostics` say why.
 struct Candidate {
   const ModelInfo* model = nullptr;
@@ -21,7 +28,7 @@ struct Candidate {
   /// From the camera to the model: of a lens wider than 120 deg the circle about the middle of the image decides, not its
   /// corners.
   CameraDistance distance = {};
-  std::vector<std::string> stored_by;
+  std::vector<StoringFormat> stored_by;
   Diagnostics diagnostics;
 };
 

@@ -8,6 +8,7 @@
 //   count    {0} in digits     {0:s} nothing of 1, else the "s" of a plural
 //   names    {0} "a, b and c"  {0:or} "a, b or c"  {0:,} "a, b, c"  {0:s} as of their number
 //   clauses  {0} one behind the other; nothing of none         {0:and} "a, b and c", with any last word
+//            {0:short} a beginning of long ones
 // A brace that is one is written twice.
 #pragma once
 
@@ -41,6 +42,9 @@ using Wording = std::string_view (*)(Code code, Part part);
 [[nodiscard]] std::string why_of(const Message& message, Wording wording = table_wording);
 [[nodiscard]] std::string consequence_of(const Message& message, Wording wording = table_wording);
 [[nodiscard]] std::string fix_of(const Message& message, Wording wording = table_wording);
+
+/// An argument by itself, as {0} says it.
+[[nodiscard]] std::string words_of(const Argument& argument, Wording wording = table_wording);
 
 /// A pattern with the arguments in their places; throws fmt::format_error of one that is none.
 [[nodiscard]] std::string filled(std::string_view pattern, std::span<const Argument> arguments,
