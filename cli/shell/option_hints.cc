@@ -259,6 +259,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kCameraWithoutSize, text::Part::kFix, "--like wants a file that states one"},
     OptionHint{Code::kViewOfSeveralCameras, text::Part::kText,
                "--like wants a file with one camera, or with one named {0}; this one has {1}"},
+    OptionHint{Code::kLedgerSizeAsked, text::Part::kText, "nothing: the image size is asked for (--size)"},
     OptionHint{Code::kFileExists, text::Part::kText, "{0} exists; --force overwrites it"},
 };
 

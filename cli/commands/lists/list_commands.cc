@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "list_commands.h"
 
+#include "ledger_text.h"
 #include "options/inputs.h"
 #include "shell/json.h"
 #include "shell/model_words.h"
@@ -10,7 +11,6 @@
 #include "toolkit/words.h"
 
 #include <fca/formats/consumers/consumer.h>
-#include <fca/toolkit/ledger.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
 
@@ -38,32 +38,8 @@ std::vector<std::string> model_names(const Format& format, bool stock) {
 }
 
 ExitCode list_ledger(const ListArguments& arguments, Console& console) {
-  if (arguments.json) {
-    Json json;
-    json.object([&] {
-      json.put("fca_io", FCA_VERSION);
-      json.array("ledger", ledger(), [&](const LedgerRow& row) {
-        json.object([&] {
-          json.put("from", row.from->id);
-          json.put("to", row.to->id);
-          json.put("exact", std::span<const std::string>(row.exact));
-          json.put("fitted", std::span<const std::string>(row.fitted));
-          json.put("dropped", std::span<const std::string>(row.dropped));
-          json.put("defaulted", std::span<const std::string>(row.defaulted));
-        });
-      });
-    });
-    console.out(json.document());
-    return ExitCode::kGood;
-  }
-  const auto cell = [](const std::vector<std::string>& words) {
-    return words.empty() ? std::string("-") : enumerated(words, "and");
-  };
-  console.out("| from | to | exact | fitted | dropped, and said | defaulted, and said |\n|---|---|---|---|---|---|\n");
-  for (const LedgerRow& row : ledger()) {
-    console.out("| `" + std::string(row.from->id) + "` | `" + std::string(row.to->id) + "` | " + cell(row.exact) + " | " +
-                cell(row.fitted) + " | " + cell(row.dropped) + " | " + cell(row.defaulted) + " |\n");
-  }
+  const std::vector<LedgerRow> rows = ledger();
+  console.out(arguments.json ? ledger_json(rows) : ledger_text(rows));
   return ExitCode::kGood;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/code.h>
 #include <fca/convert/containment.h>
-#include <fca/formats/text/numbers.h>
 #include <fca/toolkit/ledger.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 namespace fca {
 
@@ -15,17 +16,17 @@ namespace {
 /// A fact that some formats have a place for.
 struct Fact {
   bool Format::*held;
-  const char* name;
+  Code name;
 };
 
 constexpr std::array kFacts = {
-    Fact{&Format::many_cameras, "several cameras in one file"},
-    Fact{&Format::extrinsics, "poses"},
-    Fact{&Format::imu, "IMU"},
-    Fact{&Format::time_offset, "time offset"},
-    Fact{&Format::frame_rate, "frame rate"},
-    Fact{&Format::topic, "topics"},
-    Fact{&Format::baseline, "baseline without poses"},
+    Fact{&Format::many_cameras, Code::kLedgerSeveralCameras},
+    Fact{&Format::extrinsics, Code::kLedgerPoses},
+    Fact{&Format::imu, Code::kLedgerImu},
+    Fact{&Format::time_offset, Code::kLedgerTimeOffset},
+    Fact{&Format::frame_rate, Code::kLedgerFrameRate},
+    Fact{&Format::topic, Code::kLedgerTopics},
+    Fact{&Format::baseline, Code::kLedgerBaseline},
 };
 
 /// A value that the target's program demands: made up only for what the source holds, and where the source does not state it.
@@ -46,31 +47,6 @@ std::vector<ParameterRange> limits(const StoredModel& from, const StoredModel& t
     return std::ranges::find(from.ranges, range) == from.ranges.end();
   });
   return result;
-}
-
-/// "k3 = 0", "alpha in [0, 1)"
-std::string within_in_words(const ParameterRange& range) {
-  const std::string name(range.parameter.name());
-  if (range.lower == range.upper) return name + " = " + text::format_short(range.lower);
-  const std::string upper = text::format_short(range.upper);
-  const bool up_to = text::parse_real(upper) == range.upper;  // else the last number below it
-  return name + " in [" + text::format_short(range.lower) + ", " + upper + (up_to ? "]" : ")");
-}
-
-/// "k3 != 0", "alpha not in [0, 1)"
-std::string beyond_in_words(const ParameterRange& range) {
-  std::string words = within_in_words(range);
-  const bool one_value = range.lower == range.upper;
-  words.insert(words.find(one_value ? " = " : " in ") + 1, one_value ? "!" : "not ");
-  return words;
-}
-
-/// " (k3 = 0)"; nothing of no limit.
-std::string in_brackets(const std::vector<ParameterRange>& ranges, std::string (*words)(const ParameterRange&),
-                        std::string_view separator) {
-  std::string text;
-  for (const ParameterRange& range : ranges) text += (text.empty() ? "" : std::string(separator)) + words(range);
-  return text.empty() ? "" : " (" + text + ")";
 }
 
 /// Is every model of the source stored as it is, and as many of its cameras as there are?
@@ -94,57 +70,80 @@ const StoredModel* container_of(const StoredModel& from, const Format& to) {
   return outer == to.models.end() ? nullptr : &*outer;
 }
 
-/// How a model stays exact: as it is (""), within limits, as a model that contains it; nothing where it is fitted.
-std::optional<std::string> how_exact(const StoredModel& from, const Format& to) {
+/// How a model stays exact: as it is, within limits, as a model that contains it; nothing where it is fitted.
+std::optional<LedgerModel> as_exact(const StoredModel& from, const Format& to) {
   const StoredModel* outer = container_of(from, to);
-  const std::string as = outer != nullptr ? "as " + std::string(outer->model) : "";
+  const std::string_view as = outer != nullptr ? outer->model : std::string_view();
   if (const StoredModel* there = find_stored_model(to, from.model, true)) {
-    const std::vector<ParameterRange> limited = limits(from, *there);
-    if (outer == nullptr || limited.empty() || !are_of_missing_parameters(limited))
-      return in_brackets(limited, within_in_words, ", ");
-    return " (" + as + " where" + in_brackets(limited, beyond_in_words, " or ").replace(1, 1, "");
+    std::vector<ParameterRange> limited = limits(from, *there);
+    const bool needs_another = !limited.empty() && are_of_missing_parameters(limited);
+    return LedgerModel{from.model, needs_another ? as : std::string_view(), std::move(limited)};
   }
-  return outer != nullptr ? std::optional(" (" + as + ")") : std::nullopt;
+  return outer != nullptr ? std::optional(LedgerModel{from.model, as}) : std::nullopt;
 }
 
-LedgerRow row(const Format& from, const Format& to) {
-  LedgerRow result{&from, &to, {}, {}, {}, {}};
+/// The limits beyond which a model has to be fitted, though the target has it.
+std::vector<ParameterRange> limits_of_exact(const StoredModel& from, const Format& to) {
+  const StoredModel* there = find_stored_model(to, from.model, true);
+  std::vector<ParameterRange> ranges = there != nullptr ? limits(from, *there) : std::vector<ParameterRange>();
+  const bool held_by_another = are_of_missing_parameters(ranges) && container_of(from, to) != nullptr;
+  return held_by_another ? std::vector<ParameterRange>() : ranges;
+}
+
+void list_models(const Format& from, const Format& to, LedgerRow& row) {
   for (const StoredModel& stored : from.models) {
-    const std::optional<std::string> how = how_exact(stored, to);
-    std::vector<std::string>& list = how ? result.exact : result.fitted;
-    const std::string name = std::string(stored.model) + how.value_or("");
-    if (std::ranges::find(list, name) == list.end()) list.push_back(name);
-    const StoredModel* there = find_stored_model(to, stored.model, true);
-    const std::vector<ParameterRange> ranges = there != nullptr ? limits(stored, *there) : std::vector<ParameterRange>();
-    const bool held_by_another = are_of_missing_parameters(ranges) && container_of(stored, to) != nullptr;
-    if (!ranges.empty() && !held_by_another)
-      result.fitted.push_back(std::string(stored.model) + in_brackets(ranges, beyond_in_words, " or "));
+    const std::optional<LedgerModel> exact = as_exact(stored, to);
+    std::vector<LedgerModel>& list = exact ? row.exact : row.fitted;
+    const LedgerModel model = exact.value_or(LedgerModel{stored.model});
+    if (std::ranges::find(list, model) == list.end()) list.push_back(model);
+    std::vector<ParameterRange> beyond = limits_of_exact(stored, to);
+    if (!beyond.empty()) row.fitted.push_back({stored.model, {}, std::move(beyond)});
   }
+}
+
+/// What a model costs whose files hold one camera or a pair.
+void list_lost_to_pairs(const Format& from, const Format& to, std::vector<Message>& dropped) {
+  if (!from.many_cameras || from.most_cameras <= 2 || holds_all_models(from, to)) return;
+  for (const StoredModel& stored : to.models) {
+    if (!stored.pairs_only) continue;
+    for (const Code lost : {Code::kLedgerSeveralCameras, Code::kLedgerPoses})
+      dropped.push_back({Code::kLedgerButPair, {Message{lost}, stored.model}});
+  }
+}
+
+std::vector<Message> dropped(const Format& from, const Format& to) {
+  std::vector<Message> result;
   for (const Fact& fact : kFacts) {
     // A file of one camera states no pose but that in its frame.
     const bool states_it = from.*fact.held && (fact.held != &Format::extrinsics || from.many_cameras);
-    if (states_it && !(to.*fact.held)) result.dropped.emplace_back(fact.name);
+    if (states_it && !(to.*fact.held)) result.push_back({fact.name});
   }
-  // Files of one camera each are as many as one likes (--join).
-  if (to.many_cameras && from.most_cameras > to.most_cameras)
-    result.dropped.push_back("cameras beyond " + std::to_string(to.most_cameras));
-  for (const StoredModel& stored : to.models) {
-    if (!stored.pairs_only || !from.many_cameras || from.most_cameras <= 2 || holds_all_models(from, to)) continue;
-    for (const char* lost : {"several cameras in one file", "poses"})
-      result.dropped.push_back(std::string(lost) + " (" + std::string(stored.model) + ", but for a pair)");
-  }
+  // Files of one camera each are as many as one likes: they can be joined.
+  if (to.many_cameras && from.most_cameras > to.most_cameras) result.push_back({Code::kLedgerCamerasBeyond, {to.most_cameras}});
+  list_lost_to_pairs(from, to, result);
   if (to.pair_poses && from.extrinsics && from.many_cameras && from.most_cameras > 2)
-    result.dropped.emplace_back("poses, but for a stereo pair");
-  if (!from.frame.empty() && from.frame != to.frame) result.dropped.push_back("poses in the frame " + std::string(from.frame));
+    result.push_back({Code::kLedgerPosesButPair});
+  if (!from.frame.empty() && from.frame != to.frame) result.push_back({Code::kLedgerPosesInFrame, {from.frame}});
   for (const OwnFact& fact : from.own_facts) {
     if (std::ranges::find(to.own_facts, fact.name, &OwnFact::name) == to.own_facts.end())
-      result.dropped.emplace_back(fact.name);
+      result.push_back({Code::kLedgerNamed, {fact.name}});
   }
+  return result;
+}
+
+std::vector<Message> defaulted(const Format& from, const Format& to) {
+  std::vector<Message> result;
   for (const Demand& demand : to.demands) {
-    if (is_made_up(demand, from, to)) result.defaulted.emplace_back(demand.name);
+    if (is_made_up(demand, from, to)) result.push_back({Code::kLedgerNamed, {demand.name}});
   }
-  if (from.any_length_unit && to.extrinsics) result.defaulted.emplace_back("translation unit");
-  if (to.image_size && !from.image_size) result.defaulted.emplace_back("nothing: the image size is asked for (--size)");
+  if (from.any_length_unit && to.extrinsics) result.push_back({Code::kLedgerLengthUnit});
+  if (to.image_size && !from.image_size) result.push_back({Code::kLedgerSizeAsked});
+  return result;
+}
+
+LedgerRow row(const Format& from, const Format& to) {
+  LedgerRow result{&from, &to, {}, {}, dropped(from, to), defaulted(from, to)};
+  list_models(from, to, result);
   return result;
 }
 

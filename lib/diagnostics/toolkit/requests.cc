@@ -49,6 +49,22 @@ std::span<const CodeInfo> request_codes() {
       error(Code::kNotThePapersSize, "image-size", "the image is {0} x {1} px, and the paper's cameras are of {2:or}",
             "examples/cpp/render_image.cc makes one"),
 
+      // What one format drops of another's, and makes up.
+      clause(Code::kLedgerSeveralCameras, "several cameras in one file"),
+      clause(Code::kLedgerPoses, "poses"),
+      clause(Code::kLedgerImu, "IMU"),
+      clause(Code::kLedgerTimeOffset, "time offset"),
+      clause(Code::kLedgerFrameRate, "frame rate"),
+      clause(Code::kLedgerTopics, "topics"),
+      clause(Code::kLedgerBaseline, "baseline without poses"),
+      clause(Code::kLedgerButPair, "{0} ({1}, but for a pair)"),
+      clause(Code::kLedgerCamerasBeyond, "cameras beyond {0}"),
+      clause(Code::kLedgerPosesButPair, "poses, but for a stereo pair"),
+      clause(Code::kLedgerPosesInFrame, "poses in the frame {0}"),
+      clause(Code::kLedgerNamed, "{0}"),
+      clause(Code::kLedgerLengthUnit, "translation unit"),
+      clause(Code::kLedgerSizeAsked, "nothing: the image size is asked for"),
+
       // Files that are saved.
       error(Code::kNothingToSave, "nothing-to-save", "the conversion was not done: there are no files to write"),
       error(Code::kCannotOpen, kNotWritten, "cannot open {0}: {1}"),
