@@ -8,7 +8,6 @@
 #include <fca/formats/wording.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 namespace fca::cli {
@@ -55,15 +54,13 @@ void put_defaults(Html& html, const std::vector<DefaultedValue>& defaults) {
   put("Defaults", false);
 }
 
-/// The lines of convert's report; those that belong to the one before are set off there.
+/// As convert's report says it, with what belongs to a verdict set off below it.
 void put_proofs(Html& html, const ConvertResult& outcome) {
   if (outcome.proofs.empty() && outcome.unproven.empty()) return;
   html.element("h3", {}, "Proof: what the program makes of the written file");
-  constexpr std::string_view kProof = "proof: ";
-  std::istringstream lines(proofs_text(outcome));
-  for (std::string line; std::getline(lines, line);) {
-    const bool first = line.starts_with(kProof);
-    html.element("p", {{"class", first ? "strong" : "soft"}}, first ? line.substr(kProof.size()) : line);
+  for (const ProofWords& proof : proofs_in_words(outcome)) {
+    html.element("p", {{"class", "strong"}}, proof.verdict);
+    for (const std::string& detail : proof.details) html.element("p", {{"class", "soft"}}, "  " + detail);
   }
 }
 

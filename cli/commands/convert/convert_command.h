@@ -15,8 +15,12 @@ void add_convert_command(Application& application);
 
 /// "kb4 -> eucm, fitted"
 [[nodiscard]] std::string camera_line(const ConvertedCamera& camera);
-/// "proof: Kalibr loads it; ...": what the real programs make of the written files, and below each line what belongs to it.
-[[nodiscard]] std::string proofs_text(const ConvertResult& result);
+/// What a real program makes of the written files.
+struct ProofWords {
+  std::string verdict;               ///< "Kalibr loads it; ..."
+  std::vector<std::string> details;  ///< What belongs to it, a line each.
+};
+[[nodiscard]] std::vector<ProofWords> proofs_in_words(const ConvertResult& result);
 /// The verdict and what a user must act on, in some ten lines (summary.cc).
 [[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written);
 /// The full report for people (convert_text.cc) and for scripts (convert_json.cc).

@@ -120,35 +120,49 @@ std::vector<std::string> rightly_read(const ProofResult& proof) {
   return names;
 }
 
-}  // namespace
+std::string verdict_of(const ProofResult& proof, const ConvertResult& outcome) {
+  if (!proof.loads) {
+    const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
+    return std::string(before ? "refuses it, as it did before: " : "would refuse it: ") +
+           text::printable(enumerated(sentences_of(proof.refusals, with_options)));
+  }
+  if (proof.all_misread) return "loads it and misreads it";
+  if (proof.without_cameras) return "loads it";
+  if (proof.agrees() && proof.compared_share == 0.0)
+    return "loads it; no pixels were compared, as nothing states the image's size (--size WxH)";
+  return "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
+         " differ from the model above by at most " + pixels(proof.max_diff_px) + " px";
+}
+
+std::vector<std::string> details_of(const ProofResult& proof, const ConvertResult& outcome) {
+  std::vector<std::string> details;
+  for (const std::string& warning : misreadings(proof, outcome.lens_given))
+    details.push_back("warning: " + text::printable(warning));
+  if (!(proof.misread_px > 0.0)) return details;
+  details.push_back("which costs up to " + pixels(proof.misread_px) + " px with this calibration");
+  const std::string remedy = text::text_of(outcome.misread_remedy, with_options);
+  if (!remedy.empty()) details.push_back("do: " + remedy);
+  return details;
+}
 
 std::string proofs_text(const ConvertResult& outcome) {
   std::string text;
-  for (const std::string& path : outcome.unproven)
-    text += "proof: none: no program that fca-io knows reads " + (path.empty() ? "such keys" : path) + "\n";
-  for (const ProofResult& proof : outcome.proofs) {
-    text += "proof: " + proof.program + " ";
-    if (!proof.loads) {
-      const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
-      text += std::string(before ? "refuses it, as it did before: " : "would refuse it: ") +
-              text::printable(enumerated(sentences_of(proof.refusals, with_options))) + "\n";
-    } else if (proof.all_misread) {
-      text += "loads it and misreads it\n";
-    } else if (proof.without_cameras) {
-      text += "loads it\n";
-    } else if (proof.agrees() && proof.compared_share == 0.0) {
-      text += "loads it; no pixels were compared, as nothing states the image's size (--size WxH)\n";
-    } else {
-      text += "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
-              " differ from the model above by at most " + pixels(proof.max_diff_px) + " px\n";
-    }
-    for (const std::string& warning : misreadings(proof, outcome.lens_given))
-      text += "  warning: " + text::printable(warning) + "\n";
-    if (proof.misread_px > 0.0) {
-      text += "  which costs up to " + pixels(proof.misread_px) + " px with this calibration\n";
-    }
+  for (const ProofWords& proof : proofs_in_words(outcome)) {
+    text += "proof: " + proof.verdict + "\n";
+    for (const std::string& detail : proof.details) text += "  " + detail + "\n";
   }
   return text;
+}
+
+}  // namespace
+
+std::vector<ProofWords> proofs_in_words(const ConvertResult& outcome) {
+  std::vector<ProofWords> proofs;
+  for (const std::string& path : outcome.unproven)
+    proofs.push_back({"none: no program that fca-io knows reads " + (path.empty() ? "such keys" : path), {}});
+  for (const ProofResult& proof : outcome.proofs)
+    proofs.push_back({proof.program + " " + verdict_of(proof, outcome), details_of(proof, outcome)});
+  return proofs;
 }
 
 std::string convert_text(const ConvertOutcome& outcome, bool written) {
