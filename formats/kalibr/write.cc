@@ -110,14 +110,14 @@ void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
     written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "noise and rate", {why}));
     return;
   }
+  const std::string file_name = imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml";
   if (imu.topic.empty()) {
     imu.topic = "/" + imu.name;
-    written.defaults.push_back({"rostopic (imu.yaml)", imu.topic, true});
+    written.defaults.push_back({"rostopic (imu.yaml)", imu.topic, true, false, file_name});
   }
   ComposedYaml file("");
   for (const fields::Field& field : imu_fields(imu)) file.add(field);
-  if (std::optional<text::Document> document =
-          std::move(file).document(imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml", diagnostics))
+  if (std::optional<text::Document> document = std::move(file).document(file_name, diagnostics))
     written.files.push_back({*std::move(document), {}, {"kalibr-imu"}});
 }
 

@@ -126,7 +126,9 @@ std::vector<std::string> missing_in(const Imu& imu) {
   return missing;
 }
 
-/// kalibr_imu_chain.yaml, if the noise is complete.
+constexpr std::string_view kImuChain = "kalibr_imu_chain.yaml";
+
+/// That file, if the noise is complete.
 void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& written, Diagnostics& diagnostics) {
   Imu imu = rig.imus.front();
   if (const std::vector<std::string> missing = missing_in(imu); !missing.empty()) {
@@ -136,7 +138,7 @@ void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& writte
   }
   if (imu.topic.empty()) {
     imu.topic = "/" + imu.name;
-    written.defaults.push_back({"rostopic (kalibr_imu_chain.yaml)", imu.topic, true});
+    written.defaults.push_back({"rostopic (kalibr_imu_chain.yaml)", imu.topic, true, false, std::string(kImuChain)});
   }
   std::string bytes = std::string(kHeader) + "\n\nimu0:\n";
   for (const Field& field : kalibr::imu_fields(imu)) bytes += fields::spell(field, 2) + "\n";
@@ -161,7 +163,7 @@ void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& writte
     written.defaults.push_back(
         {"IMU intrinsics (" + text::enumerated(made_up) + ")", Message{Code::kOpenvinsChainCalibratedImu}, false});
   }
-  if (std::optional<text::Document> document = text::parse_document({"kalibr_imu_chain.yaml", bytes}, diagnostics))
+  if (std::optional<text::Document> document = text::parse_document({std::string(kImuChain), bytes}, diagnostics))
     written.files.push_back({*std::move(document), {}, {"openvins-imu"}});
 }
 

@@ -140,8 +140,6 @@ std::vector<std::string> details_of(const ProofResult& proof, const ConvertResul
     details.push_back("warning: " + text::printable(warning));
   if (!(proof.misread_px > 0.0)) return details;
   details.push_back("which costs up to " + pixels(proof.misread_px) + " px with this calibration");
-  const std::string remedy = text::text_of(outcome.misread_remedy, with_options);
-  if (!remedy.empty()) details.push_back("do: " + remedy);
   return details;
 }
 

@@ -65,7 +65,7 @@ void leave_out_further_files(ConvertResult& result) {
   for (std::size_t i = result.files.size(); i-- > 1;) {
     if (!result.files[i].cameras.empty()) continue;
     const std::string name = result.files[i].name;
-    std::erase_if(result.defaults, [&name](const DefaultedValue& value) { return value.key.ends_with("(" + name + ")"); });
+    std::erase_if(result.defaults, [&name](const DefaultedValue& value) { return value.file == name; });
     result.losses.push_back(lost(Code::kImuFileDropped, name, ""));
     result.files.erase(result.files.begin() + static_cast<std::ptrdiff_t>(i));
   }

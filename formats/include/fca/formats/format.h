@@ -55,6 +55,7 @@ struct DefaultedValue {
   Argument value;           ///< As the file spells it, or a clause.
   bool look_at_it = false;  ///< The user must check it (fps, colour order); the others are tuning with upstream's value.
   bool invented = false;    ///< A fact of the calibration that no input states: an IMU's noise or pose, the unit of lengths.
+  std::string file = {};    ///< Of several files the name of that which holds it, where that is one without cameras.
 };
 
 struct Format;
