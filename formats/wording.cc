@@ -24,9 +24,7 @@ std::string value_of(const ExtraField& extra, text::Wording wording) {
   return extra.said.is_said() ? text::text_of(extra.said, wording) : extra.value;
 }
 
-std::string id_of(const Finding& finding) {
-  return std::string(info(finding.kind != Code{} ? finding.kind : finding.facts.code).id);
-}
+std::string id_of(const Finding& finding) { return std::string(info(code_of(finding)).id); }
 
 std::string message_of(const Finding& finding, text::Wording wording) {
   std::string text = text::text_of(finding.facts, wording);

@@ -10,21 +10,30 @@
 #include "table.h"
 #include "toolkit/words.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fca::cli {
 
 namespace {
 
+/// Is it about what a program makes of the file, and not about what the file says?
+bool is_about_program(const Finding& finding) {
+  constexpr std::array kOfPrograms = {Code::kAnyProgramFindsNoCamera, Code::kAnyProgramIgnores, Code::kAnyProgramMisreads,
+                                      Code::kAnyProgramOtherFormat, Code::kAnyProgramRefuses};
+  return same_id(code_of(finding), kOfPrograms);
+}
+
 /// Does check warn of anything in the file?
 bool is_doubted(const ReportContents& contents) {
   return std::ranges::any_of(contents.checks, [](const CheckResult& file) {
     return std::ranges::any_of(file.report.findings, [](const Finding& finding) {
-      return finding.severity != Severity::kNote && !id_of(finding).starts_with("program-");
+      return finding.severity != Severity::kNote && !is_about_program(finding);
     });
   });
 }

@@ -51,15 +51,14 @@ void Findings::add(Code code, std::vector<Argument> arguments, SourceRange where
   add(std::move(finding));
 }
 
-bool Findings::has(std::string_view code, const SourceRange& where) const {
+bool Findings::has(Code code, const SourceRange& where) const {
   return std::ranges::any_of(report_.findings, [&](const Finding& finding) {
-    return id_of(finding) == code && finding.where.offset == where.offset && finding.where.file == where.file;
+    return same_id(code_of(finding), code) && finding.where.offset == where.offset && finding.where.file == where.file;
   });
 }
 
-bool Findings::has_any(std::span<const std::string_view> codes) const {
-  return std::ranges::any_of(
-      report_.findings, [codes](const Finding& finding) { return std::ranges::find(codes, id_of(finding)) != codes.end(); });
+bool Findings::has_any(std::span<const Code> codes) const {
+  return std::ranges::any_of(report_.findings, [codes](const Finding& finding) { return same_id(code_of(finding), codes); });
 }
 
 namespace {
@@ -85,28 +84,23 @@ constexpr std::array kTopics = {
 };
 
 /// What the reader reports and a topic says better, or says at its place.
-constexpr std::array<std::string_view, 1> kSaidByTopics = {"poses-contradict"};
+constexpr Code kSaidByTopics = Code::kAnyPosesContradict;
 /// Why the reader gives up, where the fault is ours: the file may be right.
-constexpr std::array<std::string_view, 3> kBeyondUs = {"skew", "thin-prism", "tilted-sensor"};
+constexpr std::array kBeyondUs = {Code::kAnySkew, Code::kAnyThinPrism, Code::kAnyTiltedSensor};
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
-
-template <class List>
-bool among(const List& codes, std::string_view code) {
-  return std::ranges::find(codes, code) != codes.end();
-}
 
 /// The mends that are certain of what parsers and readers say.
 std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& source) {
   const text::Span span = {entry.where.offset, entry.where.length};
-  if (id_of(entry) == "blank-missing") return SpanEdit{{span.offset, 0}, " "};
-  if (id_of(entry) == "not-an-integer") {
+  if (entry.facts.code == Code::kYamlBlankMissing) return SpanEdit{{span.offset, 0}, " "};
+  if (same_id(code_of(entry), Code::kAnyNotAnInteger)) {
     const std::optional<double> value = text::parse_real(source.text(span));
     constexpr double kLargest = 1e9;
     if (!value || *value != std::floor(*value) || std::abs(*value) > kLargest) return std::nullopt;
     return SpanEdit{span, std::to_string(static_cast<long long>(*value))};
   }
-  if (id_of(entry) == "yaml-tab") {
+  if (entry.facts.code == Code::kYamlTab) {
     const std::optional<Mend> mend = tab_mend(source);
     if (!mend) return std::nullopt;
     text::Source blanks = source;
@@ -120,9 +114,9 @@ std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& sou
 /// What the reader said. A pose that is only roughly a rotation is a topic's affair, a grossly wrong one the reader's.
 void take_over(const Diagnostics& diagnostics, const text::Source& source, Findings& findings) {
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (among(kSaidByTopics, id_of(entry))) continue;
+    if (same_id(code_of(entry), kSaidByTopics)) continue;
     if (entry.facts.code == Code::kRotationRough || entry.facts.code == Code::kRotationMirrors) continue;
-    const Severity severity = among(kBeyondUs, id_of(entry)) ? Severity::kWarning : entry.severity;
+    const Severity severity = same_id(code_of(entry), kBeyondUs) ? Severity::kWarning : entry.severity;
     findings.add({.severity = severity,
                   .facts = entry.facts,
                   .where = entry.where,
@@ -132,8 +126,9 @@ void take_over(const Diagnostics& diagnostics, const text::Source& source, Findi
   }
 }
 
-bool has_code(const Diagnostics& diagnostics, std::string_view code) {
-  return std::ranges::any_of(diagnostics.entries(), [code](const Diagnostic& entry) { return id_of(entry) == code; });
+bool is_ambiguous(const Diagnostics& diagnostics) {
+  return std::ranges::any_of(diagnostics.entries(),
+                             [](const Diagnostic& entry) { return entry.facts.code == Code::kFormatAmbiguous; });
 }
 
 /// "84 deg across the image" of a camera under one reading of its four numbers.
@@ -156,7 +151,7 @@ Message view_as(const text::Document& document, const CheckOptions& options, con
 /// A parameter out of its range is often its neighbour in the list.
 void suggest_exchanges(const text::Document& document, const Format& format, const CheckOptions& options, CheckReport& report) {
   for (Finding& finding : report.findings) {
-    if (id_of(finding) != "not-a-camera" || !fix_of(finding).empty()) continue;
+    if (!same_id(code_of(finding), Code::kAnyNotACamera) || !fix_of(finding).empty()) continue;
     const text::Node* other = exchanged_with(document, format, options.reading, finding.where.offset);
     if (other != nullptr) finding.remedy = {Code::kExchangeNeighbours, {other->value}};
   }
@@ -166,7 +161,7 @@ void suggest_exchanges(const text::Document& document, const Format& format, con
 void show_both_readings(const text::Document& document, const CheckOptions& options, CheckReport& report) {
   std::size_t camera = 0;  // in the file's order, as the findings
   for (Finding& finding : report.findings) {
-    if (id_of(finding) != "ambiguous-model") continue;
+    if (!same_id(code_of(finding), Code::kAnyAmbiguousModel)) continue;
     finding.severity = Severity::kWarning;
     for (const char* reading : {"pinhole", "fisheye"}) finding.details.push_back(view_as(document, options, reading, camera));
     ++camera;
@@ -213,6 +208,8 @@ void run_topics(const text::Document& document, const Calibration& calibration, 
 
 }  // namespace checks
 
+Code code_of(const Finding& finding) { return finding.kind != Code::kNone ? finding.kind : finding.facts.code; }
+
 bool CheckReport::has(Severity severity) const {
   return std::ranges::any_of(findings, [severity](const Finding& finding) { return finding.severity == severity; });
 }
@@ -238,7 +235,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options, s
   }
   if (!detected) {
     checks::take_over(diagnostics, source, findings);
-    report.is_calibration = checks::has_code(diagnostics, "ambiguous-format");
+    report.is_calibration = checks::is_ambiguous(diagnostics);
     return report;
   }
   report.format = detected->format;

@@ -58,7 +58,7 @@ void check_size(const Subject& subject, const Imu& imu, const Density& density, 
 void doubt_unit(const Subject& subject, const Imu& imu, const Density& density, Findings& findings) {
   const std::optional<double>& value = imu.*density.member;
   if (!value || !imu.rate_hz || *value > density.largest || *value <= density.largest / kInflation) return;
-  if (findings.has("imu-sensors-swapped", subject.places.imu(density.member))) return;
+  if (findings.has(Code::kAnyImuSensorsSwapped, subject.places.imu(density.member))) return;
   findings.undecided(Code::kImuNoiseOfUnknownKind,
                      {imu.name, density.name, *value, *imu.rate_hz, *value / std::sqrt(*imu.rate_hz)});
 }
@@ -74,7 +74,7 @@ void check_sensors(const Subject& subject, const Imu& imu, Findings& findings) {
   if (!imu.gyroscope_noise_density || !imu.accelerometer_noise_density) return;
   if (*imu.gyroscope_noise_density <= *imu.accelerometer_noise_density) return;
   const SourceRange where = subject.places.imu(&Imu::gyroscope_noise_density);
-  if (findings.has("imu-noise-too-large", where)) return;  // told
+  if (findings.has(Code::kAnyImuNoiseTooLarge, where)) return;  // told
   findings.add(Code::kImuSensorsSwapped, {imu.name, *imu.gyroscope_noise_density, *imu.accelerometer_noise_density}, where);
 }
 

@@ -134,8 +134,7 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
 }
 
 bool names_mend(const Message& complaint, const Mend& mend) {
-  const std::string id = id_of(mend.fix);
-  return checks::find_clause(complaint, [&id](const Message& each) { return id_of(each) == id; }) != nullptr;
+  return checks::find_clause(complaint, [&mend](const Message& each) { return same_id(each.code, mend.fix.code); }) != nullptr;
 }
 
 }  // namespace fca

@@ -55,7 +55,7 @@ void check_baseline(const Subject& subject, Findings& findings) {
     findings.add(Code::kBaselineContradicts, {*bf, why, expected}, subject.document.range(place));
   };
   const Rig& rig = subject.rig();
-  constexpr std::array<std::string_view, 1> kOtherUnit = {"translation-in-mm"};  // told, and bf is right then
+  constexpr std::array kOtherUnit = {Code::kAnyTranslationInMm};  // told, and bf is right then
   const double fx = number_at(subject, "Camera.fx").value_or(0.0);
   if (const std::optional<double> corner = corner_of(subject, "RIGHT.P")) {
     contradicts(-*corner, {Code::kBaselineOfP, {*corner}});

@@ -41,7 +41,7 @@ void check_parts(const text::Document& document, const Format& format, const Che
   const std::optional<Calibration> ignored = read_calibration(*std::move(documents), &format, options.reading, diagnostics);
   Findings findings(report);
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (entry.where.file != document.source().name || findings.has(id_of(entry), entry.where)) continue;
+    if (entry.where.file != document.source().name || findings.has(code_of(entry), entry.where)) continue;
     findings.add(
         {.severity = entry.severity, .facts = entry.facts, .where = entry.where, .kind = entry.kind, .remedy = entry.remedy});
   }

@@ -155,7 +155,7 @@ constexpr double kLargestRig = 50.0;  // m
 
 /// `facts`: the metres first.
 void say_distance(double metres, Code code, std::vector<Argument> facts, const SourceRange& where, Findings& findings) {
-  if (findings.has("translation-in-mm", where)) return;
+  if (findings.has(Code::kAnyTranslationInMm, where)) return;
   findings.add(metres > kLargestRig ? Severity::kError : Severity::kWarning, code, std::move(facts), where);
 }
 

@@ -5,7 +5,6 @@
 #include <fca/code.h>
 #include <fca/formats/mend.h>
 #include <fca/formats/text/dialect.h>
-#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <array>
@@ -205,9 +204,10 @@ class ProgramsCheck {
   /// With the wrong parser chosen every key is missing: one reason for all refusals, which the reader has said.
   bool raise_wrong_parser() {
     for (Finding& finding : report_.findings) {
-      if (id_of(finding) != "file-version-not-string" && id_of(finding) != "file-version-missing") continue;
+      const bool missing = finding.facts.code == Code::kOrbslam3VersionMissing;
+      if (!missing && finding.facts.code != Code::kOrbslam3VersionNotString) continue;
       finding.severity = Severity::kError;
-      if (id_of(finding) == "file-version-missing") {
+      if (missing) {
         const std::size_t first = document_.source().line_at(document_.root().entries.front().key.span.offset).offset;
         finding.mend = SpanEdit{{first, 0}, "File.version: \"1.0\"" + std::string(document_.source().line_break())};
         finding.remedy = {Code::kAddFileVersion};

@@ -34,8 +34,9 @@ class Findings {
   void add(Severity severity, Code code, std::vector<Argument> arguments, SourceRange where);
   /// With the edit that certainly mends it.
   void add(Code code, std::vector<Argument> arguments, SourceRange where, SpanEdit mend);
-  [[nodiscard]] bool has(std::string_view code, const SourceRange& where) const;
-  [[nodiscard]] bool has_any(std::span<const std::string_view> codes) const;
+  /// Of the code's id, there.
+  [[nodiscard]] bool has(Code code, const SourceRange& where) const;
+  [[nodiscard]] bool has_any(std::span<const Code> codes) const;
   void undecided(Code code, std::vector<Argument> arguments = {}) {
     report_.undecided.push_back({{code, std::move(arguments)}});
   }

@@ -80,9 +80,10 @@ void check_camera(const Subject& subject, const Camera& camera, const OpenCvCame
 
 bool check_undistortion(const Subject& subject, Findings& findings) {
   // Numbers that are not believed for another reason are not of this lens.
-  constexpr std::array<std::string_view, 10> kOtherReasons = {
-      "centre-off",         "centre-outside", "eucm-without-type", "focal-length-not-in-pixels", "focal-lengths-differ",
-      "folds-inside-image", "octal",          "size-swapped",      "size-unlike-centre",         "wrong-family"};
+  constexpr std::array kOtherReasons = {
+      Code::kAnyCentreOff,          Code::kAnyCentreOutside,    Code::kAnyEucmWithoutType, Code::kAnyFocalLengthNotInPixels,
+      Code::kAnyFocalLengthsDiffer, Code::kAnyFoldsInsideImage, Code::kAnyOctal,           Code::kAnySizeSwapped,
+      Code::kAnySizeUnlikeCentre,   Code::kAnyWrongFamily};
   if (findings.has_any(kOtherReasons)) return false;
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {

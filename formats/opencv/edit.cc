@@ -313,7 +313,7 @@ std::optional<Rig> read_anyhow(const text::Document& document, bool fisheye, boo
   Diagnostics ignored;
   std::optional<Rig> rig = read(std::span(&document, 1), {}, ignored);
   ambiguous = std::ranges::any_of(ignored.entries(), [](const Diagnostic& entry) {
-    return id_of(entry) == "ambiguous-model" || id_of(entry) == "unknown-model";
+    return entry.facts.code == Code::kOpencvAmbiguousModel || entry.facts.code == Code::kOpencvForeignModel;
   });
   if (rig || !ambiguous) return rig;
   ReadOptions options;

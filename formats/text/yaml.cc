@@ -10,6 +10,7 @@
 #include <fca/formats/text/limits.h>
 
 #include <algorithm>
+#include <array>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -22,8 +23,6 @@
 namespace fca::text {
 
 namespace {
-
-constexpr std::string_view kSyntax = "yaml-syntax";
 
 /// Where a quoted scalar that opens at `open` ends (behind the closing quote). yaml-cpp forgives a quote that the file's end
 /// cuts off.
@@ -265,15 +264,16 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     }
     return builder.take_root();
   } catch (const Refusal& refusal) {
-    const std::string id = id_of(refusal.message);
-    const bool of_structure = id == kSyntax || id == "yaml-key" || id == "yaml-documents";
-    report((of_structure ? blank_missing(source, refusal.offset) : std::nullopt).value_or(refusal), source, diagnostics);
+    constexpr std::array kOfStructure = {Code::kYamlSyntax, Code::kYamlKeyIsNoName, Code::kYamlDocuments};
+    report(
+        (same_id(refusal.message.code, kOfStructure) ? blank_missing(source, refusal.offset) : std::nullopt).value_or(refusal),
+        source, diagnostics);
   } catch (const YAML::ParserException& error) {
     const std::size_t in_text = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
     const std::size_t offset = std::min(skipped + spaced.original_offset(in_text), source.bytes.size());
     const Refusal refusal = describe(error, source, offset);
-    report((id_of(refusal.message) == kSyntax ? blank_missing(source, offset) : std::nullopt).value_or(refusal), source,
-           diagnostics);
+    report((same_id(refusal.message.code, Code::kYamlSyntax) ? blank_missing(source, offset) : std::nullopt).value_or(refusal),
+           source, diagnostics);
   } catch (const YAML::Exception& error) {
     diagnostics.add(Code::kYamlError, {error.msg}, source.range({}));
   }

@@ -85,7 +85,7 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
   const bool same_lens = pair->reference.model == pair->other.model && !pair->scaled_from;
   for (Diagnostic entry : of_domain.entries()) {
     // Of a lens that sees nothing of its image nothing can be measured, but it is the same as itself.
-    if (same_lens && id_of(entry) == "no-pixel-has-a-ray") {
+    if (same_lens && entry.facts.code == Code::kNoPixelHasARay) {
       entry.severity = Severity::kWarning;
       domain = Domain{*pair->reference.image_size, max_angle(pair->reference.model), Message{Code::kDomainWithoutRay}};
     }

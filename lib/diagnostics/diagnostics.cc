@@ -2,12 +2,20 @@
 #include <fca/code.h>
 #include <fca/diagnostics.h>
 
+#include <algorithm>
+
 namespace fca {
 
 std::string id_of(const Message& message) { return std::string(info(message.code).id); }
 
-std::string id_of(const Diagnostic& diagnostic) {
-  return std::string(info(diagnostic.kind != Code{} ? diagnostic.kind : diagnostic.facts.code).id);
+std::string id_of(const Diagnostic& diagnostic) { return std::string(info(code_of(diagnostic)).id); }
+
+Code code_of(const Diagnostic& diagnostic) { return diagnostic.kind != Code::kNone ? diagnostic.kind : diagnostic.facts.code; }
+
+bool same_id(Code a, Code b) { return info(a).id == info(b).id; }
+
+bool same_id(Code code, std::span<const Code> any) {
+  return std::ranges::any_of(any, [code](Code each) { return same_id(code, each); });
 }
 
 void Diagnostics::add(Code code, std::vector<Argument> arguments, SourceRange where) {

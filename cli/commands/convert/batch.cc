@@ -5,7 +5,10 @@
 #include "toolkit/parallel_for.h"
 #include "toolkit/words.h"
 
+#include <fca/code.h>
+
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -30,8 +33,8 @@ std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const Convert
 
 bool holds_no_camera(const ConvertOutcome& outcome) {
   return std::ranges::any_of(outcome.diagnostics.entries(), [](const Diagnostic& entry) {
-    const std::string id = id_of(entry);
-    return id == "unknown-format" || id == "no-camera" || id == "no-calibration";
+    constexpr std::array kHoldsNone = {Code::kAnyUnknownFormat, Code::kNothingToConvert, Code::kAnyNoCalibration};
+    return same_id(code_of(entry), kHoldsNone);
   });
 }
 

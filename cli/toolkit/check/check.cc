@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "check/preview.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/check.h>
@@ -27,7 +28,8 @@ CheckOptions options_for(const CheckRequest& request, bool with_cameras) {
 
 /// Is it for a program that reads another format?
 bool is_for_another_format(const CheckReport& report) {
-  return std::ranges::any_of(report.findings, [](const Finding& finding) { return id_of(finding) == "program-other-format"; });
+  return std::ranges::any_of(report.findings,
+                             [](const Finding& finding) { return finding.facts.code == Code::kProgramOtherFormat; });
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fca/message.h>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,12 +28,17 @@ struct Diagnostic {
   Message facts;  ///< What is wrong.
   SourceRange where = {};
   Message remedy = {};  ///< How to mend it, where the caller knows better than the table: that code's `fix`, else its `text`.
-  Code kind = {};       ///< Whose id it has, where that is not the sentence\'s: that of the error that this one wraps.
+  Code kind = {};       ///< Whose id it has, where that is not the sentence's: that of the error that this one wraps.
 };
 
 /// The public name of what is said, kebab-case: "missing-key", "not-a-rotation".
 [[nodiscard]] std::string id_of(const Message& message);
 [[nodiscard]] std::string id_of(const Diagnostic& diagnostic);
+/// Whose id it has.
+[[nodiscard]] Code code_of(const Diagnostic& diagnostic);
+/// Have both the same id, as sentences about one defect have? Code::kAny... stands for all of an id.
+[[nodiscard]] bool same_id(Code a, Code b);
+[[nodiscard]] bool same_id(Code code, std::span<const Code> any);
 
 /// Collects every problem of a run; warnings may stand beside a success.
 class Diagnostics {

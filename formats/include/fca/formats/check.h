@@ -35,6 +35,9 @@ struct Finding {
   Message remedy = {};   ///< How to mend it.
 };
 
+/// Whose id it has.
+[[nodiscard]] Code code_of(const Finding& finding);
+
 /// A question the file does not answer.
 struct Undecided {
   Message facts = {};
