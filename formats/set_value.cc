@@ -135,7 +135,7 @@ std::optional<Rig> rig_of(const Format& format, const text::Document& document, 
   return format.read(std::span(&document, 1), options, ignored);
 }
 
-/// The same without what --set may change: `before` says where a time offset is one that it added.
+/// The same without what may be set: `before` says where a time offset is one that it added.
 std::optional<Rig> without_settings(std::optional<Rig> rig, const std::optional<Rig>& before) {
   if (!rig) return std::nullopt;
   for (Camera& camera : rig->cameras) {

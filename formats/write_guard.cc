@@ -26,15 +26,15 @@ void collect_not_finite(const Node& node, const std::string& name, std::multiset
 }
 
 /// Every name that a file may state, and what it is of. Readers make them printable; rigs built in code may hold others.
-std::vector<std::pair<std::string_view, std::string_view>> names_of(const Rig& rig) {
-  std::vector<std::pair<std::string_view, std::string_view>> names;
+std::vector<std::pair<Code, std::string_view>> names_of(const Rig& rig) {
+  std::vector<std::pair<Code, std::string_view>> names;
   for (const Camera& camera : rig.cameras) {
-    names.emplace_back("the camera", camera.name);
-    names.emplace_back("the topic", camera.topic);
+    names.emplace_back(Code::kTheCamera, camera.name);
+    names.emplace_back(Code::kTheTopic, camera.topic);
   }
   for (const Imu& imu : rig.imus) {
-    names.emplace_back("the IMU", imu.name);
-    names.emplace_back("the topic", imu.topic);
+    names.emplace_back(Code::kTheImu, imu.name);
+    names.emplace_back(Code::kTheTopic, imu.topic);
   }
   return names;
 }
@@ -59,7 +59,7 @@ bool may_be_written(const Rig& rig, Diagnostics& diagnostics) {
     const std::string shown = text::printable(name);
     if (shown == name) continue;
     printable = false;
-    diagnostics.add(Code::kNameUnprintable, {what, shown});
+    diagnostics.add(Code::kNameUnprintable, {Message{what}, shown});
   }
   return printable && problems.empty();
 }
@@ -79,7 +79,8 @@ bool holds_finite_numbers(const Written& written, const text::Document* base, Di
     const std::multiset<std::string> names = not_finite(file.document);
     for (const std::string& name : names) {
       if (names.count(name) <= already.count(name)) continue;
-      diagnostics.add(Code::kNumberWouldNotBeFinite, {name.empty() ? "a number" : name, file.document.source().name});
+      const Argument number = name.empty() ? Argument(Message{Code::kNumberWithoutName}) : Argument(name);
+      diagnostics.add(Code::kNumberWouldNotBeFinite, {number, file.document.source().name});
       return false;
     }
   }

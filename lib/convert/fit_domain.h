@@ -49,8 +49,8 @@ struct DomainFit {
 ///   without limit towards 90 degrees, so that there always is an angle beyond which the whole is spoiled for an edge.
 /// - Every other model must have a pixel for every ray, at whatever error: nearly always a fit of it has one, and a limit of
 ///   the error would give up parts of a lens that the user may need; what is lens and what black corner is the user's to say
-///   (--max-angle). Where no fit was found that reaches the edge (ucm on a T265's black corners, 123 degrees from its axis),
-///   that is a cone, at whatever error as well.
+///   (ConvertOptions::max_angle_rad). Where no fit was found that reaches the edge (ucm on a T265's black corners, 123 degrees
+///   from its axis), that is a cone, at whatever error as well.
 /// A wider domain can therefore never score less of the image: a cone that is described inside one angle is there inside every
 /// larger one, too. (Cones end at whole degrees; where no cone from 5 degrees on is described, the widest that is reached.)
 [[nodiscard]] DomainFit fit_domain(const FitTask& task);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 namespace fca {
@@ -17,10 +16,10 @@ namespace {
 /// What a rig's facts are called, and what is wrong with them.
 class Findings {
  public:
-  void add(const std::string& owner, Message problem) {
+  void add(const Argument& owner, Message problem) {
     if (problem.is_said()) problems_.push_back({Code::kRigOutOfRange, {owner, std::move(problem)}});
   }
-  void add_unless_finite(const std::string& owner, std::string_view what, const std::optional<double>& value) {
+  void add_unless_finite(const std::string& owner, const Argument& what, const std::optional<double>& value) {
     if (value && !std::isfinite(*value)) problems_.push_back({Code::kRigNumberNotFinite, {owner, what, *value}});
   }
   [[nodiscard]] std::vector<Message> problems() const { return problems_; }
@@ -36,15 +35,15 @@ void check(const Camera& camera, Findings& findings) {
   }
   if (camera.image_size) findings.add(camera.name, problem_with_image_size(*camera.image_size));
   if (camera.time_offset_s) findings.add(camera.name, problem_with_time_offset(*camera.time_offset_s));
-  findings.add_unless_finite(camera.name, "the frame rate", camera.frame_rate_hz);
+  findings.add_unless_finite(camera.name, Message{Code::kTheFrameRate}, camera.frame_rate_hz);
 }
 
 void check(const Imu& imu, Findings& findings) {
-  findings.add_unless_finite(imu.name, "the gyroscope's noise density", imu.gyroscope_noise_density);
-  findings.add_unless_finite(imu.name, "the gyroscope's random walk", imu.gyroscope_random_walk);
-  findings.add_unless_finite(imu.name, "the accelerometer's noise density", imu.accelerometer_noise_density);
-  findings.add_unless_finite(imu.name, "the accelerometer's random walk", imu.accelerometer_random_walk);
-  findings.add_unless_finite(imu.name, "the rate", imu.rate_hz);
+  findings.add_unless_finite(imu.name, Message{Code::kGyroscopeNoise}, imu.gyroscope_noise_density);
+  findings.add_unless_finite(imu.name, Message{Code::kGyroscopeWalk}, imu.gyroscope_random_walk);
+  findings.add_unless_finite(imu.name, Message{Code::kAccelerometerNoise}, imu.accelerometer_noise_density);
+  findings.add_unless_finite(imu.name, Message{Code::kAccelerometerWalk}, imu.accelerometer_random_walk);
+  findings.add_unless_finite(imu.name, Message{Code::kTheRate}, imu.rate_hz);
 }
 
 void check(const PoseEdge& edge, Findings& findings) {
@@ -96,7 +95,7 @@ std::vector<Message> validate(const Rig& rig) {
   for (const Camera& camera : rig.cameras) check(camera, findings);
   for (const Imu& imu : rig.imus) check(imu, findings);
   for (const PoseEdge& edge : rig.poses) check(edge, findings);
-  if (rig.baseline_m) findings.add("rig", problem_with_baseline(*rig.baseline_m));
+  if (rig.baseline_m) findings.add(Message{Code::kTheRig}, problem_with_baseline(*rig.baseline_m));
   return findings.problems();
 }
 

@@ -42,7 +42,8 @@ bool keeps_text(const ConvertRequest& request, const Base& base) {
 
 namespace {
 
-/// Does a camera of --into's file stay, whose model the input's are to share? A mode that is asked for may leave it out.
+/// Does a camera of the file written into stay, whose model the input's are to share? A mode that is asked for may leave it
+/// out.
 bool shares_model(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to) {
   return to.one_model && keeps_text(request, base) && request.mode.empty() &&
          base.into->rig.cameras.size() > input.cameras.size();

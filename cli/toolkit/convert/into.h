@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --into BASE: an existing file with what the input says in the place of what it said.
+// An existing file is written into: what the input says takes the place of what it said.
 #pragma once
 
 #include <fca/diagnostics.h>

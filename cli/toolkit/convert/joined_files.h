@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files of one camera each that are one rig (--join), or a part of one, written in their own format: each is edited by itself.
+// Files of one camera each that are joined to one rig, or a part of one, written in their own format: each is edited by itself.
 #pragma once
 
 #include <fca/formats/calibration.h>

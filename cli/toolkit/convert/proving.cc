@@ -29,7 +29,7 @@ Message disagreement(const ProofResult& proof) {
   return {Code::kPixelsDiffer, {proof.max_diff_px}};
 }
 
-/// As the files were written to be read. --opencv-model is about the input.
+/// As the files were written to be read. What the input was told to be is no matter.
 consumers::LoadOptions load_options(const Written& written) {
   consumers::LoadOptions options;
   if (!written.sensor.empty()) options.sensor = written.sensor;

@@ -10,8 +10,8 @@ namespace fca {
 /// but its owner can compute it anew. `rig`: as read from the file.
 void list_facts_of_other_images(const Rig& rig, const Format& format, Written& written, Diagnostics& diagnostics);
 
-/// The same of what the file of --into, which says `base`, had computed from its cameras (Format::of_the_lenses), where `rig`
-/// has others.
+/// The same of what the file written into, which says `base`, had computed from its cameras (Format::of_the_lenses), where
+/// `rig` has others.
 void list_facts_of_other_lenses(const Rig& base, const Rig& rig, const Format& format, Written& written,
                                 Diagnostics& diagnostics);
 

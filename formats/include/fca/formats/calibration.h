@@ -16,7 +16,7 @@ struct Calibration {
   const Format* format = nullptr;
   Message why;                               ///< Why that format.
   bool one_format = true;                    ///< False: joined from files with cameras in more than one.
-  std::vector<text::Document> documents;     ///< The main file first, then those of --with.
+  std::vector<text::Document> documents;     ///< The main file first, then its further parts.
   std::size_t with_cameras = 0;              ///< Which of them states the cameras (the first that does, of `format`).
   std::vector<const Format*> formats;        ///< Of the documents, one for one.
   std::vector<PoseEdge> poses_without_unit;  ///< Those of `rig` from files that do not say in what unit translations are.

@@ -84,7 +84,7 @@ struct WriteOptions {
   std::string
       extension;      ///< Of the file to be written, with its point (".xml"), for formats with several syntaxes; may be empty.
   bool anew = false;  ///< Compose a file though there is a base: of that only what tunes the program is taken over.
-  /// Further files whose cameras are in the rig (--join): only the base can be edited, their comments go.
+  /// Further files whose cameras are joined to the rig: only the base can be edited, their comments go.
   std::span<const text::Document> joined = {};
   /// The base's owner has a program for it: it stays in that program's layout, whatever the model.
   bool keeps_layout = false;
@@ -175,12 +175,12 @@ struct Format {
 
   ProbeResult (*probe)(const text::Document& document);
 
-  /// The range of a value that no calibration states (--set), in a file that says `rig`; nothing where none is known. Null: of
-  /// none.
+  /// The range of a value that no calibration states and that may be set, in a file that says `rig`; nothing where none is
+  /// known. Null: of none.
   std::optional<ValueRange> (*range_of)(std::string_view key, const Rig& rig) = nullptr;
 
   /// The type of a value ('/' between the levels of its key) that the document may lack, that its program reads where it is
-  /// there, and that no calibration contradicts: --set may add it. Nothing of any other key. Null: of none.
+  /// there, and that no calibration contradicts: it may be added. Nothing of any other key. Null: of none.
   std::optional<ValueType> (*optional_value)(const text::Document& document, std::string_view key) = nullptr;
 
   /// Can the document hold the model without another layout? Null: any model that the format stores.

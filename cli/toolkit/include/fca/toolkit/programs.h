@@ -13,7 +13,7 @@
 
 namespace fca {
 
-/// The ids of all programs, as --for takes them.
+/// The ids of all programs, as find_program() takes them.
 [[nodiscard]] std::vector<std::string> program_ids();
 /// The program of that id, in any case; null if there is none.
 [[nodiscard]] const consumers::Consumer* find_program(std::string_view typed);
