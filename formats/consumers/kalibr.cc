@@ -131,7 +131,7 @@ class CameraReader {
   double read_pinhole_number(const Value& value, const std::string& what) {
     if (value.kind != Kind::kFloat) {
       std::vector<Message> fix;
-      if (value.kind == Kind::kInt) fix = {{Code::kKalibrSaysWriteAsFloat, {value.text}}};
+      if (value.kind == Kind::kInt) fix = {{Code::kProgramWriteReal, {value.text}}};
       if (value.kind == Kind::kString) fix = {{Code::kKalibrSaysFormOfFloats}};
       refuse(Code::kKalibrSaysNoFloat, at("intrinsics"), {what, pyyaml::describe(value), fix});
     } else if (value.number < 0.0) {

@@ -156,7 +156,7 @@ float Settings::real(std::string_view key, bool required) {
   }
   if (!found.isReal()) {
     std::vector<Message> suggestion;
-    if (found.isInt()) suggestion = {{Code::kOrbslamWriteReal, {static_cast<int>(found)}}};
+    if (found.isInt()) suggestion = {{Code::kProgramWriteReal, {static_cast<int>(found)}}};
     refuse_at(key, Code::kOrbslamNotReal, {description_of(found), program_, suggestion});
     return 0.0F;
   }

@@ -30,7 +30,6 @@ std::span<const CodeInfo> kalibr_program_codes() {
       named_refusal(Code::kKalibrSaysIntrinsicsType,
                     "{0} has {1} where {2} wants a number; Kalibr's Python raises a TypeError"),
       named_refusal(Code::kKalibrSaysNoFloat, "{0}: {1} is {2}; Kalibr wants a float and stops{3}"),
-      mend(Code::kKalibrSaysWriteAsFloat, "int-for-real", ": write {0}.0"),
       clause(Code::kKalibrSaysFormOfFloats, ": PyYAML reads a number as a float only in the form 190.0 or 1.9e+02"),
       named_refusal(Code::kKalibrSaysNegative, "{0}: {1} is {2}; Kalibr refuses negative values"),
       named_refusal(Code::kKalibrSaysXiNegative, "{0}: xi is {1:.6f}; Kalibr wants xi >= 0 for omni"),

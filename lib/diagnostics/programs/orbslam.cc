@@ -17,7 +17,6 @@ std::span<const CodeInfo> orbslam_program_codes() {
               "before it)"),
       named_refusal(Code::kOrbslamKeyMissing, "{0} is missing; {1} exits", kAddTheKey),
       named_refusal(Code::kOrbslamNotReal, "{0} is {1}; {2} wants a number with a '.' and exits{3}"),
-      mend(Code::kOrbslamWriteReal, "int-for-real", ": write {0}.0"),
       named_refusal(Code::kOrbslamNotInt, "{0} is {1}; {2} wants an int and exits{3}"),
       mend(Code::kOrbslamWriteInt, "real-for-int", ": write {0}"),
       named_refusal(Code::kOrbslamNotText, "{0} is {1}; {2} wants a string in quotes and exits"),
