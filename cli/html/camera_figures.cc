@@ -4,8 +4,8 @@
 #include "chart.h"
 #include "image_field.h"
 #include "map_figure.h"
+#include "shell/words.h"
 #include "table.h"
-#include "toolkit/words.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/words.h"
 #include "table.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>

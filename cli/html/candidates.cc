@@ -7,8 +7,8 @@
 #include "shell/model_words.h"
 #include "shell/option_hints.h"
 #include "shell/recommendation.h"
+#include "shell/words.h"
 #include "table.h"
-#include "toolkit/words.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>

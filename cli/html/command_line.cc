@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "command_line.h"
 
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 namespace fca::cli {
 

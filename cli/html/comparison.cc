@@ -7,9 +7,9 @@
 #include "said.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/words.h"
 #include "table.h"
 #include "toolkit/compare/difference_words.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>

@@ -4,7 +4,7 @@
 #include "said.h"
 #include "shell/diagnostics_json.h"
 #include "shell/option_hints.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/text/source.h>
 #include <fca/formats/wording.h>

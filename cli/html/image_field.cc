@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_field.h"
 
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/convert/domain.h>
 

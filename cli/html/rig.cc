@@ -3,8 +3,8 @@
 
 #include "rig_drawing.h"
 #include "shell/pose_words.h"
+#include "shell/words.h"
 #include "table.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 

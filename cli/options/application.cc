@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "application.h"
 
-#include "toolkit/words.h"
+#include "words.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "program.h"
 
-#include "toolkit/words.h"
+#include "words.h"
 
 namespace fca::cli {
 

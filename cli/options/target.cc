@@ -2,7 +2,6 @@
 #include "target.h"
 
 #include "shell/option_hints.h"
-#include "toolkit/words.h"
 #include "words.h"
 
 #include <fca/code.h>

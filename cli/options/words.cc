@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "words.h"
 
-#include "toolkit/words.h"
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+
+#include <algorithm>
 
 #include <fca/formats/program_names.h>
 
@@ -15,9 +18,27 @@ std::vector<std::string> format_ids() {
   return names;
 }
 
+/// "640x480"
+std::optional<ImageSize> parse_size(std::string_view text) {
+  const std::size_t x = text.find_first_of("xX");
+  if (x == std::string_view::npos) return std::nullopt;
+  const std::optional<int> width = text::parse_int(text.substr(0, x));
+  const std::optional<int> height = text::parse_int(text.substr(x + 1));
+  if (!width || !height || *width < 1 || *height < 1) return std::nullopt;
+  return ImageSize{*width, *height};
+}
+
 }  // namespace
 
-std::string format_names() { return enumerated(format_ids()); }
+std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
+                         std::string_view otherwise) {
+  const std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'; ";
+  const std::vector<std::string> near = text::nearest(typed, names);
+  if (!near.empty()) return text + "did you mean " + text::enumerated(near, "or") + "?";
+  return text + (otherwise.empty() ? "there are " + text::enumerated(names) : std::string(otherwise));
+}
+
+std::string format_names() { return text::enumerated(format_ids()); }
 
 std::string unknown_format(std::string_view typed) { return unknown_word("format", typed, format_ids()); }
 

@@ -8,12 +8,17 @@
 #include <fca/rig/rig.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace fca::cli {
 
+/// "unknown model 'kb5'; did you mean kb4?", or, where nothing is near, "...; there are kb4 and ds"; `otherwise` in place of
+/// the list, where that is long.
+[[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
+                                       std::string_view otherwise = {});
 /// "kalibr, opencv and ..."
 [[nodiscard]] std::string format_names();
 /// "unknown format 'orb'; did you mean orbslam3?", with the list when nothing is near.

@@ -2,7 +2,7 @@
 #include "judgement_text.h"
 
 #include "option_hints.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_name.h"
 
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/file_name.h>
 

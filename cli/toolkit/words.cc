@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "words.h"
 
-#include <fca/convert/domain.h>
 #include <fca/formats/text/numbers.h>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-
 namespace fca {
-
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-  return {buffer.data(), result.ptr};
-}
-
-std::string angle_in_words(double degrees) {
-  return text::format_short(degrees, 4) + " deg from the axis (" + text::format_short(2.0 * degrees, 4) + " deg in full)";
-}
 
 std::string pixels(double value) {
   if (value == 0.0) return "0";
@@ -27,93 +11,6 @@ std::string pixels(double value) {
   return text::format_short(value, 3);
 }
 
-std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
-
-namespace {
-
-/// Parts in lines of at most 100 characters, each line behind `indent`.
-std::string in_lines(std::span<const std::string> parts, std::string_view indent, std::string_view separator) {
-  constexpr std::size_t kLineLength = 100;
-  std::string text;
-  std::string line(indent);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::string item = parts[i] + (i + 1 < parts.size() ? std::string(separator) : "");
-    if (line.size() > indent.size() && line.size() + item.find_last_not_of(' ') + 1 > kLineLength) {
-      text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-      line = indent;
-    }
-    line += item;
-  }
-  return text + line + "\n";
-}
-
-}  // namespace
-
-std::string wrapped(std::span<const std::string> parts, std::string_view indent) { return in_lines(parts, indent, ", "); }
-
-std::string paragraph(std::string_view text, std::string_view indent) {
-  // Words between blanks; a command is one, however long, since it is there to be copied.
-  std::vector<std::string> words;
-  bool in_command = false;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string word(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (in_command && !word.starts_with('(')) {
-      words.back() += " " + word;
-    } else {
-      words.push_back(word);
-      in_command = word == "fca-io" || word == "(fca-io";
-    }
-    if (word.ends_with(',') || word.ends_with(';') || word.ends_with(')')) in_command = false;
-  }
-  return in_lines(words, indent, " ");
-}
-
-std::string parameters_in_words(const CameraModel& model, std::string_view indent) {
-  std::vector<std::string> parts;
-  const std::span<const Parameter> parameters = model_info(model).parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    parts.push_back(std::string(parameters[i].name) + " " + text::format_short(parameter_values(model)[i], 9));
-  return in_lines(parts, indent, "  ");
-}
-
-std::string padded(std::string_view text, std::size_t width) {
-  std::string result(text);
-  if (result.size() < width) result.append(width - result.size(), ' ');
-  return result;
-}
-
 std::string size_in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
-
-std::optional<ImageSize> parse_size(std::string_view text) {
-  const std::size_t x = text.find_first_of("xX");
-  if (x == std::string_view::npos) return std::nullopt;
-  const std::optional<int> width = text::parse_int(text.substr(0, x));
-  const std::optional<int> height = text::parse_int(text.substr(x + 1));
-  if (!width || !height || *width < 1 || *height < 1) return std::nullopt;
-  return ImageSize{*width, *height};
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-std::optional<double> in_degrees(const std::optional<double>& radians) {
-  return radians ? std::optional(*radians * kDegreesPerRadian) : std::nullopt;
-}
-
-std::string place_in_words(const LensCircle& circle) {
-  return "centre (" + fixed(circle.centre[0], 1) + ", " + fixed(circle.centre[1], 1) + "), radius " +
-         fixed(circle.radius_px, 1) + " px";
-}
-
-std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
-                         std::string_view otherwise) {
-  const std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'; ";
-  const std::vector<std::string> near = nearest(typed, names);
-  if (!near.empty()) return text + "did you mean " + enumerated(near, "or") + "?";
-  return text + (otherwise.empty() ? "there are " + enumerated(names) : std::string(otherwise));
-}
 
 }  // namespace fca

@@ -1,53 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How numbers and things are said to people.
+// How numbers are said in files and messages.
 #pragma once
 
-#include <fca/formats/text/prose.h>
 #include <fca/models/camera_model.h>
-#include <fca/rig/rig.h>
 
-#include <optional>
-#include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace fca {
 
 inline constexpr double kDegreesPerRadian = 57.29577951308232;
 
-/// "97.5 deg from the axis (195 deg in full)"
-[[nodiscard]] std::string angle_in_words(double degrees);
-/// Fixed decimals: "0.113".
-[[nodiscard]] std::string fixed(double value, int decimals);
 /// An error in pixels: three significant digits, tiny ones as powers of ten: "0.113", "4e-14".
 [[nodiscard]] std::string pixels(double value);
-[[nodiscard]] std::string percent(double share);
-/// "fx 190.978  fy 190.973 ..." over lines of at most 100 characters, each behind `indent`.
-[[nodiscard]] std::string parameters_in_words(const CameraModel& model, std::string_view indent);
-/// "a, b, c" over lines of at most 100 characters, each behind `indent`.
-[[nodiscard]] std::string wrapped(std::span<const std::string> parts, std::string_view indent);
-/// A text in lines of at most 100 characters, each behind `indent`; a command ("fca-io ..." to the next comma, semicolon or
-/// parenthesis) stays in one line.
-[[nodiscard]] std::string paragraph(std::string_view text, std::string_view indent);
-/// Padded with blanks to `width` on the right.
-[[nodiscard]] std::string padded(std::string_view text, std::size_t width);
-using text::enumerated;
-using text::nearest;
-using text::shell_word;
-/// "unknown model 'kb5'; did you mean kb4?", or, where nothing is near, "...; there are kb4 and ds"; `otherwise` in place of
-/// the list, where that is long.
-[[nodiscard]] std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
-                                       std::string_view otherwise = {});
-/// "1 file", "2 files"
-[[nodiscard]] std::string counted(std::size_t count, const std::string& what);
-/// "centre (255.5, 250.1), radius 240.1 px"
-[[nodiscard]] std::string place_in_words(const LensCircle& circle);
 /// "640 x 480"
 [[nodiscard]] std::string size_in_words(const ImageSize& size);
-/// "640x480"
-[[nodiscard]] std::optional<ImageSize> parse_size(std::string_view text);
-
-[[nodiscard]] std::optional<double> in_degrees(const std::optional<double>& radians);
 
 }  // namespace fca

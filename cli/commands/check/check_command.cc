@@ -3,10 +3,11 @@
 
 #include "options/inputs.h"
 #include "options/program.h"
+#include "options/words.h"
 #include "shell/calibration_files.h"
 #include "shell/option_hints.h"
+#include "shell/words.h"
 #include "toolkit/save/output_file.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 

@@ -4,7 +4,7 @@
 #include "preview_text.h"
 #include "shell/option_hints.h"
 #include "shell/verdict_text.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/text/render.h>
 #include <fca/formats/wording.h>

@@ -3,7 +3,7 @@
 
 #include "commands/convert/convert_command.h"
 #include "shell/option_hints.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/wording.h>
 

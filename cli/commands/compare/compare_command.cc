@@ -6,8 +6,8 @@
 #include "options/inputs.h"
 #include "shell/kept_inputs.h"
 #include "shell/option_hints.h"
+#include "shell/words.h"
 #include "toolkit/save/output_file.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 

@@ -4,8 +4,8 @@
 #include "shell/json.h"
 #include "shell/judgement_json.h"
 #include "shell/option_hints.h"
+#include "shell/words.h"
 #include "toolkit/compare/difference_words.h"
-#include "toolkit/words.h"
 
 namespace fca::cli {
 

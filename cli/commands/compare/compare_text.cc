@@ -2,8 +2,8 @@
 #include "compare_command.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/words.h"
 #include "toolkit/compare/difference_words.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>

@@ -2,8 +2,8 @@
 // What a comparison comes to, in one line.
 #include "compare_command.h"
 #include "shell/option_hints.h"
+#include "shell/words.h"
 #include "toolkit/compare/difference_words.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/numbers.h>
 

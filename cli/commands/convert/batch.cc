@@ -2,8 +2,8 @@
 #include "batch.h"
 
 #include "shell/progress.h"
+#include "shell/words.h"
 #include "toolkit/parallel_for.h"
-#include "toolkit/words.h"
 
 #include <fca/code.h>
 

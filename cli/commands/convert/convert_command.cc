@@ -7,8 +7,8 @@
 #include "options/words.h"
 #include "shell/calibration_files.h"
 #include "shell/output_name.h"
+#include "shell/words.h"
 #include "shell/written_outputs.h"
-#include "toolkit/words.h"
 
 #include <fca/toolkit/read.h>
 

@@ -3,7 +3,7 @@
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/program_words.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>

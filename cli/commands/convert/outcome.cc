@@ -3,7 +3,7 @@
 
 #include "shell/kept_inputs.h"
 #include "shell/output_name.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/code.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate_command.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/text/numbers.h>
 

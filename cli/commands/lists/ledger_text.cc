@@ -3,7 +3,7 @@
 
 #include "shell/json.h"
 #include "shell/option_hints.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/text/numbers.h>
 

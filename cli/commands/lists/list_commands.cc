@@ -8,7 +8,7 @@
 #include "shell/option_hints.h"
 #include "shell/recommendation.h"
 #include "shell/verdict_text.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/consumers/consumer.h>
 #include <fca/toolkit/models.h>

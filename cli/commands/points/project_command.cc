@@ -4,7 +4,7 @@
 #include "options/inputs.h"
 #include "shell/json.h"
 #include "shell/option_hints.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/convert/domain.h>
 #include <fca/formats/text/message.h>

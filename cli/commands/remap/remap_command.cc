@@ -11,8 +11,8 @@
 #include "shell/diagnostics_json.h"
 #include "shell/option_hints.h"
 #include "shell/parameters_json.h"
+#include "shell/words.h"
 #include "toolkit/save/output_file.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>

@@ -11,7 +11,6 @@
 #include "shell/progress.h"
 #include "toolkit/parallel_for.h"
 #include "toolkit/save/output_file.h"
-#include "toolkit/words.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/message.h>

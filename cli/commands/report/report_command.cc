@@ -10,8 +10,8 @@
 #include "shell/kept_inputs.h"
 #include "shell/option_hints.h"
 #include "shell/verdict_text.h"
+#include "shell/words.h"
 #include "toolkit/save/output_file.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/toolkit/report.h>

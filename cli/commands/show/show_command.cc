@@ -3,7 +3,7 @@
 
 #include "options/inputs.h"
 #include "options/program.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <memory>
 #include <utility>

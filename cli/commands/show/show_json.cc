@@ -6,8 +6,8 @@
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
 #include "shell/verdict_json.h"
+#include "shell/words.h"
 #include "show_command.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/wording.h>
 #include <fca/rig/fields_of_view.h>

@@ -2,8 +2,8 @@
 #include "shell/option_hints.h"
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
+#include "shell/words.h"
 #include "show_command.h"
-#include "toolkit/words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
