@@ -150,6 +150,7 @@ std::string rendered(const Message& message, Part part, Wording wording) {
   try {
     return filled(pattern, message.arguments, wording);
   } catch (const fmt::format_error&) {
+    // Only of arguments other than the row's: every row is filled in a test of all, with arguments as it names them.
     return std::string(pattern);
   }
 }

@@ -31,7 +31,8 @@ enum class Part { kText, kWhy, kConsequence, kFix };
 using Wording = std::string_view (*)(Code code, Part part);
 [[nodiscard]] std::string_view table_wording(Code code, Part part);
 
-/// Empty where the code says nothing there. A sentence that asks for an argument that is not there is shown as it stands.
+/// Empty where the code says nothing there. A sentence that asks for an argument that is not there, a bug, is shown as it
+/// stands: a calibration is not refused for a word.
 [[nodiscard]] std::string rendered(const Message& message, Part part, Wording wording = table_wording);
 
 /// In place of a column of another row: this row's column, else its sentence.
