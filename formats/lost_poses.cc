@@ -17,21 +17,18 @@ namespace fca {
 
 namespace {
 
-/// How a file that we wrote is read: what it leaves open, the rig knows.
-ReadOptions options_for(const Rig& rig, const Written::File& file) {
-  ReadOptions options;
+/// How a file that we wrote is read: what it leaves open, the rig and its writer know.
+ReadOptions options_for(const Rig& rig, const Written& written, const Written::File& file) {
   const Camera* camera = file.cameras.empty() ? nullptr : rig.find_camera(file.cameras.front());
-  if (camera == nullptr) return options;
-  options.image_size = camera->image_size;
-  options.opencv_model = model_info(camera->model).id == "kb4" ? "fisheye" : "pinhole";
-  return options;
+  if (camera == nullptr) return {};
+  return {camera->image_size, written.opencv_model};
 }
 
 /// The poses that the files state, between cameras by the rig's names.
 std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Written& written) {
   std::vector<PoseEdge> poses;
   for (const Written::File& file : written.files) {
-    const std::optional<Rig> part = read_back(format, file, options_for(rig, file));
+    const std::optional<Rig> part = read_back(format, file, options_for(rig, written, file));
     if (!part) continue;
     std::map<std::string, std::string> names;  // formats may rename cameras
     for (std::size_t i = 0; i < std::min(part->cameras.size(), file.cameras.size()); ++i)

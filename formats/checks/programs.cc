@@ -232,7 +232,7 @@ class ProgramsCheck {
   }
 
   void say_warnings(const Consumer& own, const std::string& mode, const ConsumerView& view) {
-    if (format_.id == "ocamcalib") return;  // its reader says the same, at the place
+    if (format_.reader_warns) return;
     for (std::size_t i = 0; i < std::min(kMostSaid, view.warnings.size()); ++i) {
       const Complaint& warning = view.warnings[i];
       // Asked for that program, a camera that it takes for another is what one wanted to know.

@@ -65,6 +65,7 @@ const Format kFormat = {
     .syntaxes = "text",
     .extension = ".txt",
     .program = "OCamCalib",
+    .reader_warns = true,
     .many_cameras = false,
     .extrinsics = false,
     .imu = false,

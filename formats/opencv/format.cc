@@ -31,6 +31,7 @@ const Format kFormat = {
     .syntaxes = "YAML, XML, JSON",
     .extension = ".yml",
     .program = "OpenCV",
+    .main_file = "intrinsics.yml",
     .many_cameras = true,
     .extrinsics = true,
     .any_length_unit = true,

@@ -16,10 +16,9 @@ void explain_no_camera(const ConvertRequest& request, const Calibration& calibra
                     : rig.poses.empty() ? Code::kNoCameraAtAll
                                         : Code::kPoseAndNoCamera;
   const std::string& input = request.inputs.files.front();
-  const std::string_view main_file = calibration.format->id == "opencv" ? "intrinsics.yml" : "camchain.yaml";
   const Message target =
       request.into.empty() ? Message{Code::kAsFormat, {request.to->id}} : Message{Code::kIntoFile, {request.into}};
-  diagnostics.add(Code::kNothingToConvert, {Message{what}, main_file, input, target}, {input, 0, 0});
+  diagnostics.add(Code::kNothingToConvert, {Message{what}, calibration.format->main_file, input, target}, {input, 0, 0});
 }
 
 bool contradicts(const ConvertRequest& request, const Calibration& calibration, ConvertResult& result) {

@@ -140,9 +140,11 @@ enum class ValueType { kInteger, kReal, kText };
 struct Format {
   std::string_view id;
   std::string_view title;
-  std::string_view syntaxes;            ///< For people: "YAML".
-  std::string_view extension;           ///< Of its files, with the point: ".yaml".
-  std::string_view program;             ///< The stock program that reads it: "Kalibr".
+  std::string_view syntaxes;                     ///< For people: "YAML".
+  std::string_view extension;                    ///< Of its files, with the point: ".yaml".
+  std::string_view program;                      ///< The stock program that reads it: "Kalibr".
+  std::string_view main_file = "camchain.yaml";  ///< A name of a file with cameras, beside which its other parts are given.
+  bool reader_warns = false;                     ///< What its program misreads its reader says itself, at the place.
   std::string_view layout_of = {};      ///< Id of the format whose files its own are, with habits of their own; may be empty.
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
