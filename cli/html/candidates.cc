@@ -62,7 +62,8 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
     const bool exact = candidate.conversion->report.exact;
     table.rows.push_back({id, exact ? "exact" : pixels(candidate.distance.decisive().rms),
                           exact ? "exact" : pixels(j.error.rms), exact ? "exact" : pixels(j.error.max),
-                          percent(j.coverage.scored), percent(j.coverage.unrepresentable), enumerated(stored_by_in_words(candidate))});
+                          percent(j.coverage.scored), percent(j.coverage.unrepresentable),
+                          enumerated(stored_by_in_words(candidate))});
   }
   put_table(html, table);
 }

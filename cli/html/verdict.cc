@@ -3,7 +3,7 @@
 
 #include "shell/option_hints.h"
 #include "shell/verdict_text.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/wording.h>
 

@@ -2,8 +2,8 @@
 #include "program_words.h"
 
 #include "option_hints.h"
-#include "verdict_text.h"
 #include "shell/words.h"
+#include "verdict_text.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/source.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recommendation.h"
 
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/formats/text/numbers.h>
 

@@ -2,7 +2,7 @@
 #include "verdict_text.h"
 
 #include "option_hints.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/source.h>

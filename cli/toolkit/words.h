@@ -2,7 +2,7 @@
 // How numbers are said in files and messages.
 #pragma once
 
-#include <fca/models/camera_model.h>
+#include <fca/rig/rig.h>
 
 #include <string>
 

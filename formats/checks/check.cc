@@ -279,7 +279,9 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   std::optional<Calibration> calibration;
   CheckReport report = looked_at(source, options, calibration);
   checks::tell_once(report);
-  std::erase_if(report.findings, [&options](const Finding& finding) { return checks::among(options.ignored, id_of(finding)); });
+  std::erase_if(report.findings, [&options](const Finding& finding) {
+    return std::ranges::find(options.ignored, id_of(finding)) != options.ignored.end();
+  });
   checks::sort_by_place(report.findings);
   checks::add_usual_fixes(report);
   report.verdict = verdict_on(report, calibration ? &calibration->rig : nullptr);

@@ -3,7 +3,7 @@
 #include "convert_command.h"
 #include "shell/option_hints.h"
 #include "shell/verdict_text.h"
-#include "toolkit/words.h"
+#include "shell/words.h"
 
 #include <fca/code.h>
 #include <fca/formats/wording.h>
@@ -63,7 +63,7 @@ void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) 
 void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> settings;
   for (const DefaultedValue& value : outcome.defaults) {
-    if (value.look_at_it && !value.invented) settings.push_back(value.key + " " + value.value);
+    if (value.look_at_it && !value.invented) settings.push_back(text_of(value, with_options));
   }
   if (!settings.empty()) lines.push_back({"set", enumerated(settings) + ": no input states it"});
 }

@@ -11,6 +11,7 @@
 #include "shell/words.h"
 
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
 
