@@ -60,7 +60,10 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
     }
     const Judgement& j = candidate.conversion->report.judgement;
     const bool exact = candidate.conversion->report.exact;
-    table.rows.push_back({id, exact ? "exact" : pixels(candidate.distance.decisive().rms),
+    table.rows.push_back({id,
+                          exact                    ? "exact"
+                          : reaches_all(candidate) ? pixels(candidate.distance.decisive().rms)
+                                                   : "",
                           exact ? "exact" : pixels(j.error.rms), exact ? "exact" : pixels(j.error.max),
                           percent(j.coverage.scored), percent(j.coverage.unrepresentable),
                           enumerated(stored_by_in_words(candidate))});

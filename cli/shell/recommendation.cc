@@ -13,10 +13,12 @@ std::string in_words(const Candidate& candidate) {
   const ConversionReport& report = candidate.conversion->report;
   const std::string id(candidate.model->id);
   if (report.exact) return id + " (exact)";
+  if (!reaches_all(candidate)) {
+    return id + " (rms " + pixels(report.judgement.error.rms) + " px, up to " + text::format_short(report.scored_to_deg, 3) +
+           " deg from the axis only)";
+  }
   const PixelDistance& distance = candidate.distance.decisive();
-  std::string text = id + " (rms " + pixels(distance.rms) + " px, 99 % within " + pixels(distance.p99) + " px";
-  if (!reaches_all(candidate)) text += ", up to " + text::format_short(report.scored_to_deg, 3) + " deg from the axis only";
-  return text + ")";
+  return id + " (rms " + pixels(distance.rms) + " px, 99 % within " + pixels(distance.p99) + " px)";
 }
 
 }  // namespace

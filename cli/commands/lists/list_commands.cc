@@ -175,6 +175,8 @@ std::string row_text(const Candidate& candidate) {
   std::string text = "  " + padded(candidate.model->id, kModelWidth);
   if (report.exact) {
     text += padded("exact", 2 * kNumberWidth);
+  } else if (!reaches_all(candidate)) {
+    text += padded("", 2 * kNumberWidth);
   } else {
     text += padded(pixels(distance.rms), kNumberWidth) + padded(pixels(distance.p99), kNumberWidth);
   }

@@ -33,11 +33,8 @@ bool is_better_choice(const Candidate& a, const Candidate& b) {
   if (of_a.exact != of_b.exact) return of_a.exact;
   if (of_a.exact) return of_a.from_model == of_a.to_model && of_b.from_model != of_b.to_model;
   if (reaches_all(a) != reaches_all(b)) return reaches_all(a);
-  const PixelDistance& at_a = a.distance.decisive();
-  const PixelDistance& at_b = b.distance.decisive();
-  constexpr double kSameReach = 1e-3;
-  if (!reaches_all(a) && std::abs(at_a.no_rays - at_b.no_rays) > kSameReach) return at_a.no_rays < at_b.no_rays;
-  return at_a.rms < at_b.rms;
+  if (!reaches_all(a)) return is_better(of_a, of_b);
+  return a.distance.decisive().rms < b.distance.decisive().rms;
 }
 
 /// The model in place of a program that reads a file of it.
@@ -61,7 +58,7 @@ const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits)
 
 bool reaches_all(const Candidate& candidate) {
   constexpr double kNoticeable = 0.01;
-  return candidate.distance.decisive().no_rays <= kNoticeable;
+  return !candidate.conversion->report.fitted_to_cone && candidate.distance.decisive().no_rays <= kNoticeable;
 }
 
 std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {

@@ -32,7 +32,7 @@ struct Candidate {
   Diagnostics diagnostics;
 };
 
-/// Does the model reach all of the region that decides?
+/// Does the model, which could be fitted, reach all of the region that decides?
 [[nodiscard]] bool reaches_all(const Candidate& candidate);
 
 /// The candidates that could be fitted, the best first: those that reach all of the region that decides before those that do
