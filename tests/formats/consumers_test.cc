@@ -212,7 +212,7 @@ TEST(Kalibr, TypesAndRanges) {
   };
   const Case cases[] = {
       {"[200.0,", "[200,", Code::kKalibrSaysNoFloat, "cam0/intrinsics", {"fu", Message{Code::kPyYamlScalar, {"int", "200"}}}},
-      {"320.0,", "320,", Code::kKalibrSaysNoFloat, "cam0/intrinsics", {"pu", Message{Code::kKalibrSaysWriteAsFloat, {"320"}}}},
+      {"320.0,", "320,", Code::kKalibrSaysNoFloat, "cam0/intrinsics", {"pu", Message{Code::kProgramWriteReal, {"320"}}}},
       {"[200.0,", "[-200.0,", Code::kKalibrSaysNegative, "cam0/intrinsics", {"fu", "-200.0"}},
       {"240.0]", "-0.5]", Code::kKalibrSaysNegative, "cam0/intrinsics", {"pv", "-0.5"}},
       {"[200.0,",
@@ -367,14 +367,14 @@ TEST(OrbSlam3, StrictTypes) {
        "Camera1.fx: 200",
        Code::kOrbslamNotReal,
        "Camera1.fx",
-       {200, Message{Code::kOrbslamWriteReal, {200}}, "ORB-SLAM3 V1.0"}},
-      {"Camera1.k1: 0.1", "Camera1.k1: 0", Code::kOrbslamNotReal, "Camera1.k1", {0, Message{Code::kOrbslamWriteReal, {0}}}},
+       {200, Message{Code::kProgramWriteReal, {200}}, "ORB-SLAM3 V1.0"}},
+      {"Camera1.k1: 0.1", "Camera1.k1: 0", Code::kOrbslamNotReal, "Camera1.k1", {0, Message{Code::kProgramWriteReal, {0}}}},
       {"Camera1.k2: 0.01\n", "", Code::kOrbslamKeyMissing, "Camera1.k2", {"ORB-SLAM3 V1.0"}},
       {"Camera1.p2: 0.002",
        "Camera1.p2: 0.002\nCamera1.k3: 0",
        Code::kOrbslamNotReal,
        "Camera1.k3",
-       {0, Message{Code::kOrbslamWriteReal, {0}}}},
+       {0, Message{Code::kProgramWriteReal, {0}}}},
       {"\"PinHole\"", "\"EUCM\"", Code::kOrbslamV1Type, "Camera.type", {Message{Code::kValueString, {"EUCM"}}}},
       {"\"PinHole\"",
        "PinHole # the type",
@@ -385,7 +385,7 @@ TEST(OrbSlam3, StrictTypes) {
        "Viewer.PointSize: 2",
        Code::kOrbslamNotReal,
        "Viewer.PointSize",
-       {2, Message{Code::kOrbslamWriteReal, {2}}}},
+       {2, Message{Code::kProgramWriteReal, {2}}}},
       {"Viewer.ViewpointF: 500.0\n", "", Code::kOrbslamKeyMissing, "Viewer.ViewpointF", {"ORB-SLAM3 V1.0"}},
       {"ORBextractor.nFeatures: 1000",
        "ORBextractor.nFeatures: 1000.",
@@ -397,7 +397,7 @@ TEST(OrbSlam3, StrictTypes) {
        "Camera.RGB: 1\nSystem.thFarPoints: 20",
        Code::kOrbslamNotReal,
        "System.thFarPoints",
-       {20, Message{Code::kOrbslamWriteReal, {20}}}},
+       {20, Message{Code::kProgramWriteReal, {20}}}},
       {"Camera.RGB: 1", "Camera.RGB: 1\nSystem.LoadAtlasFromFile: 3", Code::kOrbslamNotText, "System.LoadAtlasFromFile", {3}},
       {"Camera.RGB: 1",
        "Camera.RGB: 1\nCamera.newWidth: 320.",
@@ -444,7 +444,7 @@ TEST(OrbSlam3, SensorModesAskForTheirKeys) {
   expect_refused(load("orbslam3", kV1Pinhole, "stereo"), Code::kOrbslamKeyMissing, "Camera2.fx", {"ORB-SLAM3 V1.0"});
   expect_refused(load("orbslam3", kV1Pinhole, "rgbd"), Code::kOrbslamKeyMissing, "RGBD.DepthMapFactor", {"ORB-SLAM3 V1.0"});
   expect_refused(load("orbslam3", kV1Pinhole + edited(kImu, "200.0", "200"), "mono-inertial"), Code::kOrbslamNotReal,
-                 "IMU.Frequency", {200, Message{Code::kOrbslamWriteReal, {200}}});
+                 "IMU.Frequency", {200, Message{Code::kProgramWriteReal, {200}}});
   expect_refused(load("orbslam3", kV1Fisheye + kSecondIntrinsics + kStereo, "stereo"), Code::kOrbslamKeyMissing,
                  "Camera1.overlappingBegin", {"ORB-SLAM3 V1.0"});
   const ConsumerView inertial = load("orbslam3", kV1Pinhole + kImu, "mono-inertial");
@@ -555,7 +555,7 @@ TEST(OrbSlam3Old, Rules) {
   expect_loads(view);
   EXPECT_NEAR(pixel(view, 0, {1, 1, 1})[0], 200 * 1.25 + 320, 2e-4);
   expect_refused(load("orbslam3", edited(kOldPinhole, "Camera.fx: 200.0", "Camera.fx: 200")), Code::kOrbslamNotReal,
-                 "Camera.fx", {200, Message{Code::kOrbslamWriteReal, {200}}});
+                 "Camera.fx", {200, Message{Code::kProgramWriteReal, {200}}});
   expect_refused(load("orbslam3", edited(kOldPinhole, "Camera.p2: 0.002\n", "")), Code::kOrbslamKeyMissing, "Camera.p2",
                  {"ORB-SLAM3 V1.0"});
   expect_refused(load("orbslam3", edited(kOldPinhole, "Camera.type: \"PinHole\"\n", "")), Code::kOrbslamOldTypeMissing,
