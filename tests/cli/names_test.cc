@@ -4,6 +4,7 @@
 #include "cli/run_program.h"
 #include "cli/told.h"
 
+#include <fca/formats/consumers/consumer.h>
 #include <fca/formats/program_names.h>
 
 #include <set>
