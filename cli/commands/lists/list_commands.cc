@@ -191,9 +191,8 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
   std::string text =
       wrapped_line(camera.name + " (" + std::string(model_info(camera.model).id) + "): " + recommendation(candidates, nullptr));
   text += "  " + padded("", kModelWidth) + padded(is_wide ? "inscribed circle" : "image", 2 * kNumberWidth) +
-          padded(is_wide ? "whole image" : "", 2 * kNumberWidth) + "\n  " + padded("model", kModelWidth) +
-          padded("rms px", kNumberWidth) + padded("99 % px", kNumberWidth) + padded("rms px", kNumberWidth) +
-          padded("max px", kNumberWidth) + "reaches\n";
+          (is_wide ? "whole image" : "") + "\n  " + padded("model", kModelWidth) + padded("rms px", kNumberWidth) +
+          padded("99 % px", kNumberWidth) + padded("rms px", kNumberWidth) + padded("max px", kNumberWidth) + "reaches\n";
   bool all_before = true;
   for (const Candidate* candidate : ranked(candidates)) {
     if (all_before && !reaches_all(*candidate)) text += "  not all of the lens:\n";
