@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "application.h"
 
+#include "help_text.h"
 #include "words.h"
 
 #include <algorithm>
@@ -30,10 +31,14 @@ struct Application::Parser {
 Application::Application() : parser_(std::make_unique<Parser>()) {
   CLI::App& app = parser_->app;
   app.name("fca-io");
-  app.set_version_flag("--version", "fca-io " FCA_VERSION);
+  app.formatter(help_formatter());
+  app.option_defaults()->group(std::string(title_of(OptionGroup::kOutput)));
+  app.set_help_flag("-h,--help", "Print this help");
+  app.set_version_flag("--version", "fca-io " FCA_VERSION, "Print the version");
   app.require_subcommand(0, 1);
   app.footer(
-      "fca-io FILE is short for fca-io show FILE; diff is compare, undistort is remap.\n\n"
+      "fca-io FILE is short for fca-io show FILE; diff is compare, undistort is remap, help COMMAND prints a command's "
+      "options.\n\n"
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n\n"
       "Exit codes: 0 good; 1 done but judged bad, nothing written; 2 bad input; 3 usage; 4 input/output; 70 a bug.");

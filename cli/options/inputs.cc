@@ -77,7 +77,8 @@ std::optional<std::string> take_unit(const std::string& word, std::optional<doub
 }  // namespace
 
 void add_input_options(Options& options, Inputs& inputs) {
-  options.value("--from", "FORMAT", "The input's format (default: found by its content)",
+  options.group(OptionGroup::kReading);
+  options.value("--from", "FORMAT", "The input's format, one of those of convert --to (default: found by its content)",
                 [&inputs](const std::string& word) { return take_format("--from", word, inputs.format); });
   options.each("--with", "FILE", "A further part of the same calibration, e.g. imu.yaml; may be given several times",
                inputs.parts);
@@ -100,6 +101,7 @@ void add_input_options(Options& options, Inputs& inputs) {
                 [&inputs](const std::string& word) { return take_size("--resize", word, inputs.change.resize); });
   options.value("--opencv-model", "MODEL", "pinhole or fisheye, for OpenCV files whose four coefficients could be either",
                 [&inputs](const std::string& word) { return take_opencv_model(word, inputs.opencv_model); });
+  options.group(OptionGroup::kLens);
   options.number("--max-angle", "DEG", "What counts as lens, in degrees from the axis (default: the whole image)",
                  [&inputs](double degrees) -> std::optional<std::string> {
                    if (!(degrees > 0.0 && degrees <= 180.0)) return "--max-angle wants degrees from the axis in (0, 180]";
@@ -109,6 +111,7 @@ void add_input_options(Options& options, Inputs& inputs) {
 }
 
 void add_lens_circle_option(Options& options, Inputs& inputs) {
+  options.group(OptionGroup::kLens);
   options.each("--lens-circle", "[CAMERA=]IMAGE",
                "What counts as lens: the lit circle in this image, taken by the camera (of several: "
                "cam0=IMAGE); may be given several times, for dark scenes",
@@ -119,10 +122,12 @@ void add_lens_circle_option(Options& options, Inputs& inputs) {
 }
 
 void add_join_option(Options& options, Inputs& inputs) {
+  options.group(OptionGroup::kReading);
   options.flag("--join", "All inputs are the cameras of one rig, in the order given", inputs.join);
 }
 
 void add_imu_option(Options& options, Inputs& inputs) {
+  options.group(OptionGroup::kReading);
   options.value("--imu-noise", "KIND",
                 "What the input's IMU noise is: continuous (densities, the default), discrete (standard deviations of single "
                 "samples, converted with the rate), variance or discrete-variance (squares of those)",

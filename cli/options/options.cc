@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "options.h"
 
+#include "help_text.h"
+
 #include <fca/formats/text/numbers.h>
 
 #include <cstdint>
@@ -19,6 +21,9 @@ CLI::Validator decimal_number() {
   return {problem, ""};
 }
 
+/// The help does not show the range.
+CLI::Validator whole_number_in(int least, int most) { return CLI::Range(least, most).description(""); }
+
 void check(const std::optional<std::string>& problem) {
   if (problem) throw UsageProblem{*problem};
 }
@@ -27,6 +32,8 @@ void check(const std::optional<std::string>& problem) {
 void take_one_each_time(CLI::Option& option) { option.expected(1)->allow_extra_args(false)->take_all(); }
 
 }  // namespace
+
+void Options::group(OptionGroup group) { command_.option_defaults()->group(std::string(title_of(group))); }
 
 void Options::positional(const std::string& name, const std::string& help, std::vector<std::string>& target, bool required) {
   command_.add_option(name, target, help)->required(required);
@@ -71,7 +78,7 @@ void Options::whole_number(const std::string& name, const std::string& type, con
 
 void Options::count(const std::string& name, const std::string& type, const std::string& help, std::size_t& target, int least,
                     int most) {
-  command_.add_option(name, target, help)->type_name(type)->check(CLI::Range(least, most));
+  command_.add_option(name, target, help)->type_name(type)->check(whole_number_in(least, most));
 }
 
 void Options::each(const std::string& name, const std::string& type, const std::string& help, TakeWord take) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,9 +32,15 @@ struct TypedOption {
   bool positional = false;
 };
 
+/// What an option is about. The help shows them in this order.
+enum class OptionGroup : std::uint8_t { kTarget, kReading, kLens, kProof, kOutput };
+
 class Options {
  public:
-  explicit Options(CLI::App& command) : command_(command) {}
+  explicit Options(CLI::App& command) : command_(command) { group(OptionGroup::kOutput); }
+
+  /// What the options that follow are about.
+  void group(OptionGroup group);
 
   /// Words without a name in front, such as files.
   void positional(const std::string& name, const std::string& help, std::vector<std::string>& target, bool required = true);

@@ -6,6 +6,7 @@
 namespace fca::cli {
 
 void add_program_option(Options& options, const std::string& help, const consumers::Consumer*& target) {
+  options.group(OptionGroup::kProof);
   options.value("--for", "PROGRAM", help, [&target](const std::string& word) {
     target = find_program(word);
     return target != nullptr ? std::nullopt : std::optional(unknown_word("program", word, program_ids()));

@@ -61,6 +61,7 @@ std::optional<std::string> take_objective(const std::string& word, Objective& ta
 }  // namespace
 
 void add_target_options(Options& options, ConvertRequest& request) {
+  options.group(OptionGroup::kTarget);
   options.value("--sensor", "MODE",
                 "orbslam3: mono, stereo, rgbd, mono-inertial, stereo-inertial or rgbd-inertial (default: the richest the input "
                 "serves)",
@@ -74,7 +75,9 @@ void add_target_options(Options& options, ConvertRequest& request) {
   options.value("--objective", "rms|max",
                 "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
                 [&request](const std::string& word) { return take_objective(word, request.objective); });
+  options.group(OptionGroup::kProof);
   options.flag("--every-pixel", "Judge by every pixel, not by a lattice of about 5,000 points", request.every_pixel);
+  options.group(OptionGroup::kTarget);
   options.flag("--anew", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
   options.number("--fps", "HZ", "Frame rate, for formats that state it", [&request](double rate) -> std::optional<std::string> {
     if (!(rate > 0.0 && rate < 1e6)) return "--fps wants a rate in Hz, more than 0 and below 1e6";
@@ -93,6 +96,7 @@ void add_target_options(Options& options, ConvertRequest& request) {
 }
 
 void add_accept_option(Options& options, std::vector<Acceptance>& accepted) {
+  options.group(OptionGroup::kProof);
   options.each("--accept", "CODE[:CAMERA]", "Write the file although the verdict is 'do not use' for this reason; repeatable",
                [&accepted](const std::string& word) { return take_acceptance(word, accepted); });
 }

@@ -18,6 +18,12 @@ std::vector<std::string> format_ids() {
   return names;
 }
 
+std::vector<std::string> model_ids() {
+  std::vector<std::string> names;
+  for (const ModelInfo& model : all_models()) names.emplace_back(model.id);
+  return names;
+}
+
 /// "640x480"
 std::optional<ImageSize> parse_size(std::string_view text) {
   const std::size_t x = text.find_first_of("xX");
@@ -40,6 +46,10 @@ std::string unknown_word(std::string_view kind, std::string_view typed, std::spa
 
 std::string format_names() { return text::enumerated(format_ids()); }
 
+std::string target_names() { return format_names() + "; or a program, such as vins-fusion, ros2 or orbslam2"; }
+
+std::string model_names() { return text::enumerated(model_ids()); }
+
 std::string unknown_format(std::string_view typed) { return unknown_word("format", typed, format_ids()); }
 
 namespace {
@@ -53,11 +63,7 @@ std::string not_served(const ProgramName& program, std::string_view option) {
 
 }  // namespace
 
-std::string unknown_model(std::string_view typed) {
-  std::vector<std::string> names;
-  for (const ModelInfo& model : all_models()) names.emplace_back(model.id);
-  return unknown_word("camera model", typed, names);
-}
+std::string unknown_model(std::string_view typed) { return unknown_word("camera model", typed, model_ids()); }
 
 std::vector<std::string> split(std::string_view list) {
   std::vector<std::string> parts;

@@ -21,6 +21,9 @@ namespace fca::cli {
                                        std::string_view otherwise = {});
 /// "kalibr, opencv and ..."
 [[nodiscard]] std::string format_names();
+/// The same, and that programs' names are taken, too.
+[[nodiscard]] std::string target_names();
+[[nodiscard]] std::string model_names();
 /// "unknown format 'orb'; did you mean orbslam3?", with the list when nothing is near.
 [[nodiscard]] std::string unknown_format(std::string_view typed);
 [[nodiscard]] std::string unknown_model(std::string_view typed);

@@ -163,8 +163,10 @@ void add_options(Options& options, CheckArguments& arguments) {
                      "The program the file is meant for; if it reads another format, what convert would make of it: " +
                          enumerated(program_ids(), "or") + " (default: the format's own)",
                      request.program);
+  options.group(OptionGroup::kOutput);
   options.value("--explain", "CODE", "The story behind a finding's code", arguments.explain);
   options.flag("--list-codes", "All codes with what they mean", arguments.list_codes);
+  options.group(OptionGroup::kProof);
   options.each("--ignore", "CODE", "Leave findings of that code out; may be given several times",
                [&request](const std::string& code) -> std::optional<std::string> {
                  if (find_check_code(code) == nullptr) return unknown_code(code);
@@ -177,11 +179,13 @@ void add_options(Options& options, CheckArguments& arguments) {
                   arguments.fail_on_warnings = word == "warning";
                   return std::nullopt;
                 });
+  options.group(OptionGroup::kTarget);
   options.flag("--fix",
                "Show the mends that are certain (a decimal point, quotes, a header, blanks for TABs) as a diff, and check "
                "the mended file",
                arguments.fix);
   options.flag("--write", "With --fix: write them into the file", arguments.write);
+  options.group(OptionGroup::kOutput);
   options.flag("--json", "One JSON document on standard output", arguments.json);
   options.flag("--sarif", "SARIF 2.1.0 on standard output, for CI services", arguments.sarif);
   options.footer(

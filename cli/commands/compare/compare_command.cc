@@ -84,6 +84,7 @@ void add_options(Options& options, CompareArguments& arguments) {
   options.hide({"--join"});  // refused: not worth a line of the help
   options.each("--with-file", "FILE", "A further part of FILE, as --with is one of REF; may be given several times",
                request.parts);
+  options.group(OptionGroup::kProof);
   options.number("--max-error", "PX",
                  "Exit with 1 if a camera's worst pixel is off by more, if a camera or more than a thousandth of its image is "
                  "missing, or if one of the mistakes that people make is found, in poses, IMU and times too",
@@ -98,6 +99,7 @@ void add_options(Options& options, CompareArguments& arguments) {
                "where it is not given",
                request.strict);
   options.flag("--every-pixel", "Score every pixel of the image instead of a lattice", request.every_pixel);
+  options.group(OptionGroup::kOutput);
   options.value("--report", "PATH",
                 "Also write a page to look at (one HTML file): differences over the image and the angle, both rigs drawn",
                 arguments.page);
@@ -112,7 +114,7 @@ void add_options(Options& options, CompareArguments& arguments) {
       "input/output.\n\n"
       "Example:\n"
       "  fca-io compare camchain.yaml --with imu.yaml settings.yaml --report page.html\n"
-      "  fca-io compare camchain-before.yaml camchain-after.yaml --max-angle 97.5 --max-error 0.5\n");
+      "  fca-io compare before.yaml after.yaml --max-angle 97.5 --max-error 0.5\n");
 }
 
 }  // namespace

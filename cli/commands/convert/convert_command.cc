@@ -148,10 +148,13 @@ void add_options(Options& options, ConvertArguments& arguments) {
   ConvertRequest& request = arguments.request;
   options.positional("INPUT", "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input",
                      arguments.inputs);
-  options.value("--to", "FORMAT", "The format to write",
+  options.group(OptionGroup::kTarget);
+  options.value("--to", "FORMAT", "The format to write: " + target_names(),
                 [&request](const std::string& word) { return take_target(word, request); });
-  options.value("--model", "MODEL", "The camera model to write (default: kept, else the best that the stock program reads)",
+  options.value("--model", "MODEL",
+                "The camera model to write: " + model_names() + " (default: kept, else the best that the stock program reads)",
                 [&request](const std::string& word) { return take_model(word, request.model); });
+  options.group(OptionGroup::kOutput);
   options.value(
       "-o,--output", "PATH",
       "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (default: standard output)",
@@ -162,11 +165,13 @@ void add_options(Options& options, ConvertArguments& arguments) {
   add_imu_option(options, request.inputs);
   add_target_options(options, request);
   options.flag("--in-place", "With --into: change BASE itself", arguments.in_place);
+  options.group(OptionGroup::kOutput);
   options.exclusive_flags(
       {{"--provenance", "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)",
         [&request] { request.provenance = ProvenanceComment::kInAllFiles; }},
        {"--no-provenance", "Leave out that comment", [&request] { request.provenance = ProvenanceComment::kNone; }}},
       "--provenance and --no-provenance contradict each other");
+  options.group(OptionGroup::kProof);
   options.number("--max-error", "PX",
                  "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
                  "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if "
@@ -183,6 +188,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
       "Try the written bytes with our re-implementation of the program's reader before they are put in place (the default)",
       "--no-verify", "Do not try it", request.verify);
   add_accept_option(options, request.accepted);
+  options.group(OptionGroup::kOutput);
   options.count("--jobs", "N",
                 "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)",
                 request.jobs, 1, 1024);
@@ -195,7 +201,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.footer(
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n"
-      "  fca-io convert camchain.yaml --to orbslam3 --model eucm --max-angle 97.5 -o eucm.yaml\n");
+      "  fca-io convert camchain.yaml --to kalibr --model eucm --max-angle 97.5 -o out/\n");
 }
 
 }  // namespace

@@ -255,6 +255,7 @@ void add_formats_options(Options& options, ListArguments& arguments) {
 void add_models_options(Options& options, ListArguments& arguments) {
   options.positional("FILE", "Calibration file", arguments.file, false);
   add_input_options(options, arguments.inputs);
+  options.group(OptionGroup::kOutput);
   options.flag("--json", "One JSON document on standard output", arguments.json);
   options.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
 }

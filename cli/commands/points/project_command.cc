@@ -147,6 +147,7 @@ constexpr std::array kDirections = {
 void add_options(Options& options, const Direction& direction, ProjectArguments& arguments) {
   options.positional("FILE", "Calibration file", arguments.file);
   add_input_options(options, arguments.inputs);
+  options.group(OptionGroup::kOutput);
   options.flag("--json", "One JSON document on standard output", arguments.json);
   options.footer(direction.footer);
 }

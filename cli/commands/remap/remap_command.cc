@@ -194,6 +194,7 @@ void add_options(Options& options, RemapArguments& arguments) {
       "-o,--output", "PATH",
       "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
       arguments.output);
+  options.group(OptionGroup::kTarget);
   options.number("--pinhole", "FULL_FOV_DEG",
                  "As a pinhole camera: straight lines are straight. Full field of view across the width, in degrees",
                  [&arguments](double degrees) -> std::optional<std::string> {
@@ -203,7 +204,7 @@ void add_options(Options& options, RemapArguments& arguments) {
                  });
   options.value("--out-size", "WxH", "With --pinhole: size of the image (default: the input's)",
                 [&arguments](const std::string& word) { return take_size("--out-size", word, arguments.pinhole_size); });
-  options.value("--model", "MODEL", "As this camera model, fitted as convert does it",
+  options.value("--model", "MODEL", "As this camera model, fitted as convert does it: " + model_names(),
                 [&arguments](const std::string& word) -> std::optional<std::string> {
                   AsModel view;
                   if (std::optional<std::string> problem = take_model(word, view.model)) return problem;
@@ -225,6 +226,7 @@ void add_options(Options& options, RemapArguments& arguments) {
                   arguments.interpolation = word == "lanczos" ? Interpolation::kLanczos : Interpolation::kBilinear;
                   return std::nullopt;
                 });
+  options.group(OptionGroup::kOutput);
   options.value("--mask", "PNG", "Also write an image that is 255 where the source sees, and 0 elsewhere", arguments.mask);
   options.value("--map", "NPY",
                 "Also write the map: float32 of shape (height, width, 2), u and v in the source image, nan where it has "
@@ -232,6 +234,7 @@ void add_options(Options& options, RemapArguments& arguments) {
                 arguments.map);
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);
+  options.group(OptionGroup::kOutput);
   options.count("--jobs", "N", "Images at the same time (default: as many as there are processors)", request.jobs, 1, 1024);
   options.flag("--force", "Overwrite existing files", arguments.force);
   options.flag("--json", "One JSON document on standard output", arguments.json);
@@ -239,9 +242,9 @@ void add_options(Options& options, RemapArguments& arguments) {
       "Axes: x right, y down, z forward; R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, takes the new camera's rays to the old\n"
       "one's. Grey, colour, 16 bits and opacity stay as they are. What the source does not see becomes 0.\n\n"
       "Example:\n"
-      "  fca-io remap camchain.yaml --camera cam0 image.png --pinhole 100 -o undistorted.png\n"
-      "  fca-io remap camchain.yaml --camera cam0 'left/*.png' --pinhole 90 --rotate 45,0,0 -o 'right/{stem}.png'\n"
-      "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask seen.png\n");
+      "  fca-io remap camera.yaml image.png --pinhole 100 -o undistorted.png\n"
+      "  fca-io remap camera.yaml 'left/*.png' --pinhole 90 --rotate 45,0,0 -o right/\n"
+      "  fca-io remap camchain.yaml --camera cam0 --model ds --map map.npy --mask m.png\n");
 }
 
 }  // namespace

@@ -121,10 +121,12 @@ ExitCode run_report(const ReportArguments& arguments, const Invocation& invocati
 void add_options(Options& options, ReportArguments& arguments) {
   ConvertRequest& conversion = arguments.conversion;
   options.positional("INPUT", "Calibration file(s); '-' is standard input", arguments.inputs.files);
-  options.value("--to", "FORMAT", "Show what converting it to this format does",
+  options.group(OptionGroup::kTarget);
+  options.value("--to", "FORMAT", "Show what converting it to this format does: " + target_names(),
                 [&conversion](const std::string& word) { return take_target(word, conversion); });
   options.value("--model", "MODEL|all",
-                "Show what converting the cameras to this model does; all: every model beside the others, and which to take",
+                "Show what converting the cameras to this model does: " + model_names() +
+                    "; all: every model beside the others, and which to take",
                 [&arguments](const std::string& word) -> std::optional<std::string> {
                   arguments.every_model = word == kAllModels;
                   if (arguments.every_model) return std::nullopt;
@@ -132,18 +134,20 @@ void add_options(Options& options, ReportArguments& arguments) {
                   if (problem) *problem += "; --model all lays every model beside the others";
                   return problem;
                 });
+  options.group(OptionGroup::kOutput);
   options.value("-o,--output", "PATH", "The page: one HTML file (default: standard output)", arguments.output);
   add_input_options(options, arguments.inputs);
   add_lens_circle_option(options, arguments.inputs);
   add_join_option(options, arguments.inputs);
   add_imu_option(options, arguments.inputs);
   add_target_options(options, conversion);
+  options.group(OptionGroup::kOutput);
   options.flag("--force", "Overwrite an existing page", arguments.force);
   options.footer(
       "The page needs nothing beside itself: no network, no scripts. It is written even where convert would refuse to write\n"
       "the file (exit 1), and says so; of what cannot be converted at all (exit 2) there is none.\n\n"
       "Example:\n"
-      "  fca-io report camchain.yaml --with imu.yaml --to orbslam3 --model eucm --max-angle 97.5 -o page.html\n"
+      "  fca-io report camchain.yaml --with imu.yaml --to orbslam3 -o page.html\n"
       "  fca-io report camchain.yaml --model all -o models.html\n");
 }
 

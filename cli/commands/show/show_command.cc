@@ -57,6 +57,7 @@ void add_options(Options& options, ShowArguments& arguments) {
                      "what the file means: " +
                          enumerated(program_ids(), "or"),
                      request.program);
+  options.group(OptionGroup::kOutput);
   options.flag("--json", "One JSON document on standard output", arguments.json);
   options.footer("Example:\n  fca-io show camchain.yaml --with imu.yaml\n  fca-io show settings.yaml --for orbslam3\n");
 }

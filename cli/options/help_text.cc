@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "help_text.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+namespace fca::cli {
+
+namespace {
+
+constexpr std::size_t kWidth = 80;
+constexpr std::size_t kNames = 24;  ///< Columns of an option's name; its explanation stands to the right.
+
+struct GroupTitle {
+  OptionGroup group;
+  std::string_view title;
+};
+
+constexpr std::array kTitles = {
+    GroupTitle{OptionGroup::kTarget, "What to write"}, GroupTitle{OptionGroup::kReading, "How to read the input"},
+    GroupTitle{OptionGroup::kLens, "What counts as lens"}, GroupTitle{OptionGroup::kProof, "Proof and limits"},
+    GroupTitle{OptionGroup::kOutput, "Output"}};
+
+/// The words of a text in lines of at most kWidth characters. Every line but the first begins with `indent` blanks; the first
+/// has as many characters before it already.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::istringstream words(text);
+  std::string result;
+  std::size_t column = indent;
+  for (std::string word; words >> word; column += word.size()) {
+    if (column > indent && column + 1 + word.size() > kWidth) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+  }
+  return result;
+}
+
+/// A name and its explanation.
+std::string entry(const std::string& name, const std::string& explanation, std::size_t indent) {
+  std::string line = "  " + name;
+  if (line.size() + 1 > indent) {
+    line += "\n" + std::string(indent, ' ');
+  } else {
+    line.append(indent - line.size(), ' ');
+  }
+  return line + wrapped(explanation, indent) + "\n";
+}
+
+/// Lines that begin with a blank stay; those between them are paragraphs.
+std::string paragraphs(const std::string& text) {
+  std::istringstream lines(text);
+  std::string result;
+  std::string paragraph;
+  const auto end_paragraph = [&] {
+    if (!paragraph.empty()) result += wrapped(paragraph, 0) + "\n";
+    paragraph.clear();
+  };
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && line.front() != ' ') {
+      paragraph += line + " ";
+      continue;
+    }
+    end_paragraph();
+    result += line + "\n";
+  }
+  end_paragraph();
+  return result;
+}
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode /*mode*/) const override {
+    std::string text = paragraphs(app->get_description()) + make_usage(app, std::move(name)) + positionals(*app);
+    for (const GroupTitle& row : kTitles) text += group(*app, row);
+    text += commands(*app);
+    return app->get_footer().empty() ? text : text + "\n" + paragraphs(app->get_footer());
+  }
+
+ private:
+  [[nodiscard]] static std::string positionals(const CLI::App& app) {
+    std::string text;
+    for (const CLI::Option* option : app.get_options([](const CLI::Option* each) { return each->get_positional(); }))
+      text += entry(option->get_name(true, false), option->get_description(), kNames);
+    return text.empty() ? text : "\n" + text;
+  }
+
+  [[nodiscard]] static std::string group(const CLI::App& app, const GroupTitle& row) {
+    std::string text;
+    for (const CLI::Option* option : app.get_options([](const CLI::Option* each) { return each->nonpositional(); })) {
+      if (option->get_group() != row.title) continue;
+      const std::string type = option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+      text += entry(option->get_name(false, true) + type, option->get_description(), kNames);
+    }
+    return text.empty() ? text : "\n" + std::string(row.title) + ":\n" + text;
+  }
+
+  [[nodiscard]] static std::string commands(const CLI::App& app) {
+    constexpr std::size_t kCommands = 13;
+    std::string text;
+    for (const CLI::App* command : app.get_subcommands({}))
+      text += entry(command->get_name(), command->get_description(), kCommands);
+    return text.empty() ? text : "\nCommands:\n" + text;
+  }
+};
+
+}  // namespace
+
+std::string_view title_of(OptionGroup group) { return std::ranges::find(kTitles, group, &GroupTitle::group)->title; }
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() { return std::make_shared<HelpFormatter>(); }
+
+}  // namespace fca::cli
