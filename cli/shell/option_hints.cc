@@ -73,6 +73,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kOpencvToldInVain, text::Part::kText,
                "{0}: --opencv-model fisheye, which is about four coefficients, has no effect on this camera"},
     OptionHint{Code::kOpencvWrittenAmbiguous, text::Part::kFix, "--opencv-model {0} reads it so"},
+    OptionHint{Code::kOpencvUnitsNotStated, text::Part::kFix, "--unit mm if they are millimetres"},
     OptionHint{Code::kOpencvLayoutNotServed, text::Part::kFix, "leave out --opencv-layout, or choose {2}"},
     OptionHint{Code::kOpencvImuDropped, text::Part::kFix, "keep its file; --to kalibr -o FOLDER/ writes a complete IMU to one"},
     OptionHint{Code::kOpencvCameraDropped, text::Part::kFix,

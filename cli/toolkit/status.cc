@@ -11,7 +11,7 @@ Status status_of(const Diagnostics& diagnostics) {
                                [code](const Diagnostic& entry) { return same_id(code_of(entry), code); });
   };
   if (has(Code::kAnyCannotRead)) return Status::kUnreadable;
-  return has(Code::kUnknownCamera) ? Status::kBadRequest : Status::kBadInput;
+  return has(Code::kUnknownCamera) || has(Code::kUnitWithoutUse) ? Status::kBadRequest : Status::kBadInput;
 }
 
 }  // namespace fca

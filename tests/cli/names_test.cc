@@ -89,5 +89,38 @@ TEST(Names, AUnitIsForTranslationsWithoutOne) {
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "opencv", "--unit", "mm"}).code, 3) << "Kalibr's are metres";
 }
 
+/// cv::stereoCalibrate's of a board in millimetres: T is 120 long.
+std::string pair_in_millimetres() {
+  const std::string pair = read_file(testdata("formats/opencv/good/stereo-14.yml"));
+  const std::size_t at = pair.find("data:", pair.find("T: !!opencv-matrix"));
+  return pair.substr(0, at) + "data: [ -120., 0., 0. ]" + pair.substr(pair.find(']', at) + 1);
+}
+
+TEST(Names, AUnitThatIsGivenIsNoQuestion) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words = {"convert", folder.write("mm.yml", pair_in_millimetres()), "--size", "640x480", "--to",
+                                          "kalibr"};
+  EXPECT_TRUE(Told(words).says("units-not-stated", "--unit mm"));
+  std::vector<std::string> in_millimetres = words;
+  in_millimetres.insert(in_millimetres.end(), {"--unit", "mm"});
+  const Told run(in_millimetres);
+  EXPECT_FALSE(run.says("units-not-stated")) << run.text();
+  EXPECT_NEAR((*rig_in(run.bytes()).resolve("cam1", "cam0"))(0, 3), -0.12, 1e-12);
+}
+
+TEST(Names, AUnitIsThatOfTheFileWithoutOneInAComparison) {
+  const TemporaryFolder folder;
+  const std::string in_mm = folder.write("mm.yml", pair_in_millimetres());
+  const std::vector<std::string> read = {"--size", "640x480", "--unit", "mm"};
+  const auto run = [&read](std::vector<std::string> words) {
+    words.insert(words.end(), read.begin(), read.end());
+    return run_program(words);
+  };
+  const std::string chain = folder.write("chain.yaml", run({"convert", in_mm, "--to", "kalibr"}).out);
+  EXPECT_EQ(run({"compare", chain, in_mm}).code, 0);
+  EXPECT_EQ(run({"compare", in_mm, chain}).code, 0);
+  EXPECT_EQ(run({"compare", chain, chain}).code, 3);
+}
+
 }  // namespace
 }  // namespace fca::test

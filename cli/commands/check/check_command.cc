@@ -35,8 +35,7 @@ std::optional<std::string> usage_error(const CheckArguments& arguments) {
   if (const std::optional<std::string> error = problem_with(inputs)) return error;
   if (!inputs.parts.empty() || inputs.join || inputs.cameras || inputs.length_unit_m || changes_images(inputs)) {
     return "check looks at every file as it stands: --with, --join, --camera, --unit, --crop, --binning and --resize have no "
-           "use "
-           "here";
+           "use here";
   }
   if (arguments.write && !arguments.fix) return "--write is for --fix";
   if (arguments.fix && (arguments.json || arguments.sarif))

@@ -25,8 +25,8 @@ namespace {
 std::optional<std::string> usage_error(const ReadRequest& request) {
   const Inputs& inputs = request.inputs;
   if (const std::optional<std::string> error = problem_with(inputs)) return error;
-  if (request.program != nullptr && (inputs.join || inputs.cameras || changes_images(inputs)))
-    return "--for is about a file as it stands: --join, --camera, --crop, --binning and --resize have no use beside it";
+  if (request.program != nullptr && (inputs.join || inputs.cameras || inputs.length_unit_m || changes_images(inputs)))
+    return "--for is about a file as it stands: --join, --camera, --unit, --crop, --binning and --resize have no use beside it";
   return std::nullopt;
 }
 

@@ -24,11 +24,34 @@ Inputs inputs_of(const CompareRequest& request, const std::string& file) {
   return inputs;
 }
 
+bool is_about_unit(const Diagnostic& entry) { return entry.facts.code == Code::kUnitWithoutUse; }
+
+/// The unit that the request gives is that of files that state none; one that states its own keeps it.
+std::optional<Calibration> read_in_unit(Inputs inputs, Files& files, Diagnostics& diagnostics) {
+  Diagnostics found;
+  std::optional<Calibration> calibration = read_calibration(inputs, files, found);
+  if (std::ranges::any_of(found.entries(), is_about_unit)) {
+    found = {};
+    inputs.length_unit_m.reset();
+    calibration = read_calibration(inputs, files, found);
+  }
+  for (const Diagnostic& entry : found.entries()) diagnostics.add(entry);
+  return calibration;
+}
+
+/// A unit was given, and both files state theirs.
+bool unit_is_without_use(const CompareRequest& request, const Calibration& reference, const Calibration& other) {
+  const auto states_unit = [](const Calibration& calibration) {
+    return std::ranges::none_of(calibration.formats, [](const Format* format) { return format->any_length_unit; });
+  };
+  return request.reference.length_unit_m && states_unit(reference) && states_unit(other);
+}
+
 /// A file with one camera needs no choice, which then names one of the reference's cameras.
 bool has_one_camera(Inputs inputs, Files& files) {
   Diagnostics discarded;
   inputs.cameras.reset();
-  const std::optional<Calibration> calibration = read_calibration(inputs, files, discarded);
+  const std::optional<Calibration> calibration = read_in_unit(inputs, files, discarded);
   return calibration && calibration->rig.cameras.size() == 1;
 }
 
@@ -37,7 +60,7 @@ std::optional<Calibration> read_file(const CompareRequest& request, const std::s
   Inputs inputs = inputs_of(request, file);
   const bool one_chosen = inputs.cameras && inputs.cameras->size() == 1;
   if (one_chosen && file != "-" && has_one_camera(inputs, files)) inputs.cameras.reset();
-  return read_calibration(inputs, files, diagnostics);
+  return read_in_unit(inputs, files, diagnostics);
 }
 
 /// Poses by the names under which the file states them.
@@ -102,7 +125,7 @@ void apply_limits(const CompareRequest& request, const ReferenceFile& reference,
 
 ReferenceFile read_reference(const CompareRequest& request, Files& files) {
   ReferenceFile reference{request.reference.files.front(), {}, {}};
-  reference.calibration = read_calibration(request.reference, files, reference.diagnostics);
+  reference.calibration = read_in_unit(request.reference, files, reference.diagnostics);
   return reference;
 }
 
@@ -110,6 +133,10 @@ ComparedFile compare(const CompareRequest& request, const ReferenceFile& referen
   ComparedFile compared;
   compared.file = file;
   compared.calibration = read_file(request, file, files, compared.diagnostics);
+  if (compared.calibration && unit_is_without_use(request, *reference.calibration, *compared.calibration)) {
+    compared.diagnostics.add(Code::kUnitWithoutUse, {compared.calibration->format->title}, {file, 0, 0});
+    compared.calibration.reset();
+  }
   if (compared.calibration) {
     const CompareOptions options = {.max_angle_rad = request.reference.max_angle_rad,
                                     .every_pixel = request.every_pixel,

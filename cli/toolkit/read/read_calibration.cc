@@ -147,6 +147,13 @@ bool make_metres(double unit_m, const std::string& input, Calibration& calibrati
   return true;
 }
 
+/// What the readers found. Where the unit is given, it is no question any more.
+void add_but_for_units(const Diagnostics& found, const Inputs& inputs, Diagnostics& diagnostics) {
+  for (const Diagnostic& entry : found.entries()) {
+    if (!inputs.length_unit_m || entry.facts.code != Code::kOpencvUnitsNotStated) diagnostics.add(entry);
+  }
+}
+
 }  // namespace
 
 std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
@@ -161,8 +168,9 @@ std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Di
     documents.push_back(*std::move(document));
     if (!add_parts(inputs.format, files, documents, diagnostics)) return std::nullopt;
   }
-  std::optional<Calibration> calibration =
-      read_calibration(std::move(documents), inputs.format, read_options(inputs), diagnostics);
+  Diagnostics found;
+  std::optional<Calibration> calibration = read_calibration(std::move(documents), inputs.format, read_options(inputs), found);
+  add_but_for_units(found, inputs, diagnostics);
   if (!calibration || !has_given_size(inputs, *calibration, diagnostics)) return std::nullopt;
   if (inputs.length_unit_m && !make_metres(*inputs.length_unit_m, inputs.files.front(), *calibration, diagnostics))
     return std::nullopt;
