@@ -13,7 +13,6 @@ using Name = std::string_view;
 
 // Served by a format.
 constexpr std::array kKalibr = {Name("camchain")};
-constexpr std::array kTumvi = {Name("tum-vi")};
 constexpr std::array kDso = {Name("dso"), Name("ldso"), Name("stereo-dso"), Name("dm-vio"), Name("vi-dso"), Name("tandem")};
 constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camodocal"), Name("gvins"),
                               Name("d2slam"),    Name("lvi-sam"),     Name("kitti-360")};
@@ -61,7 +60,6 @@ constexpr std::array kSpectacular = {Name("spectacularai"), Name("sai")};
 
 constexpr std::array kNames = {
     ProgramName{kKalibr, "Kalibr", "kalibr"},
-    ProgramName{kTumvi, "TUM-VI", "tumvi"},
     ProgramName{.names = kDso, .title = "DSO", .format = "tumvi", .extension = ".txt"},
     ProgramName{kVins, "VINS", "vins"},
     ProgramName{kOrbslam3, "ORB-SLAM3", "orbslam3"},
