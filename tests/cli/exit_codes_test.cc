@@ -51,7 +51,7 @@ TEST(ExitCodes, Version) {
 
 TEST(ExitCodes, UnknownNamesAreUsageWithTheNearest) {
   expect_failure(run_program({"covert", kTumvi}), 3, "convert");
-  expect_failure(run_program({"convert", kTumvi, "--to", "orbslam"}), 3, "orbslam3");
+  expect_failure(run_program({"convert", kTumvi, "--to", "orbslan"}), 3, "orbslam3");
   expect_failure(run_program({"convert", kTumvi, "--to", "orbslam3", "--model", "eucn"}), 3, "eucm");
   expect_failure(run_program({"show", kTumvi, "--from", "kaliber"}), 3, "kalibr");
   expect_failure(run_program({"convert", kTumvi, "--to", "orbslam3", "--sensor", "sterio"}), 3, "stereo");

@@ -73,6 +73,8 @@ void warn_of_unused(const std::vector<Acceptance>& accepted, const Verdict& verd
 ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector<FoundFile>& files, Streams& streams) {
   constexpr std::size_t kMost = 4;
   if (arguments.request.inputs.join || files.size() < 2 || files.size() > kMost) return arguments;
+  const bool is_batch = names_folder(arguments.output) || arguments.output.find('{') != std::string::npos;
+  if (is_batch) return arguments;
   if (!std::ranges::all_of(files, [](const FoundFile& file) { return file.named && is_regular(file); })) return arguments;
   ConvertArguments result = arguments;
   result.inputs.clear();
