@@ -11,8 +11,13 @@ namespace fca {
 
 namespace {
 
-/// Steps of the lattice along each side. Even: every second point is asked for the program's ray.
-constexpr int kSteps = 24;
+/// Points over an image: so many steps along each side, and every so many asked for the program's ray, which takes as long.
+struct Lattice {
+  int steps;
+  int to_next_ray;
+};
+constexpr Lattice kCoarse = {24, 2};
+constexpr Lattice kFine = {48, 1};  ///< Where shares of the image are to be told.
 /// A pixel or ray that is further off than this, where programs are known to go wrong, is none.
 constexpr double kWrongPx = 1.0;
 
@@ -35,10 +40,9 @@ class Region {
   }
   void add_wrong_rays(double area) { wrong_rays_ += area; }
 
-  [[nodiscard]] PixelDistance summary() && {
+  [[nodiscard]] PixelDistance summary(const Lattice& lattice) && {
     PixelDistance result;
-    constexpr double kCells = kSteps * kSteps;
-    result.region = asked_ / kCells;
+    result.region = asked_ / (lattice.steps * lattice.steps);
     double answered = 0.0;
     double squares = 0.0;
     for (const Point& point : points_) {
@@ -72,8 +76,10 @@ class Region {
 
 class Comparison {
  public:
-  Comparison(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader, double max_angle_rad)
-      : camera_(camera),
+  Comparison(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader, double max_angle_rad,
+             const Lattice& lattice)
+      : lattice_(lattice),
+        camera_(camera),
         written_(written),
         reader_(reader),
         is_kept_(camera.model == written),
@@ -84,18 +90,20 @@ class Comparison {
     if (!camera_.image_size) return result;
     const Pixel last = {camera_.image_size->width - 1.0, camera_.image_size->height - 1.0};
     const double radius = 0.5 * std::min(last[0], last[1]);
-    const auto width_of = [](int step) { return step == 0 || step == kSteps ? 0.5 : 1.0; };
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; j <= kSteps; ++j) {
-        const Pixel pixel = {last[0] * i / kSteps, last[1] * j / kSteps};
+    const int steps = lattice_.steps;
+    const auto width_of = [steps](int step) { return step == 0 || step == steps ? 0.5 : 1.0; };
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; j <= steps; ++j) {
+        const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
         const bool in_circle = distance_between(pixel, {0.5 * last[0], 0.5 * last[1]}) <= radius;
-        compare_at(pixel, width_of(i) * width_of(j), in_circle, i % 2 == 0 && j % 2 == 0);
+        const bool ask_for_ray = i % lattice_.to_next_ray == 0 && j % lattice_.to_next_ray == 0;
+        compare_at(pixel, width_of(i) * width_of(j), in_circle, ask_for_ray);
       }
     }
     constexpr double kWide = std::numbers::pi / 3.0;  // 60 deg from the axis
     result.is_wide = smallest_cosine_ < std::cos(kWide);
-    result.in_circle = std::move(in_circle_).summary();
-    result.in_image = std::move(in_image_).summary();
+    result.in_circle = std::move(in_circle_).summary(lattice_);
+    result.in_image = std::move(in_image_).summary(lattice_);
     return result;
   }
 
@@ -106,8 +114,8 @@ class Comparison {
     if (!ray || (*ray)[2] < last_cosine_) return;
     smallest_cosine_ = std::min(smallest_cosine_, (*ray)[2]);
     const std::optional<double> distance = distance_at(pixel, *ray);
-    // Rays are asked for at every fourth point, which stands for four.
-    const double wrong_rays = distance && ask_for_ray && has_wrong_ray(pixel) ? 4.0 * area : 0.0;
+    const double points = lattice_.to_next_ray * lattice_.to_next_ray;  // for which one that is asked stands
+    const double wrong_rays = distance && ask_for_ray && has_wrong_ray(pixel) ? points * area : 0.0;
     for (Region* region : {&in_image_, &in_circle_}) {
       if (region == &in_circle_ && !in_circle) continue;
       region->add(area, distance);
@@ -135,6 +143,7 @@ class Comparison {
     return back && distance_between(*back, theirs) > kWrongPx;
   }
 
+  Lattice lattice_;
   const Camera& camera_;
   const CameraModel& written_;
   const consumers::ConsumerCamera& reader_;
@@ -149,7 +158,9 @@ class Comparison {
 
 CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
                            double max_angle_rad) {
-  return Comparison(camera, written, reader, max_angle_rad).run();
+  CameraDistance coarse = Comparison(camera, written, reader, max_angle_rad, kCoarse).run();
+  if (coarse.in_image.no_rays == 0.0) return coarse;
+  return Comparison(camera, written, reader, max_angle_rad, kFine).run();
 }
 
 }  // namespace fca
