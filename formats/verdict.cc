@@ -56,6 +56,7 @@ void add_cameras(const ProofResult& proof, bool is_first, std::vector<Reason>& r
 
 std::vector<Message> facts_of(const std::vector<consumers::Complaint>& complaints) {
   std::vector<Message> messages;
+  messages.reserve(complaints.size());
   for (const consumers::Complaint& complaint : complaints) messages.push_back(complaint.facts);
   return messages;
 }

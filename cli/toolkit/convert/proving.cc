@@ -122,6 +122,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
             const text::Document* base, ConvertResult& result) {
   bool judged = false;
   std::vector<Camera> calibrated;
+  calibrated.reserve(result.cameras.size());
   for (const ConvertedCamera& camera : result.cameras) calibrated.push_back(camera.source);
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);

@@ -57,10 +57,10 @@ void put_pair_first(const ConvertRequest& request, const Format& to, Calibration
   if (to.most_cameras != kPair || cameras.size() <= kPair || request.inputs.cameras || input.format == &to) return;
   const auto pair = stereo_pair(input.rig);
   if (!pair) return;
-  std::ranges::rotate(cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(pair->first),
-                      cameras.begin() + static_cast<std::ptrdiff_t>(pair->first) + 1);
-  std::ranges::rotate(cameras.begin() + 1, cameras.begin() + static_cast<std::ptrdiff_t>(pair->second),
-                      cameras.begin() + static_cast<std::ptrdiff_t>(pair->second) + 1);
+  std::rotate(cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(pair->first),
+              cameras.begin() + static_cast<std::ptrdiff_t>(pair->first) + 1);
+  std::rotate(cameras.begin() + 1, cameras.begin() + static_cast<std::ptrdiff_t>(pair->second),
+              cameras.begin() + static_cast<std::ptrdiff_t>(pair->second) + 1);
 }
 
 }  // namespace
