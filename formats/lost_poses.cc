@@ -78,11 +78,13 @@ std::string program_of(const Format& format, const Written& written) {
   return std::string(format.program);
 }
 
-/// What pose it is: "T_cam_cam", "T_cam_imu"; nothing of other frames.
+constexpr std::string_view kOfCameras = "T_cam_cam";  // weighs most
+
+/// What pose it is: that, or "T_cam_imu"; nothing of other frames.
 std::string_view kind_of(const Rig& rig, const PoseEdge& edge) {
   const FrameKind a = rig.kind_of(edge.a);
   const FrameKind b = rig.kind_of(edge.b);
-  if (a == FrameKind::kCamera && b == FrameKind::kCamera) return "T_cam_cam";
+  if (a == FrameKind::kCamera && b == FrameKind::kCamera) return kOfCameras;
   const bool with_camera = a == FrameKind::kCamera || b == FrameKind::kCamera;
   return with_camera && (a == FrameKind::kImu || b == FrameKind::kImu) ? "T_cam_imu" : "";
 }
@@ -135,9 +137,8 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
     auto row = std::ranges::find(lost, groups, &Row::groups);
     if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}, {}});
     row->poses.push_back("T_" + edge.a + "_" + edge.b);
-    row->key = std::max(row->key, std::string(kind_of(rig, edge)), [](const std::string& a, const std::string& b) {
-      return a.empty() ? !b.empty() : b == "T_cam_cam";  // what weighs most
-    });
+    const std::string_view kind = kind_of(rig, edge);
+    if (kind == kOfCameras || row->key.empty()) row->key = kind;
   }
   std::vector<Loss> losses;
   losses.reserve(lost.size());

@@ -37,13 +37,13 @@ VerdictWord worse(VerdictWord a, VerdictWord b) { return std::max(a, b); }
 /// A program whose files those are not in the first place needs to be that one: no more than care.
 VerdictWord weighed(VerdictWord word, bool is_first) { return is_first ? word : std::min(word, VerdictWord::kUseWithCare); }
 
-void add_cameras(const ProofResult& proof, bool is_first, std::vector<Reason>& reasons) {
+void add_cameras(const ProofResult& proof, std::vector<Reason>& reasons) {
   for (const CameraProof& camera : proof.cameras) {
     const PixelDistance& distance = camera.distance.decisive();
-    const VerdictWord pixels = worse(word_of(distance.rms, kRmsPx), word_of(distance.p99, kP99Px));
+    const VerdictWord pixels = word_of(distance);
     const auto add = [&](VerdictWord word, Code code, std::vector<Argument> arguments) {
       if (word == VerdictWord::kReady) return;
-      reasons.push_back({weighed(word, is_first), {code, std::move(arguments)}, camera.name, distance});
+      reasons.push_back({weighed(word, proof.is_first), {code, std::move(arguments)}, camera.name, distance});
     };
     add(pixels, Code::kVerdictPixelsOff, {proof.program, distance.rms, distance.p99, distance.max});
     constexpr double kSeen = 1.0;  // px
@@ -62,8 +62,14 @@ std::vector<Message> facts_of(const std::vector<consumers::Complaint>& complaint
 }
 
 /// What the program holds otherwise than the rig: that would be a fault of the writer.
-void add_disagreement(const ProofResult& proof, bool is_first, std::vector<Reason>& reasons) {
-  const VerdictWord word = weighed(VerdictWord::kDoNotUse, is_first);
+void add_disagreement(const ProofResult& proof, std::vector<Reason>& reasons) {
+  const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first);
+  for (const CameraProof& camera : proof.cameras) {
+    if (camera.agrees || camera.misread || camera.compared_share == 0.0) continue;
+    reasons.push_back({word,
+                       {Code::kVerdictNumbersDiffer, {proof.program, Message{Code::kPixelsDiffer, {camera.max_diff_px}}}},
+                       camera.name});
+  }
   if (!proof.poses_agree) reasons.push_back({word, {Code::kVerdictPosesDiffer, {proof.program, proof.max_diff_pose}}});
   if (!proof.other_numbers.empty())
     reasons.push_back({word, {Code::kVerdictNumbersDiffer, {proof.program, proof.other_numbers}}});
@@ -74,13 +80,12 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (!facts.has_reader) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNoReader, {facts.to->program}}});
   for (const ProofResult& proof : facts.proofs) {
     if (proof.loads) {
-      add_cameras(proof, proof.is_first, reasons);
-      add_disagreement(proof, proof.is_first, reasons);
+      add_cameras(proof, reasons);
+      add_disagreement(proof, reasons);
       continue;
     }
     // Written for one program, and another reads it: whoever has that one can use it.
-    const bool another_reads = std::ranges::any_of(facts.proofs, &ProofResult::loads) || !proof.read_by.empty();
-    const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first && !another_reads);
+    const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first && proof.read_by.empty());
     std::vector<Message> others;
     if (!proof.read_by.empty()) others.push_back({Code::kVerdictReadBy, {proof.read_by}});
     reasons.push_back({word, {Code::kVerdictRefused, {proof.program, facts_of(proof.refusals), others}}});
@@ -89,15 +94,7 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
 
 /// Is the number, list or matrix one that changes nothing: zeros, or an identity?
 bool is_neutral(const std::string& value) {
-  std::vector<double> numbers;
-  constexpr std::string_view kDigits = "+-.0123456789eE";
-  for (std::size_t at = value.find_first_of(kDigits); at != std::string::npos; at = value.find_first_of(kDigits, at)) {
-    const std::size_t end = std::min(value.find_first_not_of(kDigits, at), value.size());
-    const std::optional<double> number = text::parse_real(value.substr(at, end - at));
-    if (!number) return false;
-    numbers.push_back(*number);
-    at = end;
-  }
+  const std::vector<double> numbers = text::reals_in(value).value_or(std::vector<double>());
   if (numbers.empty()) return false;
   if (std::ranges::all_of(numbers, [](double number) { return number == 0.0; })) return true;
   std::size_t side = 1;
@@ -110,7 +107,8 @@ bool is_neutral(const std::string& value) {
 }
 
 /// What corrects an IMU's measurements, as Kalibr, OpenVINS and Basalt name it; and its clock.
-constexpr std::array<std::string_view, 15> kOfImus = {"M",
+bool corrects_an_imu(std::string_view key) {
+  constexpr std::array<std::string_view, 15> kKeys = {"M",
                                                       "A",
                                                       "C_gyro_i",
                                                       "Tw",
@@ -125,10 +123,7 @@ constexpr std::array<std::string_view, 15> kOfImus = {"M",
                                                       "r_accel_z_i",
                                                       "calib_accel_bias",
                                                       "calib_gyro_bias"};
-
-bool corrects_an_imu(const std::string& key) {
-  const std::string_view last = std::string_view(key).substr(key.rfind('/') == std::string::npos ? 0 : key.rfind('/') + 1);
-  return std::ranges::find(kOfImus, last) != kOfImus.end();
+  return std::ranges::find(kKeys, key.substr(key.rfind('/') + 1)) != kKeys.end();  // npos + 1 is 0
 }
 
 const double* number_in(const Loss& loss, std::size_t index) {
@@ -154,24 +149,24 @@ void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
 }
 
 /// Is the same defect of the same camera, which messages name first, among the reasons?
-bool is_told(const std::vector<Reason>& reasons, const Finding& finding, Code kind) {
+bool is_among(const std::vector<Reason>& reasons, const Finding& finding) {
   return std::ranges::any_of(reasons, [&](const Reason& reason) {
     const bool same_owner = reason.facts.arguments.empty() || finding.facts.arguments.empty() ||
                             reason.facts.arguments.front() == finding.facts.arguments.front();
-    return id_of(reason) == info(kind).id && same_owner;
+    return id_of(reason) == id_of(finding) && same_owner;
   });
 }
 
 void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   for (const Finding& finding : facts.findings) {
-    const Code kind = finding.kind != Code{} ? finding.kind : finding.facts.code;
+    const Code kind = code_of(finding);
     if (finding.severity == Severity::kNote) continue;
     // What programs refuse and misread, their proofs say, in numbers.
     const bool counts = info(kind).about == About::kMeaning || (!facts.is_read && finding.severity == Severity::kError);
     if (!counts) continue;
-    if (facts.rig != nullptr && info(kind).id == info(Code::kVerdictPosesContradict).id) continue;  // decided by its numbers
+    if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
-    if (is_told(reasons, finding, kind)) continue;
+    if (is_among(reasons, finding)) continue;
     reasons.push_back({.word = word, .facts = finding.facts, .remedy = finding.remedy, .kind = kind});
   }
 }
@@ -191,6 +186,10 @@ void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons)
 }
 
 }  // namespace
+
+VerdictWord word_of(const PixelDistance& distance) {
+  return worse(word_of(distance.rms, kRmsPx), word_of(distance.p99, kP99Px));
+}
 
 std::string_view name_of(VerdictWord word) {
   constexpr std::array<std::string_view, 3> kNames = {"ready", "use-with-care", "do-not-use"};

@@ -22,7 +22,7 @@ namespace fca::cli {
 
 namespace {
 
-/// Is it about what a program makes of the file, and not about what the file says?
+/// Is it about how a program reads the file, and not about what the file contains?
 bool is_about_program(const Finding& finding) {
   constexpr std::array kOfPrograms = {Code::kAnyProgramFindsNoCamera, Code::kAnyProgramIgnores, Code::kAnyProgramMisreads,
                                       Code::kAnyProgramOtherFormat, Code::kAnyProgramRefuses};

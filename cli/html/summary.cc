@@ -6,6 +6,7 @@
 #include "shell/option_hints.h"
 #include "shell/words.h"
 #include "table.h"
+#include "tile.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
@@ -16,14 +17,6 @@
 namespace fca::cli {
 
 namespace {
-
-void put_tile(Html& html, const std::string& title, const std::string& big, const std::vector<std::string>& small) {
-  html.element("div", {{"class", "tile"}}, [&] {
-    html.element("div", {{"class", "soft"}}, title);
-    html.element("div", {{"class", "big"}}, big);
-    for (const std::string& line : small) html.element("div", {{"class", "soft"}}, line);
-  });
-}
 
 std::string short_model_line(const Camera& camera) {
   const std::string size = camera.image_size ? ", " + size_in_words(*camera.image_size) + " px" : ", image size not stated";

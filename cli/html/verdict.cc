@@ -4,6 +4,7 @@
 #include "shell/option_hints.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
+#include "tile.h"
 
 #include <fca/formats/wording.h>
 
@@ -27,14 +28,6 @@ std::string class_of(VerdictWord word) {
       return "card verdict stop";
   }
   return "";
-}
-
-void put_tile(Html& html, const std::string& title, const std::string& big, const std::string& small) {
-  html.element("div", {{"class", "tile"}}, [&] {
-    html.element("div", {{"class", "soft"}}, title);
-    html.element("div", {{"class", "big"}}, big);
-    html.element("div", {{"class", "soft"}}, small);
-  });
 }
 
 /// The cameras as the program sees them that the file is for.
@@ -61,7 +54,7 @@ void put_pixels(Html& html, const std::vector<CameraProof>& cameras) {
   if (worst == cameras.end()) return;
   const PixelDistance& distance = worst->distance.decisive();
   put_tile(html, "Worst camera, as the program sees it", pixels(distance.rms) + " px rms",
-           worst->name + ": 99 % within " + pixels(distance.p99) + " px, worst " + pixels(distance.max) + " px");
+           {worst->name + ": 99 % within " + pixels(distance.p99) + " px, worst " + pixels(distance.max) + " px"});
   const auto compared = [](const CameraProof& camera) {
     return camera.distance.in_image.region * (1.0 - camera.distance.in_image.no_rays);
   };
@@ -70,9 +63,9 @@ void put_pixels(Html& html, const std::vector<CameraProof>& cameras) {
   constexpr double kNoticeable = 5e-4;
   const bool distance_covers_image = least->distance.in_image.region > 1.0 - kNoticeable;
   put_tile(html, "Compared", percent(compared(*least)) + " of the image",
-           missing > kNoticeable   ? "the program has no right ray for " + percent(missing)
-           : distance_covers_image ? "the program has a ray for every pixel"
-                                   : "the program has a ray for all that counts as lens");
+           {missing > kNoticeable   ? "the program has no right ray for " + percent(missing)
+            : distance_covers_image ? "the program has a ray for every pixel"
+                                    : "the program has a ray for all that counts as lens"});
 }
 
 void put_settings(Html& html, const ReportContents& contents) {
@@ -81,7 +74,7 @@ void put_settings(Html& html, const ReportContents& contents) {
   for (const DefaultedValue& value : contents.conversion->defaults) {
     if (value.look_at_it) settings.push_back(value.key);
   }
-  put_tile(html, "To set by hand", settings.empty() ? "nothing" : counted(settings.size(), "value"), enumerated(settings));
+  put_tile(html, "To set by hand", settings.empty() ? "nothing" : counted(settings.size(), "value"), {enumerated(settings)});
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "help_text.h"
 
+#include "shell/words.h"
+
 #include <algorithm>
 #include <array>
 #include <sstream>
@@ -13,7 +15,6 @@ namespace fca::cli {
 
 namespace {
 
-constexpr std::size_t kWidth = 80;
 constexpr std::size_t kNames = 24;  ///< Columns of an option's name; its explanation stands to the right.
 
 struct GroupTitle {
@@ -26,25 +27,6 @@ constexpr std::array kTitles = {
     GroupTitle{OptionGroup::kLens, "What counts as lens"}, GroupTitle{OptionGroup::kProof, "Proof and limits"},
     GroupTitle{OptionGroup::kOutput, "Output"}};
 
-/// The words of a text in lines of at most kWidth characters. Every line but the first begins with `indent` blanks; the first
-/// has as many characters before it already.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::istringstream words(text);
-  std::string result;
-  std::size_t column = indent;
-  for (std::string word; words >> word; column += word.size()) {
-    if (column > indent && column + 1 + word.size() > kWidth) {
-      result += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      result += ' ';
-      ++column;
-    }
-    result += word;
-  }
-  return result;
-}
-
 /// A name and its explanation.
 std::string entry(const std::string& name, const std::string& explanation, std::size_t indent) {
   std::string line = "  " + name;
@@ -53,7 +35,7 @@ std::string entry(const std::string& name, const std::string& explanation, std::
   } else {
     line.append(indent - line.size(), ' ');
   }
-  return line + wrapped(explanation, indent) + "\n";
+  return line + in_columns(explanation, indent, indent) + "\n";
 }
 
 /// Lines that begin with a blank stay; those between them are paragraphs.
@@ -62,7 +44,7 @@ std::string paragraphs(const std::string& text) {
   std::string result;
   std::string paragraph;
   const auto end_paragraph = [&] {
-    if (!paragraph.empty()) result += wrapped(paragraph, 0) + "\n";
+    if (!paragraph.empty()) result += in_columns(paragraph, 0, 0) + "\n";
     paragraph.clear();
   };
   for (std::string line; std::getline(lines, line);) {

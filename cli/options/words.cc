@@ -34,6 +34,13 @@ std::optional<ImageSize> parse_size(std::string_view text) {
   return ImageSize{*width, *height};
 }
 
+/// A program that fca-io knows and has no format for.
+std::string not_served(const ProgramName& program, std::string_view option) {
+  const std::string what = std::string(program.title) + " reads " + std::string(program.reads);
+  if (option == "--from") return what + ", which fca-io does not read; as " + std::string(program.format) + " it may";
+  return what + ", which fca-io does not write; the nearest is " + std::string(option) + " " + std::string(program.format);
+}
+
 }  // namespace
 
 std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
@@ -51,17 +58,6 @@ std::string target_names() { return format_names() + "; or a program, such as vi
 std::string model_names() { return text::enumerated(model_ids()); }
 
 std::string unknown_format(std::string_view typed) { return unknown_word("format", typed, format_ids()); }
-
-namespace {
-
-/// A program that fca-io knows and has no format for.
-std::string not_served(const ProgramName& program, std::string_view option) {
-  const std::string what = std::string(program.title) + " reads " + std::string(program.reads);
-  if (option == "--from") return what + ", which fca-io does not read; as " + std::string(program.format) + " it may";
-  return what + ", which fca-io does not write; the nearest is " + std::string(option) + " " + std::string(program.format);
-}
-
-}  // namespace
 
 std::string unknown_model(std::string_view typed) { return unknown_word("camera model", typed, model_ids()); }
 

@@ -10,8 +10,8 @@ namespace fca::cli {
 std::vector<std::string> stored_by_in_words(const Candidate& candidate) {
   std::vector<std::string> names;
   for (const StoringFormat& format : candidate.stored_by) {
-    const bool anew = format.demands != Code::kNone;
-    names.push_back(format.name + (anew ? " (fitted anew: " + text::text_of({format.demands}, with_options) + ")" : ""));
+    const bool refitted = format.demands != Code::kNone;
+    names.push_back(format.name + (refitted ? " (refitted: " + text::text_of({format.demands}, with_options) + ")" : ""));
   }
   return names;
 }

@@ -9,7 +9,7 @@
 
 namespace fca::cli {
 
-/// "OpenVINS pinhole-radtan (fitted anew: it has no k3)": who stores the candidate's model, and who demands other numbers.
+/// "OpenVINS pinhole-radtan (refitted: it has no k3)": who stores the candidate's model, and who demands other numbers.
 [[nodiscard]] std::vector<std::string> stored_by_in_words(const Candidate& candidate);
 
 }  // namespace fca::cli

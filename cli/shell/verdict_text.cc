@@ -14,29 +14,8 @@ namespace fca::cli {
 
 namespace {
 
-constexpr std::size_t kColumns = 80;
 constexpr std::size_t kIndent = 2;
 constexpr std::size_t kAbout = 11;  // the column of what a line is about
-
-/// Words in lines; the first line continues one that is `used` characters long.
-std::string wrapped_at(const std::string& text, std::size_t used, std::size_t indent) {
-  std::string result;
-  std::size_t column = used;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
-    at = end + 1;
-    const bool is_first = column == indent;
-    if (!is_first && column + 1 + word.size() > kColumns) {
-      result += "\n" + std::string(indent, ' ') + word;
-      column = indent + word.size();
-    } else {
-      result += (is_first ? "" : " ") + word;
-      column += word.size() + (is_first ? 0 : 1);
-    }
-  }
-  return result;
-}
 
 /// What kind of thing the reason is about.
 std::string_view label_of(const Reason& reason) {
@@ -101,16 +80,12 @@ std::string summary_text(const std::vector<SummaryLine>& lines) {
   constexpr std::size_t kText = kIndent + kAbout + 2;
   for (const SummaryLine& line : merged) {
     const std::string head = std::string(kIndent, ' ') + padded(text::printable(line.about), kAbout) + "  ";
-    text += head + wrapped_at(text::printable(line.text), head.size(), kText) + "\n";
+    text += head + in_columns(text::printable(line.text), head.size(), kText) + "\n";
   }
   return text;
 }
 
-std::string wrapped_line(const std::string& sentence) {
-  const std::string text = text::printable(sentence);
-  const std::size_t first = std::min(text.find(' '), text.size());
-  return text.substr(0, first) + wrapped_at(text.substr(std::min(first + 1, text.size())), first, kIndent) + "\n";
-}
+std::string wrapped_line(const std::string& sentence) { return in_columns(text::printable(sentence), 0, kIndent) + "\n"; }
 
 std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
   std::vector<SummaryLine> lines;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <sstream>
 
 namespace fca::cli {
 
@@ -67,6 +68,26 @@ std::string parameters_in_words(const CameraModel& model, std::string_view inden
   for (std::size_t i = 0; i < parameters.size(); ++i)
     parts.push_back(std::string(parameters[i].name) + " " + text::format_short(parameter_values(model)[i], 9));
   return in_lines(parts, indent, "  ");
+}
+
+std::string in_columns(std::string_view text, std::size_t used, std::size_t indent) {
+  constexpr std::size_t kColumns = 80;
+  std::istringstream words{std::string(text)};
+  std::string result;
+  std::size_t column = used;
+  bool begins_line = true;
+  for (std::string word; words >> word; column += word.size()) {
+    if (!begins_line && column + 1 + word.size() > kColumns) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!begins_line) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    begins_line = false;
+  }
+  return result;
 }
 
 std::string padded(std::string_view text, std::size_t width) {

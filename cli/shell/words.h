@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How numbers and things are said to people.
+// Numbers and things in words, for people.
 #pragma once
 
 #include "toolkit/words.h"
@@ -28,6 +28,9 @@ namespace fca::cli {
 /// A text in lines of at most 100 characters, each behind `indent`; a command ("fca-io ..." to the next comma, semicolon or
 /// parenthesis) stays in one line.
 [[nodiscard]] std::string paragraph(std::string_view text, std::string_view indent);
+/// Words in lines of 80 columns, without a line break at the end. The first line goes on with one of `used` characters; the
+/// others begin with `indent` blanks.
+[[nodiscard]] std::string in_columns(std::string_view text, std::size_t used, std::size_t indent);
 /// Padded with blanks to `width` on the right.
 [[nodiscard]] std::string padded(std::string_view text, std::size_t width);
 using text::enumerated;

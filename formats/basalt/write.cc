@@ -121,14 +121,7 @@ std::vector<double> bias_of(const Rig& rig, const Bias& bias) {
   std::vector<double> values(bias.count, 0.0);
   const ExtraField* extra = rig.find_extra_field(kImu, bias.key);
   if (extra == nullptr) return values;
-  std::vector<double> read;
-  constexpr std::string_view kDigits = "+-.0123456789eE";
-  const std::string& text = extra->value;
-  for (std::size_t at = text.find_first_of(kDigits); at != std::string::npos; at = text.find_first_of(kDigits, at)) {
-    const std::size_t end = std::min(text.find_first_not_of(kDigits, at), text.size());
-    if (const std::optional<double> number = text::parse_real(text.substr(at, end - at))) read.push_back(*number);
-    at = end;
-  }
+  const std::vector<double> read = text::reals_in(extra->value).value_or(std::vector<double>());
   return read.size() == bias.count ? read : values;
 }
 

@@ -87,4 +87,17 @@ std::string format_short(double value, int digits) {
   return {buffer.data(), result.ptr};
 }
 
+std::optional<std::vector<double>> reals_in(std::string_view list) {
+  constexpr std::string_view kDigits = "+-.0123456789eE";
+  std::vector<double> numbers;
+  for (std::size_t at = list.find_first_of(kDigits); at != std::string_view::npos; at = list.find_first_of(kDigits, at)) {
+    const std::size_t end = std::min(list.find_first_not_of(kDigits, at), list.size());
+    const std::optional<double> number = parse_real(list.substr(at, end - at));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    at = end;
+  }
+  return numbers;
+}
+
 }  // namespace fca::text

@@ -190,6 +190,26 @@ TEST(VerdictFirst, EveryOutputSaysTheSame) {
   EXPECT_TRUE(contains(page.out, ">Ready<")) << word_of(converted);
 }
 
+TEST(VerdictFirst, QuietSaysWhyAFileIsNotWritten) {
+  const TemporaryFolder folder;
+  const RunResult run =
+      run_program({"convert", testdata("checks/left-handed.yaml"), "--to", "kalibr", "-q", "-o", folder / "out.yaml"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(contains(run.err, "--accept left-handed")) << run.err;
+}
+
+// With more inputs than have reports of their own the table names the word.
+TEST(VerdictFirst, ALargeBatchNamesEveryWord) {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 9; ++i) folder.write("good" + std::to_string(i) + ".yaml", read_file(kTumvi));
+  folder.write("mirrored.yaml", read_file(testdata("checks/left-handed.yaml")));
+  const RunResult run = run_program({"convert", folder.path().string(), "--to", "kalibr", "-o", folder / "out/"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.out, "do not use")) << run.out;
+  EXPECT_TRUE(contains(run.out, "ready")) << run.out;
+}
+
 TEST(VerdictFirst, QuietSaysNothingOfAGoodFile) {
   const TemporaryFolder folder;
   const RunResult run = run_program({"convert", kTumvi, "--to", "kalibr", "--model", "ds", "-q", "-o", folder / "out.yaml"});

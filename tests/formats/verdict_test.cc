@@ -34,21 +34,21 @@ VerdictWord word_of(const ProofResult& proof) {
   return decide(facts).word;
 }
 
-VerdictWord word_of(const PixelDistance& all) { return word_of(proof_of(all, all, false)); }
+VerdictWord decided(const PixelDistance& all) { return word_of(proof_of(all, all, false)); }
 
 TEST(Verdict, PixelsDecideByTheirRmsAndTheirNinetyNinthPercentile) {
-  EXPECT_EQ(word_of(distance(0.25, 1.0)), VerdictWord::kReady) << "whatever the worst pixel";
-  EXPECT_EQ(word_of(distance(0.251, 0.5)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(word_of(distance(0.1, 1.01)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(word_of(distance(2.0, 5.0)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(word_of(distance(2.01, 3.0)), VerdictWord::kDoNotUse);
-  EXPECT_EQ(word_of(distance(1.0, 5.01)), VerdictWord::kDoNotUse);
+  EXPECT_EQ(decided(distance(0.25, 1.0)), VerdictWord::kReady) << "whatever the worst pixel";
+  EXPECT_EQ(decided(distance(0.251, 0.5)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(0.1, 1.01)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(2.0, 5.0)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(2.01, 3.0)), VerdictWord::kDoNotUse);
+  EXPECT_EQ(decided(distance(1.0, 5.01)), VerdictWord::kDoNotUse);
 }
 
 TEST(Verdict, WhatHasNoRightRayCountsAsAShare) {
-  EXPECT_EQ(word_of(distance(0.0, 0.0, 0.01)), VerdictWord::kReady);
-  EXPECT_EQ(word_of(distance(0.0, 0.0, 0.011)), VerdictWord::kUseWithCare);
-  EXPECT_EQ(word_of(distance(0.0, 0.0, 0.51)), VerdictWord::kDoNotUse);
+  EXPECT_EQ(decided(distance(0.0, 0.0, 0.01)), VerdictWord::kReady);
+  EXPECT_EQ(decided(distance(0.0, 0.0, 0.011)), VerdictWord::kUseWithCare);
+  EXPECT_EQ(decided(distance(0.0, 0.0, 0.51)), VerdictWord::kDoNotUse);
 }
 
 TEST(Verdict, TheCornersOfAWideLensDoNotDecide) {
@@ -65,6 +65,30 @@ TEST(Verdict, AProgramThatRefusesIsEnough) {
   refusing.read_by.clear();
   refusing.is_first = false;
   EXPECT_EQ(word_of(refusing), VerdictWord::kUseWithCare) << "it is not written for that one";
+}
+
+// A chain that Kalibr refuses is none the better for the imu.yaml beside it.
+TEST(Verdict, AnotherFileThatLoadsDoesNotExcuseARefusal) {
+  ProofResult refusing = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
+  refusing.loads = false;
+  ProofResult imu;
+  imu.loads = imu.without_cameras = imu.pixels_agree = imu.poses_agree = true;
+  const std::vector<ProofResult> proofs = {refusing, imu};
+  VerdictFacts facts;
+  facts.to = find_format("kalibr");
+  facts.proofs = proofs;
+  EXPECT_EQ(decide(facts).word, VerdictWord::kDoNotUse);
+}
+
+TEST(Verdict, PixelsThatDifferForNoKnownReasonAreNotUsed) {
+  ProofResult proof = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
+  CameraProof& camera = proof.cameras.front();
+  camera.compared_share = 1.0;
+  EXPECT_EQ(word_of(proof), VerdictWord::kReady);
+  camera.agrees = false;
+  EXPECT_EQ(word_of(proof), VerdictWord::kDoNotUse) << "the writer is at fault";
+  camera.misread = true;
+  EXPECT_EQ(word_of(proof), VerdictWord::kUseWithCare) << "the program is, and its distance counts";
 }
 
 TEST(Verdict, WithoutAProgramItIsNoMoreThanCare) {

@@ -2,6 +2,7 @@
 #include "batch.h"
 
 #include "shell/progress.h"
+#include "shell/verdict_text.h"
 #include "shell/words.h"
 #include "toolkit/parallel_for.h"
 
@@ -70,8 +71,7 @@ std::string result(const ConvertOutcome& outcome) {
   for (const Diagnostic& entry : outcome.diagnostics.entries()) {
     if (entry.severity == Severity::kError) return "error: " + id_of(entry);
   }
-  const auto warnings = std::ranges::count(outcome.diagnostics.entries(), Severity::kWarning, &Diagnostic::severity);
-  return warnings == 0 ? "good" : counted(static_cast<std::size_t>(warnings), "warning");
+  return std::string(in_words(outcome.verdict.word));
 }
 
 constexpr std::size_t kGap = 2;

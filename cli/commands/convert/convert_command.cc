@@ -123,23 +123,24 @@ ExitCode run_convert(const ConvertArguments& given, const Invocation& invocation
       tried += arguments.dry_run ? 1 : write_outputs(arguments, std::span(outcomes).subspan(i), console);
     }
     if (!arguments.json) {
-      if (!outcome.files.empty() && outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo && in_full) {
-        const bool written = !arguments.dry_run;
-        std::string report = arguments.quiet ? "" : convert_summary(outcome, written);
-        if (arguments.verbose > 0) report += "\n" + convert_text(outcome, written);
-        file_on_stdout && !arguments.dry_run ? console.say_aside(report) : console.say(report);
-      }
       const bool has_result = outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo;
-      const bool is_summed_up = has_result && arguments.verbose == 0;
-      in_full && !arguments.quiet && !is_summed_up ? console.show(outcome.diagnostics)
-                                                   : console.show_errors(outcome.diagnostics);
+      // That a file is not to be used is an error, also for those who want to see errors only.
+      const bool is_wanted = !arguments.quiet || outcome.code != ExitCode::kGood;
+      if (has_result && in_full && is_wanted && !outcome.files.empty()) {
+        const bool written = !arguments.dry_run;
+        std::string report = convert_summary(outcome, written);
+        if (arguments.verbose) report += "\n" + convert_text(outcome, written);
+        (file_on_stdout && written) || arguments.quiet ? console.say_aside(report) : console.say(report);
+      }
+      const bool shows_all = in_full && !arguments.quiet && (arguments.verbose || !has_result);
+      shows_all ? console.show(outcome.diagnostics) : console.show_errors(outcome.diagnostics);
       if (has_result) warn_of_unused(arguments.request.accepted, outcome.verdict, console);
     }
     code = worse(code, outcome.code);
   }
   if (arguments.json) console.out(convert_json(outcomes, console));
   const bool several = outcomes.size() > 1 || batch.skipped > 0 || batch.left > 0;
-  if (several) {
+  if (several && !arguments.quiet) {
     const std::string text = batch_text(batch, !arguments.dry_run);
     arguments.json ? console.say_aside(text) : console.say(text);
   }
@@ -198,7 +199,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.flag("--force", "Overwrite existing files", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
   options.flag("--json", "One JSON document on standard output", arguments.json);
-  options.counted_flag("-v,--verbose", "The full report; -vv: with its tables", arguments.verbose);
+  options.flag("-v,--verbose", "The full report, with its tables", arguments.verbose);
   options.flag("-q,--quiet", "Errors only", arguments.quiet);
   options.footer(
       "Example:\n"
@@ -214,7 +215,7 @@ void add_convert_command(Application& application) {
                     const auto arguments = std::make_shared<ConvertArguments>();
                     add_options(options, *arguments);
                     return [arguments](const Invocation& invocation, Console& console) {
-                      arguments->request.in_detail = arguments->json || arguments->verbose > 0;
+                      arguments->request.in_detail = arguments->json || arguments->verbose;
                       const std::string extension = std::filesystem::path(arguments->output).extension().string();
                       if (!extension.empty()) arguments->request.extension = extension;
                       return run_convert(*arguments, invocation, console);

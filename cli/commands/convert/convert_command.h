@@ -15,7 +15,7 @@ void add_convert_command(Application& application);
 
 /// "kb4 -> eucm, fitted"
 [[nodiscard]] std::string camera_line(const ConvertedCamera& camera);
-/// What a real program makes of the written files.
+/// How a real program reads the written files.
 struct ProofWords {
   std::string verdict;               ///< "Kalibr loads it; ..."
   std::vector<std::string> details;  ///< What belongs to it, a line each.

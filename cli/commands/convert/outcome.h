@@ -20,8 +20,8 @@ struct ConvertArguments {
   bool fsync = false;
   bool dry_run = false;
   bool json = false;
-  int verbose = 0;     ///< 1: the full report; 2: its tables, too.
-  bool quiet = false;  ///< Errors only.
+  bool verbose = false;  ///< The full report.
+  bool quiet = false;    ///< Errors only.
 };
 
 /// What came of one input.

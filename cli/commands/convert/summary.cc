@@ -71,7 +71,7 @@ void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines
 void add_left_out(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> cameras;
   for (const Loss& loss : outcome.losses) {
-    if (info(loss.kind).id == info(Code::kOrbslam3ThirdCameraDropped).id) cameras.push_back(loss.owner);
+    if (same_id(loss.kind, Code::kOrbslam3ThirdCameraDropped)) cameras.push_back(loss.owner);
   }
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras)});
 }

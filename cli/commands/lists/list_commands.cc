@@ -202,8 +202,8 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) continue;
     const std::vector<Diagnostic>& why = candidate.diagnostics.entries();
-    text += wrapped_line("  " + std::string(candidate.model->id) + ": " +
-                         (why.empty() ? "does not fit" : message_of(why.back(), with_options)));
+    const std::string why_not = why.empty() ? "does not fit" : message_of(why.back(), with_options);
+    text += "  " + in_columns(std::string(candidate.model->id) + ": " + why_not, 2, 4) + "\n";
   }
   return text;
 }

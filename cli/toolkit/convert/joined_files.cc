@@ -109,7 +109,7 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
   Written all;
   for (const auto& [camera, part] : own) {
     Rig said = alone(rig, camera, part);
-    // What is no camera's (an IMU of a further file) is told once.
+    // What belongs to no camera (an IMU of a further file) is listed once.
     if (rest.cameras.empty()) {
       said.imus = std::exchange(rest.imus, {});
       said.extra_fields.insert(said.extra_fields.end(), rest.extra_fields.begin(), rest.extra_fields.end());

@@ -4,6 +4,7 @@
 #include "writing.h"
 
 #include <fca/convert/reach.h>
+#include <fca/formats/verdict.h>
 
 #include <algorithm>
 #include <optional>
@@ -17,7 +18,6 @@ namespace fca {
 namespace {
 
 constexpr double kNoticeable = 0.25;  // px, at worst
-constexpr double kGoodEnough = 0.25;  // px rms; p99 of four times that: the limits of a file that is ready
 
 const ProofResult* first_proof(const ConvertResult& result) {
   const auto proof = std::ranges::find_if(result.proofs, [](const ProofResult& each) { return each.is_first; });
@@ -62,7 +62,9 @@ bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
 /// worth it.
 bool is_better(const ConvertResult& other, const ConvertResult& best) {
   if (!(worst_rms_px(other) < worst_rms_px(best))) return false;
-  const bool is_good = worst_rms_px(best) <= kGoodEnough && largest(best, &PixelDistance::p99) <= 4.0 * kGoodEnough;
+  const bool is_good = std::ranges::all_of(first_proof(best)->cameras, [](const CameraProof& camera) {
+    return word_of(camera.distance.decisive()) == VerdictWord::kReady;
+  });
   return !is_good || has_same_models(other, best);
 }
 
@@ -126,8 +128,8 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   ConvertRequest other = request;
   // First in the models that the cameras have: nothing is fitted for that.
   for (const std::string_view layout : result.to->layouts) {
-    other.layout = {result.to, std::string(layout)};
     if (choice.is_good()) break;
+    other.layout = {result.to, std::string(layout)};
     if (layout != request.layout.name) choice.consider(written_as(other, start, before, result), layout);
   }
   if (!choice.is_good() && request.model == nullptr) {

@@ -46,13 +46,12 @@ std::optional<consumers::Complaint> first_refusal(const std::string& bytes, cons
   return view.loads() ? std::nullopt : std::optional(std::move(view.refusals.front()));
 }
 
-/// Programs that the file is not written for and that load it.
-std::vector<std::string> other_readers(const ConvertedFile& file, const consumers::LoadOptions& options) {
-  const std::string_view format = consumers::find_consumer(file.programs.front())->format;
+/// Programs that load a file which `refusing` does not.
+std::vector<std::string> other_readers(const consumers::Consumer& refusing, const ConvertedFile& file,
+                                       const consumers::LoadOptions& options) {
   std::vector<std::string> names;
   for (const consumers::Consumer& each : consumers::all_consumers()) {
-    const bool is_asked = std::ranges::find(file.programs, each.id) != file.programs.end();
-    if (is_asked || !each.reads(format) || each.cameras == file.cameras.empty()) continue;
+    if (each.id == refusing.id || !each.reads(refusing.format) || each.cameras == file.cameras.empty()) continue;
     const consumers::ConsumerView view = each.load(file.bytes, options);
     const bool misreads = std::ranges::any_of(view.cameras, &consumers::ConsumerCamera::misread);
     if (view.loads() && !misreads) names.emplace_back(each.program);
@@ -133,7 +132,7 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
         *consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
         [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);
     proof.is_first = id == output.programs.front();
-    if (!proof.loads) proof.read_by = other_readers(output, options);
+    if (!proof.loads) proof.read_by = other_readers(*consumer, output, options);
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&

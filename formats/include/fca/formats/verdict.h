@@ -29,6 +29,9 @@ struct VerdictFacts {
   std::span<const Acceptance> accepted = {};
 };
 
+/// By pixels alone.
+[[nodiscard]] VerdictWord word_of(const PixelDistance& distance);
+
 [[nodiscard]] Verdict decide(const VerdictFacts& facts);
 
 /// Does a program of the format, started in that mode, miss what was lost? If not it is a detail: a topic, an identity matrix,

@@ -17,7 +17,8 @@ namespace fca {
 /// A format that stores a model.
 struct StoringFormat {
   std::string name;
-  Code demands = {};  ///< Why the format has the camera's numbers fitted anew, a clause; kNone: it stores these very numbers.
+  Code demands =
+      {};  ///< Why the camera's numbers are fitted again for the format, a clause; kNone: it stores these very numbers.
   bool operator==(const StoringFormat&) const = default;
 };
 

@@ -5,12 +5,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fca::text {
 
 /// A whole real or integer literal: "1.5", "-2.", "+.5", "1e-5", "017" (seventeen). Also "nan" and "inf" in YAML's spellings
 /// (".nan", "-.Inf") . Nothing if anything else stands there.
 [[nodiscard]] std::optional<double> parse_real(std::string_view text);
+/// Those of a list or matrix ("[[1.0, 2.0], [3.0, 4.0]]"), in their order; nothing where one cannot be read.
+[[nodiscard]] std::optional<std::vector<double>> reals_in(std::string_view list);
 
 /// A whole decimal integer literal that fits.
 [[nodiscard]] std::optional<int> parse_int(std::string_view text);
