@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/pixel_distance.h>
 
+#include "reader_pixels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,10 +28,6 @@ struct Point {
   double area = 0.0;      ///< For how many cells it stands.
   double distance = 0.0;  ///< px
 };
-
-double distance_between(const Pixel& a, const Pixel& b) {
-  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
-}
 
 /// Collects one region.
 class Region {
@@ -95,7 +93,7 @@ class Comparison {
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; j <= steps; ++j) {
         const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
-        const bool in_circle = distance_between(pixel, {0.5 * last[0], 0.5 * last[1]}) <= radius;
+        const bool in_circle = distance(pixel, {0.5 * last[0], 0.5 * last[1]}) <= radius;
         const bool ask_for_ray = i % lattice_.to_next_ray == 0 && j % lattice_.to_next_ray == 0;
         compare_at(pixel, width_of(i) * width_of(j), in_circle, ask_for_ray);
       }
@@ -115,7 +113,7 @@ class Comparison {
     smallest_cosine_ = std::min(smallest_cosine_, (*ray)[2]);
     const std::optional<double> distance = distance_at(pixel, *ray);
     const double points = lattice_.to_next_ray * lattice_.to_next_ray;  // for which one that is asked stands
-    const double wrong_rays = distance && ask_for_ray && has_wrong_ray(pixel) ? points * area : 0.0;
+    const double wrong_rays = distance && ask_for_ray && wrong_ray_px(pixel, reader_) > kWrongPx ? points * area : 0.0;
     for (Region* region : {&in_image_, &in_circle_}) {
       if (region == &in_circle_ && !in_circle) continue;
       region->add(area, distance);
@@ -128,19 +126,10 @@ class Comparison {
     if (!is_kept_ && !project(written_, ray)) return std::nullopt;
     const std::optional<Pixel> theirs = reader_.project(ray);
     if (!theirs) return std::nullopt;
-    const double distance = distance_between({(*theirs)[0] / reader_.scale[0], (*theirs)[1] / reader_.scale[1]}, pixel);
+    const double distance = fca::distance(in_file_pixels(*theirs, reader_), pixel);
     // From 90 degrees on some programs mirror.
     if (!std::isfinite(distance) || (ray[2] <= 0.0 && distance > kWrongPx)) return std::nullopt;
     return distance;
-  }
-
-  /// Does the program's own ray of the pixel lead back to another pixel?
-  [[nodiscard]] bool has_wrong_ray(const Pixel& pixel) const {
-    if (!reader_.unproject) return false;
-    const Pixel theirs = {pixel[0] * reader_.scale[0], pixel[1] * reader_.scale[1]};
-    const std::optional<Ray> ray = reader_.unproject(theirs);
-    const std::optional<Pixel> back = ray ? reader_.project(*ray) : std::nullopt;
-    return back && distance_between(*back, theirs) > kWrongPx;
   }
 
   Lattice lattice_;

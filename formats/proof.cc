@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/proof.h>
 
+#include "reader_pixels.h"
+
 #include <fca/code.h>
 #include <fca/formats/format.h>
 #include <fca/formats/wording.h>
@@ -50,20 +52,6 @@ struct Comparison {
   }
 };
 
-/// Between pixels. (std::hypot, which also knows distances that doubles hold and their squares do not, takes ten times as
-/// long.)
-double distance(const Pixel& a, const Pixel& b) {
-  return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]));
-}
-
-Pixel in_file_pixels(const Pixel& pixel, const consumers::ConsumerCamera& theirs) {
-  return {pixel[0] / theirs.scale[0], pixel[1] / theirs.scale[1]};
-}
-
-Pixel in_their_pixels(const Pixel& pixel, const consumers::ConsumerCamera& theirs) {
-  return {pixel[0] * theirs.scale[0], pixel[1] * theirs.scale[1]};
-}
-
 /// On the other side of the program's image centre? So the formulas that divide by z answer rays from behind.
 bool is_mirrored(const consumers::ConsumerCamera& theirs, const Pixel& image, const Pixel& pixel) {
   const std::optional<Pixel> centre = theirs.project({0.0, 0.0, 1.0});
@@ -71,15 +59,6 @@ bool is_mirrored(const consumers::ConsumerCamera& theirs, const Pixel& image, co
   return (image[0] - (*centre)[0]) * (pixel[0] * theirs.scale[0] - (*centre)[0]) +
              (image[1] - (*centre)[1]) * (pixel[1] * theirs.scale[1] - (*centre)[1]) <
          0.0;
-}
-
-/// How far the program's ray of the pixel lies from it, by the program's own formula; 0 where it has none. Both are the
-/// program's, so that nothing else is counted: its inverse goes wrong beyond 90 degrees.
-double wrong_ray_px(const Pixel& pixel, const consumers::ConsumerCamera& theirs) {
-  if (!theirs.unproject) return 0.0;
-  const std::optional<Ray> ray = theirs.unproject(in_their_pixels(pixel, theirs));
-  const std::optional<Pixel> back = ray ? theirs.project(*ray) : std::nullopt;
-  return back ? distance(in_file_pixels(*back, theirs), pixel) : 0.0;
 }
 
 /// For how much of the image a point stands: for the comparison of pixels, and for that of the program's rays with its pixels,
