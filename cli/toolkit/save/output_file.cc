@@ -105,19 +105,22 @@ class StagedFile {
   StagedFile& operator=(const StagedFile&) = delete;
   StagedFile& operator=(StagedFile&&) = delete;
 
-  [[nodiscard]] std::optional<Message> write(const std::string& target, std::string_view bytes, mode_t mode) {
+  /// `mode`: of the file that is there; nothing: what new files are allowed.
+  [[nodiscard]] std::optional<Message> write(const std::string& target, std::string_view bytes, std::optional<mode_t> mode) {
     target_ = target;
     const fs::path folder = folder_of_target();
     constexpr mode_t kMine = 0600;
-    if (::access(kOwnFiles, X_OK) == 0) file_ = Descriptor(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kMine));
+    constexpr mode_t kNew = 0666;  // less the process's mask
+    const mode_t first = mode ? kMine : kNew;
+    if (::access(kOwnFiles, X_OK) == 0) file_ = Descriptor(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, first));
     if (file_.get() < 0) {  // not every file system knows files without names, and without /proc they get none
       const std::string name = temporary_name(folder);
-      file_ = Descriptor(::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, kMine));
+      file_ = Descriptor(::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, first));
       if (file_.get() < 0) return failure(Code::kCannotCreateBeside, target);
       temporary_ = name;
     }
     ::flock(file_.get(), LOCK_EX | LOCK_NB);
-    if (write_all(file_.get(), bytes) && ::fchmod(file_.get(), mode) == 0) return std::nullopt;
+    if (write_all(file_.get(), bytes) && (!mode || ::fchmod(file_.get(), *mode) == 0)) return std::nullopt;
     return failure(Code::kCannotWrite, target);
   }
 
@@ -161,24 +164,17 @@ struct Place {
   std::string target;
   bool exists = false;
   bool device = false;
-  mode_t mode = 0;
+  std::optional<mode_t> mode = {};  ///< Of what exists.
 };
 
-/// What new files are not allowed. Asking for it changes it for a moment, which threads must not see.
-mode_t current_mask() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return mask;
-}
-
-std::optional<Message> find_place(const std::string& path, bool overwrite, mode_t mask, Place& place) {
+std::optional<Message> find_place(const std::string& path, bool overwrite, Place& place) {
   struct stat status {};
   place.exists = ::stat(path.c_str(), &status) == 0;
   if (!place.exists && errno != ENOENT) return failure(Code::kCannotWrite, path);
   if (place.exists && S_ISDIR(status.st_mode)) return Message{Code::kIsFolder, {path}};
   place.device = place.exists && !S_ISREG(status.st_mode);
   if (place.exists && !place.device && !overwrite) return Message{Code::kFileExists, {path}};
-  place.mode = place.exists ? status.st_mode & 07777 : 0666 & ~mask;
+  if (place.exists) place.mode = status.st_mode & 07777;
   place.target = path;
   // Written through a symbolic link, also one whose target is yet to come.
   std::error_code error;
@@ -203,10 +199,10 @@ struct StagedSet {
   std::optional<Message> problem;
 };
 
-StagedSet stage(std::span<const OutputFile> files, bool overwrite, mode_t mask) {
+StagedSet stage(std::span<const OutputFile> files, bool overwrite) {
   StagedSet set;
   for (const OutputFile& file : files) {
-    set.problem = find_place(file.path, overwrite, mask, set.places.emplace_back());
+    set.problem = find_place(file.path, overwrite, set.places.emplace_back());
     if (set.problem) return set;
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -279,8 +275,7 @@ void remove_leftovers(const std::string& folder) {
 std::vector<std::optional<Message>> write_sets(std::span<const std::span<const OutputFile>> sets, bool overwrite, bool sync,
                                                std::size_t jobs) {
   std::vector<StagedSet> staged(sets.size());
-  const mode_t mask = current_mask();
-  parallel_for(sets.size(), jobs, [&](std::size_t i) { staged[i] = stage(sets[i], overwrite, mask); });
+  parallel_for(sets.size(), jobs, [&](std::size_t i) { staged[i] = stage(sets[i], overwrite); });
   const std::set<fs::path> folders = folders_of(staged);
   if (sync) force_to_disk(staged);
   std::vector<std::optional<Message>> problems(sets.size());
