@@ -36,9 +36,10 @@ void put_tiles(Html& html, const RigComparison& comparison) {
       const ErrorSummary& error = camera.difference.judgement.error;
       html.element("div", {{"class", "tile"}}, [&] {
         html.element("div", {{"class", "soft"}}, both_names(camera));
-        html.element("div", {{"class", "big"}}, camera.identical ? "identical" : "rms " + pixels(error.rms) + " px");
+        html.element("div", {{"class", "big"}},
+                     camera.identical ? "identical" : "rms " + pixels(error.rms, camera.size) + " px");
         if (camera.identical) return;
-        html.element("div", {{"class", "soft"}}, "worst pixel " + pixels(error.max) + " px");
+        html.element("div", {{"class", "soft"}}, "worst pixel " + pixels(error.max, camera.size) + " px");
         html.element("div", {{"class", "soft"}}, same_in_words(camera.difference));
       });
     }
@@ -63,7 +64,7 @@ void put_words(Html& html, const CameraComparison& camera) {
   const Coverage& coverage = difference.judgement.coverage;
   put_line(html, "domain: ", domain_in_words(coverage) + "; " + coverage_text(coverage, camera.scored_to_deg));
   put_line(html, "difference: ",
-           error_text(difference.judgement) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
+           error_text(difference.judgement, camera.size) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");
   put_line(html, "", same_in_words(difference));
   if (!turning_helps(camera)) return;
@@ -71,6 +72,18 @@ void put_words(Html& html, const CameraComparison& camera) {
   put_line(html, "rotation between them: ",
            rotation_in_words(*camera.rotated) + "; with that undone rms " + pixels(turned.rms) + " px, max " +
                pixels(turned.max) + " px");
+}
+
+/// The parameters that differ, for images of one size.
+void put_parameters(Html& html, const CameraComparison& camera) {
+  Table table{{"parameter", "reference", "compared", "difference"}, {}, "cards"};
+  const auto in_words = [](const std::optional<double>& value) { return value ? text::format_short(*value, 7) : "none"; };
+  for (const ParameterComparison& row : camera.parameters) {
+    if (row.same_but_for_rounding()) continue;
+    table.rows.push_back({row.name, in_words(row.reference), in_words(row.other),
+                          row.reference && row.other ? text::format_short(*row.other - *row.reference, 4) : ""});
+  }
+  if (!table.rows.empty()) put_table(html, table);
 }
 
 /// The other camera in the reference's pixels.
@@ -88,6 +101,7 @@ void put_camera(Html& html, const CameraComparison& compared, const Rig& referen
   html.element("h3", {},
                both_names(compared) + ": " + compared.reference_model + " and " + compared.other_model + ", " +
                    size_in_words(compared.size) + " px");
+  put_parameters(html, compared);
   put_words(html, compared);
   if (from == nullptr || to == nullptr) return;
   Camera source = *from;
@@ -193,7 +207,7 @@ std::string comparison_page(const ReferenceFile& reference, const ComparedFile& 
     html.element("pre", {{"class", "command"}}, command);
     html.element("details", {}, [&] {
       html.element("summary", {}, "All of it, as fca-io compare prints it");
-      html.element("pre", {}, compare_text(reference, compared));
+      html.element("pre", {}, compare_text(reference, compared, true));
     });
   });
 }

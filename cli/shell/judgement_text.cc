@@ -39,17 +39,18 @@ std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
   return result;
 }
 
-std::string error_text(const Judgement& judgement) {
+std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image) {
   const ErrorSummary& error = judgement.error;
   const bool all = judgement.coverage.unrepresentable == 0.0;
   const std::string bound = std::isfinite(error.bound)
-                                ? "proven below " + pixels(error.bound) + (all ? " everywhere" : " where it was scored")
+                                ? "proven below " + pixels(error.bound, image) + (all ? " everywhere" : " where it was scored")
                                 : "no bound is proven";
-  return "rms " + pixels(error.rms) + " px, max " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " +
-         fixed(error.max_at[1], 1) + "), " + bound;
+  return "rms " + pixels(error.rms, image) + " px, max " + pixels(error.max, image) + " px at (" + fixed(error.max_at[0], 1) +
+         ", " + fixed(error.max_at[1], 1) + "), " + bound;
 }
 
-std::string band_table(const std::vector<ErrorBand>& bands, std::span<const BandColumn> further) {
+std::string band_table(const std::vector<ErrorBand>& bands, std::span<const BandColumn> further,
+                       const std::optional<ImageSize>& image) {
   constexpr std::size_t kWidth = 12;
   const auto row = [](const std::vector<std::string>& cells) {
     std::string text = "   ";
@@ -65,8 +66,11 @@ std::string band_table(const std::vector<ErrorBand>& bands, std::span<const Band
     const ErrorBand& band = bands[i];
     if (band.share <= 0.0 && band.max_px <= 0.0) continue;
     std::vector<std::string> cells = {fixed(band.from_deg, 0) + "-" + fixed(band.to_deg, 0), percent(band.share),
-                                      pixels(band.rms_px), pixels(band.max_px)};
-    for (const BandColumn& column : further) cells.push_back(i < column.values.size() ? pixels(column.values[i]) : "");
+                                      pixels(band.rms_px, image), pixels(band.max_px, image)};
+    for (const BandColumn& column : further) {
+      const std::optional<ImageSize>& most = column.in_pixels ? image : std::nullopt;
+      cells.push_back(i < column.values.size() ? pixels(column.values[i], most) : "");
+    }
     text += row(cells);
   }
   return text;

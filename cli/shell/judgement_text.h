@@ -3,7 +3,9 @@
 #pragma once
 
 #include <fca/convert/report.h>
+#include <fca/rig/rig.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,14 +22,17 @@ namespace fca::cli {
 /// "100.0 % of the image scored, 3.0 % outside the lens": what was scored, and the parts of the image that were not.
 [[nodiscard]] std::string coverage_text(const Coverage& coverage, double scored_to_deg);
 /// "rms 0.118 px, max 2.96 px at (511.0, 0.0), proven below 2.98 everywhere"
-[[nodiscard]] std::string error_text(const Judgement& judgement);
+/// Of an image of that size: no distance is said that is larger than the image.
+[[nodiscard]] std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image = {});
 
 /// A further column of the table of bands, a cell for each band.
 struct BandColumn {
   std::string title;
   std::vector<double> values;
+  bool in_pixels = true;
 };
 /// Share, rms and max of each band of angles.
-[[nodiscard]] std::string band_table(const std::vector<ErrorBand>& bands, std::span<const BandColumn> further = {});
+[[nodiscard]] std::string band_table(const std::vector<ErrorBand>& bands, std::span<const BandColumn> further = {},
+                                     const std::optional<ImageSize>& image = {});
 
 }  // namespace fca::cli

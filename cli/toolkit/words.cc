@@ -3,12 +3,24 @@
 
 #include <fca/formats/text/numbers.h>
 
+#include <cmath>
+
 namespace fca {
 
 std::string pixels(double value) {
   if (value == 0.0) return "0";
   if (value < 1e-4) return text::format_short(value, 2);
   return text::format_short(value, 3);
+}
+
+std::string pixels(double value, const std::optional<ImageSize>& image) {
+  const double diagonal = image ? std::ceil(std::hypot(image->width, image->height)) : value;
+  return value > diagonal ? "over " + text::format_short(diagonal) : pixels(value);
+}
+
+std::string name_in_words(const ConvertedCamera& camera) {
+  const std::string& name = camera.name();
+  return name == camera.source.name ? name : name + " (input's " + camera.source.name + ")";
 }
 
 std::string size_in_words(const ImageSize& size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }

@@ -95,6 +95,20 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
   return PreparedPair{*std::move(pair), *std::move(domain)};
 }
 
+std::vector<ParameterComparison> parameters_of(const CameraModel& reference, const CameraModel& other) {
+  std::vector<ParameterComparison> rows;
+  const auto add = [&](const CameraModel& model, bool only_new) {
+    for (const Parameter& parameter_of_model : model_info(model).parameters) {
+      const ParameterId id(parameter_of_model);
+      if (only_new && parameter(reference, id)) continue;
+      rows.push_back({std::string(parameter_of_model.name), parameter(reference, id), parameter(other, id)});
+    }
+  };
+  add(reference, false);
+  add(other, true);
+  return rows;
+}
+
 CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& options) {
   const Camera& reference = pair.cameras.reference;
   const Camera& other = pair.cameras.other;
@@ -106,6 +120,7 @@ CameraComparison comparison_of(const PreparedPair& pair, const CompareOptions& o
   result.size = pair.domain.size;
   result.size_assumed = pair.cameras.size_assumed;
   result.other_size = pair.cameras.scaled_from;
+  result.parameters = parameters_of(reference.model, other.model);
   result.identical = reference.model == other.model && !result.other_size;
   result.scored_to_deg = std::min(pair.domain.max_angle_rad, max_angle(other.model)) * kDegreesPerRadian;
   const JudgeOptions judged = {.every_pixel = options.every_pixel, .bound = options.bound};
@@ -227,6 +242,11 @@ void list_unmatched(const RigPair& rigs, RigComparison& result) {
 bool Mistake::is_like(const Mistake& mistake) const {
   const auto rest = [](const Mistake& each) { return std::span(each.message.arguments).subspan(1); };
   return message.code == mistake.message.code && std::ranges::equal(rest(*this), rest(mistake));
+}
+
+bool ParameterComparison::same_but_for_rounding() const {
+  constexpr double kRounding = 1e-12;
+  return reference && other && std::abs(*other - *reference) <= kRounding * std::abs(*reference);
 }
 
 bool PoseComparison::same_but_for_rounding() const {

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace fca::internal {
@@ -88,24 +90,46 @@ void add_other_orders(const CameraModel& other, Candidates& candidates) {
   }
 }
 
+constexpr std::size_t kBeforeLens = 4;  // fx fy cx cy
+
+bool has(const ModelInfo& model, std::string_view parameter) {
+  return std::ranges::find(model.parameters, parameter, &Parameter::name) != model.parameters.end();
+}
+
+/// Where a model's numbers of the lens stand, with or without the mirror parameter of an omnidirectional camera, which files
+/// keep elsewhere.
+std::vector<std::size_t> places_of_lens(const ModelInfo& model, bool with_mirror) {
+  const bool leaves_out = !with_mirror && has(model, "xi") && has(model, "k1");
+  std::vector<std::size_t> places;
+  for (std::size_t i = kBeforeLens; i < model.parameters.size(); ++i) {
+    if (!leaves_out || model.parameters[i].name != "xi") places.push_back(i);
+  }
+  return places;
+}
+
 /// The other's numbers, in their order, as the reference's model has them.
 void add_other_name(const CameraModel& reference, const CameraModel& other, Candidates& candidates) {
   const ModelInfo& right = model_info(reference);
   const ModelInfo& wrong = model_info(other);
   if (right.id == wrong.id || !right.focal_lengths_first || !wrong.focal_lengths_first) return;
-  constexpr std::size_t kBefore = 4;
   const std::span<const double> numbers = parameter_values(other);
-  CameraModel undone = reference;
-  const std::span<double> values = parameter_values(undone);
-  const std::size_t count = std::min(numbers.size(), values.size());
-  if (count <= kBefore || std::ranges::any_of(numbers.subspan(count), [](double value) { return value != 0.0; })) return;
-  std::fill(values.begin(), values.end(), 0.0);
-  std::copy_n(numbers.begin(), count, values.begin());
-  candidates.push_back({Code::kUnderAnotherName, undone, {right.id, wrong.id}});
-  if (count != kBefore + 2) return;
-  // Double Sphere's two are xi alpha in most files, and alpha xi in some.
-  std::swap(values[kBefore], values[kBefore + 1]);
-  candidates.push_back({Code::kUnderAnotherName, undone, {right.id, wrong.id}});
+  const auto add = [&](const std::vector<std::size_t>& from, const std::vector<std::size_t>& to) {
+    const std::size_t count = std::min(from.size(), to.size());
+    const auto is_zero = [&numbers](std::size_t place) { return numbers[place] == 0.0; };
+    if (count == 0 || !std::ranges::all_of(std::span(from).subspan(count), is_zero)) return;
+    CameraModel undone = reference;
+    const std::span<double> values = parameter_values(undone);
+    std::copy_n(numbers.begin(), kBeforeLens, values.begin());
+    for (std::size_t i = 0; i < to.size(); ++i) values[to[i]] = i < count ? numbers[from[i]] : 0.0;
+    candidates.push_back({Code::kUnderAnotherName, undone, {right.id, wrong.id}});
+  };
+  for (const bool with_mirror : {true, false}) {
+    const std::vector<std::size_t> from = places_of_lens(wrong, with_mirror);
+    std::vector<std::size_t> to = places_of_lens(right, with_mirror);
+    add(from, to);
+    // Double Sphere's two are xi alpha in most files, and alpha xi in some.
+    if (with_mirror && from.size() == 2 && to.size() == 2) add(from, {to[1], to[0]});
+  }
 }
 
 }  // namespace

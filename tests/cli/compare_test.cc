@@ -3,6 +3,11 @@
 #include "cli/run_program.h"
 #include "cli/told.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
 #include <rapidjson/document.h>
 
 namespace fca::test {
@@ -295,6 +300,90 @@ TEST(Compare, TheSameMistakeIsToldOnce) {
   const std::string verdict = last_line(run_program({"compare", kTumvi, wrong}).out);
   EXPECT_TRUE(verdict.starts_with("verdict: " + wrong + ": cam0 ")) << verdict;
   EXPECT_TRUE(contains(verdict, "cam1")) << verdict;
+}
+
+/// The first line that begins with that word, and where it stands.
+struct FoundLine {
+  std::size_t number = 0;  ///< From 1; 0: there is none.
+  std::string text;
+};
+FoundLine line_about(const std::string& text, const std::string& word) {
+  std::istringstream stream(text);
+  std::size_t number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    if (line.find_first_not_of(' ') != std::string::npos && line.substr(line.find_first_not_of(' ')).starts_with(word + " "))
+      return {number, line};
+  }
+  return {};
+}
+
+TEST(Compare, AParameterThatDiffersStandsFirstWithItsDifference) {
+  const TemporaryFolder folder;
+  const std::string wrong =
+      folder.write("wrong.yaml", with_replaced(read_file(kTumvi), "190.97847715128717", "191.97847715128717"));
+  const RunResult run = run_program({"compare", kTumvi, wrong});
+  const FoundLine fx = line_about(run.out, "fx");
+  EXPECT_GT(fx.number, 0U) << run.out;
+  EXPECT_LE(fx.number, 6U) << run.out;
+  EXPECT_TRUE(fx.text.ends_with(" 1")) << fx.text;
+  EXPECT_EQ(line_about(run.out, "fy").number, 0U) << "what is the same is not listed";
+  const Told told({"compare", kTumvi, wrong});
+  const auto& parameters = told.json()["files"][0]["cameras"][0]["parameters"];
+  ASSERT_EQ(parameters.Size(), 8U);
+  EXPECT_STREQ(parameters[0]["name"].GetString(), "fx");
+  EXPECT_NEAR(parameters[0]["value"].GetDouble() - parameters[0]["reference"].GetDouble(), 1.0, 1e-9);
+}
+
+// Half the resolution is the same camera: the verdict says both.
+TEST(Compare, AnotherResolutionIsAPartOfTheVerdict) {
+  const TemporaryFolder folder;
+  const std::string half = folder / "half.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--resize", "256x256", "-o", half}).code, 0);
+  const RunResult run = run_program({"compare", kTumvi, half});
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* size : {"256 x 256", "512 x 512"}) EXPECT_TRUE(contains(last_line(run.out), size)) << run.out;
+}
+
+/// A Kalibr file of one camera.
+std::string chain(const char* model, const char* intrinsics, const char* distortion, const char* coefficients,
+                  const char* size) {
+  return std::string("cam0:\n  camera_model: ") + model + "\n  intrinsics: [" + intrinsics +
+         "]\n  distortion_model: " + distortion + "\n  distortion_coeffs: [" + coefficients + "]\n  resolution: [" + size +
+         "]\n  rostopic: /cam0\n";
+}
+
+/// The largest number in front of " px".
+double largest_px(const std::string& text) {
+  double largest = 0.0;
+  for (std::size_t at = text.find(" px"); at != std::string::npos; at = text.find(" px", at + 1)) {
+    const std::size_t begin = text.find_last_of(" (\n", at - 1) + 1;
+    largest = std::max(largest, std::atof(text.substr(begin, at - begin).c_str()));
+  }
+  return largest;
+}
+
+// A mirror's numbers without its xi, and a fisheye's under the name of a mirror's: the distances are then beyond any image.
+TEST(Compare, NumbersUnderAnotherModelsNameAreRecognisedAndNoDistanceIsLargerThanTheImage) {
+  const TemporaryFolder folder;
+  const char* const size = "1400, 1400";
+  const std::string mei = folder.write("mei.yaml", chain("omni", "2.2134047, 1336.3220, 1335.7883, 716.9432, 705.7645",
+                                                         "radtan", "0.016798, 1.6548, 0.00042, 0.00042", size));
+  const std::string plumb_bob = folder.write("plumb_bob.yaml", chain("pinhole", "1336.3220, 1335.7883, 716.9432, 705.7645",
+                                                                     "radtan", "0.016798, 1.6548, 0.00042, 0.00042", size));
+  const std::string fisheye = folder.write("fisheye.yaml", chain("pinhole", "1336.3220, 1335.7883, 716.9432, 705.7645",
+                                                                 "equidistant", "0.016798, 1.6548, 0.00042, 0.00042", size));
+  for (const std::string& wrong : {plumb_bob, fisheye}) {
+    for (const auto& [reference, other] : {std::pair(mei, wrong), std::pair(wrong, mei)}) {
+      SCOPED_TRACE(reference + " and " + other);
+      const Told told({"compare", reference, other});
+      const auto& mistakes = told.json()["files"][0]["mistakes"];
+      ASSERT_EQ(mistakes.Size(), 1U) << told.text();
+      EXPECT_STREQ(mistakes[0]["code"].GetString(), "wrong-model");
+      const RunResult run = run_program({"compare", reference, other, "-v"});
+      EXPECT_LE(largest_px(run.out), std::ceil(std::hypot(1400.0, 1400.0))) << run.out;
+    }
+  }
 }
 
 TEST(Compare, TheDocumentHasItsKeys) {

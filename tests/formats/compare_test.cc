@@ -415,6 +415,72 @@ std::size_t expect_no_slips(const std::map<std::string, Rig>& rigs, int neighbou
   return pairs;
 }
 
+/// One camera of each model, and the same numbers as another model would have them: fx fy cx cy, then the lens's in their
+/// order. Files keep the mirror parameter xi of mei elsewhere, so that it may be there or not.
+std::vector<double> numbers_of_lens(const CameraModel& model, bool with_mirror) {
+  std::vector<double> numbers;
+  for (const Parameter& parameter_of_model : model_info(model).parameters.subspan(4)) {
+    if (with_mirror || parameter_of_model.name != "xi" || model_info(model).id != "mei")
+      numbers.push_back(*parameter(model, ParameterId(parameter_of_model)));
+  }
+  return numbers;
+}
+
+std::optional<CameraModel> under_the_name(const CameraModel& model, const ModelInfo& name, bool with_mirror) {
+  CameraModel wrong = *make_model(name.id);
+  for (const char* first : {"fx", "fy", "cx", "cy"}) {
+    const auto id = ParameterId(*std::ranges::find(name.parameters, first, &Parameter::name));
+    if (!set_parameter(wrong, id, *parameter(model, id))) return std::nullopt;
+  }
+  std::vector<double> numbers = numbers_of_lens(model, with_mirror);
+  for (const Parameter& place : name.parameters.subspan(4)) {
+    if (!with_mirror && place.name == "xi" && name.id == "mei") {
+      set_parameter(wrong, ParameterId(place), 1.0);
+      continue;
+    }
+    if (numbers.empty()) continue;
+    set_parameter(wrong, ParameterId(place), numbers.front());
+    numbers.erase(numbers.begin());
+  }
+  const bool all_fit = std::ranges::all_of(numbers, [](double number) { return number == 0.0; });
+  return all_fit && validate(wrong).empty() ? std::optional(wrong) : std::nullopt;
+}
+
+// For every pair of models whose numbers fit into each other.
+TEST(CompareFiles, ALensUnderAnotherModelsNameIsRecognised) {
+  std::size_t pairs = 0;
+  const Camera& tumvi = good_rigs().at("kalibr/tumvi.yaml").cameras.front();
+  for (const ModelInfo& right : all_models()) {
+    if (!right.focal_lengths_first || right.id == "pinhole") continue;
+    Diagnostics diagnostics;
+    ConvertOptions options;
+    options.model = right.id;
+    options.max_angle_rad = 50.0 * kRadiansPerDegree;
+    options.bound = false;
+    const std::optional<Conversion> converted = convert(tumvi, options, diagnostics);
+    ASSERT_TRUE(converted) << right.id;
+    for (const ModelInfo& name : all_models()) {
+      if (name.id == right.id || !name.focal_lengths_first) continue;
+      for (const bool with_mirror : {true, false}) {
+        const std::optional<CameraModel> wrong = under_the_name(converted->camera.model, name, with_mirror);
+        if (!wrong) continue;
+        Rig reference;
+        reference.cameras = {converted->camera};
+        Rig other = reference;
+        other.cameras.front().model = *wrong;
+        const RigComparison compared =
+            compare(reference, other, {.max_angle_rad = 50.0 * kRadiansPerDegree, .bound = false}, diagnostics);
+        if (compared.cameras.empty() || compared.cameras.front().difference.judgement.error.max <= 1.0) continue;
+        ++pairs;
+        ASSERT_EQ(compared.mistakes.size(), 1U) << right.id << " as " << name.id;
+        EXPECT_EQ(id_of(compared.mistakes.front().message), "wrong-model") << right.id << " as " << name.id;
+      }
+    }
+  }
+  std::printf("%zu pairs\n", pairs);
+  EXPECT_GE(pairs, 20U);
+}
+
 TEST(CompareFiles, NoSlipIsClaimedOfHonestPairs) { EXPECT_GT(expect_no_slips(good_rigs(), 2), 70U); }
 
 TEST(CompareFiles, PosesHaveTheNamesOfTheirFiles) {

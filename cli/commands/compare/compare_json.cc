@@ -51,6 +51,13 @@ void put_camera(Json& json, const CameraComparison& camera) {
   } else {
     json.null("scaled_from_px");
   }
+  json.array("parameters", camera.parameters, [&](const ParameterComparison& parameter) {
+    json.object([&] {
+      json.put("name", parameter.name);
+      json.put("reference", parameter.reference);
+      json.put("value", parameter.other);
+    });
+  });
   json.put("identical", camera.identical);
   put_domain(json, camera.difference.judgement.coverage, camera.scored_to_deg);
   put_difference(json, camera.difference, camera.identical);

@@ -31,12 +31,7 @@ bool turning_helps(const CameraComparison& camera) {
 namespace {
 
 std::string heading(const CameraComparison& camera) {
-  std::string text = "\n" + camera.reference;
-  if (camera.other != camera.reference) text += " and " + camera.other;
-  text += ": " + camera.reference_model;
-  if (camera.other_model != camera.reference_model) text += " and " + camera.other_model;
-  text += ", " + size_in_words(camera.size) + " px";
-  if (camera.other_size) text += " (scaled from " + size_in_words(*camera.other_size) + ")";
+  std::string text = "\npixels of " + names_of(camera) + ", in an image of " + size_in_words(camera.size) + " px";
   if (camera.size_assumed)
     text += " assumed: no file states a size (--size does); the principal point lies in the middle of it";
   return text + "\n";
@@ -48,12 +43,12 @@ std::string turned_text(const CameraComparison& camera) {
   if (!turning_helps(camera)) return same ? "" : "  turned: no rotation brings the two nearer\n";
   const CameraDifference& turned = camera.rotated->difference;
   return "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +
-         pixels(turned.judgement.error.rms) + " px (the smallest), max " + pixels(turned.judgement.error.max) + " px; " +
-         same_in_words(turned) + "\n";
+         pixels(turned.judgement.error.rms, camera.size) + " px (the smallest), max " +
+         pixels(turned.judgement.error.max, camera.size) + " px; " + same_in_words(turned) + "\n";
 }
 
 std::vector<BandColumn> further_columns(const CameraComparison& camera) {
-  std::vector<BandColumn> columns = {{"rms deg", {}}, {"max deg", {}}};
+  std::vector<BandColumn> columns = {{"rms deg", {}, false}, {"max deg", {}, false}};
   for (const AngleBand& band : camera.difference.angle.bands) {
     columns[0].values.push_back(band.rms_deg);
     columns[1].values.push_back(band.max_deg);
@@ -86,73 +81,37 @@ std::string corners_text(const Judgement& judgement) {
   return "  if the corners are black beyond " + limit + " deg, --max-angle " + limit + " compares only the lens\n";
 }
 
-std::string camera_text(const CameraComparison& camera) {
+std::string camera_text(const CameraComparison& camera, bool with_bands) {
+  if (camera.identical) return "";
   std::string text = heading(camera);
-  if (camera.identical) return text + "  error:  none: the same model and parameters\n";
   const CameraDifference& difference = camera.difference;
   const Judgement& judgement = difference.judgement;
   text += domain_text(judgement.coverage);
   text += "          " + coverage_text(judgement.coverage, camera.scored_to_deg) + "\n";
   if (!(judgement.coverage.scored > 0.0)) return text;
-  text += "  error:  " + error_text(judgement) + "\n";
+  text += "  error:  " + error_text(judgement, camera.size) + "\n";
   text += "          rms " + pixels(difference.angle.rms_deg) + " deg, max " + pixels(difference.angle.max_deg) + " deg\n";
   text += "          " + same_in_words(difference) + "\n";
   text += turned_text(camera);
-  return text + band_table(judgement.bands, further_columns(camera)) + corners_text(judgement);
-}
-
-std::string poses_text(const std::vector<PoseComparison>& poses) {
-  if (poses.empty()) return "";
-  std::string text = "\nposes\n";
-  for (const PoseComparison& pose : poses) {
-    text += "  T_" + pose.a + "_" + pose.b + ": ";
-    if (pose.same_but_for_rounding()) {
-      text += "the same\n";
-      continue;
-    }
-    const auto millimetres = [](double metres) { return text::format_short(metres * 1000.0, 5) + " mm"; };
-    text += text::format_short(pose.angle_rad * kDegreesPerRadian, 3) + " deg and " +
-            text::format_short(pose.distance_m * 1000.0, 3) + " mm apart; " + pose.b + " is " +
-            millimetres(pose.reference_length_m) + " from " + pose.a + ", here " + millimetres(pose.other_length_m) + "\n";
-  }
-  return text;
-}
-
-std::string facts_text(const std::vector<FactComparison>& facts) {
-  if (facts.empty()) return "";
-  std::string text = "\nnumbers\n";
-  for (const FactComparison& fact : facts) {
-    text += "  " + (fact.owner.empty() ? "" : fact.owner + " ") + fact.name + ": " + text::format_short(fact.reference);
-    if (fact.same_but_for_rounding()) {
-      text += " " + fact.unit + ", the same\n";
-      continue;
-    }
-    text += " " + fact.unit + ", here " + text::format_short(fact.other);
-    const double more = fact.other - fact.reference;
-    if (fact.unit == "s" || fact.unit == "m") {
-      text += ": " + text::format_short(std::abs(more) * 1000.0, 3) + " m" + fact.unit + (more > 0.0 ? " more" : " less");
-    } else if (fact.reference != 0.0) {
-      text += ": " + text::format_short(fact.other / fact.reference, 4) + " times as much";
-    }
-    text += "\n";
-  }
-  return text;
+  if (with_bands) text += band_table(judgement.bands, further_columns(camera), camera.size);
+  return text + corners_text(judgement);
 }
 
 }  // namespace
 
-std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared) {
+std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared, bool with_bands) {
   const RigComparison& comparison = *compared.comparison;
   const std::string reference_name = text::printable(reference.file);
   const std::string name = text::printable(compared.file);
   std::string text = name + " (" + std::string(compared.calibration->format->title) + ") beside " + reference_name + " (" +
                      std::string(reference.calibration->format->title) + ")\n";
-  for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera);
+  text += numbers_text(comparison);
+  for (const CameraComparison& camera : comparison.cameras) text += camera_text(camera, with_bands);
   if (inverses_differ(compared)) {
     text += "\ninverse polynomials\n  world2cam, which goes by them, images the same rays up to " +
             pixels(*compared.inverse_px) + " px apart\n";
   }
-  text += poses_text(comparison.poses) + facts_text(comparison.facts) + "\n";
+  text += "\n";
   if (!comparison.only_in_reference.empty()) {
     const std::vector<std::string> only = text::texts_of(comparison.only_in_reference, with_options);
     text += paragraph("only in " + reference_name + ": " + enumerated(only, "and"), "");

@@ -41,7 +41,7 @@ std::string different_camera(const CameraComparison& camera) {
   } else {
     text += "is ";
   }
-  text += "up to " + pixels(difference.judgement.error.max) + " px off";
+  text += "up to " + pixels(difference.judgement.error.max, camera.size) + " px off";
   const double lost = difference.judgement.coverage.unrepresentable;
   if (lost > 0.0005) text += ", and has no pixel for " + percent(lost) + " of the image";
   if (!camera.rotated) return text;
@@ -50,10 +50,18 @@ std::string different_camera(const CameraComparison& camera) {
   const double after = camera.rotated->difference.judgement.error.rms;
   constexpr double kExplains = 0.5;
   if (after < kExplains * before) {
-    text += ", rms " + pixels(before) + " (" + pixels(after) + " with a turn of " + angle_text(camera.rotated->angle_rad) +
-            " undone)";
+    text += ", rms " + pixels(before, camera.size) + " (" + pixels(after, camera.size) + " with a turn of " +
+            angle_text(camera.rotated->angle_rad) + " undone)";
   }
   return text;
+}
+
+/// "for images of 256 x 256 px, the reference's have 512 x 512"; empty where the sizes are the same.
+std::string resolutions(const std::vector<CameraComparison>& cameras) {
+  const auto scaled =
+      std::ranges::find_if(cameras, [](const CameraComparison& camera) { return camera.other_size.has_value(); });
+  if (scaled == cameras.end()) return "";
+  return "for images of " + size_in_words(*scaled->other_size) + " px, the reference's have " + size_in_words(scaled->size);
 }
 
 /// The poses furthest apart.
@@ -106,6 +114,7 @@ std::string verdict_of(const ComparedFile& compared) {
     const bool all = comparison.only_in_reference.empty() && comparison.only_in_other.empty();
     return all ? "the same" : "the same in all that both state";
   } else {
+    if (const std::string sizes = resolutions(comparison.cameras); !sizes.empty()) parts.push_back(sizes);
     const bool all_same = std::ranges::all_of(comparison.cameras, same);
     if (all_same && !comparison.cameras.empty()) parts.push_back(same_cameras(comparison.cameras));
     for (const CameraComparison& camera : comparison.cameras) {

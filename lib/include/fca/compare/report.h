@@ -57,6 +57,14 @@ struct BestRotation {
   CameraDifference difference;         ///< With the reference's rays turned by it.
 };
 
+/// One parameter of two camera models, by its name; of a model that has none of that name, nothing.
+struct ParameterComparison {
+  std::string name;  ///< "fx"
+  std::optional<double> reference;
+  std::optional<double> other;  ///< For images of the reference's size.
+  [[nodiscard]] bool same_but_for_rounding() const;
+};
+
 /// Two cameras.
 struct CameraComparison {
   std::string reference;  ///< Name.
@@ -66,8 +74,9 @@ struct CameraComparison {
   ImageSize size;                       ///< The reference's image, in whose pixels everything is said.
   bool size_assumed = false;            ///< Neither states a size: the image whose middle is the reference's principal point.
   std::optional<ImageSize> other_size;  ///< The other's image, where it was scaled to that.
-  bool identical = false;               ///< Same model, parameters and image size, to the last bit.
-  double scored_to_deg = 0.0;           ///< Nothing further from the axis was scored.
+  std::vector<ParameterComparison> parameters;  ///< Of both, the reference's first.
+  bool identical = false;                       ///< Same model, parameters and image size, to the last bit.
+  double scored_to_deg = 0.0;                   ///< Nothing further from the axis was scored.
   CameraDifference difference;
   std::optional<BestRotation> rotated;  ///< Nothing for identical cameras.
 };
