@@ -23,6 +23,19 @@ constexpr Lattice kFine = {48, 1};  ///< Where shares of the image are to be tol
 /// A pixel or ray that is further off than this, where programs are known to go wrong, is none.
 constexpr double kWrongPx = 1.0;
 
+Pixel last_pixel(const ImageSize& size) { return {size.width - 1.0, size.height - 1.0}; }
+
+struct Circle {
+  Pixel centre;
+  double radius;
+};
+
+/// The largest about the middle of the image.
+Circle circle_in(const ImageSize& size) {
+  const Pixel last = last_pixel(size);
+  return {{0.5 * last[0], 0.5 * last[1]}, 0.5 * std::min(last[0], last[1])};
+}
+
 /// One point of the lattice.
 struct Point {
   double area = 0.0;      ///< For how many cells it stands.
@@ -86,19 +99,21 @@ class Comparison {
   CameraDistance run() {
     CameraDistance result;
     if (!camera_.image_size) return result;
-    const Pixel last = {camera_.image_size->width - 1.0, camera_.image_size->height - 1.0};
-    const double radius = 0.5 * std::min(last[0], last[1]);
+    const Pixel last = last_pixel(*camera_.image_size);
+    const Circle circle = circle_in(*camera_.image_size);
     const int steps = lattice_.steps;
     const auto width_of = [steps](int step) { return step == 0 || step == steps ? 0.5 : 1.0; };
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; j <= steps; ++j) {
         const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
-        const bool in_circle = distance(pixel, {0.5 * last[0], 0.5 * last[1]}) <= radius;
+        const bool in_circle = distance(pixel, circle.centre) <= circle.radius;
         const bool ask_for_ray = i % lattice_.to_next_ray == 0 && j % lattice_.to_next_ray == 0;
-        compare_at(pixel, width_of(i) * width_of(j), in_circle, ask_for_ray);
+        grid_.push_back(compare_at(pixel, width_of(i) * width_of(j), in_circle, ask_for_ray));
       }
     }
     constexpr double kWide = std::numbers::pi / 3.0;  // 60 deg from the axis
+    result.grid_steps = steps;
+    result.grid = std::move(grid_);
     result.is_wide = smallest_cosine_ < std::cos(kWide);
     result.in_circle = std::move(in_circle_).summary(lattice_);
     result.in_image = std::move(in_image_).summary(lattice_);
@@ -106,12 +121,14 @@ class Comparison {
   }
 
  private:
-  void compare_at(const Pixel& pixel, double area, bool in_circle, bool ask_for_ray) {
-    if (camera_.lens_circle && !camera_.lens_circle->contains(pixel)) return;
+  /// Nothing where the camera has no ray that counts.
+  std::optional<SeenPixel> compare_at(const Pixel& pixel, double area, bool in_circle, bool ask_for_ray) {
+    if (camera_.lens_circle && !camera_.lens_circle->contains(pixel)) return std::nullopt;
     const std::optional<Ray> ray = unproject(camera_.model, pixel);
-    if (!ray || (*ray)[2] < last_cosine_) return;
+    if (!ray || (*ray)[2] < last_cosine_) return std::nullopt;
     smallest_cosine_ = std::min(smallest_cosine_, (*ray)[2]);
-    const std::optional<double> distance = distance_at(pixel, *ray);
+    const SeenPixel seen = {pixel, pixel_at(pixel, *ray)};
+    const std::optional<double> distance = seen.program ? std::optional(fca::distance(*seen.program, pixel)) : std::nullopt;
     const double points = lattice_.to_next_ray * lattice_.to_next_ray;  // for which one that is asked stands
     const double wrong_rays = distance && ask_for_ray && wrong_ray_px(pixel, reader_) > kWrongPx ? points * area : 0.0;
     for (Region* region : {&in_image_, &in_circle_}) {
@@ -119,17 +136,19 @@ class Comparison {
       region->add(area, distance);
       region->add_wrong_rays(wrong_rays);
     }
+    return seen;
   }
 
-  /// Nothing where the model of the file or the program has no right pixel.
-  [[nodiscard]] std::optional<double> distance_at(const Pixel& pixel, const Ray& ray) const {
+  /// The program's, in the file's pixels; nothing where the model of the file or the program has no right one.
+  [[nodiscard]] std::optional<Pixel> pixel_at(const Pixel& pixel, const Ray& ray) const {
     if (!is_kept_ && !project(written_, ray)) return std::nullopt;
     const std::optional<Pixel> theirs = reader_.project(ray);
     if (!theirs) return std::nullopt;
-    const double distance = fca::distance(in_file_pixels(*theirs, reader_), pixel);
+    const Pixel seen = in_file_pixels(*theirs, reader_);
+    const double distance = fca::distance(seen, pixel);
     // From 90 degrees on some programs mirror.
     if (!std::isfinite(distance) || (ray[2] <= 0.0 && distance > kWrongPx)) return std::nullopt;
-    return distance;
+    return seen;
   }
 
   Lattice lattice_;
@@ -139,6 +158,7 @@ class Comparison {
   bool is_kept_;
   double last_cosine_;
   double smallest_cosine_ = 1.0;
+  std::vector<std::optional<SeenPixel>> grid_;
   Region in_image_;
   Region in_circle_;
 };
@@ -150,6 +170,21 @@ CameraDistance distance_of(const Camera& camera, const CameraModel& written, con
   CameraDistance coarse = Comparison(camera, written, reader, max_angle_rad, kCoarse).run();
   if (coarse.in_image.no_rays == 0.0) return coarse;
   return Comparison(camera, written, reader, max_angle_rad, kFine).run();
+}
+
+std::optional<double> degrees_in_circle(const Camera& camera) {
+  if (!camera.image_size) return std::nullopt;
+  const Circle circle = circle_in(*camera.image_size);
+  constexpr int kPoints = 32;
+  double smallest_cosine = 1.0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / kPoints;
+    const std::optional<Ray> ray = unproject(
+        camera.model, {circle.centre[0] + circle.radius * std::cos(turn), circle.centre[1] + circle.radius * std::sin(turn)});
+    if (!ray) return std::nullopt;
+    smallest_cosine = std::min(smallest_cosine, (*ray)[2]);
+  }
+  return std::ceil(std::acos(smallest_cosine) * 180.0 / std::numbers::pi);
 }
 
 }  // namespace fca

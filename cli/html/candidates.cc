@@ -2,7 +2,6 @@
 #include "sections.h"
 
 #include "chart.h"
-#include "image_field.h"
 #include "map_figure.h"
 #include "shell/model_words.h"
 #include "shell/option_hints.h"
@@ -13,6 +12,7 @@
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
+#include <fca/toolkit/image_field.h>
 
 #include <algorithm>
 #include <array>
@@ -36,6 +36,11 @@ bool is_doubted(const ReportContents& contents) {
       return finding.severity != Severity::kNote && !is_about_program(finding);
     });
   });
+}
+
+/// How to get a fit to the circle alone.
+std::string limit_of(const Candidate& candidate) {
+  return candidate.in_circle ? " (--max-angle " + text::format_short(candidate.in_circle->max_angle_deg) + ")" : "";
 }
 
 void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, const Candidate* best) {
@@ -62,7 +67,7 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
     const bool exact = candidate.conversion->report.exact;
     table.rows.push_back({id,
                           exact                    ? "exact"
-                          : reaches_all(candidate) ? pixels(candidate.distance.decisive().rms)
+                          : reaches_all(candidate) ? pixels(candidate.decisive().rms) + limit_of(candidate)
                                                    : "",
                           exact ? "exact" : pixels(j.error.rms), exact ? "exact" : pixels(j.error.max),
                           percent(j.coverage.scored), percent(j.coverage.unrepresentable),
@@ -71,7 +76,7 @@ void put_candidate_table(Html& html, const std::vector<Candidate>& candidates, c
   put_table(html, table);
 }
 
-/// The errors of all that err, in one chart.
+/// The errors of the best that err, in one chart.
 void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& candidates) {
   Chart chart;
   chart.title = "Error over angle: rms around the axis";
@@ -79,13 +84,14 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
   double largest = 0.0;
   double domain = 0.0;
   std::size_t colour = 0;
-  for (const Candidate& candidate : candidates) {
-    if (!candidate.conversion || candidate.conversion->report.exact) continue;
-    const ConversionReport& report = candidate.conversion->report;
+  constexpr std::size_t kMostCurves = 4;
+  for (const Candidate* candidate : ranked(candidates)) {
+    if (candidate->conversion->report.exact || chart.curves.size() == kMostCurves) continue;
+    const ConversionReport& report = candidate->conversion->report;
     domain = std::max(domain, report.judgement.coverage.max_angle_deg);
-    Curve curve{"c" + std::to_string(colour++), std::string(candidate.model->id), {}};
+    Curve curve{"c" + std::to_string(colour++), std::string(candidate->model->id), {}};
     for (const ProfilePoint& point :
-         error_profile(camera, candidate.conversion->camera.model, report.scored_to_deg / kDegreesPerRadian)) {
+         error_profile(camera, candidate->conversion->camera.model, report.scored_to_deg / kDegreesPerRadian)) {
       curve.points.push_back({point.angle_deg, point.rms_px});
       largest = std::max(largest, point.rms_px);
     }

@@ -17,8 +17,9 @@ std::string in_words(const Candidate& candidate) {
     return id + " (rms " + pixels(report.judgement.error.rms) + " px, up to " + text::format_short(report.scored_to_deg, 3) +
            " deg from the axis only)";
   }
-  const PixelDistance& distance = candidate.distance.decisive();
-  return id + " (rms " + pixels(distance.rms) + " px, 99 % within " + pixels(distance.p99) + " px)";
+  const PixelDistance& distance = candidate.decisive();
+  return id + " (rms " + pixels(distance.rms) + " px, 99 % within " + pixels(distance.p99) + " px" +
+         (candidate.in_circle ? ", with --max-angle " + text::format_short(candidate.in_circle->max_angle_deg) : "") + ")";
 }
 
 }  // namespace

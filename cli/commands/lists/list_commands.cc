@@ -3,6 +3,7 @@
 
 #include "ledger_text.h"
 #include "options/inputs.h"
+#include "options/output.h"
 #include "shell/json.h"
 #include "shell/model_words.h"
 #include "shell/option_hints.h"
@@ -143,8 +144,9 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
     json.put("scored_share", j.coverage.scored);
     json.put("outside_lens_share", j.coverage.outside_lens);
     json.put("unrepresentable_share", j.coverage.unrepresentable);
-    json.put("decisive_rms_px", candidate.distance.decisive().rms);
-    json.put("decisive_p99_px", candidate.distance.decisive().p99);
+    json.put("decisive_rms_px", candidate.decisive().rms);
+    json.put("decisive_p99_px", candidate.decisive().p99);
+    if (candidate.in_circle) json.put("decisive_with_max_angle_deg", candidate.in_circle->max_angle_deg);
     json.put("region", candidate.distance.is_wide ? "inscribed-circle" : "image");
     json.put("reaches_all", reaches_all(candidate));
     json.put("read_by", std::span<const std::string>(stored_by_in_words(candidate)));
@@ -168,17 +170,19 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
 
 constexpr std::size_t kModelWidth = 11;
 constexpr std::size_t kNumberWidth = 10;
+constexpr const char* kOfCircle = "*";  // behind numbers of a fit to the circle alone
 
 std::string row_text(const Candidate& candidate) {
   const ConversionReport& report = candidate.conversion->report;
-  const PixelDistance& distance = candidate.distance.decisive();
+  const PixelDistance& distance = candidate.decisive();
+  const char* const mark = candidate.in_circle ? kOfCircle : "";
   std::string text = "  " + padded(candidate.model->id, kModelWidth);
   if (report.exact) {
     text += padded("exact", 2 * kNumberWidth);
   } else if (!reaches_all(candidate)) {
     text += padded("", 2 * kNumberWidth);
   } else {
-    text += padded(pixels(distance.rms), kNumberWidth) + padded(pixels(distance.p99), kNumberWidth);
+    text += padded(pixels(distance.rms) + mark, kNumberWidth) + padded(pixels(distance.p99) + mark, kNumberWidth);
   }
   text += padded(report.exact ? "exact" : pixels(report.judgement.error.rms), kNumberWidth) +
           padded(report.exact ? "" : pixels(report.judgement.error.max), kNumberWidth);
@@ -198,6 +202,11 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
     if (all_before && !reaches_all(*candidate)) text += "  not all of the lens:\n";
     all_before = reaches_all(*candidate);
     text += row_text(*candidate);
+  }
+  const auto marked = std::ranges::find_if(candidates, [](const Candidate& each) { return each.in_circle.has_value(); });
+  if (marked != candidates.end()) {
+    text += std::string("  ") + kOfCircle + " fitted to the circle alone: --max-angle " +
+            text::format_short(marked->in_circle->max_angle_deg) + "; worse beyond it\n";
   }
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) continue;
@@ -246,7 +255,7 @@ ExitCode list_programs(const ListArguments& arguments, Console& console) {
 }
 
 void add_formats_options(Options& options, ListArguments& arguments) {
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.flag("--markdown", "The table of the README", arguments.markdown);
   options.flag("--ledger", "For every pair of formats: what is exact, fitted, dropped and defaulted", arguments.ledger);
   options.footer("Example:\n  fca-io formats\n  fca-io formats --ledger\n");
@@ -256,12 +265,12 @@ void add_models_options(Options& options, ListArguments& arguments) {
   options.positional("FILE", "Calibration file", arguments.file, false);
   add_input_options(options, arguments.inputs);
   options.group(OptionGroup::kOutput);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.footer("Example:\n  fca-io models camchain.yaml --max-angle 97.5\n");
 }
 
 void add_programs_options(Options& options, ListArguments& arguments) {
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.footer("Example:\n  fca-io programs\n");
 }
 
@@ -277,19 +286,19 @@ void add_list_commands(Application& application) {
   application.add("formats", "The formats, and which camera models each can hold", [](Options& options) -> RunCommand {
     const auto arguments = std::make_shared<ListArguments>();
     add_formats_options(options, *arguments);
-    return [arguments](const Invocation&, Console& console) { return list_formats(*arguments, console); };
+    return [arguments](const TypedOptions&, Console& console) { return list_formats(*arguments, console); };
   });
   application.add("models", "The camera models; with a FILE, how well each would describe its cameras",
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<ListArguments>();
                     add_models_options(options, *arguments);
-                    return [arguments](const Invocation&, Console& console) { return run_models(*arguments, console); };
+                    return [arguments](const TypedOptions&, Console& console) { return run_models(*arguments, console); };
                   });
   application.add("programs", "The programs whose readers fca-io imitates to prove what it writes",
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<ListArguments>();
                     add_programs_options(options, *arguments);
-                    return [arguments](const Invocation&, Console& console) { return list_programs(*arguments, console); };
+                    return [arguments](const TypedOptions&, Console& console) { return list_programs(*arguments, console); };
                   });
 }
 

@@ -7,6 +7,7 @@
 #include <fca/formats/verdict.h>
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,14 +59,16 @@ bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
   });
 }
 
+bool is_good(const ProofResult& proof) {
+  return std::ranges::all_of(
+      proof.cameras, [](const CameraProof& camera) { return word_of(camera.distance.decisive()) == VerdictWord::kReady; });
+}
+
 /// Is the other one to be written instead? Another model costs all programs something that the exact one does not: it has to be
 /// worth it.
 bool is_better(const ConvertResult& other, const ConvertResult& best) {
   if (!(worst_rms_px(other) < worst_rms_px(best))) return false;
-  const bool is_good = std::ranges::all_of(first_proof(best)->cameras, [](const CameraProof& camera) {
-    return word_of(camera.distance.decisive()) == VerdictWord::kReady;
-  });
-  return !is_good || has_same_models(other, best);
+  return !is_good(*first_proof(best)) || has_same_models(other, best);
 }
 
 /// The best way to write the files so far, and those beside it.
@@ -143,6 +146,25 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
     }
   }
   result = std::move(choice).take();
+}
+
+void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
+  const ProofResult* proof = first_proof(result);
+  if (proof == nullptr || !proof->loads || result.lens_given || is_good(*proof)) return;
+  double degrees = 0.0;
+  for (const ConvertedCamera& camera : result.cameras) {
+    const auto seen = std::ranges::find(proof->cameras, camera.source.name, &CameraProof::name);
+    if (seen == proof->cameras.end() || !seen->distance.is_wide || !camera.report || camera.report->exact) continue;
+    degrees = std::max(degrees, degrees_in_circle(camera.source).value_or(0.0));
+  }
+  if (degrees == 0.0) return;
+  ConvertRequest nearer = request;
+  nearer.inputs.max_angle_rad = degrees * std::numbers::pi / 180.0;
+  const std::optional<ConvertResult> other = written_as(nearer, start, before, result);
+  constexpr double kWorthIt = 0.5;
+  const bool is_worth_it = other && worst_rms_px(*other) < kWorthIt * worst_rms_px(result) &&
+                           largest(*other, &PixelDistance::no_rays) <= largest(result, &PixelDistance::no_rays);
+  if (is_worth_it) result.nearer = {degrees, worst_rms_px(*other)};
 }
 
 }  // namespace fca

@@ -14,4 +14,8 @@ namespace fca {
 /// a model; the rest is listed (ConvertResult::others). `before`: the result as it was before anything was written.
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
 
+/// Where cameras of wide lenses are fitted and the program is off, fits them to the inscribed circles of their images alone,
+/// and says what that is worth (ConvertResult::nearer). The result stays the fit to the whole lens.
+void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result);
+
 }  // namespace fca

@@ -3,6 +3,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
+#include <fca/formats/verdict.h>
 #include <fca/toolkit/models.h>
 #include <fca/toolkit/read.h>
 
@@ -26,6 +27,11 @@ std::vector<StoringFormat> stored_by(const CameraModel& model) {
   return formats;
 }
 
+/// Nobody would notice the fit to the whole lens, in the region that decides.
+bool is_good_as_whole(const Candidate& candidate) {
+  return !candidate.conversion->report.fitted_to_cone && word_of(candidate.distance.decisive()) == VerdictWord::kReady;
+}
+
 /// An exact one that is the camera's own before one that contains it.
 bool is_better_choice(const Candidate& a, const Candidate& b) {
   const ConversionReport& of_a = a.conversion->report;
@@ -34,7 +40,9 @@ bool is_better_choice(const Candidate& a, const Candidate& b) {
   if (of_a.exact) return of_a.from_model == of_a.to_model && of_b.from_model != of_b.to_model;
   if (reaches_all(a) != reaches_all(b)) return reaches_all(a);
   if (!reaches_all(a)) return is_better(of_a, of_b);
-  return a.distance.decisive().rms < b.distance.decisive().rms;
+  // A good fit to the whole lens before one to a part of it.
+  if (is_good_as_whole(a) != is_good_as_whole(b)) return is_good_as_whole(a);
+  return a.decisive().rms < b.decisive().rms;
 }
 
 /// The model in place of a program that reads a file of it.
@@ -42,6 +50,24 @@ CameraDistance distance_to(const Camera& camera, const CameraModel& model, std::
   consumers::ConsumerCamera reader;
   reader.project = [&model](const Ray& ray) { return project(model, ray); };
   return distance_of(camera, model, reader, max_angle_rad.value_or(std::numbers::pi));
+}
+
+/// The model of that conversion fitted once more, to the circle alone. Nothing where there is nothing to gain.
+std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate& candidate) {
+  const std::optional<double> degrees = degrees_in_circle(camera);
+  if (!degrees || !candidate.distance.is_wide || is_good_as_whole(candidate)) return std::nullopt;
+  ConvertOptions options;
+  options.model = candidate.model->id;
+  options.max_angle_rad = *degrees * std::numbers::pi / 180.0;
+  options.bound = false;
+  Diagnostics told_of_the_whole;
+  const std::optional<Conversion> conversion = convert(camera, options, told_of_the_whole);
+  if (!conversion || conversion->report.fitted_to_cone) return std::nullopt;
+  const PixelDistance distance = distance_to(camera, conversion->camera.model, std::nullopt).in_circle;
+  constexpr double kWorthIt = 0.5;
+  const bool is_worth_it = reaches_all(candidate) ? distance.rms < kWorthIt * candidate.distance.in_circle.rms
+                                                  : distance.no_rays <= candidate.distance.in_circle.no_rays;
+  return is_worth_it ? std::optional(CircleFit{*degrees, distance}) : std::nullopt;
 }
 
 template <class Admits>
@@ -58,7 +84,8 @@ const Candidate* best(const std::vector<Candidate>& candidates, Admits&& admits)
 
 bool reaches_all(const Candidate& candidate) {
   constexpr double kNoticeable = 0.01;
-  return !candidate.conversion->report.fitted_to_cone && candidate.distance.decisive().no_rays <= kNoticeable;
+  const bool ends_early = !candidate.in_circle && candidate.conversion->report.fitted_to_cone;
+  return !ends_early && candidate.decisive().no_rays <= kNoticeable;
 }
 
 std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {
@@ -82,6 +109,7 @@ std::vector<Candidate> candidates(const Camera& camera, std::optional<double> ma
     if (candidate.conversion) {
       candidate.stored_by = stored_by(candidate.conversion->camera.model);
       candidate.distance = distance_to(camera, candidate.conversion->camera.model, max_angle_rad);
+      if (!max_angle_rad && !camera.lens_circle) candidate.in_circle = fitted_in_circle(camera, candidate);
     }
     result.push_back(std::move(candidate));
   }

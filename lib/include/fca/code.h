@@ -77,6 +77,11 @@ enum class Code : std::uint16_t {
   kVerdictNoReader,
   kVerdictLost,
   kVerdictInvented,
+  kFitInsideAngle,
+
+  // What the options of a format's layouts are, for help.
+  kOpencvLayouts,
+  kOrbslam3Layouts,
 
   // What a check finds about an IMU and about time.
   kImuNoiseTooSmall,

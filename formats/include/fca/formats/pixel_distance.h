@@ -6,6 +6,9 @@
 #include <fca/formats/consumers/consumer.h>
 #include <fca/rig/rig.h>
 
+#include <optional>
+#include <vector>
+
 namespace fca {
 
 /// Distances between the camera's pixel of a ray and the program's, over a region of the image. Pixels of the camera's image.
@@ -19,10 +22,18 @@ struct PixelDistance {
   bool operator==(const PixelDistance&) const = default;
 };
 
+/// A pixel of the camera's image, and the program's for the same ray.
+struct SeenPixel {
+  Pixel camera{};
+  std::optional<Pixel> program = {};  ///< Nothing: it has none, or one on the other side of the image.
+};
+
 struct CameraDistance {
   PixelDistance in_circle;  ///< Inside the largest circle about the middle of the image.
   PixelDistance in_image;
   bool is_wide = false;  ///< The lens sees more than 120 deg: its corners are beyond what programs use.
+  int grid_steps = 0;    ///< The image's pixels in so many steps along each side,
+  std::vector<std::optional<SeenPixel>> grid = {};  ///< column by column; nothing where the camera has no ray.
 
   /// That by which the file is evaluated.
   [[nodiscard]] const PixelDistance& decisive() const { return is_wide ? in_circle : in_image; }
@@ -33,5 +44,9 @@ struct CameraDistance {
 /// asked for.
 [[nodiscard]] CameraDistance distance_of(const Camera& camera, const CameraModel& written,
                                          const consumers::ConsumerCamera& reader, double max_angle_rad);
+
+/// How far from the axis, in whole degrees, the camera sees in the largest circle about the middle of its image: the smallest
+/// angle that holds all of it. Nothing where the image size is unknown, or the model ends inside the circle.
+[[nodiscard]] std::optional<double> degrees_in_circle(const Camera& camera);
 
 }  // namespace fca

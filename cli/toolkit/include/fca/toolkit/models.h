@@ -22,13 +22,22 @@ struct StoringFormat {
   bool operator==(const StoringFormat&) const = default;
 };
 
+/// A model fitted to the inscribed circle of a wide lens alone.
+struct CircleFit {
+  double max_angle_deg = 0.0;  ///< Of the fit: all that the circle shows.
+  PixelDistance distance;      ///< In the circle.
+};
+
 /// One model as a camera's target. No conversion: it cannot describe the camera, `diagnostics` say why.
 struct Candidate {
   const ModelInfo* model = nullptr;
-  std::optional<Conversion> conversion;
-  /// From the camera to the model: of a lens wider than 120 deg the circle about the middle of the image decides, not its
+  std::optional<Conversion> conversion;  ///< To the whole lens.
+  CameraDistance distance = {};          ///< From the camera to the model of that conversion.
+  std::optional<CircleFit> in_circle;    ///< Where it is better there: beyond the circle it is worse.
+
+  /// By which models are ranked: of a lens wider than 120 deg the circle about the middle of the image decides, not its
   /// corners.
-  CameraDistance distance = {};
+  [[nodiscard]] const PixelDistance& decisive() const { return in_circle ? in_circle->distance : distance.decisive(); }
   std::vector<StoringFormat> stored_by;
   Diagnostics diagnostics;
 };
@@ -37,7 +46,7 @@ struct Candidate {
 [[nodiscard]] bool reaches_all(const Candidate& candidate);
 
 /// The candidates that could be fitted, the best first: those that reach all of the region that decides before those that do
-/// not, then by the error there.
+/// not; of them those that nobody would notice as a fit to the whole lens; then by the error in the region.
 [[nodiscard]] std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates);
 
 /// All models, in the order of the list.
