@@ -14,43 +14,59 @@ using Name = std::string_view;
 // Served by a format.
 constexpr std::array kKalibr = {Name("camchain")};
 constexpr std::array kDso = {Name("dso"), Name("ldso"), Name("stereo-dso"), Name("dm-vio"), Name("vi-dso"), Name("tandem")};
-constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camodocal"), Name("gvins"),
-                              Name("d2slam"),    Name("lvi-sam"),     Name("kitti-360")};
+constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camodocal"),
+                              Name("gvins"),     Name("d2slam"),      Name("lvi-sam")};
 constexpr std::array kOrbslam3 = {Name("orbslam"), Name("orb-slam"), Name("orb_slam3_ros"), Name("visual-sgraphs")};
 constexpr std::array kOrbslam2 = {Name("orbslam2"), Name("orb-slam2")};
 constexpr std::array kOpenvins = {Name("ov_msckf"), Name("sqrtvins")};
 constexpr std::array kBasalt = {Name("monado"), Name("xrtslam"), Name("granite")};
 constexpr std::array kRos = {Name("ros2"),         Name("camera_info"), Name("rtabmap"),  Name("isaac-ros"),
                              Name("apriltag_ros"), Name("image_proc"),  Name("autoware"), Name("rovio")};
-constexpr std::array kOpencv = {Name("cv2"), Name("filestorage")};
-constexpr std::array kOcamcalib = {Name("ocam"), Name("scaramuzza")};
+constexpr std::array kOpencv = {Name("cv2"), Name("filestorage"), Name("uco-slam"), Name("lensboy")};
+constexpr std::array kOcamcalib = {Name("ocam"), Name("scaramuzza"), Name("py-ocamcalib"), Name("multicol-slam")};
 constexpr std::array kWoodscape = {Name("synwoodscape")};
 
 // Not written: what they read.
-constexpr std::array kColmap = {Name("colmap"),    Name("pycolmap"),
-                                Name("glomap"),    Name("hloc"),
-                                Name("3dgs"),      Name("gsplat"),
-                                Name("inria-gs"),  Name("3dgrut"),
-                                Name("3dgut"),     Name("lichtfeld"),
-                                Name("postshot"),  Name("brush"),
-                                Name("opensplat"), Name("gaussian-splatting")};
+constexpr std::array kColmap = {Name("colmap"),
+                                Name("pycolmap"),
+                                Name("glomap"),
+                                Name("hloc"),
+                                Name("3dgs"),
+                                Name("gsplat"),
+                                Name("inria-gs"),
+                                Name("3dgrut"),
+                                Name("3dgut"),
+                                Name("lichtfeld"),
+                                Name("postshot"),
+                                Name("brush"),
+                                Name("opensplat"),
+                                Name("gaussian-splatting"),
+                                Name("realitycapture-colmap")};
 constexpr std::array kNerfstudio = {Name("nerfstudio"), Name("splatfacto"), Name("nerfacto"),        Name("instant-ngp"),
                                     Name("ngp"),        Name("torch-ngp"),  Name("transforms.json"), Name("luma")};
 constexpr std::array kEuroc = {Name("euroc"), Name("asl"), Name("mav0")};
 constexpr std::array kKimera = {Name("kimera"), Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
-constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("maplab"), Name("rovioli")};
+constexpr std::array kSvo = {Name("svo"),     Name("svo-pro"), Name("vikit"),        Name("maplab"),
+                             Name("rovioli"), Name("rpg"),     Name("ultimate-slam")};
 constexpr std::array kFastLivo = {Name("fast-livo"), Name("fast-livo2")};
 constexpr std::array kMsckfVio = {Name("msckf_vio")};
-constexpr std::array kStella = {Name("stella"), Name("stella_vslam"), Name("openvslam"), Name("plp-slam")};
+constexpr std::array kStella = {Name("stella"), Name("stella_vslam"), Name("openvslam"), Name("plp-slam"), Name("360vslam")};
 constexpr std::array kMrcal = {Name("mrcal"), Name("deltacamera")};
 constexpr std::array kOpensfm = {Name("opensfm"), Name("odm"), Name("webodm")};
 constexpr std::array kDepthai = {Name("oak"), Name("oakd"), Name("depthai"), Name("luxonis")};
-constexpr std::array kRealsense = {Name("realsense"), Name("d435"), Name("d435i"), Name("d455"), Name("t265"), Name("rs2")};
+constexpr std::array kRealsense = {Name("realsense"), Name("d435"), Name("d435i"),       Name("d455"),
+                                   Name("t265"),      Name("rs2"),  Name("librealsense")};
 constexpr std::array kZed = {Name("zed"), Name("zed2"), Name("zedmini"), Name("zedx"), Name("stereolabs")};
 constexpr std::array kOpenicc = {Name("openicc"), Name("gopro"), Name("umi"), Name("openimucameracalibrator")};
 constexpr std::array kAria = {Name("aria"), Name("project-aria"), Name("fisheye624"), Name("vrs")};
-constexpr std::array kFtheta = {Name("ftheta"), Name("ncore"), Name("driveworks"), Name("isaac-sim"), Name("omniverse")};
+constexpr std::array kFtheta = {Name("ftheta"),    Name("ncore"),    Name("driveworks"), Name("isaac-sim"),
+                                Name("omniverse"), Name("alpamayo"), Name("usd"),        Name("rig.json")};
+constexpr std::array kIsaac = {Name("isaac")};
+constexpr std::array kKitti360 = {Name("kitti-360")};
+constexpr std::array kPhotonvision = {Name("photonvision")};
+constexpr std::array kR3live = {Name("r3live")};
+constexpr std::array kOmnidso = {Name("omnidso")};
 constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam")};
 constexpr std::array kMetashape = {Name("metashape"), Name("photoscan"), Name("agisoft")};
 constexpr std::array kKitti = {Name("kitti"), Name("kitti-odom")};
@@ -89,7 +105,12 @@ constexpr std::array kNames = {
     ProgramName{kFtheta, "NVIDIA's f-theta", "ocamcalib", "", "", "a rig.json with polynomials of its own"},
     ProgramName{kCuvslam, "cuVSLAM", "ros", "", "", "camera_info, or a dialect of EuRoC's sensor.yaml"},
     ProgramName{kMetashape, "Metashape", "opencv", "", "", "an XML of its own"},
-    ProgramName{kKitti, "KITTI", "ros", "", "", "calib.txt (KITTI-360's fisheyes are VINS' MEI: vins)"},
+    ProgramName{kKitti, "KITTI", "ros", "", "", "calib.txt"},
+    ProgramName{kKitti360, "KITTI-360", "vins", "", "", "VINS' files for its fisheyes (vins), perspective.txt for the others"},
+    ProgramName{kIsaac, "Isaac", "ros", "", "", "camera_info as Isaac ROS (ros), a USD as Isaac Sim (isaac-sim)"},
+    ProgramName{kPhotonvision, "PhotonVision", "opencv", "", "", "a JSON of its own"},
+    ProgramName{kR3live, "R3LIVE", "vins", "", "", "keys of its own in its configuration"},
+    ProgramName{kOmnidso, "omniDSO", "tumvi", "", "", "camera.txt with a line of the unified model"},
     ProgramName{kMast3r, "MASt3R-SLAM", "opencv", "", "", "intrinsics.yaml"},
     ProgramName{kMatlab, "MATLAB", "opencv", "", "", "objects of its own (cameraIntrinsicsKB, fisheyeIntrinsics)"},
     ProgramName{kSpectacular, "SpectacularAI", "opencv", "", "", "calibration.json"},

@@ -5,6 +5,7 @@
 #include <fca/code.h>
 #include <fca/formats/mend.h>
 #include <fca/formats/text/dialect.h>
+#include <fca/formats/verdict.h>
 
 #include <algorithm>
 #include <array>
@@ -235,10 +236,8 @@ class ProgramsCheck {
     if (format_.reader_warns) return;
     for (std::size_t i = 0; i < std::min(kMostSaid, view.warnings.size()); ++i) {
       const Complaint& warning = view.warnings[i];
-      // Asked for that program, a camera that it takes for another is what one wanted to know.
-      const bool wrong = options_.program != nullptr && misreads(view, warning);
       Finding finding;
-      finding.severity = wrong ? Severity::kError : Severity::kWarning;
+      finding.severity = is_far_off(view, warning) ? Severity::kError : Severity::kWarning;
       if (names_program(warning)) {
         finding.facts = {Code::kProgramMisreadsInItsWords, {warning.facts}};
       } else {
@@ -253,12 +252,18 @@ class ProgramsCheck {
     say_more(view.warnings.size(), Code::kProgramMisreadsMore);
   }
 
-  /// Is the warning about a camera that the program takes for another? Where none names that camera, it may be any.
-  static bool misreads(const ConsumerView& view, const Complaint& warning) {
-    return std::ranges::any_of(view.cameras, [&](const consumers::ConsumerCamera& camera) {
+  /// Is the warning about a camera that the program takes for one so different that the file is not to be used? Where no
+  /// warning names that camera, it may be any.
+  [[nodiscard]] bool is_far_off(const ConsumerView& view, const Complaint& warning) const {
+    const std::size_t known = report_.proof ? std::min(view.cameras.size(), report_.proof->cameras.size()) : 0;
+    for (std::size_t i = 0; i < known; ++i) {
+      const consumers::ConsumerCamera& camera = view.cameras[i];
       const auto names_it = [&camera](const Complaint& each) { return each.key.starts_with(camera.name + "/"); };
-      return camera.misread && (names_it(warning) || std::ranges::none_of(view.warnings, names_it));
-    });
+      const bool is_about_it = names_it(warning) || std::ranges::none_of(view.warnings, names_it);
+      const PixelDistance& distance = report_.proof->cameras[i].distance.decisive();
+      if (camera.misread && is_about_it && word_of(distance) == VerdictWord::kDoNotUse) return true;
+    }
+    return false;
   }
 
   /// It loads in some mode, but not in the one for which its keys stand there.

@@ -72,13 +72,18 @@ std::optional<Camera> like(const std::string& file, const std::string& name, Fil
   return std::nullopt;
 }
 
+/// The camera fitted to the model. The view is that model's, exactly, however far the fit is from the source.
 std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& model, const Camera& source,
                                Diagnostics& diagnostics) {
   ConvertOptions options;
   options.model = model.id;
   options.max_angle_rad = request.inputs.max_angle_rad;
   options.bound = false;
-  std::optional<Conversion> conversion = convert(source, options, diagnostics);
+  Diagnostics of_fit;
+  std::optional<Conversion> conversion = convert(source, options, of_fit);
+  for (const Diagnostic& entry : of_fit.entries()) {
+    if (entry.severity == Severity::kError) diagnostics.add(entry);
+  }
   if (!conversion) return std::nullopt;
   return std::move(conversion->camera);
 }

@@ -90,7 +90,7 @@ std::span<const CodeInfo> vins_codes() {
       note(Code::kVinsTimeOffsetKept, "time-offset-kept", "td stays {0} s: nothing states the time offset of {1}"),
       note(Code::kVinsNoiseConverted, "imu-noise-converted",
            "{0}: acc_n, gyr_n, acc_w and gyr_w are the densities times sqrt({1} Hz), what VINS-Fusion takes for one sample's "
-           "noise; its examples have far larger ones, to be safe"),
+           "noise"),
 
       // What the files cannot hold.
       loss(Code::kVinsNoiseDropped, "imu-dropped", "{0} noise",

@@ -63,6 +63,29 @@ TEST(Remap, MakesTheImageThatOpenCvMakes) {
   }
 }
 
+// A view is what its model says, however far that is from the lens: cv::undistort makes the same image, and nothing is warned
+// of.
+TEST(Remap, AViewAsAnotherModelIsExact) {
+  const TemporaryFolder folder;
+  const std::string camera = folder.write("cam.yaml", kRadtan);
+  const Camera source = euroc();
+  const cv::Mat image = noise(source.image_size->width, source.image_size->height, CV_8UC3);
+  const std::string path = folder.write("image.png", bytes_of(image, ".png"));
+  const Told run({"remap", camera, path, "--model", "pinhole", "-o", folder / "out.png"});
+  ASSERT_EQ(run.code(), 0) << run.text();
+  EXPECT_EQ(run.json()["diagnostics"].Size(), 0U) << run.text();
+  const auto& view = run.json()["view"]["parameters"];
+  const cv::Matx33d K = {
+      view["fx"].GetDouble(), 0, view["cx"].GetDouble(), 0, view["fy"].GetDouble(), view["cy"].GetDouble(), 0, 0, 1};
+  const std::span<const double> p = parameter_values(source.model);
+  cv::Mat expected;
+  cv::undistort(image, expected, matrix_of(source.model), std::vector<double>(p.begin() + 4, p.begin() + 8), K);
+  // cv::undistort's maps are rounded to 1/32 px.
+  cv::Mat difference;
+  cv::absdiff(read_picture(folder / "out.png"), expected, difference);
+  EXPECT_LE(cv::mean(difference.reshape(1))[0], 2.0);
+}
+
 // Whatever the samples are, they stay what they are, and the exported map does the same in cv::remap.
 TEST(Remap, KeepsTheKindOfImageAndExportsTheMapItUses) {
   const TemporaryFolder folder;
