@@ -196,6 +196,14 @@ void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
   }
 }
 
+namespace {
+
+void scale_translation(double factor, Transform& T) {
+  for (const std::size_t at : {3U, 7U, 11U}) T.values[at] *= factor;
+}
+
+}  // namespace
+
 std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
                                             const ReadOptions& options, Diagnostics& diagnostics) {
   if (documents.empty()) return std::nullopt;
@@ -230,8 +238,12 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     result.formats.resize(result.formats.size() + parts.size(), detected.format);
     i += parts.size() - 1;
     const auto own = std::span(result.rig.poses).subspan(files.size());
-    if (detected.format->any_length_unit)
+    if (detected.format->any_length_unit && options.length_unit_m) {
+      for (PoseEdge& edge : own) scale_translation(*options.length_unit_m, edge.T_a_b);
+      result.poses_in_told_unit += own.size();
+    } else if (detected.format->any_length_unit) {
       result.poses_without_unit.insert(result.poses_without_unit.end(), own.begin(), own.end());
+    }
     files.resize(result.rig.poses.size(), document.source().name);
   }
   warn_of_contradictions(result.rig, files, diagnostics);

@@ -115,7 +115,7 @@ void add_other_time_offsets(const Rig& rig, double common, const Message& who, s
   for (const Camera& camera : rig.cameras) {
     const double offset = camera.time_offset_s.value_or(common);
     if (offset == common) continue;
-    losses.push_back(lost(Code::kOtherTimeOffset, camera.name, "time offset", {who, offset, common, offset - common}));
+    losses.push_back(lost(Code::kOtherTimeOffset, camera.name, "", {who, offset, common, offset - common}));
   }
 }
 

@@ -48,7 +48,7 @@ bool is_camera_of(const std::optional<Rig>& there, const Rig& rig, const Camera&
 void list_camera_losses(const Rig& rig, std::string_view program, std::vector<Loss>& losses) {
   const Message no_place{Code::kFilesHaveNoPlace, {program}};
   for (const Camera& camera : rig.cameras) add_stream(camera, no_place, losses);
-  for (const Imu& imu : rig.imus) losses.push_back(lost(Code::kImuDropped, imu.name, "noise and rate", {no_place}));
+  for (const Imu& imu : rig.imus) losses.push_back(lost(Code::kImuDropped, imu.name, "", {no_place}));
   if (rig.baseline_m) losses.push_back(lost(Code::kBaselineDropped, "", "baseline", {no_place, *rig.baseline_m}));
 }
 

@@ -2,10 +2,11 @@
 #include "camera_figures.h"
 
 #include "chart.h"
-#include "image_field.h"
 #include "map_figure.h"
 #include "shell/words.h"
 #include "table.h"
+
+#include <fca/toolkit/image_field.h>
 
 #include <algorithm>
 #include <array>

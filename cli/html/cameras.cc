@@ -89,7 +89,7 @@ void put_reach(Html& html, const std::vector<ReachRow>& rows) {
 }
 
 void put_camera(Html& html, const ShownCamera& camera, std::optional<double> limit_rad) {
-  const std::string name = camera.outcome != nullptr ? camera.outcome->name_in_words() : camera.source.name;
+  const std::string name = camera.outcome != nullptr ? name_in_words(*camera.outcome) : camera.source.name;
   const std::string line =
       camera.outcome != nullptr ? camera_line(*camera.outcome) : std::string(model_info(camera.source.model).title);
   html.element("h3", {}, name + ": " + line);

@@ -2,7 +2,7 @@
 // Lines of equal value on a grid: marching squares.
 #pragma once
 
-#include "image_field.h"
+#include <fca/toolkit/image_field.h>
 
 #include <array>
 #include <vector>

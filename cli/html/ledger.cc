@@ -24,7 +24,7 @@ void put_losses(Html& html, const ConvertResult& outcome) {
       if (!lacks_pixels(camera)) continue;
       html.element("li", {}, [&] {
         html.element("span", {{"class", "strong"}}, percent(camera.unrepresented_share()) + " of the image");
-        html.text(" of " + camera.name_in_words() + ": " + camera.report->to_model + " does not describe the lens there");
+        html.text(" of " + name_in_words(camera) + ": " + camera.report->to_model + " does not describe the lens there");
       });
     }
     for (const Loss& loss : outcome.losses) {

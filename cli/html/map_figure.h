@@ -3,9 +3,9 @@
 #pragma once
 
 #include "html.h"
-#include "image_field.h"
 
 #include <fca/rig/lens_circle.h>
+#include <fca/toolkit/image_field.h>
 
 #include <optional>
 #include <string>

@@ -32,7 +32,7 @@ void put_rig_tile(Html& html, const Rig& rig) {
 }
 
 void put_conversion_tile(Html& html, const ConvertedCamera& camera) {
-  const std::string title = camera.name_in_words() + ": " + camera_line(camera);
+  const std::string title = name_in_words(camera) + ": " + camera_line(camera);
   if (!camera.report || camera.source.model == camera.target.model) {
     put_tile(html, title, "kept", {"the same model and parameters"});
     return;
@@ -75,7 +75,7 @@ void put_losses_tile(Html& html, const ConvertResult& outcome) {
     const double missing = camera.unrepresented_share();
     if (missing == 0.0) continue;
     ++losses;
-    lines.push_back(camera.name_in_words() + ": " + percent(missing) + " of the image");
+    lines.push_back(name_in_words(camera) + ": " + percent(missing) + " of the image");
   }
   put_tile(html, "Lost on the way", losses == 0 ? "nothing" : counted(losses, "thing"), lines);
 }

@@ -84,8 +84,7 @@ void replace_aliases(std::vector<std::string>& words) {
 }  // namespace
 
 ExitCode Application::run(std::span<const std::string> given, Console& console) {
-  Invocation invocation{{given.begin(), given.end()}, {}};
-  std::vector<std::string> words = invocation.words;
+  std::vector<std::string> words(given.begin(), given.end());
   replace_aliases(words);
   const std::vector<std::string> names = parser_->names();
   const auto is_name = [&names](const std::string& word) { return std::ranges::find(names, word) != names.end(); };
@@ -113,8 +112,7 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
     console.err(parser_->app.help());
     return ExitCode::kUsage;
   }
-  invocation.options = parser_->options->typed();
-  return parser_->chosen(invocation, console);
+  return parser_->chosen(parser_->options->typed(), console);
 }
 
 }  // namespace fca::cli

@@ -14,14 +14,8 @@
 
 namespace fca::cli {
 
-/// What was typed.
-struct Invocation {
-  std::vector<std::string> words;    ///< The command line, without the program's name.
-  std::vector<TypedOption> options;  ///< Of the subcommand.
-};
-
-/// Does what a subcommand was asked for.
-using RunCommand = std::function<ExitCode(const Invocation& invocation, Console& console)>;
+/// Does what a subcommand was asked for. `typed`: its options.
+using RunCommand = std::function<ExitCode(const TypedOptions& typed, Console& console)>;
 
 class Application {
  public:

@@ -5,22 +5,15 @@
 
 namespace fca::cli {
 
-std::string command_line(const std::vector<TypedOption>& options, std::string_view name,
-                         const std::function<bool(const std::string&)>& keep) {
-  std::string positional;
-  std::string named;
+std::string command_line(const TypedOptions& options, std::string_view name,
+                         const std::function<bool(const TypedOption&)>& keep) {
+  std::string line(name);
   for (const TypedOption& option : options) {
-    if (!keep(option.name)) continue;
-    if (option.values.empty()) named += " " + option.name;
-    for (const std::string& value : option.values) {
-      if (option.positional) {
-        positional += " " + shell_word(value);
-      } else {
-        named += " " + option.name + " " + shell_word(value);
-      }
-    }
+    if (!keep(option)) continue;
+    if (!option.positional) line += " " + option.name;
+    if (option.value) line += " " + shell_word(*option.value);
   }
-  return "fca-io " + std::string(name) + positional + named;
+  return line;
 }
 
 }  // namespace fca::cli

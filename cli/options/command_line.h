@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "options/options.h"
+#include "options.h"
 
 #include <functional>
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace fca::cli {
 
-/// "fca-io NAME ...": a command as one would type it again, with those of its options (by name, "--to") that `keep` wants;
-/// positional ones come first.
-[[nodiscard]] std::string command_line(const std::vector<TypedOption>& options, std::string_view name,
-                                       const std::function<bool(const std::string&)>& keep);
+/// "NAME --to FORMAT ...": a command as one would type it again, behind the program's name, with those of its options that
+/// `keep` wants.
+[[nodiscard]] std::string command_line(const TypedOptions& options, std::string_view name,
+                                       const std::function<bool(const TypedOption&)>& keep);
 
 }  // namespace fca::cli

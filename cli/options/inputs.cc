@@ -74,6 +74,19 @@ std::optional<std::string> take_unit(const std::string& word, std::optional<doub
   return std::nullopt;
 }
 
+/// An option that makes something else of a file than it is.
+struct ChangeOption {
+  const char* name;
+  bool (*is_given)(const Inputs& inputs);
+};
+constexpr std::array kChanges = {
+    ChangeOption{"--join", [](const Inputs& inputs) { return inputs.join; }},
+    ChangeOption{"--camera", [](const Inputs& inputs) { return inputs.cameras.has_value(); }},
+    ChangeOption{"--crop", [](const Inputs& inputs) { return inputs.change.crop.has_value(); }},
+    ChangeOption{"--binning", [](const Inputs& inputs) { return inputs.change.binning != 1; }},
+    ChangeOption{"--resize", [](const Inputs& inputs) { return inputs.change.resize.has_value(); }},
+};
+
 }  // namespace
 
 void add_input_options(Options& options, Inputs& inputs) {
@@ -132,6 +145,20 @@ void add_imu_option(Options& options, Inputs& inputs) {
                 "What the input's IMU noise is: continuous (densities, the default), discrete (standard deviations of single "
                 "samples, converted with the rate), variance or discrete-variance (squares of those)",
                 [&inputs](const std::string& word) { return take_noise(word, inputs.imu_noise); });
+}
+
+std::vector<std::string> given_changes(const Inputs& inputs) {
+  std::vector<std::string> names;
+  for (const ChangeOption& option : kChanges) {
+    if (option.is_given(inputs)) names.emplace_back(option.name);
+  }
+  return names;
+}
+
+std::vector<std::string> all_changes() {
+  std::vector<std::string> names;
+  for (const ChangeOption& option : kChanges) names.emplace_back(option.name);
+  return names;
 }
 
 std::optional<std::string> problem_with(const Inputs& inputs) {

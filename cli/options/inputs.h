@@ -24,14 +24,16 @@ void add_join_option(Options& options, Inputs& inputs);
 /// --imu-noise, for commands that say or write what an IMU is like.
 void add_imu_option(Options& options, Inputs& inputs);
 
+/// Those of these options that were given and make something else of a file than it is: "--camera", "--crop".
+[[nodiscard]] std::vector<std::string> given_changes(const Inputs& inputs);
+/// All that there are, for commands that look at a file as it stands.
+[[nodiscard]] std::vector<std::string> all_changes();
+
 /// A usage error among these options together, in words.
 [[nodiscard]] std::optional<std::string> problem_with(const Inputs& inputs);
 
 /// The files as calibrations are read from them: each by itself, or all together under --join. The other members are those of
 /// `inputs`.
 [[nodiscard]] std::vector<Inputs> grouped(const Inputs& inputs);
-
-/// Are the images others than those that were calibrated (--crop, --binning, --resize)?
-[[nodiscard]] inline bool changes_images(const Inputs& inputs) { return !inputs.change.changes_nothing(); }
 
 }  // namespace fca::cli

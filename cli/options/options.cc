@@ -6,6 +6,7 @@
 #include <fca/formats/text/numbers.h>
 
 #include <cstdint>
+#include <map>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -135,13 +136,16 @@ void Options::refuse_empty_values() {
   }
 }
 
-std::vector<TypedOption> Options::typed() const {
-  std::vector<TypedOption> result;
-  for (const CLI::Option* option : command_.get_options()) {
-    if (option->count() == 0) continue;
-    const bool takes_value = option->get_items_expected_max() > 0;
-    result.push_back(
-        {option->get_name(), takes_value ? option->reduced_results() : std::vector<std::string>(), option->get_positional()});
+TypedOptions Options::typed() const {
+  TypedOptions result;
+  std::map<const CLI::Option*, std::size_t> used;  // values of each
+  for (const CLI::Option* option : command_.parse_order()) {
+    TypedOption typed;
+    typed.name = option->get_name();
+    typed.positional = option->get_positional();
+    typed.about_output = !typed.positional && option->get_group() == title_of(OptionGroup::kOutput);
+    if (option->get_items_expected_max() > 0) typed.value = option->results().at(used[option]++);
+    result.push_back(std::move(typed));
   }
   return result;
 }

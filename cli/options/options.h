@@ -25,12 +25,15 @@ struct UsageProblem {
   std::string sentence;
 };
 
-/// An option as it was typed.
+/// An option as it was typed, once: one that came several times is several.
 struct TypedOption {
-  std::string name;                 ///< "--to"; of positional words "FILE".
-  std::vector<std::string> values;  ///< None: a flag.
+  std::string name;                  ///< "--to"; of positional words "FILE".
+  std::optional<std::string> value;  ///< Nothing: a flag.
   bool positional = false;
+  bool about_output = false;  ///< It says where the result goes and how it is told, not what it is.
 };
+
+using TypedOptions = std::vector<TypedOption>;
 
 /// What an option is about. The help shows them in this order.
 enum class OptionGroup : std::uint8_t { kTarget, kReading, kLens, kProof, kOutput };
@@ -81,8 +84,8 @@ class Options {
 
   /// No option takes an empty value, a script's unset variable. To be called after the last definition.
   void refuse_empty_values();
-  /// Those that were given, in the order of their definitions.
-  [[nodiscard]] std::vector<TypedOption> typed() const;
+  /// Those that were given, in their order.
+  [[nodiscard]] TypedOptions typed() const;
 
  private:
   CLI::App& command_;

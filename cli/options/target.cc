@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "target.h"
 
+#include "limits.h"
 #include "shell/option_hints.h"
 #include "words.h"
 
@@ -68,15 +69,14 @@ void add_target_options(Options& options, ConvertRequest& request) {
                 [&request](const std::string& word) { return take_mode(word, request.mode); });
   for (const Format& format : all_formats()) {
     if (format.layouts.empty()) continue;
-    options.value("--" + std::string(format.id) + "-layout", "LAYOUT", std::string(format.layouts_in_words),
+    options.value("--" + std::string(format.id) + "-layout", "LAYOUT", text::text_of({format.about_layouts, {}}),
                   [&request, &format](const std::string& word) { return take_layout(word, format, request.layout); });
   }
   options.value("--into", "BASE", "Write what the input says into this file's text; its format is --to", request.into);
   options.value("--objective", "rms|max",
                 "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
                 [&request](const std::string& word) { return take_objective(word, request.objective); });
-  options.group(OptionGroup::kProof);
-  options.flag("--every-pixel", "Judge by every pixel, not by a lattice of about 5,000 points", request.every_pixel);
+  add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);
   options.flag("--anew", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);
   options.number("--fps", "HZ", "Frame rate, for formats that state it", [&request](double rate) -> std::optional<std::string> {

@@ -44,13 +44,22 @@ std::string with_names_of(const std::string& input, const std::string& camera, c
   return replaced(path, "{camera}", as_file_name(camera));
 }
 
-void make_folder_of(const std::string& path, const std::string& output) {
-  if (!output.ends_with('/') && output.find('{') == std::string::npos) return;
+OutputPlace output_place(const std::string& word) {
+  if (word == "-") return {OutputPlace::Kind::kStandardOutput, ""};
+  if (word.find('{') != std::string::npos) return {OutputPlace::Kind::kPattern, word};
+  std::error_code error;  // what cannot be asked is no folder; writing will tell
+  const bool is_folder = word.ends_with('/') || fs::is_directory(word, error);
+  return {is_folder ? OutputPlace::Kind::kFolder : OutputPlace::Kind::kFile, word};
+}
+
+void make_folder_of(const std::string& path, const OutputPlace& place) {
+  if (!place.holds_many()) return;
   std::error_code error;  // what is wrong with the folder, writing into it will tell
   fs::create_directories(fs::path(path).parent_path(), error);
 }
 
-std::optional<std::string> problem_with_pattern(std::string_view pattern, std::span<const std::string_view> known) {
+std::optional<std::string> problem_with_pattern(const OutputPlace& place, std::span<const std::string_view> known) {
+  const std::string_view pattern = place.path;
   for (std::size_t at = pattern.find('{'); at != std::string_view::npos; at = pattern.find('{', at + 1)) {
     const std::size_t end = pattern.find('}', at);
     if (end == std::string_view::npos) return std::nullopt;
@@ -62,27 +71,22 @@ std::optional<std::string> problem_with_pattern(std::string_view pattern, std::s
   return std::nullopt;
 }
 
-bool names_folder(const std::string& output) {
-  std::error_code error;  // what cannot be asked is no folder; writing will tell
-  return !output.empty() && (output.ends_with('/') || fs::is_directory(output, error));
-}
-
-std::string output_path(const std::string& output, const std::string& input, const ConvertResult& result, std::size_t index) {
-  if (output.empty() || output == "-") return "";
+std::string output_path(const OutputPlace& place, const std::string& input, const ConvertResult& result, std::size_t index) {
+  if (place.is_standard_output()) return "";
   const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
   const ConvertedFile& file = result.files[index];
   if (file.named && index > 0) {
-    const fs::path main_file = output_path(output, input, result, 0);
+    const fs::path main_file = output_path(place, input, result, 0);
     return (main_file.parent_path() / fs::path(file.name).filename()).string();
   }
-  if (output.find('{') != std::string::npos) {
-    return replaced(with_names_of(input, joined(file.cameras), output), "{format}", result.to->id);
-  }
+  if (place.kind == OutputPlace::Kind::kPattern)
+    return replaced(with_names_of(input, joined(file.cameras), place.path), "{format}", result.to->id);
+  if (place.kind == OutputPlace::Kind::kFile) return place.path;
+  const fs::path folder = place.path;
   const fs::path proposal = file.name;
-  if (!names_folder(output)) return output;
-  if (file.cameras.empty() || file.named) return (fs::path(output) / as_file_name(proposal.filename().string())).string();
+  if (file.cameras.empty() || file.named) return (folder / as_file_name(proposal.filename().string())).string();
   const std::string camera = camera_files(result.files) > 1 ? "." + as_file_name(joined(file.cameras)) : "";
-  return (fs::path(output) / (stem + camera + "." + std::string(result.to->id) + extension_of(file, *result.to))).string();
+  return (folder / (stem + camera + "." + std::string(result.to->id) + extension_of(file, *result.to))).string();
 }
 
 }  // namespace fca::cli

@@ -5,6 +5,7 @@
 #include <fca/toolkit/convert.h>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,25 +13,37 @@
 
 namespace fca::cli {
 
+/// Where outputs go, as -o says it.
+struct OutputPlace {
+  enum class Kind : std::uint8_t { kNotSaid, kStandardOutput, kFile, kFolder, kPattern };
+  Kind kind = Kind::kNotSaid;
+  std::string path;  ///< Of a file, of a folder that may be yet to be made, or the pattern: "out/{stem}.yaml".
+
+  [[nodiscard]] bool is_said() const { return kind != Kind::kNotSaid; }
+  /// Also where nothing is said.
+  [[nodiscard]] bool is_standard_output() const { return kind <= Kind::kStandardOutput; }
+  [[nodiscard]] bool holds_many() const { return kind >= Kind::kFolder; }
+};
+
+/// Of a word that is no empty one. A folder ends with a slash or is there.
+[[nodiscard]] OutputPlace output_place(const std::string& word);
+
 /// What output_path() fills in.
 inline constexpr std::array<std::string_view, 5> kPlaceholders = {"{stem}", "{extension}", "{folder}", "{camera}", "{format}"};
 
-/// Why -o is no pattern: the first "{...}" in it that is none of the known ones.
-[[nodiscard]] std::optional<std::string> problem_with_pattern(std::string_view pattern,
+/// Why it is no pattern: the first "{...}" in it that is none of the known ones.
+[[nodiscard]] std::optional<std::string> problem_with_pattern(const OutputPlace& place,
                                                               std::span<const std::string_view> known = kPlaceholders);
 
 /// The pattern with {stem}, {extension} (without its point) and {folder} (the name of the one it lies in) of an input, and
 /// {camera}: a name that may hold anything.
 [[nodiscard]] std::string with_names_of(const std::string& input, const std::string& camera, const std::string& pattern);
 
-/// Does -o (a folder with its slash, a pattern) name places that need not be there yet? Then makes the folder of `path`.
-void make_folder_of(const std::string& path, const std::string& output);
+/// Makes the folder of `path`, which need not be there yet where `place` holds many.
+void make_folder_of(const std::string& path, const OutputPlace& place);
 
-/// Is `output` (-o) a folder, which has room for several files?
-[[nodiscard]] bool names_folder(const std::string& output);
-
-/// The path of file number `index` of a conversion of `input`, from -o: a path, a folder or a pattern; empty: standard output.
-[[nodiscard]] std::string output_path(const std::string& output, const std::string& input, const ConvertResult& result,
+/// The path of file number `index` of a conversion of `input`; empty: standard output.
+[[nodiscard]] std::string output_path(const OutputPlace& place, const std::string& input, const ConvertResult& result,
                                       std::size_t index);
 
 }  // namespace fca::cli

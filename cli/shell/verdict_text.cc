@@ -38,6 +38,12 @@ std::string_view label_of(const Reason& reason) {
   }
 }
 
+/// Of a loss.
+std::string owner_of(const Reason& reason) {
+  const auto& losses = std::get<std::vector<Message>>(reason.facts.arguments.front().value);
+  return std::get<std::string>(losses.front().arguments.front().value);
+}
+
 std::string sentence_of(const Reason& reason) {
   std::string text = message_of(reason, with_options);
   const std::string fix = fix_of(reason, with_options);
@@ -104,7 +110,7 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
     if (std::any_of(verdict.reasons.begin(), at, is_like)) continue;
     std::vector<std::string> likewise;
     for (auto other = at + 1; other != verdict.reasons.end(); ++other) {
-      if (is_like(*other)) likewise.push_back(other->camera);
+      if (is_like(*other)) likewise.push_back(owner_of(*other));
     }
     const bool names_camera = (is_distance || reason.facts.code == Code::kVerdictNoRays) && !reason.camera.empty();
     lines.push_back({names_camera ? reason.camera : std::string(label_of(reason)),

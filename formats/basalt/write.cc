@@ -60,7 +60,7 @@ void list_time_losses(const Rig& rig, std::vector<Loss>& losses) {
   if (!common) return;
   constexpr double kExact = 1e-12;
   if (std::abs(seconds(static_cast<double>(nanoseconds(*common))) - *common) > kExact)
-    losses.push_back(lost(Code::kBasaltOffsetRounded, "", "time offset", {*common}));
+    losses.push_back(lost(Code::kBasaltOffsetRounded, "", "", {*common}));
   add_other_time_offsets(rig, *common, Message{Code::kBasaltOneOffset}, losses);
 }
 
@@ -308,7 +308,7 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   }
   for (std::size_t i = 0; i < rig.imus.size(); ++i) {
     const Imu& imu = rig.imus[i];
-    if (i > 0) losses.push_back(lost(Code::kBasaltImuDropped, imu.name, "noise and rate"));
+    if (i > 0) losses.push_back(lost(Code::kBasaltImuDropped, imu.name, ""));
     if (i == 0 && !imu.topic.empty()) losses.push_back(lost(Code::kTopicDropped, imu.name, "topic", {no_place, imu.topic}));
   }
   if (rig.baseline_m) losses.push_back(lost(Code::kBaselineDropped, "", "baseline", {no_place, *rig.baseline_m}));

@@ -107,7 +107,7 @@ void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
   const std::vector<std::string> missing = missing_in(imu);
   if (!missing.empty()) {
     const Message why{Code::kCamchainImuDemands, {kImuFile, missing}};
-    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "noise and rate", {why}));
+    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "", {why}));
     return;
   }
   const std::string file_name = imu.name == "imu0" ? "imu.yaml" : imu.name + ".yaml";

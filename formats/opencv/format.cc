@@ -2,6 +2,8 @@
 #include "layout.h"
 #include "opencv.h"
 
+#include <fca/code.h>
+
 #include <array>
 
 namespace fca::opencv {
@@ -40,7 +42,7 @@ const Format kFormat = {
     .frame = "reference",
     .own_facts = kOwnFacts,
     .layouts = kLayoutNames,
-    .layouts_in_words = "calibration, stereo, omnidir, cameras or left-right (default: what the cameras need)",
+    .about_layouts = Code::kOpencvLayouts,
     .leaves_model_open = true,
     .models = kModels,
     .probe = probe,

@@ -19,7 +19,7 @@ namespace {
 /// What none of OpenCV's samples has a key for.
 void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   for (const Camera& camera : rig.cameras) add_stream(camera, Message{Code::kOpencvHasNoKey}, losses);
-  for (const Imu& imu : rig.imus) losses.push_back(lost(Code::kOpencvImuDropped, imu.name, "noise and rate"));
+  for (const Imu& imu : rig.imus) losses.push_back(lost(Code::kOpencvImuDropped, imu.name, ""));
   if (rig.baseline_m) losses.push_back(lost(Code::kOpencvBaselineDropped, "", "baseline", {*rig.baseline_m}));
 }
 

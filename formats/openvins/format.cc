@@ -133,7 +133,7 @@ void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& writte
   Imu imu = rig.imus.front();
   if (const std::vector<std::string> missing = missing_in(imu); !missing.empty()) {
     const Message why{Code::kCamchainImuDemands, {"OpenVINS", missing}};
-    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "noise and rate", {why}));
+    written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "", {why}));
     return;
   }
   if (imu.topic.empty()) {
@@ -176,8 +176,7 @@ void list_losses(const Rig& rig, std::vector<Loss>& losses) {
   }
   add_other_time_offsets(rig, rig.cameras.front().time_offset_s.value_or(0.0), Message{Code::kOpenvinsChainOneOffset}, losses);
   for (std::size_t i = 1; i < rig.imus.size(); ++i) {
-    losses.push_back(
-        lost(Code::kCamchainImuDropped, rig.imus[i].name, "noise and rate", {Message{Code::kOpenvinsChainOneImu}}));
+    losses.push_back(lost(Code::kCamchainImuDropped, rig.imus[i].name, "", {Message{Code::kOpenvinsChainOneImu}}));
   }
   if (rig.baseline_m) losses.push_back(lost(Code::kOpenvinsChainBaselineDropped, "", "baseline", {*rig.baseline_m}));
 }

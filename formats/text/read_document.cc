@@ -15,7 +15,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <istream>
 #include <memory>
 #include <utility>
 
@@ -73,7 +73,6 @@ std::optional<Source> read_source(const std::string& path, Diagnostics& diagnost
     diagnostics.add(Code::kFileUnreadable, {std::move(why)}, {path, 0, 0});
     return std::nullopt;
   };
-  if (path == "-") return read_stream(kStandardInput, std::cin);
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) return cannot_read(Message{Code::kFileMissing});

@@ -112,7 +112,7 @@ class Editor {
     const Imu& imu = rig_.imus.front();
     const bool complete = std::ranges::all_of(kNoises, [&imu](const Noise& noise) { return (imu.*noise.density).has_value(); });
     if (!complete || !imu.rate_hz) {
-      written.losses.push_back(lost(Code::kVinsNoiseDropped, imu.name, "noise"));
+      written.losses.push_back(lost(Code::kVinsNoiseDropped, imu.name, ""));
       return;
     }
     const double root = std::sqrt(*imu.rate_hz);

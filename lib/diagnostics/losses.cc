@@ -17,7 +17,7 @@ std::span<const CodeInfo> loss_codes() {
            "remap the program's topic to it where you start the program"),
       loss(Code::kFrameRateDropped, "frame-rate-dropped", "{0} {3} Hz", "{2}",
            "give it to the program by an option of its own, if it asks for one"),
-      loss(Code::kOtherTimeOffset, "time-offset-dropped", "{0} {1} {3:.9} s", "{2}, {4:.9} s",
+      loss(Code::kOtherTimeOffset, "time-offset-dropped", "{0} time offset {3:.9} s", "{2}, {4:.9} s",
            "add {5:.9} s to every image time stamp of {0}"),
       loss(Code::kCommentsReplaced, "comments-dropped", "comment{3:s} {3}", "{2}", kCopyThem),
       loss(Code::kManyCommentsReplaced, "comments-dropped", "comments {3:,} and {4} more", "{2}", kCopyThem),
@@ -39,7 +39,7 @@ std::span<const CodeInfo> loss_codes() {
            "it is kept as it was, and the pose beside it is another one", "remove it, or write the new pose's"),
       clause(Code::kSeveralFilesBecomeOne, "several files become one"),
       clause(Code::kFilesHaveNoPlace, "files of {0} have no place for it"),
-      loss(Code::kImuDropped, "imu-dropped", "{0} {1}", "{2}",
+      loss(Code::kImuDropped, "imu-dropped", "{0} noise and rate", "{2}",
            "keep its file, or write it to a file of its own, in a format that holds a complete IMU"),
       loss(Code::kBaselineDropped, "baseline-dropped", "{1} {3} m", "{2}", "keep it for programs that ask for it by itself"),
       // {2}: the poses' names, {3}: a program, {4} and {5}: clauses.

@@ -82,7 +82,7 @@ TEST(RigOptions, ASecondCameraOnTheLeftIsWarnedOfWithTheCommand) {
   const RunResult right = run_program({"convert", kTumvi, "--to", "orbslam3"});
   EXPECT_FALSE(says(right.err, "stereo-order")) << right.err;
   const RunResult left = run_program({"convert", kTumvi, "--camera", "1,0", "--to", "orbslam3"});
-  EXPECT_TRUE(says(left.err, "stereo-order", "convert " + kTumvi + " --to orbslam3 -v --camera 0,1")) << left.err;
+  EXPECT_TRUE(says(left.err, "stereo-order", "convert " + kTumvi + " --to orbslam3 --verbose --camera 0,1")) << left.err;
   // The command that is proposed has nothing to propose.
   EXPECT_FALSE(says(run_program({"convert", kTumvi, "--camera", "0,1", "--to", "orbslam3"}).err, "stereo-order"));
   const RunResult mono = run_program({"convert", kTumvi, "--camera", "1,0", "--to", "orbslam3", "--sensor", "mono"});
@@ -158,7 +158,7 @@ TEST(RigOptions, TheProposedCommandIsOneThatAShellTakes) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a b.yaml", read_file(kTumvi));
   const RunResult run = run_program({"convert", path, "--camera", "1,0", "--to", "orbslam3"});
-  EXPECT_TRUE(says(run.err, "stereo-order", "convert '" + path + "' --to orbslam3 -v --camera 0,1")) << run.err;
+  EXPECT_TRUE(says(run.err, "stereo-order", "convert '" + path + "' --to orbslam3 --verbose --camera 0,1")) << run.err;
 }
 
 TEST(RigOptions, SetWritesAValueInItsType) {

@@ -5,9 +5,11 @@
 #include <fca/code.h>
 #include <fca/fca.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/wording.h>
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace fca::test {
 namespace {
@@ -118,6 +120,20 @@ TEST(Toolkit, CamerasAreChosenByNameOrPlace) {
   }
   request.inputs.cameras = {{CameraChoice{"cam7"}}};
   EXPECT_EQ(convert(request, files).status, Status::kBadRequest);
+}
+
+// The file written calls them otherwise: that is for people, and the shell's to say.
+TEST(Toolkit, ALossNamesItsCameraAsTheInputDoes) {
+  ConvertRequest request = request_for(kDs, "opencv");
+  request.inputs.cameras = {{"1", 1}, {"0", 0}};
+  Files files;
+  const ConvertResult result = convert(request, files);
+  std::set<std::string> owners;
+  for (const Loss& loss : result.losses) {
+    if (id_of(loss) == "time-offset-dropped") owners.insert(loss.owner);
+  }
+  EXPECT_EQ(owners, (std::set<std::string>{"cam0", "cam1"}));
+  EXPECT_EQ(result.cameras.front().source.name, "cam1");
 }
 
 TEST(Toolkit, SavedFilesAreWholeUnderTheirNames) {

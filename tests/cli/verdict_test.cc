@@ -7,6 +7,7 @@
 #include <fca/formats/consumers/consumer.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -67,6 +68,38 @@ TEST(VerdictFirst, AFisheyePairGetsTheLayoutThatTheProgramReadsRightly) {
   const RunResult text = run_program(words, {.in_full = false});
   EXPECT_LE(lines_in(text.err), 10U) << text.err;
   EXPECT_LE(longest_line(text.err), 80U) << text.err;
+}
+
+// Corners beyond the lens do not decide: inside the circle these models fit, if nothing else is asked of them.
+TEST(VerdictFirst, ModelsOfAWideLensAreRankedInsideTheCircle) {
+  const std::string chain = corpus(kT265);
+  if (chain.empty()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  const Told run({"models", chain, "--camera", "0"});
+  EXPECT_EQ(run.json()["cameras"][0]["recommended"].GetString(), std::string("kb4"));
+  std::map<std::string, double> decisive;
+  std::string angle;
+  for (const auto& target : run.json()["cameras"][0]["targets"].GetArray()) {
+    if (!target["fits"].GetBool() || !target["reaches_all"].GetBool()) continue;
+    decisive[target["model"].GetString()] = target["decisive_rms_px"].GetDouble();
+    if (target.HasMember("decisive_with_max_angle_deg"))
+      angle = std::to_string(static_cast<int>(target["decisive_with_max_angle_deg"].GetDouble()));
+    if (target["model"].GetString() == std::string("eucm")) {
+      EXPECT_GT(target["rms_px"].GetDouble(), 5.0) << "the whole image is a note";
+    }
+  }
+  EXPECT_LT(decisive.at("mei"), 0.25);
+  EXPECT_LT(decisive.at("eucm"), 0.5);
+  EXPECT_LT(decisive.at("mei"), decisive.at("eucm"));
+  // And that is what one gets: without the angle a file that is not to be used, with the angle that its fix names.
+  const std::vector<std::string> words = {"convert", chain, "--camera", "0", "--to", "kalibr", "--model", "eucm"};
+  const Told whole(words);
+  EXPECT_EQ(word_of(whole), "do-not-use") << whole.text();
+  EXPECT_TRUE(contains(whole.json()["verdict"]["reasons"][0]["fix"].GetString(), "--max-angle " + angle)) << whole.text();
+  std::vector<std::string> inside = words;
+  inside.insert(inside.end(), {"--max-angle", angle});
+  const Told circle(inside);
+  EXPECT_NE(word_of(circle), "do-not-use") << circle.text();
+  EXPECT_NEAR(circle.json()["verdict"]["reasons"][0]["rms_px"].GetDouble(), decisive.at("eucm"), 0.05);
 }
 
 TEST(VerdictFirst, AMisreadPinholePairIsUsedWithCareAndBothLayoutsAreShown) {

@@ -2,11 +2,13 @@
 #include "check_command.h"
 
 #include "options/inputs.h"
+#include "options/output.h"
 #include "options/program.h"
 #include "options/words.h"
 #include "shell/calibration_files.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
+#include "shell/written_names.h"
 #include "toolkit/save/output_file.h"
 
 #include <fca/formats/text/message.h>
@@ -33,10 +35,9 @@ std::string unknown_code(const std::string& code) {
 std::optional<std::string> usage_error(const CheckArguments& arguments) {
   const Inputs& inputs = arguments.request.inputs;
   if (const std::optional<std::string> error = problem_with(inputs)) return error;
-  if (!inputs.parts.empty() || inputs.join || inputs.cameras || inputs.length_unit_m || changes_images(inputs)) {
-    return "check looks at every file as it stands: --with, --join, --camera, --unit, --crop, --binning and --resize have no "
-           "use here";
-  }
+  std::vector<std::string> changes = given_changes(inputs);
+  if (!inputs.parts.empty()) changes.emplace_back("--with");
+  if (!changes.empty()) return "check looks at every file as it stands: " + enumerated(changes, "and") + " has no use here";
   if (arguments.write && !arguments.fix) return "--write is for --fix";
   if (arguments.fix && (arguments.json || arguments.sarif))
     return "--fix shows a diff: --json and --sarif have no use beside it";
@@ -128,6 +129,10 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     }
     if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
     CheckResult result = check(arguments.request, *source, console.files());
+    if (result.instead) {
+      name_as_written(*result.instead);
+      name_as_written(result.report.verdict, result.instead->cameras);
+    }
     if (!result.report.is_calibration && !file.named) {
       all.skipped.push_back(file.path);
       continue;
@@ -157,7 +162,8 @@ void add_options(Options& options, CheckArguments& arguments) {
   add_input_options(options, request.inputs);
   add_join_option(options, request.inputs);
   // Refused: a file is looked at as it stands.
-  options.hide({"--with", "--join", "--camera", "--unit", "--crop", "--binning", "--resize"});
+  options.hide(all_changes());
+  options.hide({"--with"});
   add_program_option(options,
                      "The program the file is meant for; if it reads another format, what convert would make of it: " +
                          enumerated(program_ids(), "or") + " (default: the format's own)",
@@ -185,7 +191,7 @@ void add_options(Options& options, CheckArguments& arguments) {
                arguments.fix);
   options.flag("--write", "With --fix: write them into the file", arguments.write);
   options.group(OptionGroup::kOutput);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.flag("--sarif", "SARIF 2.1.0 on standard output, for CI services", arguments.sarif);
   options.footer(
       "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"
@@ -199,7 +205,7 @@ void add_check_command(Application& application) {
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<CheckArguments>();
                     add_options(options, *arguments);
-                    return [arguments](const Invocation&, Console& console) { return run_check(*arguments, console); };
+                    return [arguments](const TypedOptions&, Console& console) { return run_check(*arguments, console); };
                   });
 }
 

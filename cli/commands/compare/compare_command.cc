@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
 
-#include "html/command_line.h"
 #include "html/comparison.h"
+#include "options/command_line.h"
 #include "options/inputs.h"
+#include "options/limits.h"
+#include "options/output.h"
 #include "shell/kept_inputs.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
@@ -31,7 +33,7 @@ std::optional<std::string> usage_error(const CompareArguments& arguments) {
 }
 
 /// --report. Nothing is written of files that could not be compared.
-ExitCode write_page(const CompareArguments& arguments, const Invocation& invocation, const ReferenceFile& reference,
+ExitCode write_page(const CompareArguments& arguments, const TypedOptions& typed, const ReferenceFile& reference,
                     const ComparedFile& compared, const Console& console) {
   if (arguments.page.empty() || !compared.comparison || compared.comparison->cameras.empty()) return ExitCode::kGood;
   if (const std::optional<std::string> problem =
@@ -39,7 +41,7 @@ ExitCode write_page(const CompareArguments& arguments, const Invocation& invocat
     console.error(*problem);
     return ExitCode::kUsage;
   }
-  const std::string line = command_line(invocation.options, "compare", [](const std::string&) { return true; });
+  const std::string line = "fca-io " + command_line(typed, "compare", [](const TypedOption&) { return true; });
   const OutputFile file{arguments.page, comparison_page(reference, compared, arguments.request.reference.max_angle_rad, line)};
   if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false)) {
     console.error(text::text_of(*failure, with_options));
@@ -49,7 +51,7 @@ ExitCode write_page(const CompareArguments& arguments, const Invocation& invocat
   return ExitCode::kGood;
 }
 
-ExitCode run_compare(const CompareArguments& arguments, const Invocation& invocation, Console& console) {
+ExitCode run_compare(const CompareArguments& arguments, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   const CompareRequest& request = arguments.request;
   const ReferenceFile reference = read_reference(request, console.files());
@@ -64,11 +66,11 @@ ExitCode run_compare(const CompareArguments& arguments, const Invocation& invoca
     code = worse(code, exit_code(compared.status));
     if (!arguments.json) {
       const bool some = compared.comparison && (compared.status <= Status::kRejected || !compared.comparison->cameras.empty());
-      if (some) console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared));
+      if (some) console.say((files.size() > 1 ? "\n" : "") + compare_text(reference, compared, arguments.verbose));
       console.show(compared.diagnostics);
       if (!some) console.say_aside("verdict: " + file + ": " + verdict_of(compared) + "\n");
     }
-    code = worse(code, write_page(arguments, invocation, reference, compared, console));
+    code = worse(code, write_page(arguments, typed, reference, compared, console));
   }
   if (arguments.json) console.out(compare_json(reference, files, console));
   return code;
@@ -85,26 +87,25 @@ void add_options(Options& options, CompareArguments& arguments) {
   options.each("--with-file", "FILE", "A further part of FILE, as --with is one of REF; may be given several times",
                request.parts);
   options.group(OptionGroup::kProof);
-  options.number("--max-error", "PX",
-                 "Exit with 1 if a camera's worst pixel is off by more, if a camera or more than a thousandth of its image is "
-                 "missing, or if one of the mistakes that people make is found, in poses, IMU and times too",
-                 [&request](double limit) -> std::optional<std::string> {
-                   if (!(limit >= 0.0)) return "--max-error wants a number of pixels";
-                   request.max_error_px = limit;
-                   return std::nullopt;
-                 });
-  options.flag("--strict",
-               "Exit with 1 also if poses are more than 0.5 deg, or 5 mm and 5 % of the distance, apart, time offsets more "
-               "than 1 ms, other numbers more than 5 %, or if FILE does not say what REF says; --max-error is then 0.25 "
-               "where it is not given",
-               request.strict);
-  options.flag("--every-pixel", "Score every pixel of the image instead of a lattice", request.every_pixel);
+  add_max_error_option(
+      options,
+      "Exit with 1 if a camera's worst pixel is off by more, if a camera or more than a thousandth of its image is "
+      "missing, or if one of the mistakes that people make is found, in poses, IMU and times too",
+      request.max_error_px);
+  add_strict_option(
+      options,
+      "Exit with 1 also if poses are more than 0.5 deg, or 5 mm and 5 % of the distance, apart, time offsets more "
+      "than 1 ms, other numbers more than 5 %, or if FILE does not say what REF says; --max-error is then 0.25 "
+      "where it is not given",
+      request.strict);
+  add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kOutput);
   options.value("--report", "PATH",
                 "Also write a page to look at (one HTML file): differences over the image and the angle, both rigs drawn",
                 arguments.page);
-  options.flag("--force", "With --report: overwrite an existing page", arguments.force);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_force_option(options, "With --report: overwrite an existing page", arguments.force);
+  options.flag("-v,--verbose", "Also the errors over the angle from the axis, as a table", arguments.verbose);
+  add_json_option(options, arguments.json);
   options.footer(
       "Errors are measured as convert measures them: a pixel of REF's image, its ray by REF, the pixel of that ray by FILE. "
       "Cameras\n"
@@ -126,9 +127,9 @@ void add_compare_command(Application& application) {
       [](Options& options) -> RunCommand {
         const auto arguments = std::make_shared<CompareArguments>();
         add_options(options, *arguments);
-        return [arguments](const Invocation& invocation, Console& console) {
+        return [arguments](const TypedOptions& typed, Console& console) {
           arguments->request.reference.files = {arguments->reference};
-          return run_compare(*arguments, invocation, console);
+          return run_compare(*arguments, typed, console);
         };
       });
 }

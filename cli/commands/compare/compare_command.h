@@ -17,6 +17,7 @@ struct CompareArguments {
   std::string page;  ///< --report
   bool force = false;
   bool json = false;
+  bool verbose = false;
 };
 
 void add_compare_command(Application& application);
@@ -32,7 +33,12 @@ void add_compare_command(Application& application);
 /// Does the best rotation bring the two nearer to each other?
 [[nodiscard]] bool turning_helps(const CameraComparison& camera);
 
-[[nodiscard]] std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared);
+/// "cam0", or "cam0 and left"
+[[nodiscard]] std::string names_of(const CameraComparison& camera);
+/// A table of those parameters, poses and other numbers that differ.
+[[nodiscard]] std::string numbers_text(const RigComparison& comparison);
+/// `with_bands`: the errors over the angle from the axis, too.
+[[nodiscard]] std::string compare_text(const ReferenceFile& reference, const ComparedFile& compared, bool with_bands);
 [[nodiscard]] std::string compare_json(const ReferenceFile& reference, const std::vector<ComparedFile>& files,
                                        const Console& console);
 

@@ -111,8 +111,8 @@ bool is_told_in_full(std::size_t inputs) {
   return inputs <= kMost;
 }
 
-Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
-                    const std::vector<std::string>& words, const HeldInterrupt& interrupt, Console& console) {
+Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments, const TypedOptions& typed,
+                    const HeldInterrupt& interrupt, Console& console) {
   struct Job {
     std::optional<ConvertOutcome> outcome;
     std::vector<text::Source> sources;  ///< What its diagnostics point into.
@@ -127,7 +127,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     if (groups.size() > 1) each.request.jobs = 1;
     each.request.inputs.files = groups[i].files;
     CommandFiles files(console.streams());
-    jobs[i].outcome = convert_input(each, words, files);
+    jobs[i].outcome = convert_input(each, typed, files);
     const Diagnostics& said = jobs[i].outcome->diagnostics;
     if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = files.sources();
     if (groups.size() > 1 && !in_full) forget(*jobs[i].outcome);

@@ -24,7 +24,7 @@ struct Batch {
 
 /// Converts every input (with --join: all as one), arguments.jobs at the same time, until the interrupt.
 [[nodiscard]] Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments,
-                                  const std::vector<std::string>& words, const HeldInterrupt& interrupt, Console& console);
+                                  const TypedOptions& typed, const HeldInterrupt& interrupt, Console& console);
 
 /// One line for each of several inputs, and one for all. `written`: what was converted was to be written (no --dry-run).
 [[nodiscard]] std::string batch_text(const Batch& batch, bool written);

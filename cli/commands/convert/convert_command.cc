@@ -3,6 +3,8 @@
 
 #include "batch.h"
 #include "options/inputs.h"
+#include "options/limits.h"
+#include "options/output.h"
 #include "options/target.h"
 #include "options/words.h"
 #include "shell/calibration_files.h"
@@ -32,15 +34,13 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments, const 
   }
   if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + format_names();
   if (const std::optional<std::string> error = problem_with(request)) return error;
-  if (arguments.in_place && !arguments.output.empty()) return "--in-place writes BASE itself; leave out -o";
+  if (arguments.in_place && arguments.output.is_said()) return "--in-place writes BASE itself; leave out -o";
   const bool many = !request.inputs.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
   if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";
-  const bool one_path =
-      !arguments.output.empty() && arguments.output.find('{') == std::string::npos && !names_folder(arguments.output);
   constexpr std::string_view kOneRig = "; parts of one calibration go behind --with, cameras of one rig want --join";
-  if (many && one_path)
+  if (many && arguments.output.is_said() && !arguments.output.holds_many())
     return "several inputs need -o FOLDER/ or a pattern such as -o 'out/{stem}.{format}.yaml'" + std::string(kOneRig);
-  if (many && arguments.output.empty() && !arguments.json)
+  if (many && !arguments.output.is_said() && !arguments.json)
     return "several inputs need -o FOLDER/ (or --json)" + std::string(kOneRig);
   return problem_with_pattern(arguments.output);
 }
@@ -73,8 +73,7 @@ void warn_of_unused(const std::vector<Acceptance>& accepted, const Verdict& verd
 ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector<FoundFile>& files, Streams& streams) {
   constexpr std::size_t kMost = 4;
   if (arguments.request.inputs.join || files.size() < 2 || files.size() > kMost) return arguments;
-  const bool is_batch = names_folder(arguments.output) || arguments.output.find('{') != std::string::npos;
-  if (is_batch) return arguments;
+  if (arguments.output.holds_many()) return arguments;
   if (!std::ranges::all_of(files, [](const FoundFile& file) { return file.named && is_regular(file); })) return arguments;
   ConvertArguments result = arguments;
   result.inputs.clear();
@@ -91,14 +90,14 @@ ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector
   return result.inputs.size() == 1 ? result : arguments;
 }
 
-ExitCode run_convert(const ConvertArguments& given, const Invocation& invocation, Console& console) {
+ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
   const ConvertArguments arguments = with_parts(given, walk(given.inputs), console.streams());
   const std::vector<FoundFile> files = walk(arguments.inputs);
   if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular), console);
-  Batch batch = convert_batch(files, arguments, invocation.words, interrupt, console);
+  Batch batch = convert_batch(files, arguments, typed, interrupt, console);
   std::vector<ConvertOutcome>& outcomes = batch.outcomes;
   if (outcomes.empty() && batch.left == 0) {
     return console.refuse(ExitCode::kBadInput, "no calibration with a camera in " + enumerated(arguments.inputs) + " (" +
@@ -110,7 +109,7 @@ ExitCode run_convert(const ConvertArguments& given, const Invocation& invocation
 
   ExitCode code = ExitCode::kGood;
   const bool in_full = is_told_in_full(outcomes.size() + batch.skipped + batch.left);
-  const bool file_on_stdout = (arguments.output.empty() && !arguments.in_place) || arguments.output == "-";
+  const bool file_on_stdout = arguments.output.is_standard_output() && !arguments.in_place;
   if (!arguments.dry_run) remove_leftovers_beside(outcomes);
   std::size_t tried = 0;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -161,7 +160,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.value(
       "-o,--output", "PATH",
       "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (default: standard output)",
-      arguments.output);
+      [&arguments](const std::string& word) { return take_place(word, arguments.output); });
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);
   add_join_option(options, request.inputs);
@@ -175,30 +174,25 @@ void add_options(Options& options, ConvertArguments& arguments) {
        {"--no-provenance", "Leave out that comment", [&request] { request.provenance = ProvenanceComment::kNone; }}},
       "--provenance and --no-provenance contradict each other");
   options.group(OptionGroup::kProof);
-  options.number("--max-error", "PX",
-                 "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
-                 "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if "
-                 "--max-angle or --lens-circle says where it ends), more than a thousandth of it or what the fit had to give "
-                 "up, has no pixel in the new model",
-                 [&request](double limit) -> std::optional<std::string> {
-                   if (!(limit >= 0.0)) return "--max-error wants a number of pixels";
-                   request.max_error_px = limit;
-                   return std::nullopt;
-                 });
-  options.flag("--strict", "Fail if anything of the input cannot be carried", request.strict);
+  add_max_error_option(
+      options,
+      "Fail (exit 1, nothing written) if the largest error of what was scored is more (the max of the report: "
+      "polished to where it really is, between the pixels, too), or if a part of the image (of the lens, if "
+      "--max-angle or --lens-circle says where it ends), more than a thousandth of it or what the fit had to give "
+      "up, has no pixel in the new model",
+      request.max_error_px);
+  add_strict_option(options, "Fail if anything of the input cannot be carried", request.strict);
   options.flag_pair(
       "--verify",
       "Try the written bytes with our re-implementation of the program's reader before they are put in place (the default)",
       "--no-verify", "Do not try it", request.verify);
   add_accept_option(options, request.accepted);
   options.group(OptionGroup::kOutput);
-  options.count("--jobs", "N",
-                "Inputs, or cameras of one, worked on at the same time (default: as many as there are processors)",
-                request.jobs, 1, 1024);
+  add_jobs_option(options, "Inputs, or cameras of one, worked on at the same time", request.jobs);
   options.flag("--dry-run", "Report, write nothing", arguments.dry_run);
-  options.flag("--force", "Overwrite existing files", arguments.force);
+  add_force_option(options, "Overwrite existing files", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.flag("-v,--verbose", "The full report, with its tables", arguments.verbose);
   options.flag("-q,--quiet", "Errors only", arguments.quiet);
   options.footer(
@@ -214,11 +208,11 @@ void add_convert_command(Application& application) {
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<ConvertArguments>();
                     add_options(options, *arguments);
-                    return [arguments](const Invocation& invocation, Console& console) {
+                    return [arguments](const TypedOptions& typed, Console& console) {
                       arguments->request.in_detail = arguments->json || arguments->verbose;
-                      const std::string extension = std::filesystem::path(arguments->output).extension().string();
+                      const std::string extension = std::filesystem::path(arguments->output.path).extension().string();
                       if (!extension.empty()) arguments->request.extension = extension;
-                      return run_convert(*arguments, invocation, console);
+                      return run_convert(*arguments, typed, console);
                     };
                   });
 }

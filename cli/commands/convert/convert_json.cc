@@ -72,14 +72,16 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
 void put_defaults(Json& json, const ConvertOutcome& outcome) {
   json.array("defaults", outcome.defaults, [&](const DefaultedValue& value) {
     json.object([&] {
-      const std::string words = value_of(value, with_options);
       json.put("key", value.key);
-      if (const std::optional<int> whole = text::parse_int(words)) {
+      const auto* const spelled = std::get_if<std::string>(&value.value.value);
+      const std::optional<int> whole = spelled != nullptr ? text::parse_int(*spelled) : std::nullopt;
+      const std::optional<double> number = spelled != nullptr ? text::parse_real(*spelled) : std::nullopt;
+      if (whole) {
         json.put("value", *whole);
-      } else if (const std::optional<double> number = text::parse_real(words)) {
+      } else if (number) {
         json.put("value", *number);
       } else {
-        json.put("value", words);
+        json.put("value", value_of(value, with_options));
       }
       json.put("look_at_it", value.look_at_it);
     });

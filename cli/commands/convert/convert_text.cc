@@ -166,7 +166,7 @@ std::vector<ProofWords> proofs_in_words(const ConvertResult& outcome) {
 std::string convert_text(const ConvertOutcome& outcome, bool written) {
   std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + text::text_of(outcome.headline, with_options) + "\n";
   for (const ConvertedCamera& camera : outcome.cameras) {
-    text += "\n" + camera.name_in_words() + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
+    text += "\n" + name_in_words(camera) + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
     const bool kept = camera.source.model == camera.target.model;
     if (camera.report) {
       text +=

@@ -1,74 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outcome.h"
 
+#include "options/command_line.h"
 #include "shell/kept_inputs.h"
-#include "shell/output_name.h"
 #include "shell/words.h"
+#include "shell/written_names.h"
 
 #include <fca/code.h>
 
 #include <algorithm>
-#include <array>
 
 namespace fca::cli {
 
 namespace {
 
-/// The command's words without those that only say where the file goes and how it is shown: the same conversion gives the same
-/// file.
-std::string made_by(const std::vector<std::string>& words) {
-  constexpr std::array<std::string_view, 10> kOfNoMatter = {"--json", "--force", "--fsync",   "--dry-run", "--provenance",
-                                                            "-v",     "-vv",     "--verbose", "-q",        "--quiet"};
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string& word = words[i];
-    if (word == "-o" || word == "--output") {
-      ++i;
-    } else if (!(word.starts_with("-o") || word.starts_with("--output=")) &&
-               std::ranges::find(kOfNoMatter, word) == kOfNoMatter.end()) {
-      text += (text.empty() ? "" : " ") + shell_word(word);
-    }
-  }
-  return text;
+/// The command without what only says where the file goes and how it is shown: the same conversion gives the same file.
+std::string made_by(const TypedOptions& typed) {
+  return command_line(typed, "convert", [](const TypedOption& option) { return !option.about_output; });
 }
 
 /// What -o has a place for.
 OutputRoom room(const ConvertArguments& arguments) {
-  const std::string& output = arguments.output;
-  const bool folder = names_folder(output);
+  const OutputPlace& output = arguments.output;
   OutputRoom result;
-  result.named_files = arguments.json || arguments.in_place || !(output.empty() || output == "-");
-  result.camera_files = folder || (output.empty() && arguments.json) || output.find("{camera}") != std::string::npos;
-  result.further_files = folder;
+  result.named_files = arguments.json || arguments.in_place || !output.is_standard_output();
+  result.further_files = output.kind == OutputPlace::Kind::kFolder;
+  result.camera_files =
+      result.further_files || (!output.is_said() && arguments.json) || output.path.find("{camera}") != std::string::npos;
   return result;
 }
 
 /// The command as it was typed, but with these cameras.
-std::string command_with_cameras(const std::vector<std::string>& words, const std::vector<CameraChoice>& cameras) {
+std::string command_with_cameras(const TypedOptions& typed, const std::vector<CameraChoice>& cameras) {
   std::string list;
   for (const CameraChoice& camera : cameras) list += (list.empty() ? "" : ",") + camera.name;
-  std::string command = "fca-io";
-  bool skip = false;
-  for (const std::string& word : words) {
-    if (!skip && word != "--camera" && !word.starts_with("--camera=")) command += " " + shell_word(word);
-    skip = word == "--camera";
-  }
-  return command + " --camera " + shell_word(list);
+  const std::string others =
+      command_line(typed, "convert", [](const TypedOption& option) { return option.name != "--camera"; });
+  return "fca-io " + others + " --camera " + shell_word(list);
 }
 
 /// How to fix what is wrong, where that is another command.
-void add_commands(const std::vector<std::string>& words, ConvertOutcome& outcome) {
+void add_commands(const TypedOptions& typed, ConvertOutcome& outcome) {
   if (outcome.better_order.empty()) return;
   Diagnostics with_commands;
   for (Diagnostic entry : outcome.diagnostics.entries()) {
     if (entry.facts.code == Code::kSecondIsLeft)
-      entry.remedy = {Code::kCommandInstead, {command_with_cameras(words, outcome.better_order)}};
+      entry.remedy = {Code::kCommandInstead, {command_with_cameras(typed, outcome.better_order)}};
     with_commands.add(std::move(entry));
   }
   outcome.diagnostics = std::move(with_commands);
   for (Reason& reason : outcome.verdict.reasons) {
     if (reason.facts.code == Code::kSecondIsLeft)
-      reason.remedy = {Code::kCommandInstead, {command_with_cameras(words, outcome.better_order)}};
+      reason.remedy = {Code::kCommandInstead, {command_with_cameras(typed, outcome.better_order)}};
   }
 }
 
@@ -86,20 +69,21 @@ void keep_images(const Inputs& inputs, ConvertOutcome& outcome) {
 
 }  // namespace
 
-ConvertOutcome convert_input(const ConvertArguments& arguments, const std::vector<std::string>& words, Files& files) {
+ConvertOutcome convert_input(const ConvertArguments& arguments, const TypedOptions& typed, Files& files) {
   ConvertRequest request = arguments.request;
   const std::string& input = request.inputs.files.front();
-  const std::string& place = arguments.in_place ? request.into : arguments.output;
-  request.made_by = made_by(words);
+  const OutputPlace place = arguments.in_place ? OutputPlace{OutputPlace::Kind::kFile, request.into} : arguments.output;
+  request.made_by = made_by(typed);
   request.room = room(arguments);
   request.path_of = [&place, &input](const ConvertResult& result, std::size_t file) {
     return output_path(place, input, result, file);
   };
   ConvertOutcome outcome;
   static_cast<ConvertResult&>(outcome) = convert(request, files);
+  name_as_written(outcome);
   outcome.input = input;
   keep_images(request.inputs, outcome);
-  add_commands(words, outcome);
+  add_commands(typed, outcome);
   outcome.code = exit_code(outcome.status);
   return outcome;
 }

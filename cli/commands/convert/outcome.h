@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "options/options.h"
 #include "shell/exit_code.h"
+#include "shell/output_name.h"
 
 #include <fca/toolkit/convert.h>
 
@@ -14,7 +16,7 @@ namespace fca::cli {
 struct ConvertArguments {
   ConvertRequest request;           ///< Its inputs' files are one conversion's.
   std::vector<std::string> inputs;  ///< As typed: files, folders, patterns.
-  std::string output;
+  OutputPlace output;
   bool in_place = false;
   bool force = false;
   bool fsync = false;
@@ -31,8 +33,8 @@ struct ConvertOutcome : ConvertResult {
   ExitCode code = ExitCode::kGood;
 };
 
-/// One conversion, of one input or several that are one rig (request.inputs.files). `words`: the command line.
-[[nodiscard]] ConvertOutcome convert_input(const ConvertArguments& arguments, const std::vector<std::string>& words,
-                                           Files& files);
+/// One conversion, of one input or several that are one rig (request.inputs.files). `typed`: what was asked for,
+/// as it was typed.
+[[nodiscard]] ConvertOutcome convert_input(const ConvertArguments& arguments, const TypedOptions& typed, Files& files);
 
 }  // namespace fca::cli

@@ -42,7 +42,7 @@ const PixelDistance* distance_of(const ConvertOutcome& outcome, const ConvertedC
 
 SummaryLine line_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
   const PixelDistance* distance = distance_of(outcome, camera);
-  return {camera.name_in_words(), camera_line(camera) + (distance != nullptr ? "; " + distance_in_words(*distance) : "")};
+  return {name_in_words(camera), camera_line(camera) + (distance != nullptr ? "; " + distance_in_words(*distance) : "")};
 }
 
 /// Parts of the image beyond the region that decides.
@@ -76,6 +76,14 @@ void add_left_out(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras)});
 }
 
+void add_nearer_fit(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+  for (const Reason& reason : outcome.verdict.reasons) {
+    if (reason.remedy.code != Code::kFitInsideAngle) continue;
+    lines.push_back({"better", text::text_of(reason.remedy, with_options)});
+    return;
+  }
+}
+
 std::string in_words(const OtherWriting& writing) {
   return (writing.layout.empty() ? "the usual" : writing.layout) + ", " + writing.model;
 }
@@ -105,6 +113,7 @@ std::string convert_summary(const ConvertOutcome& outcome, bool written) {
   for (SummaryLine& line : lines_of(outcome.verdict, false)) lines.push_back(std::move(line));
   add_limits(outcome, lines);
   add_other_writings(outcome, lines);
+  add_nearer_fit(outcome, lines);
   add_left_out(outcome, lines);
   add_settings(outcome, lines);
   std::string text = first_line(outcome, written) + summary_text(lines);

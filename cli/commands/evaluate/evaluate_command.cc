@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluate_command.h"
+#include "options/output.h"
 
 #include <memory>
 
@@ -32,7 +33,7 @@ void add_options(Options& options, EvaluateArguments& arguments) {
   options.value("--image", "IMAGE",
                 "An image of 752 x 480 px: recovered by every row's conversion and compared with itself, PSNR and SSIM",
                 arguments.image);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.footer(
       "The cameras are the paper's. Its figures stand beside ours, and why they differ. The paper's images are not ours:\n"
       "--image takes any; examples/cpp/render_image.cc makes one.\n\n"
@@ -50,7 +51,7 @@ void add_evaluate_command(Application& application) {
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<EvaluateArguments>();
                     add_options(options, *arguments);
-                    return [arguments](const Invocation&, Console& console) { return run_evaluation(*arguments, console); };
+                    return [arguments](const TypedOptions&, Console& console) { return run_evaluation(*arguments, console); };
                   });
 }
 

@@ -2,6 +2,7 @@
 #include "project_command.h"
 
 #include "options/inputs.h"
+#include "options/output.h"
 #include "shell/json.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
@@ -148,7 +149,7 @@ void add_options(Options& options, const Direction& direction, ProjectArguments&
   options.positional("FILE", "Calibration file", arguments.file);
   add_input_options(options, arguments.inputs);
   options.group(OptionGroup::kOutput);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.footer(direction.footer);
 }
 
@@ -159,7 +160,7 @@ void add_project_commands(Application& application) {
     application.add(direction.name, direction.what, [&direction](Options& options) -> RunCommand {
       const auto arguments = std::make_shared<ProjectArguments>();
       add_options(options, direction, *arguments);
-      return [arguments, &direction](const Invocation&, Console& console) {
+      return [arguments, &direction](const TypedOptions&, Console& console) {
         arguments->inputs.files = {arguments->file};
         return run_mapping(*arguments, direction.forwards, console);
       };

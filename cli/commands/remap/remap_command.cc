@@ -4,6 +4,7 @@
 #include "commands/convert/batch.h"
 #include "npy.h"
 #include "options/inputs.h"
+#include "options/output.h"
 #include "options/words.h"
 #include "pictures/image_formats.h"
 #include "pictures/pictures.h"
@@ -158,7 +159,7 @@ ExitCode tell(const RemapArguments& arguments, const Remapping& done, const Cons
   const bool wrote_parts = !arguments.map.empty() || !arguments.mask.empty();
   const bool made = wrote_parts || done.images.empty() || std::ranges::any_of(done.images, &is_written);
   const std::string text = (made ? view_text(arguments, done) : "") + images_text(arguments, done);
-  arguments.output == "-" ? console.say_aside(text) : console.say(text);
+  arguments.output.kind == OutputPlace::Kind::kStandardOutput ? console.say_aside(text) : console.say(text);
   return code;
 }
 
@@ -193,7 +194,7 @@ void add_options(Options& options, RemapArguments& arguments) {
   options.value(
       "-o,--output", "PATH",
       "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
-      arguments.output);
+      [&arguments](const std::string& word) { return take_place(word, arguments.output); });
   options.group(OptionGroup::kTarget);
   options.number("--pinhole", "FULL_FOV_DEG",
                  "As a pinhole camera: straight lines are straight. Full field of view across the width, in degrees",
@@ -235,9 +236,9 @@ void add_options(Options& options, RemapArguments& arguments) {
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);
   options.group(OptionGroup::kOutput);
-  options.count("--jobs", "N", "Images at the same time (default: as many as there are processors)", request.jobs, 1, 1024);
-  options.flag("--force", "Overwrite existing files", arguments.force);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_jobs_option(options, "Images at the same time", request.jobs);
+  add_force_option(options, "Overwrite existing files", arguments.force);
+  add_json_option(options, arguments.json);
   options.footer(
       "Axes: x right, y down, z forward; R = Ry(yaw) Rx(pitch) Rz(roll), right-handed, takes the new camera's rays to the old\n"
       "one's. Grey, colour, 16 bits and opacity stay as they are. What the source does not see becomes 0.\n\n"
@@ -254,7 +255,7 @@ void add_remap_command(Application& application) {
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<RemapArguments>();
                     add_options(options, *arguments);
-                    return [arguments](const Invocation&, Console& console) {
+                    return [arguments](const TypedOptions&, Console& console) {
                       arguments->request.inputs.files = {arguments->file};
                       if (auto* pinhole = std::get_if<PinholeView>(&arguments->request.view))
                         pinhole->size = arguments->pinhole_size;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options/application.h"
+#include "shell/output_name.h"
 
 #include <fca/toolkit/remap.h>
 
@@ -16,7 +17,7 @@ struct RemapArguments {
   std::vector<std::string> images;
   Interpolation interpolation = Interpolation::kBilinear;
   std::string rotate;  ///< As typed, for the text.
-  std::string output;
+  OutputPlace output;
   std::string mask;
   std::string map;
   bool force = false;

@@ -27,11 +27,20 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kOfImages = {"{stem}", "{extension}", "{folder}", "{camera}"};
 
-bool names_many(const std::string& output) { return output.find('{') != std::string::npos || names_folder(output); }
-
-std::string output_path(const std::string& output, const std::string& input, const std::string& camera) {
-  if (output.find('{') != std::string::npos) return with_names_of(input, camera, output);
-  return names_folder(output) ? (fs::path(output) / fs::path(input).filename()).string() : output;
+/// "-": standard output.
+std::string output_path(const OutputPlace& place, const std::string& input, const std::string& camera) {
+  switch (place.kind) {
+    case OutputPlace::Kind::kPattern:
+      return with_names_of(input, camera, place.path);
+    case OutputPlace::Kind::kFolder:
+      return (fs::path(place.path) / fs::path(input).filename()).string();
+    case OutputPlace::Kind::kFile:
+      return place.path;
+    case OutputPlace::Kind::kNotSaid:
+    case OutputPlace::Kind::kStandardOutput:
+      break;
+  }
+  return "-";
 }
 
 /// Whose ending says the format: the output's, or the input's where that has none (standard output, a device).
@@ -74,13 +83,14 @@ std::optional<std::string> problem_with_output(const RemapArguments& arguments, 
                                                const std::string& camera) {
   if (images.empty() && arguments.map.empty() && arguments.mask.empty())
     return "give images to remap, or --map or --mask to write those alone";
-  if (images.empty() && !arguments.output.empty()) return "-o is for images, and there is none";
-  if (!images.empty() && arguments.output.empty())
+  if (images.empty() && arguments.output.is_said()) return "-o is for images, and there is none";
+  if (!images.empty() && !arguments.output.is_said())
     return "-o is missing: a file, a folder, or a pattern such as 'out/{stem}.png'";
   if (std::optional<std::string> problem = problem_with_pattern(arguments.output, kOfImages)) return problem;
   const bool many = images.size() > 1 || (images.size() == 1 && !images.front().named);
-  if (many && !names_many(arguments.output)) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
-  if (arguments.json && arguments.output == "-") return "with --json the image needs a file: -o PATH";
+  if (many && !arguments.output.holds_many()) return "several images need -o FOLDER/ or a pattern such as -o 'out/{stem}.png'";
+  if (arguments.json && arguments.output.kind == OutputPlace::Kind::kStandardOutput)
+    return "with --json the image needs a file: -o PATH";
   std::vector<std::string> files = {arguments.file};
   for (const FoundFile& image : images) files.push_back(image.path);
   KeptInputs inputs(arguments.request.inputs);

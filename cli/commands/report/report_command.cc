@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report_command.h"
 
-#include "html/command_line.h"
 #include "html/contents.h"
 #include "html/page.h"
+#include "options/command_line.h"
 #include "options/inputs.h"
+#include "options/output.h"
 #include "options/target.h"
 #include "options/words.h"
 #include "shell/kept_inputs.h"
 #include "shell/option_hints.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
+#include "shell/written_names.h"
 #include "toolkit/save/output_file.h"
 
 #include <fca/formats/text/message.h>
@@ -71,11 +73,11 @@ std::string title_of(const Inputs& inputs) {
 }
 
 /// `convert` with the options of the page.
-std::string convert_line(const ReportArguments& arguments, const Invocation& invocation) {
-  const auto keep = [&arguments](const std::string& name) {
-    return name != "--output" && name != "--force" && !(arguments.every_model && name == "--model");
+std::string convert_line(const ReportArguments& arguments, const TypedOptions& typed) {
+  const auto keep = [&arguments](const TypedOption& option) {
+    return !option.about_output && !(arguments.every_model && option.name == "--model");
   };
-  return command_line(invocation.options, "convert", keep) + " -o converted/";
+  return "fca-io " + command_line(typed, "convert", keep) + " -o converted/";
 }
 
 ExitCode put(const ReportArguments& arguments, const std::string& page, Console& console) {
@@ -92,10 +94,14 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
   return ExitCode::kGood;
 }
 
-ExitCode run_report(const ReportArguments& arguments, const Invocation& invocation, Console& console) {
+ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   ReportResult result = report(request_of(arguments), console.files());
   if (result.status > Status::kRejected) return console.refuse(exit_code(result.status), result.diagnostics());
+  if (result.conversion) {
+    name_as_written(*result.conversion);
+    name_as_written(result.verdict, result.conversion->cameras);
+  }
   ReportContents contents;
   contents.title = title_of(arguments.inputs);
   contents.shown = as_shown(std::move(result.reading), arguments.inputs);
@@ -105,8 +111,8 @@ ExitCode run_report(const ReportArguments& arguments, const Invocation& invocati
   contents.models = std::move(result.models);
   contents.verdict = std::move(result.verdict);
   contents.max_angle_rad = arguments.inputs.max_angle_rad;
-  contents.command = command_line(invocation.options, "report", [](const std::string&) { return true; });
-  if (contents.to != nullptr) contents.convert = convert_line(arguments, invocation);
+  contents.command = "fca-io " + command_line(typed, "report", [](const TypedOption&) { return true; });
+  if (contents.to != nullptr) contents.convert = convert_line(arguments, typed);
   console.show(contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics);
   const ExitCode code = put(arguments, report_page(contents), console);
   const bool on_page = !arguments.output.empty() && arguments.output != "-";
@@ -142,7 +148,7 @@ void add_options(Options& options, ReportArguments& arguments) {
   add_imu_option(options, arguments.inputs);
   add_target_options(options, conversion);
   options.group(OptionGroup::kOutput);
-  options.flag("--force", "Overwrite an existing page", arguments.force);
+  add_force_option(options, "Overwrite an existing page", arguments.force);
   options.footer(
       "The page needs nothing beside itself: no network, no scripts. It is written even where convert would refuse to write\n"
       "the file (exit 1), and says so; of what cannot be converted at all (exit 2) there is none.\n\n"
@@ -159,8 +165,7 @@ void add_report_command(Application& application) {
       [](Options& options) -> RunCommand {
         const auto arguments = std::make_shared<ReportArguments>();
         add_options(options, *arguments);
-        return
-            [arguments](const Invocation& invocation, Console& console) { return run_report(*arguments, invocation, console); };
+        return [arguments](const TypedOptions& typed, Console& console) { return run_report(*arguments, typed, console); };
       });
 }
 

@@ -2,6 +2,7 @@
 #include "show_command.h"
 
 #include "options/inputs.h"
+#include "options/output.h"
 #include "options/program.h"
 #include "shell/words.h"
 
@@ -25,9 +26,10 @@ namespace {
 std::optional<std::string> usage_error(const ReadRequest& request) {
   const Inputs& inputs = request.inputs;
   if (const std::optional<std::string> error = problem_with(inputs)) return error;
-  if (request.program != nullptr && (inputs.join || inputs.cameras || inputs.length_unit_m || changes_images(inputs)))
-    return "--for is about a file as it stands: --join, --camera, --unit, --crop, --binning and --resize have no use beside it";
-  return std::nullopt;
+  std::vector<std::string> changes = given_changes(inputs);
+  if (inputs.length_unit_m) changes.emplace_back("--unit");
+  if (request.program == nullptr || changes.empty()) return std::nullopt;
+  return "--for is about a file as it stands: " + enumerated(changes, "and") + " has no use beside it";
 }
 
 ExitCode run_show(const ShowArguments& arguments, Console& console) {
@@ -58,7 +60,7 @@ void add_options(Options& options, ShowArguments& arguments) {
                          enumerated(program_ids(), "or"),
                      request.program);
   options.group(OptionGroup::kOutput);
-  options.flag("--json", "One JSON document on standard output", arguments.json);
+  add_json_option(options, arguments.json);
   options.footer("Example:\n  fca-io show camchain.yaml --with imu.yaml\n  fca-io show settings.yaml --for orbslam3\n");
 }
 
@@ -69,7 +71,7 @@ void add_show_command(Application& application) {
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<ShowArguments>();
                     add_options(options, *arguments);
-                    return [arguments](const Invocation&, Console& console) { return run_show(*arguments, console); };
+                    return [arguments](const TypedOptions&, Console& console) { return run_show(*arguments, console); };
                   });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OCamCalib's files state the lens twice: what is compared is the direct polynomial, and programs that project use the other.
+// Files that state the lens twice: what is compared is the direct polynomial, and programs that project use the other.
 #include "compare/inverses.h"
 
 #include <fca/formats/consumers/consumer.h>
@@ -10,11 +10,13 @@
 namespace fca {
 
 std::optional<double> inverses_apart_px(const Calibration& reference, const Calibration& other) {
-  const consumers::Consumer* program = consumers::find_consumer("ocamcalib");
-  const auto view_of = [program](const Calibration& calibration) {
-    const bool single = calibration.format->id == program->format && calibration.rig.cameras.size() == 1;
-    return single ? program->load(calibration.documents[calibration.with_cameras].source().bytes, {})
-                  : consumers::ConsumerView();
+  const auto view_of = [](const Calibration& calibration) {
+    const auto programs = consumers::all_consumers();
+    const auto program = std::ranges::find_if(programs, [&calibration](const consumers::Consumer& each) {
+      return each.by_inverse && each.format == calibration.format->id;
+    });
+    if (program == programs.end() || calibration.rig.cameras.size() != 1) return consumers::ConsumerView();
+    return program->load(calibration.documents[calibration.with_cameras].source().bytes, {});
   };
   const consumers::ConsumerView here = view_of(reference);
   const consumers::ConsumerView there = view_of(other);

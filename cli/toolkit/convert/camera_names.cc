@@ -6,7 +6,6 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
-#include <variant>
 
 namespace fca {
 
@@ -31,20 +30,6 @@ void name_as_written(const Format& format, const Written& written, std::vector<C
           std::ranges::find_if(cameras, [&](const ConvertedCamera& each) { return each.source.name == file.cameras[i]; });
       if (camera != cameras.end() && (file.cameras.size() > 1 || is_stated(file, name))) camera->name_in_file = name;
     }
-  }
-}
-
-std::string name_in_words(const std::string& name, std::span<const ConvertedCamera> cameras) {
-  const auto camera = std::ranges::find_if(cameras, [&name](const ConvertedCamera& each) { return each.source.name == name; });
-  return camera != cameras.end() ? camera->name_in_words() : name;
-}
-
-void name_as_in_file(Loss& loss, std::span<const ConvertedCamera> cameras) {
-  loss.owner = name_in_words(loss.owner, cameras);
-  for (Argument& value : loss.values) {
-    auto* const names = std::get_if<std::vector<std::string>>(&value.value);
-    if (names == nullptr) continue;
-    for (std::string& name : *names) name = name_in_words(name, cameras);
   }
 }
 

@@ -51,6 +51,12 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
       if (reason.facts.code == Code::kVerdictRefused) reason.remedy = entry.facts;
     }
   }
+  if (result.nearer) {
+    for (Reason& reason : verdict.reasons) {
+      if (reason.facts.code == Code::kVerdictPixelsOff)
+        reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, result.rms_px}};
+    }
+  }
   return verdict;
 }
 
@@ -60,7 +66,10 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   if (!read_start(request, files, start, programs, result)) return false;
   const ConvertResult before = result;
   if (!write_as_asked(request, start, result)) return false;
-  if (request.verify) try_other_layouts(request, start, before, result);
+  if (request.verify) {
+    try_other_layouts(request, start, before, result);
+    try_nearer_fit(request, start, before, result);
+  }
   result.rms_px = worst_rms_px(result);
   for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);
   warn_of_poor_fits(request, result);

@@ -28,7 +28,7 @@ std::vector<const Camera*> counterparts(const Rig& base, const Rig& rig, bool in
 }
 
 /// Names the rig's cameras as their counterparts; one that is added keeps its name, or gets a free one. Any other name of a
-/// camera of the base, of one that was left out of the input and has a pose yet, becomes "NAME of the input".
+/// camera of the base, of one that was left out of the input and has a pose yet, becomes "input/NAME".
 void take_names(const Rig& base, std::span<const Camera* const> counterparts, Rig& rig, Kept& kept, Diagnostics& diagnostics) {
   std::vector<std::pair<std::string, std::string>> names;
   const auto is_taken = [&](const std::string& name) {
@@ -51,7 +51,7 @@ void take_names(const Rig& base, std::span<const Camera* const> counterparts, Ri
   const auto renamed = [&](const std::string& name) -> std::string {
     const auto row = std::ranges::find(names, name, &std::pair<std::string, std::string>::first);
     if (row != names.end()) return row->second;
-    return base.find_camera(name) != nullptr ? name + " of the input" : name;
+    return base.find_camera(name) != nullptr ? "input/" + name : name;
   };
   for (Camera& camera : rig.cameras) camera.name = renamed(camera.name);
   for (PoseEdge& edge : rig.poses) {

@@ -52,7 +52,7 @@ bool is_ours(std::string_view line) {
 std::string camera_line(const ConvertedCamera& camera, bool other_images) {
   const std::string from(model_info(camera.source.model).id);
   const std::string to(model_info(camera.target.model).id);
-  std::string text = camera.name_in_words() + ": ";
+  std::string text = name_in_words(camera) + ": ";
   if (camera.source.model == camera.target.model)
     return text + to + ", " + std::string(kKept) + (other_images ? " for the changed images" : "");
   if (!camera.report) return text + from + std::string(kArrow) + to;

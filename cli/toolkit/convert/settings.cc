@@ -49,7 +49,8 @@ bool apply(const KeyValue& setting, const Format& format, const ReadOptions& opt
 
 bool apply_settings(const ConvertRequest& request, const Format& format, Written& written, Diagnostics& diagnostics) {
   ReadOptions options = read_options(request.inputs);
-  options.join = false;  // each file by itself
+  options.join = false;           // each file by itself
+  options.length_unit_m.reset();  // it is written in metres
   return std::ranges::all_of(request.settings, [&](const KeyValue& setting) {
     return apply(setting, format, options, request.frame_rate_hz, written, diagnostics);
   });

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stereo_order.h"
 
-#include "camera_names.h"
-
 #include <fca/code.h>
 #include <fca/rig/stereo_order.h>
 
@@ -27,8 +25,7 @@ void warn_of_wrong_side(const Rig& rig, const ConvertRequest& request, const Mes
   if (!left) return;
   Rig other = rig;
   std::swap(other.cameras[0], other.cameras[1]);
-  const auto name = [&](const Camera& camera) { return name_in_words(camera.name, result.cameras); };
-  const std::vector<Argument> facts = {name(rig.cameras[1]), 100.0 * *left, name(rig.cameras[0]), first_is_left};
+  const std::vector<Argument> facts = {rig.cameras[1].name, 100.0 * *left, rig.cameras[0].name, first_is_left};
   if (second_left_of_first(other)) {
     result.diagnostics.add(Code::kEachIsLeft, facts);
     return;

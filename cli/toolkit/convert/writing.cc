@@ -149,7 +149,6 @@ bool Writing::write() {
   // Before the settings: what those make of a file is no edit of the input any more.
   add_provenance(request_, input_, written_, result_);
   if (!apply_settings(request_, to, written_, result_.diagnostics)) return false;
-  for (Loss& loss : written_.losses) name_as_in_file(loss, result_.cameras);
   warn_of_wrong_side(rig_, request_, written_.first_is_left, result_);
   return true;
 }

@@ -133,25 +133,11 @@ bool has_given_size(const Inputs& inputs, const Calibration& calibration, Diagno
   return true;
 }
 
-/// Translations without a unit in metres; false with an error where there are none.
-bool make_metres(double unit_m, const std::string& input, Calibration& calibration, Diagnostics& diagnostics) {
-  if (calibration.poses_without_unit.empty()) {
-    diagnostics.add(Code::kUnitWithoutUse, {calibration.format->title}, {input, 0, 0});
-    return false;
-  }
-  for (PoseEdge& edge : calibration.rig.poses) {
-    if (!has_assumed_unit(edge, calibration)) continue;
-    for (const std::size_t at : {3U, 7U, 11U}) edge.T_a_b.values[at] *= unit_m;
-  }
-  calibration.poses_without_unit.clear();
-  return true;
-}
-
-/// What the readers found. Where the unit is given, it is no question any more.
-void add_but_for_units(const Diagnostics& found, const Inputs& inputs, Diagnostics& diagnostics) {
-  for (const Diagnostic& entry : found.entries()) {
-    if (!inputs.length_unit_m || entry.facts.code != Code::kOpencvUnitsNotStated) diagnostics.add(entry);
-  }
+/// False with an error where a unit was told and all files state theirs.
+bool has_use_for_unit(const Inputs& inputs, const Calibration& calibration, Diagnostics& diagnostics) {
+  if (!inputs.length_unit_m || calibration.poses_in_told_unit > 0) return true;
+  diagnostics.add(Code::kUnitWithoutUse, {calibration.format->title}, {inputs.files.front(), 0, 0});
+  return false;
 }
 
 }  // namespace
@@ -168,11 +154,10 @@ std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Di
     documents.push_back(*std::move(document));
     if (!add_parts(inputs.format, files, documents, diagnostics)) return std::nullopt;
   }
-  Diagnostics found;
-  std::optional<Calibration> calibration = read_calibration(std::move(documents), inputs.format, read_options(inputs), found);
-  add_but_for_units(found, inputs, diagnostics);
-  if (!calibration || !has_given_size(inputs, *calibration, diagnostics)) return std::nullopt;
-  if (inputs.length_unit_m && !make_metres(*inputs.length_unit_m, inputs.files.front(), *calibration, diagnostics))
+  std::optional<Calibration> calibration =
+      read_calibration(std::move(documents), inputs.format, read_options(inputs), diagnostics);
+  if (!calibration || !has_given_size(inputs, *calibration, diagnostics) ||
+      !has_use_for_unit(inputs, *calibration, diagnostics))
     return std::nullopt;
   return calibration;
 }
@@ -196,7 +181,7 @@ std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, 
 }
 
 ReadOptions read_options(const Inputs& inputs) {
-  return {inputs.image_size, std::string(name_of(inputs.opencv_model)), inputs.join};
+  return {inputs.image_size, std::string(name_of(inputs.opencv_model)), inputs.join, inputs.length_unit_m};
 }
 
 std::string_view name_of(const std::optional<OpenCvModel>& model) {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "image_field.h"
-
-#include "shell/words.h"
+#include "words.h"
 
 #include <fca/convert/domain.h>
+#include <fca/toolkit/image_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +10,7 @@
 #include <limits>
 #include <numbers>
 
-namespace fca::cli {
+namespace fca {
 
 namespace {
 
@@ -133,4 +132,4 @@ std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad) {
   return curve;
 }
 
-}  // namespace fca::cli
+}  // namespace fca

@@ -40,14 +40,14 @@ std::span<const CodeInfo> basalt_codes() {
       clause(Code::kBasaltNoPlace, "a Basalt calibration has no place for it"),
       clause(Code::kBasaltOneOffset, "Basalt has one for all cameras"),
       clause(Code::kBasaltNoRadiusLimit, "{0}'s model has no such limit"),
-      loss(Code::kBasaltOffsetRounded, "time-offset-rounded", "the {1} {2:.12} s", "Basalt counts whole nanoseconds",
+      loss(Code::kBasaltOffsetRounded, "time-offset-rounded", "the time offset {2:.12} s", "Basalt counts whole nanoseconds",
            "nothing: no camera's clock is that fine"),
       loss(Code::kBasaltPoseRecomputed, "pose-recomputed", "pose of {0} in {2}",
            "its matrix is a rotation only to {3:.2}, and Basalt's quaternion says the nearest one",
            "nothing: the nearest rotation is meant"),
       loss(Code::kBasaltStaleRadius, "stale-derived", "{0} {1}", "it is kept, and the lens beside it is another one",
            "write where the new lens ends, or -1 for no limit"),
-      loss(Code::kBasaltImuDropped, "imu-dropped", "{0} {1}", "Basalt has one IMU",
+      loss(Code::kBasaltImuDropped, "imu-dropped", "{0} noise and rate", "Basalt has one IMU",
            "keep its file; a complete IMU can be written to one of Kalibr's"),
 
       // Written: values that the input does not state.

@@ -36,7 +36,7 @@ std::span<const CodeInfo> kalibr_codes() {
       // Of OpenVINS' chains, too.
       bad_request(Code::kCamchainNoCamera, "no-camera", "{0} needs a camera and the input has none"),
       bad_request(Code::kCamchainImuNotStated, "no-camera", "{0} demands what the input does not state: {1}"),
-      loss(Code::kCamchainImuDropped, "imu-dropped", "{0} {1}", "{2}",
+      loss(Code::kCamchainImuDropped, "imu-dropped", "{0} noise and rate", "{2}",
            "keep its file; converted to Kalibr's format into a folder, a complete IMU is a file there"),
       clause(Code::kCamchainImuDemands, "{0} demands {1}, too"),
 

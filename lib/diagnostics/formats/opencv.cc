@@ -116,7 +116,7 @@ std::span<const CodeInfo> opencv_codes() {
       clause(Code::kOpencvHasNoKey, "OpenCV's files have no key for it"),
       clause(Code::kOpencvHolds, "only cameras, image sizes and poses are written into an OpenCV file"),
       clause(Code::kOpencvKeepsItsOwn, "{0}; the one written into keeps its own"),
-      loss(Code::kOpencvImuDropped, "imu-dropped", "{0} {1}", "OpenCV's files have no key for them",
+      loss(Code::kOpencvImuDropped, "imu-dropped", "{0} noise and rate", "OpenCV's files have no key for them",
            "keep its file; a complete IMU can be written to one of Kalibr's"),
       loss(Code::kOpencvBaselineDropped, "baseline-dropped", "{1} {2} m",
            "OpenCV's files state poses of cameras, and the second camera is not in the input", kForBaselines),
@@ -159,6 +159,7 @@ std::span<const CodeInfo> opencv_codes() {
       clause(Code::kOpencvWroteMaps, "MC-Calib's keys, one camera_<i> per camera"),
       clause(Code::kOpencvWroteLeftRight, "camera_matrix_left and camera_matrix_right"),
       clause(Code::kOpencvWroteOmnidir, "the keys of ccalib's omnidir samples"),
+      clause(Code::kOpencvLayouts, "calibration, stereo, omnidir, cameras or left-right (default: what the cameras need)"),
   };
   return kRows;
 }

@@ -19,7 +19,8 @@ struct Calibration {
   std::vector<text::Document> documents;     ///< The main file first, then its further parts.
   std::size_t with_cameras = 0;              ///< Which of them states the cameras (the first that does, of `format`).
   std::vector<const Format*> formats;        ///< Of the documents, one for one.
-  std::vector<PoseEdge> poses_without_unit;  ///< Those of `rig` from files that do not say in what unit translations are.
+  std::vector<PoseEdge> poses_without_unit;  ///< Those of `rig` whose unit neither their files nor ReadOptions say.
+  std::size_t poses_in_told_unit = 0;        ///< Those whose unit ReadOptions say.
   Rig rig;
 };
 

@@ -22,6 +22,7 @@ struct ReadOptions {
   std::optional<ImageSize> image_size;  ///< For files that do not state one.
   std::string opencv_model;             ///< "pinhole" or "fisheye", for OpenCV files whose four numbers could be either.
   bool join = false;  ///< Further documents are further cameras of one rig: a name that is taken becomes the next "camN".
+  std::optional<double> length_unit_m = {};  ///< Of translations in files that do not state it; default: metres.
 };
 
 /// A way in which a format stores a camera model, and who reads it.
@@ -164,7 +165,7 @@ struct Format {
   std::span<const OwnFact> own_facts = {};
   std::span<const std::string_view> modes = {};    ///< What WriteOptions::sensor may say; empty: nothing.
   std::span<const std::string_view> layouts = {};  ///< What WriteOptions::layout may say; empty: there is one layout.
-  std::string_view layouts_in_words = {};          ///< For people: "v1 (stock V1.0), old (before V1.0), ...".
+  Code about_layouts = {};                         ///< "v1 (stock V1.0), old (before V1.0), ...", a clause.
   bool leaves_model_open = false;  ///< Some of its files do not show which of two models they hold (ReadOptions).
   std::span<const Demand> demands = {};
   /// Keys of own facts (ExtraField::key) that count pixels or rows of the images, and are stale for others.

@@ -30,10 +30,6 @@ struct ConvertedCamera {
 
   /// The written name.
   [[nodiscard]] const std::string& name() const { return name_in_file.empty() ? source.name : name_in_file; }
-  /// The same for people: "cam0 (input's cam1)" where the two differ.
-  [[nodiscard]] std::string name_in_words() const {
-    return name() == source.name ? name() : name() + " (input's " + source.name + ")";
-  }
   /// The share of the image that the target does not reach; 0 where nobody notices.
   [[nodiscard]] double unrepresented_share() const {
     constexpr double kNoticeable = 5e-4;
@@ -108,6 +104,12 @@ struct OtherWriting {
   double max_px = 0.0;
 };
 
+/// The same model fitted to less of the lens, where that is better for the program.
+struct NearerFit {
+  double max_angle_deg = 0.0;  ///< From the axis: all that the images' inscribed circles show.
+  double rms_px = 0.0;         ///< In the circles, of the worst camera.
+};
+
 /// What came of it. Where `status` is neither kDone nor kRejected, only what was reached is set.
 struct ConvertResult {
   Status status = Status::kDone;
@@ -122,6 +124,7 @@ struct ConvertResult {
   std::string layout;   ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
   Verdict verdict;      ///< Whether to use the files.
   double rms_px = 0.0;  ///< Of the camera that the program understands worst.
+  std::optional<NearerFit> nearer;   ///< Nobody asked for it.
   std::vector<OtherWriting> others;  ///< Ways that were tried and are worse or, if one is asked for, better.
   std::vector<Loss> losses;
   std::vector<DefaultedValue> defaults;

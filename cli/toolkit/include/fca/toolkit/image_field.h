@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace fca::cli {
+namespace fca {
 
 /// What became of a cell, in the judge's words (Coverage).
 enum class Part : std::uint8_t { kScored, kOutsideLens, kUnrepresentable };
@@ -60,4 +60,4 @@ struct RadiusPoint {
 /// Up to `to_rad`, or where the model ends.
 [[nodiscard]] std::vector<RadiusPoint> radius_curve(const CameraModel& model, double to_rad);
 
-}  // namespace fca::cli
+}  // namespace fca

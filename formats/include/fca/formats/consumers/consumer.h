@@ -115,6 +115,8 @@ struct Consumer {
   /// It reads the second format's keys in another syntax than that format's own program: a file that only it reads has that
   /// format's keys and is not of the format (OpenVINS: Kalibr's keys through cv::FileStorage).
   bool other_syntax = false;
+  /// It goes by a second statement of the lens, an inverse polynomial, which the read model knows nothing of.
+  bool by_inverse = false;
   Writing writing = {};
   /// What load() waits for at its first call (a library that is loaded), beforehand; any thread may call it. Null: nothing.
   void (*prepare)() = nullptr;

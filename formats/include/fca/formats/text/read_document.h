@@ -22,13 +22,13 @@ namespace fca::text {
 /// Parses what the edits left and keeps it in the document: as_edited() then has it at hand until the next edit.
 void keep_edited(Document& document);
 
-/// Reads and parses a file; "-" is standard input. A missing, unreadable or non-regular file is an error "cannot-read".
+/// Reads and parses a file. A missing, unreadable or non-regular file is an error "cannot-read".
 [[nodiscard]] std::optional<Document> read_document(const std::string& path, Diagnostics& diagnostics);
 
 /// What a Source of standard input is called.
 inline constexpr const char* kStandardInput = "<stdin>";
 
-/// The bytes of a file; "-" is standard input.
+/// The bytes of a file.
 [[nodiscard]] std::optional<Source> read_source(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace fca::text

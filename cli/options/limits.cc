@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "limits.h"
+
+namespace fca::cli {
+
+void add_max_error_option(Options& options, const std::string& help, std::optional<double>& limit_px) {
+  options.group(OptionGroup::kProof);
+  options.number("--max-error", "PX", help, [&limit_px](double limit) -> std::optional<std::string> {
+    if (!(limit >= 0.0)) return "--max-error wants a number of pixels";
+    limit_px = limit;
+    return std::nullopt;
+  });
+}
+
+void add_strict_option(Options& options, const std::string& help, bool& strict) {
+  options.group(OptionGroup::kProof);
+  options.flag("--strict", help, strict);
+}
+
+void add_every_pixel_option(Options& options, bool& every_pixel) {
+  options.group(OptionGroup::kProof);
+  options.flag("--every-pixel", "Judge by every pixel, not by a lattice of about 5,000 points", every_pixel);
+}
+
+}  // namespace fca::cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where results go and how they are told: options that several commands have.
+#pragma once
+
+#include "options.h"
+
+#include <cstddef>
+#include <string>
+
+namespace fca::cli {
+
+/// --json
+void add_json_option(Options& options, bool& json);
+/// --force; `help` says what is overwritten.
+void add_force_option(Options& options, const std::string& help, bool& force);
+/// --jobs; `what` is worked on at the same time.
+void add_jobs_option(Options& options, const std::string& what, std::size_t& jobs);
+
+}  // namespace fca::cli
