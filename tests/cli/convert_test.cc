@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The main job, as people and scripts see it: what is written, what is said of it, and the JSON of CLI.md.
+#include "cli/message_facts.h"
 #include "cli/read_rig.h"
 #include "cli/spawn_program.h"
 #include "cli/told.h"
 #include "shell/option_hints.h"
 
 #include <fca/code.h>
+#include <fca/fca.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/text/message.h>
+#include <fca/formats/text/numbers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <string_view>
 
 #include <rapidjson/document.h>
@@ -22,9 +27,8 @@ const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
 const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-const std::string kPairReader = "read by ns15417/slam_no_opt, NOT by stock ORB-SLAM3 (leave out --model for that)";
-const std::string kReaders =
-    "read by ns15417/slam_no_opt and lsyads/fisheye-ORB-SLAM, NOT by stock ORB-SLAM3 (leave out --model for that)";
+const std::string kNoOpt = "ns15417/slam_no_opt";
+const std::string kFisheyeOrbSlam = "lsyads/fisheye-ORB-SLAM";
 
 /// An EUCM lens that ends 106 degrees from its axis, inside the image.
 const std::string kWide =
@@ -45,29 +49,62 @@ bool loads(const char* consumer, const std::string& bytes, const char* sensor) {
   return consumers::find_consumer(consumer)->load(bytes, {sensor}).loads();
 }
 
+/// A request as the command makes one, for results whose facts are not in the JSON.
+ConvertRequest request_for(const std::string& file, const char* format, const char* model = nullptr) {
+  ConvertRequest request;
+  request.inputs.files = {file};
+  request.to = find_format(format);
+  if (model != nullptr) request.model = find_model(model);
+  return request;
+}
+
 TEST(Convert, TumViBecomesAStereoInertialV1File) {
-  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "stereo-inertial")) << run.err;
-  EXPECT_TRUE(loads("orbslam3", run.out, "stereo-inertial")) << run.out;
-  const Rig rig = rig_in(run.out);
+  const Told run({"convert", kTumvi, "--with", kImu, "--to", "orbslam3"});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  EXPECT_TRUE(contains(run.headline(), "stereo-inertial")) << run.text();
+  EXPECT_TRUE(loads("orbslam3", run.bytes(), "stereo-inertial")) << run.bytes();
+  const Rig rig = rig_in(run.bytes());
   ASSERT_EQ(rig.cameras.size(), 2U);
   EXPECT_EQ(rig.cameras[0].model, rig_in(read_file(kTumvi)).cameras[0].model) << "kb4 is kept to the last bit";
 }
 
 TEST(Convert, TheFirstLineSaysWhatIsMissingForMore) {
-  const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3"});
-  EXPECT_EQ(run.code, 0);
-  EXPECT_TRUE(contains(first_line(run.err), "stereo")) << run.err;
-  EXPECT_TRUE(contains(run.err, "--with imu.yaml")) << run.err;
+  const Told run({"convert", kTumvi, "--to", "orbslam3"});
+  EXPECT_EQ(run.code(), 0);
+  EXPECT_TRUE(contains(run.headline(), "--with imu.yaml")) << run.headline();
+  // It is the first thing that people read, behind the summary.
+  EXPECT_TRUE(contains(run_program({"convert", kTumvi, "--to", "orbslam3"}).err, "\n" + run.headline() + "\n"));
+  Files files;
+  const ConvertResult result = convert(request_for(kTumvi, "orbslam3"), files);
+  EXPECT_EQ(result.mode, "stereo");
+  ASSERT_EQ(result.headline.code, Code::kOrbslam3Headline);
+  EXPECT_EQ(argument<std::string>(result.headline, 1), "stereo");
+  const std::vector<Message>& next = clauses(result.headline, 2);
+  ASSERT_EQ(next.size(), 1U);
+  EXPECT_EQ(next.front().code, Code::kOrbslam3ModeLacks);
+  EXPECT_EQ(argument<std::string>(next.front(), 0), "stereo-inertial");
 }
 
 TEST(Convert, TheEucmDialectSaysWhoReadsIt) {
-  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--model", "eucm"});
+  const std::vector<std::string> words = {"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--model", "eucm"};
+  const RunResult run = run_program(words);
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "\n" + std::string(kPairReader))) << run.err;
-  const RunResult one = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "orbslam3", "--model", "eucm"});
-  EXPECT_TRUE(contains(one.err, "\n" + std::string(kReaders))) << one.err;
+  Files files;
+  ConvertRequest request = request_for(kTumvi, "orbslam3", "eucm");
+  for (const auto& [camera, readers] : {std::pair{"", std::vector{kNoOpt}}, {"cam0", {kNoOpt, kFisheyeOrbSlam}}}) {
+    if (*camera != '\0') request.inputs.cameras = {{CameraChoice{camera}}};
+    const Message headline = convert(request, files).headline;
+    ASSERT_EQ(headline.code, Code::kOrbslam3Headline);
+    const Message& audience = clauses(headline, 0).at(0);
+    EXPECT_EQ(audience.code, Code::kOrbslam3ReadBy) << "and not by the stock program";
+    EXPECT_EQ(argument<std::vector<std::string>>(audience, 0), readers);
+    EXPECT_EQ(clauses(audience, 1).at(0).code, Code::kOrbslam3StockByModel);
+  }
+  // In a line of its own, with the option that gives the stock program's.
+  const std::string headline = Told(words).headline();
+  EXPECT_TRUE(contains(run.err, "\n" + headline + "\n")) << run.err;
+  for (const std::string& value : {kNoOpt, std::string("--model")}) EXPECT_TRUE(contains(headline, value)) << headline;
+  EXPECT_FALSE(contains(headline, kFisheyeOrbSlam)) << headline;
   EXPECT_FALSE(contains(run.out, "File.version"));
   EXPECT_TRUE(contains(run.out, "Camera.type: \"EUCM\"")) << run.out;
   EXPECT_TRUE(loads("slam_no_opt", run.out, "mono"));
@@ -120,25 +157,44 @@ TEST(Convert, ADoubleSphereChainBecomesKannalaBrandt8) {
   EXPECT_TRUE(loads("orbslam3", run.out, "stereo"));
 }
 
+// Whatever the JSON has of these stands in the report for people, too.
 TEST(Convert, TheReportNamesWhatCliMdAsksFor) {
-  const RunResult run = run_program({"convert", kDs, "--to", "orbslam3"});
-  for (const char* said : {"cam0", "cam1", "fx", "k4", "rms", "max", "cam0 timeshift_cam_imu 0.0021 s", "ORB-SLAM3 V1.0",
-                           "Camera.fps", "Camera.RGB", "ORBextractor", "Viewer"}) {
-    EXPECT_TRUE(contains(run.err, said)) << said << " is not in\n" << run.err;
+  const std::vector<std::string> words = {"convert", kDs, "--to", "orbslam3"};
+  const RunResult run = run_program(words);
+  const Told told(words);
+  const auto expect_said = [&run](const std::string& value) {
+    EXPECT_TRUE(contains(run.err, value)) << value << " is not in\n" << run.err;
+  };
+  ASSERT_EQ(told.json()["cameras"].Size(), 2U);
+  for (const Value& camera : told.json()["cameras"].GetArray()) {
+    expect_said(camera["name"].GetString());
+    ASSERT_EQ(camera["parameters"].MemberCount(), 8U);
+    for (const auto& parameter : camera["parameters"].GetObject())
+      expect_said(parameter.name.GetString() + (" " + text::format_short(parameter.value.GetDouble(), 9)));
+    for (const char* figure : {"rms", "max"})
+      expect_said(text::format_short(camera["error_px"][figure].GetDouble(), 3) + " px");
   }
+  EXPECT_TRUE(told.lost("time-offset-dropped", "cam0 timeshift_cam_imu 0.0021 s")) << told.text();
+  for (const Value& loss : told.json()["losses"].GetArray()) expect_said(loss["what"].GetString());
+  for (const char* key : {"Camera.fps", "Camera.RGB", "ORBextractor.*", "Viewer.*"}) EXPECT_TRUE(told.made_up(key)) << key;
+  for (const Value& value : told.json()["defaults"].GetArray()) expect_said(value["key"].GetString());
+  ASSERT_FALSE(told.json()["proof"].Empty());
+  for (const Value& proof : told.json()["proof"].GetArray()) expect_said(proof["program"].GetString());
 }
 
 TEST(Convert, TimeOffsetsAreLostWithTheirSignAndARemedy) {
-  const Told run({"convert", kDs, "--to", "orbslam3"});
-  for (const char* offset : {"timeshift_cam_imu 0.0021 s", "timeshift_cam_imu -0.0035 s", "add 0.0021 s", "add -0.0035 s"})
-    EXPECT_TRUE(run.lost("time-offset-dropped", offset)) << offset << run.text();
   const Json json = json_of(run_program({"convert", kDs, "--to", "orbslam3", "--json"}));
-  int offsets = 0;
+  std::vector<const Value*> offsets;
   for (const Value& loss : json["losses"].GetArray()) {
     for (const char* key : {"code", "what", "why", "do"}) EXPECT_TRUE(loss[key].IsString()) << key;
-    if (std::string(loss["code"].GetString()) == "time-offset-dropped") ++offsets;
+    if (loss["code"] == "time-offset-dropped") offsets.push_back(&loss);
   }
-  EXPECT_EQ(offsets, 2);
+  ASSERT_EQ(offsets.size(), 2U);
+  for (const auto& [i, camera, offset] : {std::tuple{0U, "cam0", " 0.0021 s"}, {1U, "cam1", " -0.0035 s"}}) {
+    const Value& loss = *offsets[i];
+    EXPECT_TRUE(contains(loss["what"].GetString(), std::string(camera) + " timeshift_cam_imu" + offset));
+    for (const char* value : {camera, offset}) EXPECT_TRUE(contains(loss["do"].GetString(), value)) << loss["do"].GetString();
+  }
 }
 
 // A file that says where its camera sits in the vehicle, and a target that has no place for a vehicle.
@@ -510,30 +566,51 @@ TEST(Convert, TheDomainEndsForTheReasonGiven) {
   }
 }
 
+/// What the diagnostic of a model that cannot reach advises: its clause on the models that the program reads.
+Message advice_in(const ConvertResult& result) {
+  for (const Diagnostic& entry : result.diagnostics.entries()) {
+    if (id_of(entry) == "target-cannot-reach" && entry.remedy.code == Code::kBetterModelsExist)
+      return clauses(entry.remedy, 0).at(0);
+  }
+  return {};
+}
+
+/// The models of that clause, each with what is said of it.
+std::map<std::string, Message> models_in(const Message& advice) {
+  std::map<std::string, Message> models;
+  for (const Message& model : clauses(advice, 1)) models[argument<std::string>(model, 0)] = model;
+  return models;
+}
+
 // What the advice says of a model is what a conversion to it reports.
 TEST(Convert, TheAdviceForALensOutOfReachNamesWhatTheProgramReads) {
-  const auto convert = [](const char* to, const char* model) {
-    return json_of(
-        run_program({"convert", kTumvi, "--camera", "0", "--to", to, "--model", model, "--max-angle", "97.5", "--json"}));
+  Files files;
+  const auto converted = [&files](const char* to, const char* model) {
+    ConvertRequest request = request_for(kTumvi, to, model);
+    request.inputs.cameras = {{CameraChoice{"cam0"}}};
+    request.inputs.max_angle_rad = 97.5 / 180.0 * std::numbers::pi;
+    return convert(request, files);
   };
-  const auto rms_in = [](const std::string& fix, const std::string& before) {
-    const std::size_t at = fix.find(before);
-    return at == std::string::npos ? -1.0 : std::strtod(fix.c_str() + at + before.size(), nullptr);
-  };
-  const Json radtan = convert("opencv", "radtan");
-  const Value& warning = radtan["diagnostics"][0];
-  EXPECT_STREQ(warning["code"].GetString(), "target-cannot-reach");
-  const std::string fix = warning["fix"].GetString();
-  EXPECT_TRUE(contains(fix, "kb4 (exact)")) << fix;
-  for (const auto& [model, before] : {std::pair{"mei", "mei (rms "}, {"rational", " deg, rms "}}) {
-    const double rms = convert("opencv", model)["cameras"][0]["error_px"]["rms"].GetDouble();
-    EXPECT_NEAR(rms_in(fix, before), rms, 0.01 * rms) << fix;
+  const Message advice = advice_in(converted("opencv", "radtan"));
+  ASSERT_EQ(advice.code, Code::kBetterModels);
+  std::map<std::string, Message> models = models_in(advice);
+  EXPECT_EQ(models["kb4"].code, Code::kModelExact);
+  for (const auto& [model, code] : {std::pair{"mei", Code::kModelRms}, {"rational", Code::kModelRmsUpTo}}) {
+    ASSERT_EQ(models[model].code, code) << model;
+    const double rms = converted("opencv", model).cameras.at(0).report->judgement.error.rms;
+    EXPECT_NEAR(argument<double>(models[model], 1), rms, 0.01 * rms) << model;
   }
   // ORB-SLAM3 reads neither.
-  const Json other = convert("orbslam3", "pinhole");
-  const std::string narrower = other["diagnostics"][0]["fix"].GetString();
-  EXPECT_TRUE(contains(narrower, "kb4 (exact)") && contains(narrower, "radtan (")) << narrower;
-  EXPECT_FALSE(contains(narrower, "mei")) << narrower;
+  const Message narrower = advice_in(converted("orbslam3", "pinhole"));
+  ASSERT_EQ(narrower.code, Code::kBetterModels);
+  std::map<std::string, Message> fewer = models_in(narrower);
+  EXPECT_EQ(fewer["kb4"].code, Code::kModelExact);
+  EXPECT_TRUE(fewer.contains("radtan"));
+  EXPECT_FALSE(fewer.contains("mei"));
+  EXPECT_TRUE(clauses(narrower, 2).empty()) << "kb4 is exact: none is better still";
+  // The command says so.
+  const Told run({"convert", kTumvi, "--camera", "0", "--to", "opencv", "--model", "radtan", "--max-angle", "97.5"});
+  for (const char* model : {"kb4", "mei", "rational"}) EXPECT_TRUE(run.says("target-cannot-reach", model)) << run.text();
 }
 
 TEST(Convert, StrictPassesWhereNothingIsLost) {
