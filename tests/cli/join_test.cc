@@ -116,14 +116,12 @@ TEST(JoinedFormats, AnImuBesideFilesOfOneCameraIsALoss) {
   const std::string other = testdata("formats/ocamcalib/good/free-layout.txt");
   for (const std::string& second : {other, kFront}) {
     const TemporaryFolder folder;
-    const RunResult run =
-        run_program({"convert", kToolbox, second, "--join", "--with", testdata("formats/kalibr/good/imu.yaml"), "--to",
-                     "ocamcalib", "--max-angle", "60", "-o", folder / "{camera}"});
-    EXPECT_EQ(run.code, 0) << run.err;
-    const std::string loss = "imu0 noise and rate";
-    const std::size_t at = run.out.find(loss);
-    ASSERT_NE(at, std::string::npos) << run.out;
-    EXPECT_EQ(run.out.find(loss, at + 1), std::string::npos) << run.out;
+    const Told run({"convert", kToolbox, second, "--join", "--with", testdata("formats/kalibr/good/imu.yaml"), "--to",
+                    "ocamcalib", "--max-angle", "60", "-o", folder / "{camera}"});
+    EXPECT_EQ(run.code(), 0) << run.text();
+    const auto losses = run.json()["losses"].GetArray();
+    EXPECT_EQ(std::ranges::count_if(losses, [](const auto& loss) { return loss["code"] == "imu-dropped"; }), 1) << run.text();
+    EXPECT_TRUE(run.lost("imu-dropped", "imu0")) << run.text();
   }
 }
 

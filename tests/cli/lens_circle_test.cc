@@ -2,12 +2,19 @@
 // --lens-circle: images made here, of a known circle, as a user gives them.
 #include "lit_image.h"
 #include "run_program.h"
+#include "shell/command_files.h"
 #include "told.h"
+
+#include <fca/code.h>
+#include <fca/fca.h>
+#include <fca/formats/text/message.h>
+#include <fca/formats/text/numbers.h>
 
 #include <rapidjson/document.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -34,6 +41,32 @@ rapidjson::Document json_of(const std::vector<std::string>& words) {
   json.Parse(run.out.c_str());
   EXPECT_FALSE(json.HasParseError()) << run.out << run.err;
   return json;
+}
+
+/// Why the domain of the chain's only camera ends where it does.
+Code why_of_domain(const std::string& chain, const std::string& seen) {
+  ConvertRequest request;
+  request.inputs.files = {chain};
+  request.inputs.lens_circles = {{"", seen}};
+  request.to = find_format("kalibr");
+  request.model = find_model("eucm");
+  std::istringstream in;
+  std::string printed;
+  MemoryOutput out(printed);
+  cli::Streams streams = {in, out, out};
+  cli::CommandFiles files(streams);
+  const ConvertResult result = convert(request, files);
+  const bool fitted = result.cameras.size() == 1 && result.cameras.front().report;
+  EXPECT_TRUE(fitted) << (result.diagnostics.entries().empty() ? std::string()
+                                                               : message_of(result.diagnostics.entries().front()));
+  return fitted ? result.cameras.front().report->judgement.coverage.why.code : Code::kNone;
+}
+
+/// The diagnostics of that file in a run with --json.
+std::size_t diagnostics_of(const Told& run, const std::string& file) {
+  return static_cast<std::size_t>(std::ranges::count_if(run.json()["diagnostics"].GetArray(), [&file](const auto& entry) {
+    return entry.HasMember("file") && entry["file"] == file.c_str();
+  }));
 }
 
 TEST(LensCircleOption, IsTheDomain) {
@@ -80,12 +113,13 @@ TEST(LensCircleOption, MayLieBesideTheAxis) {
     EXPECT_NEAR(domain["lens_circle"]["centre"][1].GetDouble(), lit.v, 0.5);
     EXPECT_NEAR(domain["lens_circle"]["radius_px"].GetDouble(), lit.radius, 1.0);
     EXPECT_NEAR(domain["outside_lens_share"].GetDouble(), lit.share_beyond(), 6.3 * lit.radius / (512.0 * 512.0));
-    // Its rim is nearer to the axis on one side than on the other: there is no angle "in full".
+    // Its rim is nearer to the axis on one side than on the other: twice the angle is nobody's.
     std::vector<std::string> dry = words;
-    dry.emplace_back("--dry-run");
+    dry.insert(dry.end(), {"--every-pixel", "--dry-run"});
     const RunResult run = run_program(dry);
-    EXPECT_TRUE(contains(run.out, "deg from the axis")) << run.out;
-    EXPECT_FALSE(contains(run.out, "in full")) << run.out;
+    const double angle = domain["max_angle_deg"].GetDouble();
+    EXPECT_TRUE(contains(run.out, text::format_short(angle, 4) + " deg")) << run.out;
+    EXPECT_FALSE(contains(run.out, text::format_short(2.0 * angle, 4))) << run.out;
   }
 }
 
@@ -132,7 +166,10 @@ TEST(LensCircleOption, EachCameraOfARigHasItsOwn) {
   EXPECT_TRUE(says(nobody.err, "lens-circle-of-none", "cam9")) << nobody.err;
 }
 
-constexpr const char* kInWords = "seen.pgm: centre (255.5, 255.5), radius 240";
+/// The file, the centre and the radius are said, as in the golden files' sentence.
+void expect_said(const std::string& text, const char* radius) {
+  for (const char* value : {"seen.pgm", "(255.5, 255.5)", radius}) EXPECT_TRUE(contains(text, value)) << value;
+}
 
 TEST(LensCircleOption, IsSaidByCompareAndByReport) {
   const TemporaryFolder folder;
@@ -141,15 +178,15 @@ TEST(LensCircleOption, IsSaidByCompareAndByReport) {
   const std::string seen = folder.write("seen.pgm", image(512, 240.0));
   const RunResult compared = run_program({"compare", chain, other, "--lens-circle", seen});
   EXPECT_EQ(compared.code, 0) << compared.err;
-  EXPECT_TRUE(contains(compared.out, kInWords)) << compared.out;
+  expect_said(compared.out, "240.0 px");
   for (const std::vector<std::string>& more :
        {std::vector<std::string>{}, {"--to", "kalibr", "--model", "eucm"}, {"--to", "kalibr"}, {"--model", "all"}}) {
     std::vector<std::string> words = {"report", chain, "--lens-circle", seen};
     words.insert(words.end(), more.begin(), more.end());
     const RunResult page = run_program(words);
     EXPECT_EQ(page.code, 0) << page.err;
-    EXPECT_TRUE(contains(page.out, kInWords)) << page.err;
-    EXPECT_TRUE(contains(page.out, "lit circle of the images")) << "in the legend";
+    expect_said(page.out, "240.0 px");
+    EXPECT_TRUE(contains(page.out, "class=\"patch rim\"")) << "in the legend";
   }
 }
 
@@ -211,7 +248,7 @@ TEST(LensCircleOption, IsOfTheImagesBeforeOrAfterTheirChange) {
     EXPECT_NEAR(circle["radius_px"].GetDouble(), 120.0, 1.0);
     const RunResult said = run_program(
         {"convert", chain, "--to", "kalibr", "--model", "eucm", "--resize", "256x256", "--lens-circle", seen, "--dry-run"});
-    EXPECT_TRUE(contains(said.out, "centre (127.")) << "in the pixels of the images that are converted: " << said.out;
+    EXPECT_TRUE(contains(said.out, "(127.")) << "in the pixels of the images that are converted: " << said.out;
   }
 }
 
@@ -247,14 +284,15 @@ TEST(LensCircleOption, LeavesOutAnImageOfAnotherCamera) {
   const std::string dim = folder.write("dim.pgm", Lit{.lit = 4.5}.file());
   const std::string other = folder.write("other.pgm", Lit{.u = 240.0, .radius = 215.0}.file());
   for (const std::vector<std::string>& images : {std::vector{half, dim, other}, {other, half, dim}}) {
-    std::vector<std::string> words = {"convert", chain, "--to", "kalibr", "--model", "eucm", "--dry-run"};
+    std::vector<std::string> words = {"convert", chain, "--to", "kalibr", "--model", "eucm"};
     for (const std::string& path : images) words.insert(words.end(), {"--lens-circle", path});
-    const RunResult run = run_program(words);
-    EXPECT_TRUE(contains(run.out, "radius 240.") || contains(run.out, "radius 239.")) << run.out;
-    EXPECT_TRUE(says(run.err, "lens-circles-differ", "other.pgm: warning: cam0: ")) << run.err;
-    EXPECT_TRUE(says(run.err, "lens-circles-differ", "centre (240.")) << run.err;
-    EXPECT_FALSE(contains(run.err, "half.pgm: warning")) << run.err;
-    EXPECT_FALSE(contains(run.err, "dim.pgm: warning")) << run.err;
+    const Told run(words);
+    EXPECT_NEAR(run.json()["cameras"][0]["domain"]["lens_circle"]["radius_px"].GetDouble(), 240.0, 1.0) << run.text();
+    EXPECT_TRUE(run.says("lens-circles-differ", "cam0")) << run.text();
+    EXPECT_TRUE(run.says("lens-circles-differ", "(240.")) << run.text();
+    EXPECT_EQ(diagnostics_of(run, other), 1U) << run.text();
+    EXPECT_EQ(diagnostics_of(run, half), 0U) << run.text();
+    EXPECT_EQ(diagnostics_of(run, dim), 0U) << run.text();
   }
 }
 
@@ -266,8 +304,8 @@ TEST(LensCircleOption, IsSaidWhereTheModelEndsBefore) {
   const std::string seen = folder.write("seen.pgm", image(512, 250.0));
   const RunResult run =
       run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", seen, "--dry-run"});
-  EXPECT_TRUE(contains(run.out, "inside the image") && contains(run.out, "seen.pgm")) << run.out;
-  EXPECT_TRUE(contains(run.out, "centre (255.5, 255.5), radius 250")) << run.out;
+  expect_said(run.out, "250.0 px");
+  EXPECT_EQ(why_of_domain(chain, seen), Code::kDomainAndInsideCircle);
 }
 
 // Of several images those are named that show it, and a doubt is told at one of them.
@@ -276,11 +314,14 @@ TEST(LensCircleOption, NamesTheImagesThatShowIt) {
   const std::string chain = folder.write("chain.yaml", kChain);
   const std::string black = folder.write("black.pgm", Lit{.radius = 0.0}.file());
   const std::string seen = folder.write("seen.pgm", Lit{.u = 291.0}.file());
-  const RunResult run = run_program(
-      {"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", black, "--lens-circle", seen, "--dry-run"});
-  EXPECT_TRUE(contains(run.out, " seen.pgm:")) << run.out;
-  EXPECT_TRUE(contains(run.err, "seen.pgm: warning")) << run.err;
-  EXPECT_FALSE(contains(run.err, "black.pgm: warning")) << run.err;
+  const std::vector<std::string> words = {"convert", chain,           "--to", "kalibr",        "--model",
+                                          "eucm",    "--lens-circle", black,  "--lens-circle", seen};
+  const Told run(words);
+  const std::string why = run.json()["cameras"][0]["domain"]["why"].GetString();
+  EXPECT_TRUE(contains(why, "seen.pgm") && !contains(why, "black.pgm")) << why;
+  EXPECT_TRUE(contains(run_program(words).err, " seen.pgm:"));
+  EXPECT_EQ(diagnostics_of(run, seen), 1U) << run.text();
+  EXPECT_EQ(diagnostics_of(run, black), 0U) << run.text();
 }
 
 TEST(LensCircleOption, WithoutADarkBorderTheWholeImageIsLens) {
@@ -293,7 +334,7 @@ TEST(LensCircleOption, WithoutADarkBorderTheWholeImageIsLens) {
         run_program({"convert", chain, "--to", "kalibr", "--model", "eucm", "--lens-circle", path, "--dry-run"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(says(run.err, "no-lens-circle")) << run.err;
-    EXPECT_TRUE(contains(run.out, "the whole image")) << run.out;
+    EXPECT_EQ(why_of_domain(chain, path), Code::kDomainWholeImage);
   }
 }
 
@@ -321,7 +362,8 @@ TEST(LensCircleOption, RefusesWhatIsNoImageOfTheCamera) {
   // What is advised is not what was done.
   const RunResult changed = run_with(folder.write("other.pgm", image(500, 240.0)), {"--resize", "256x256"});
   EXPECT_EQ(changed.code, 2);
-  EXPECT_TRUE(says(changed.err, "image-size", "--crop, --binning and --resize")) << changed.err;
+  for (const char* option : {"--crop", "--binning", "--resize"})
+    EXPECT_TRUE(says(changed.err, "image-size", option)) << changed.err;
   EXPECT_FALSE(contains(changed.err, "--resize 500x500")) << changed.err;
 }
 

@@ -105,11 +105,5 @@ TEST(Refusals, NotARectifiedPairInTheOldStyle) {
   EXPECT_EQ(run.code, 0) << run.out << run.err;
 }
 
-// Its pixels are the source's, and that is said where others say their error.
-TEST(ConvertText, AKeptCameraHasNoError) {
-  const RunResult run = run_program({"convert", kChain, "--to", "orbslam3", "--dry-run"});
-  EXPECT_TRUE(contains(run.out, "\n  error:  none: ")) << run.out;
-}
-
 }  // namespace
 }  // namespace fca::test

@@ -3,6 +3,7 @@
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
 #include "cli/told.h"
+#include "shell/verdict_text.h"
 
 #include <fca/formats/consumers/consumer.h>
 
@@ -239,8 +240,8 @@ TEST(VerdictFirst, ALargeBatchNamesEveryWord) {
   folder.write("mirrored.yaml", read_file(testdata("checks/left-handed.yaml")));
   const RunResult run = run_program({"convert", folder.path().string(), "--to", "kalibr", "-o", folder / "out/"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(contains(run.out, "do not use")) << run.out;
-  EXPECT_TRUE(contains(run.out, "ready")) << run.out;
+  for (const VerdictWord word : {VerdictWord::kDoNotUse, VerdictWord::kReady})
+    EXPECT_TRUE(contains(run.out, std::string(cli::in_words(word)))) << run.out;
 }
 
 TEST(VerdictFirst, QuietSaysNothingOfAGoodFile) {
