@@ -46,7 +46,7 @@ TEST(Help, OptionsAreInGroups) {
                                             "--output PATH"};
   std::size_t at = 0;
   for (const char* option : options) {
-    while (at < groups.size() && !contains(groups[at], " " + std::string(option))) ++at;
+    while (at < groups.size() && !contains(groups[at], option)) ++at;
     ASSERT_LT(at, groups.size()) << option << " is in no group behind that of the one before";
     ++at;  // each is in a group of its own
   }
