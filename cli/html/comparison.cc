@@ -5,11 +5,11 @@
 #include "page.h"
 #include "rig_drawing.h"
 #include "said.h"
+#include "shell/difference_words.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
 #include "table.h"
-#include "toolkit/compare/difference_words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>

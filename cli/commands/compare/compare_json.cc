@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
 #include "shell/diagnostics_json.h"
+#include "shell/difference_words.h"
 #include "shell/json.h"
 #include "shell/judgement_json.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
-#include "toolkit/compare/difference_words.h"
 
 namespace fca::cli {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a comparison comes to, in one line.
 #include "compare_command.h"
+#include "shell/difference_words.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
-#include "toolkit/compare/difference_words.h"
+#include "toolkit/compare/difference_facts.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -72,7 +73,7 @@ std::string different_poses(const std::vector<PoseComparison>& poses) {
   if (std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding)) return "the same poses";
   const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
   if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
-    return text::text_of(in_words(distance->distance_m == 0.0 ? *angle : *distance), with_options);
+    return text::text_of(facts_of(distance->distance_m == 0.0 ? *angle : *distance), with_options);
   }
   return name(*angle) + " differs by " + angle_text(angle->angle_rad) + ", " + name(*distance) + " by " +
          length_text(distance->distance_m);
@@ -123,7 +124,7 @@ std::string verdict_of(const ComparedFile& compared) {
     if (inverse) parts.push_back(of_inverse);
     if (const std::string poses = different_poses(comparison.poses); !poses.empty()) parts.push_back(poses);
     for (const FactComparison& fact : comparison.facts) {
-      if (!fact.same_but_for_rounding()) parts.push_back(text::text_of(in_words(fact), with_options));
+      if (!fact.same_but_for_rounding()) parts.push_back(text::text_of(facts_of(fact), with_options));
     }
   }
   std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/difference_words.h"
+#include "compare/difference_facts.h"
 #include "compare/inverses.h"
 
 #include <fca/code.h>
@@ -106,10 +106,10 @@ void judge_pixels(const CompareRequest& request, const ReferenceFile& reference,
 void judge_rest(ComparedFile& compared) {
   const RigComparison& comparison = *compared.comparison;
   for (const PoseComparison& pose : comparison.poses) {
-    if (!pose.alike()) exceed(compared, Code::kPoseBeyondLimit, {in_words(pose)});
+    if (!pose.alike()) exceed(compared, Code::kPoseBeyondLimit, {facts_of(pose)});
   }
   for (const FactComparison& fact : comparison.facts) {
-    if (!fact.alike()) exceed(compared, Code::kFactBeyondLimit, {in_words(fact)});
+    if (!fact.alike()) exceed(compared, Code::kFactBeyondLimit, {facts_of(fact)});
   }
   if (!comparison.only_in_reference.empty()) exceed(compared, Code::kReferenceSaysMore, {comparison.only_in_reference});
 }

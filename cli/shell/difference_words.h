@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Differences as sentences.
+// Differences in words.
 #pragma once
 
 #include <fca/compare/report.h>
-#include <fca/message.h>
 
 #include <string>
 
-namespace fca {
+namespace fca::cli {
 
 /// "0.31 deg"; rounding reads as 0.
 [[nodiscard]] std::string angle_text(double radians);
@@ -17,9 +16,5 @@ namespace fca {
 [[nodiscard]] std::string sentence(const Mistake& mistake);
 /// "IMU.T_b_c1"
 [[nodiscard]] std::string subject_of(const Mistake& mistake);
-/// "T_cam1_cam0 differs by 0.8 deg and 3 mm"
-[[nodiscard]] Message in_words(const PoseComparison& pose);
-/// "imu0 gyroscope noise is 10 times the reference's"
-[[nodiscard]] Message in_words(const FactComparison& fact);
 
-}  // namespace fca
+}  // namespace fca::cli
