@@ -41,7 +41,9 @@ Application::Application() : parser_(std::make_unique<Parser>()) {
       "options.\n\n"
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n\n"
-      "Exit codes: 0 good; 1 done but judged bad, nothing written; 2 bad input; 3 usage; 4 input/output; 70 a bug.");
+      "Exit codes: 0 good; 1 done but judged bad, nothing written; 2 bad input; 3 usage; 4 input/output; 5 written, but the "
+      "report\n"
+      "could not be printed; 70 a bug.");
 }
 
 Application::~Application() = default;
@@ -67,6 +69,7 @@ bool is_path(const std::string& word) {
 /// What other programs call the same: `diff A B`, `help convert`, `version`.
 void replace_aliases(std::vector<std::string>& words) {
   if (words.empty()) return;
+  if (words.front() == "help" && words.size() > 1) words = {words[1], "--help"};
   std::string& first = words.front();
   if (first == "diff") {
     first = "compare";
@@ -74,8 +77,6 @@ void replace_aliases(std::vector<std::string>& words) {
     first = "remap";
   } else if (first == "version") {
     first = "--version";
-  } else if (first == "help" && words.size() > 1) {
-    words = {words[1], "--help"};
   } else if (first == "help") {
     first = "--help";
   }

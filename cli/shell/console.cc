@@ -4,6 +4,7 @@
 #include "diagnostics_json.h"
 #include "json.h"
 #include "option_hints.h"
+#include "verdict_text.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/render.h>
@@ -12,8 +13,23 @@
 
 namespace fca::cli {
 
-Console::Console(Streams& streams)
-    : streams_(&streams), files_(streams), colour_(streams.err.is_terminal() && std::getenv("NO_COLOR") == nullptr) {}
+namespace {
+
+bool shows_colour(const Output& output) { return output.is_terminal() && std::getenv("NO_COLOR") == nullptr; }
+
+}  // namespace
+
+Console::Console(Streams& streams) : streams_(&streams), files_(streams), colour_(shows_colour(streams.err)) {}
+
+void Console::say(std::string_view text, VerdictWord word) const {
+  const std::string shown = text::printable(text, true);
+  out(shows_colour(streams_->out) ? with_colour(shown, word) : shown);
+}
+
+void Console::say_aside(std::string_view text, VerdictWord word) const {
+  const std::string shown = text::printable(text, true);
+  err(shows_colour(streams_->err) ? with_colour(shown, word) : shown);
+}
 
 void Console::out(std::string_view text) const { streams_->out.write(text); }
 void Console::err(std::string_view text) const { streams_->err.write(text); }
@@ -63,7 +79,7 @@ ExitCode Console::finish(ExitCode code) const {
   const std::optional<std::string> problem = streams_->out.flush();
   if (!problem) return code;
   error("writing to standard output failed: " + *problem);
-  return worse(code, ExitCode::kIo);
+  return worse(code, code == ExitCode::kGood && wrote_->load() ? ExitCode::kNotReported : ExitCode::kIo);
 }
 
 }  // namespace fca::cli

@@ -8,7 +8,10 @@
 
 #include <fca/diagnostics.h>
 #include <fca/formats/text/source.h>
+#include <fca/formats/verdict_value.h>
 
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +40,9 @@ class Console {
   /// Text for people, without control characters that a file may have brought in; to stdout, or beside it to stderr.
   void say(std::string_view text) const { out(text::printable(text, true)); }
   void say_aside(std::string_view text) const { err(text::printable(text, true)); }
+  /// The same of text that tells a verdict, which has its colour on a terminal unless NO_COLOR is set.
+  void say(std::string_view text, VerdictWord word) const;
+  void say_aside(std::string_view text, VerdictWord word) const;
   /// Bytes as they are.
   void out(std::string_view text) const;
   void err(std::string_view text) const;
@@ -48,7 +54,10 @@ class Console {
   /// Did writing to stdout fail (its reader is gone, the disk is full)? Then an endless input need not be read to its end.
   [[nodiscard]] bool failed() const;
 
-  /// Flushes stdout; kIo (and a message) if what was printed did not arrive.
+  /// A file was put in its place.
+  void note_written() const { wrote_->store(true); }
+  /// Flushes stdout; kIo (and a message) if what was printed did not arrive, kNotReported if all else is well and files are
+  /// written.
   [[nodiscard]] ExitCode finish(ExitCode code) const;
 
   [[nodiscard]] const std::vector<text::Source>& sources() const { return files_.sources(); }
@@ -58,6 +67,7 @@ class Console {
 
   Streams* streams_;
   CommandFiles files_;
+  std::unique_ptr<std::atomic<bool>> wrote_ = std::make_unique<std::atomic<bool>>(false);
   bool colour_ = false;
   bool json_promised_ = false;
 };

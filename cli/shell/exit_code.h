@@ -12,6 +12,7 @@ enum class ExitCode {
   kBadInput = 2,
   kUsage = 3,
   kIo = 4,
+  kNotReported = 5,  ///< The files are written, and what there was to say of them could not be printed.
   kBug = 70,
 };
 

@@ -88,6 +88,7 @@ std::size_t write_outputs(const ConvertArguments& arguments, std::span<ConvertOu
       write_sets(std::vector<std::span<const OutputFile>>(sets.begin(), sets.end()), arguments.force || arguments.in_place,
                  arguments.fsync, arguments.request.jobs);
   for (std::size_t i = 0; i < sets.size(); ++i) {
+    if (!problems[i] && !sets[i].empty()) console.note_written();
     if (!problems[i]) continue;
     outcomes[i].diagnostics.add(problems[i]->code, problems[i]->arguments);
     outcomes[i].code = ExitCode::kIo;

@@ -193,6 +193,29 @@ TEST(ExitCodes, AFullDeviceIsInputOutput) {
   EXPECT_EQ(points.code, 4);
 }
 
+// The file is there, whole: a script need not convert again.
+TEST(ExitCodes, WhatIsWrittenAndCannotBeReportedHasACodeOfItsOwn) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const TemporaryFolder folder;
+  const std::string expected = folder / "expected.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--to", "kalibr", "--no-provenance", "-o", expected}).code, 0);
+  for (const char* json : {"--json", "-v"}) {
+    const std::string output = folder / (std::string("output") + json);
+    const RunResult run =
+        spawn_program({"convert", kTumvi, "--to", "kalibr", "--no-provenance", "-o", output, json}, {}, "/dev/full");
+    EXPECT_EQ(run.code, 5) << run.err;
+    EXPECT_EQ(read_file(output), read_file(expected));
+  }
+  const RunResult page = spawn_program({"report", kTumvi, "-o", folder / "page.html"}, {}, "/dev/full");
+  EXPECT_EQ(page.code, 5) << page.err;
+  EXPECT_TRUE(fs::exists(folder / "page.html"));
+  // What is worse than that stays what it is.
+  const RunResult refused =
+      spawn_program({"convert", kTumvi, "--to", "kalibr", "--model", "pinhole", "-o", folder / "no.yaml"}, {}, "/dev/full");
+  EXPECT_EQ(refused.code, 4) << refused.err;
+  EXPECT_FALSE(fs::exists(folder / "no.yaml"));
+}
+
 TEST(ExitCodes, AFullOutputFileIsInputOutput) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   for (const bool force : {false, true}) {

@@ -8,8 +8,8 @@
 #include "options/output.h"
 #include "shell/kept_inputs.h"
 #include "shell/option_hints.h"
+#include "shell/put_files.h"
 #include "shell/words.h"
-#include "toolkit/save/output_file.h"
 
 #include <fca/formats/text/message.h>
 
@@ -43,7 +43,7 @@ ExitCode write_page(const CompareArguments& arguments, const TypedOptions& typed
   }
   const std::string line = "fca-io " + command_line(typed, "compare", [](const TypedOption&) { return true; });
   const OutputFile file{arguments.page, comparison_page(reference, compared, arguments.request.reference.max_angle_rad, line)};
-  if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false)) {
+  if (const std::optional<Message> failure = put_files(std::span(&file, 1), arguments.force, console)) {
     console.error(text::text_of(*failure, with_options));
     return ExitCode::kIo;
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare_command.h"
+#include "shell/difference_words.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/words.h"
-#include "toolkit/compare/difference_words.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
@@ -40,6 +40,8 @@ std::string heading(const CameraComparison& camera) {
 std::string turned_text(const CameraComparison& camera) {
   if (!camera.rotated) return "";
   const bool same = camera.difference.same_to_deg >= camera.difference.judgement.coverage.max_angle_deg;
+  const double turned_rms = camera.rotated->difference.judgement.error.rms;
+  if (turned_rms > std::hypot(camera.size.width, camera.size.height)) return "";
   if (!turning_helps(camera)) return same ? "" : "  turned: no rotation brings the two nearer\n";
   const CameraDifference& turned = camera.rotated->difference;
   return "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +

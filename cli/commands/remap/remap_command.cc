@@ -12,8 +12,8 @@
 #include "shell/diagnostics_json.h"
 #include "shell/option_hints.h"
 #include "shell/parameters_json.h"
+#include "shell/put_files.h"
 #include "shell/words.h"
-#include "toolkit/save/output_file.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
@@ -72,7 +72,7 @@ struct Remapping {
 
 /// --map and --mask
 std::optional<std::string> write_parts(const RemapArguments& arguments, const ImageMap& map,
-                                       const std::vector<std::uint8_t>& mask) {
+                                       const std::vector<std::uint8_t>& mask, const Console& console) {
   std::vector<OutputFile> files;
   if (!arguments.map.empty()) files.push_back({arguments.map, npy(map)});
   if (!arguments.mask.empty()) {
@@ -80,7 +80,7 @@ std::optional<std::string> write_parts(const RemapArguments& arguments, const Im
     if (!bytes) return "cannot make " + arguments.mask;
     files.push_back({arguments.mask, *std::move(bytes)});
   }
-  const std::optional<Message> failure = write_files(files, arguments.force, false);
+  const std::optional<Message> failure = put_files(files, arguments.force, console);
   return failure ? std::optional(text::text_of(*failure, with_options)) : std::nullopt;
 }
 
@@ -180,7 +180,7 @@ ExitCode run_remap(const RemapArguments& arguments, Console& console) {
   if (result.status == Status::kRejected)
     return console.refuse(ExitCode::kJudgedBad, result.source.name + " sees nothing of that view; nothing is written");
   console.show(result.diagnostics);
-  if (const std::optional<std::string> failure = write_parts(arguments, result.map, result.mask))
+  if (const std::optional<std::string> failure = write_parts(arguments, result.map, result.mask, console))
     return console.refuse(ExitCode::kIo, *failure);
   done.images = remap_images(arguments, images, result.source, result.map, console);
   return tell(arguments, done, console);

@@ -9,8 +9,8 @@
 #include "shell/option_hints.h"
 #include "shell/output_name.h"
 #include "shell/progress.h"
+#include "shell/put_files.h"
 #include "toolkit/parallel_for.h"
-#include "toolkit/save/output_file.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
@@ -73,7 +73,7 @@ void remap_image(const RemapArguments& arguments, const Camera& source, const Im
   }
   make_folder_of(result.output, arguments.output);
   const OutputFile file{result.output, *bytes};
-  if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false))
+  if (const std::optional<Message> failure = put_files(std::span(&file, 1), arguments.force, console))
     refuse(ExitCode::kIo, *failure);
 }
 
