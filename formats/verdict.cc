@@ -37,6 +37,15 @@ VerdictWord worse(VerdictWord a, VerdictWord b) { return std::max(a, b); }
 /// A program whose files those are not in the first place needs to be that one: no more than care.
 VerdictWord weighed(VerdictWord word, bool is_first) { return is_first ? word : std::min(word, VerdictWord::kUseWithCare); }
 
+/// What the program does with the numbers of a camera that it misreads.
+std::vector<Message> causes_of(const CameraProof& camera, const ProofResult& proof) {
+  std::vector<Message> causes;
+  for (const consumers::Complaint& warning : proof.warnings) {
+    if (camera.misread) causes.push_back({Code::kVerdictCause, {warning.facts}});
+  }
+  return causes;
+}
+
 void add_cameras(const ProofResult& proof, std::vector<Reason>& reasons) {
   for (const CameraProof& camera : proof.cameras) {
     const PixelDistance& distance = camera.distance.decisive();
@@ -45,12 +54,13 @@ void add_cameras(const ProofResult& proof, std::vector<Reason>& reasons) {
       if (word == VerdictWord::kReady) return;
       reasons.push_back({weighed(word, proof.is_first), {code, std::move(arguments)}, camera.name, distance});
     };
-    add(pixels, Code::kVerdictPixelsOff, {proof.program, distance.rms, distance.p99, distance.max});
+    add(pixels, Code::kVerdictPixelsOff, {proof.program, distance.rms, distance.p99, distance.max, causes_of(camera, proof)});
     constexpr double kSeen = 1.0;  // px
     if (pixels == VerdictWord::kReady && camera.misread && distance.max > kSeen)
-      add(VerdictWord::kUseWithCare, Code::kVerdictMisread, {proof.program, distance.max});
-    const double compared = distance.region * (1.0 - distance.no_rays);
-    add(word_of(distance.no_rays, kNoRays), Code::kVerdictNoRays, {proof.program, distance.no_rays, compared});
+      add(VerdictWord::kUseWithCare, Code::kVerdictMisread, {proof.program, distance.max, causes_of(camera, proof)});
+    const PixelDistance& image = camera.distance.in_image;
+    add(word_of(distance.no_rays, kNoRays), Code::kVerdictNoRays,
+        {proof.program, image.region * image.no_rays, image.region * (1.0 - image.no_rays)});
   }
 }
 
@@ -162,12 +172,16 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     const Code kind = code_of(finding);
     if (finding.severity == Severity::kNote) continue;
     // What programs refuse and misread, their proofs say, in numbers.
-    const bool counts = info(kind).about == About::kMeaning || (!facts.is_read && finding.severity == Severity::kError);
+    const bool cannot_be_asked = !facts.is_read || kind == Code::kProgramOtherFormat;
+    const bool counts = info(kind).about == About::kMeaning || (cannot_be_asked && finding.severity == Severity::kError);
     if (!counts) continue;
     if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
+    // Lengths that are no metres become wrong ones in a format of metres.
+    const bool is_of_unit = kind == Code::kOpencvUnitsNotStated && facts.to->extrinsics && !facts.to->any_length_unit;
     if (is_among(reasons, finding)) continue;
-    reasons.push_back({.word = word, .facts = finding.facts, .remedy = finding.remedy, .kind = kind});
+    reasons.push_back(
+        {.word = is_of_unit ? VerdictWord::kDoNotUse : word, .facts = finding.facts, .remedy = finding.remedy, .kind = kind});
   }
 }
 
@@ -196,10 +210,18 @@ std::string_view name_of(VerdictWord word) {
   return kNames.at(static_cast<std::size_t>(word));
 }
 
-bool may_be_accepted(const Reason& reason) {
-  constexpr std::array kLimits = {Code::kMisreadBeyondLimit, Code::kMissingBeyondLimit, Code::kErrorBeyondLimit,
-                                  Code::kLossesNotAllowed};
-  return std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
+namespace {
+
+/// Why a limit that the user sets is exceeded.
+constexpr std::array kLimits = {Code::kMisreadBeyondLimit, Code::kMissingBeyondLimit, Code::kErrorBeyondLimit,
+                                Code::kLossesNotAllowed};
+
+}  // namespace
+
+bool may_be_accepted(const Reason& reason) { return std::ranges::find(kLimits, reason.facts.code) == kLimits.end(); }
+
+bool may_be_accepted(std::string_view id) {
+  return std::ranges::none_of(kLimits, [id](Code code) { return info(code).id == id; });
 }
 
 bool Acceptance::covers(const Reason& reason) const {

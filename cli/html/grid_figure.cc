@@ -40,7 +40,10 @@ double enlargement(const CameraDistance& distance, double cell_px) {
   constexpr double kSeen = 1e-3;  // px: less is no difference
   constexpr double kOfCell = 1.0 / 3.0;
   if (worst < kSeen) return 1.0;
-  return std::max(1.0, std::pow(10.0, std::floor(std::log10(kOfCell * cell_px / worst))));
+  const double most = kOfCell * cell_px / worst;
+  const double decade = std::pow(10.0, std::floor(std::log10(most)));
+  const double nice = most >= 5.0 * decade ? 5.0 : most >= 2.0 * decade ? 2.0 : 1.0;
+  return std::max(1.0, nice * decade);
 }
 
 using PointOf = std::function<std::optional<Pixel>(const SeenPixel& point)>;
@@ -93,7 +96,7 @@ void put_grid(Html& html, const std::string& camera, const std::string& program,
   html.element("figure", {{"class", "tile"}}, [&] {
     html.element("svg",
                  {{"viewBox", "0 0 " + coordinate(kWidth) + " " + coordinate(scale * height + 2.0 * kMargin)},
-                  {"class", "chart small"},
+                  {"class", "thumbnail"},
                   {"role", "img"},
                   {"aria-label", what}},
                  [&] {

@@ -74,7 +74,7 @@ figcaption { font-weight: 600; margin-bottom: 8px; }
 .curve.c4 { stroke: #8b5cf6; } .curve.c5 { stroke: #0891b2; } .curve.c6 { stroke: #b45309; } .curve.c7 { stroke: #db2777; }
 .curve.c8 { stroke: #65a30d; } .curve.c9 { stroke: #64748b; } .curve.c10 { stroke: #a16207; }
 .curve.c5, .curve.c6, .curve.c7, .curve.c8, .curve.c9, .curve.c10 { stroke-dasharray: 7 3; }
-.chart.small { max-width: 240px; }
+.thumbnail { display: block; width: 100%; max-width: 240px; height: auto; margin: 0 auto; }
 .lattice { fill: none; stroke-width: 1; }
 .lattice.before { stroke: var(--reference); opacity: 0.7; }
 .lattice.after { stroke: var(--target); stroke-width: 1.3; }

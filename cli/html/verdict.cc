@@ -62,6 +62,7 @@ void put_pixels(Html& html, const std::vector<SeenCamera>& cameras) {
   const PixelDistance& distance = worst->proof.distance.decisive();
   put_tile(html, "Worst camera, as the program sees it", pixels(distance.rms) + " px rms",
            {worst->proof.name + ": 99 % within " + pixels(distance.p99) + " px, worst " + pixels(distance.max) + " px",
+            region_in_words(worst->proof.distance),
             "two calibrations of one camera differ by 0.4 to 3 px rms (TUM VI, Odyssey+, EuRoC)"});
   const auto compared = [](const SeenCamera& camera) {
     const PixelDistance& image = camera.proof.distance.in_image;
@@ -79,6 +80,14 @@ void put_pixels(Html& html, const std::vector<SeenCamera>& cameras) {
   put_grid(html, worst->proof.name, worst->program, worst->proof.distance);
 }
 
+/// Corners that the verdict does not count.
+std::string limit_in_words(const std::vector<SeenCamera>& cameras) {
+  double most = 0.0;
+  for (const SeenCamera& camera : cameras) most = std::max(most, share_without_rays(camera.proof.distance));
+  constexpr double kNoticeable = 0.01;
+  return most > kNoticeable ? no_rays_outside_in_words(most) : "";
+}
+
 void put_settings(Html& html, const ReportContents& contents) {
   if (contents.to == nullptr) return;
   std::vector<std::string> settings;
@@ -92,6 +101,7 @@ void put_settings(Html& html, const ReportContents& contents) {
 
 void put_verdict(Html& html, const ReportContents& contents) {
   const Verdict& verdict = contents.verdict;
+  const std::vector<SeenCamera> seen = seen_cameras(contents);
   std::string word(in_words(verdict.word));
   word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
   html.element("div", {{"class", class_of(verdict.word)}}, [&] {
@@ -104,10 +114,12 @@ void put_verdict(Html& html, const ReportContents& contents) {
     }
     html.element("ul", {}, [&] {
       for (const SummaryLine& line : lines_of(verdict)) html.element("li", {}, line.about + ": " + line.text);
+      const std::string limit = limit_in_words(seen);
+      if (!limit.empty()) html.element("li", {}, limit);
     });
   });
   html.element("div", {{"class", "tiles"}}, [&] {
-    put_pixels(html, seen_cameras(contents));
+    put_pixels(html, seen);
     put_settings(html, contents);
   });
 }

@@ -49,6 +49,7 @@ std::optional<std::string> take_acceptance(const std::string& word, std::vector<
   std::vector<std::string> known;
   for (const CodeInfo& code : all_codes()) known.emplace_back(code.id);
   if (std::ranges::find(known, id) == known.end()) return unknown_word("code", id, known, "the verdict names them");
+  if (!may_be_accepted(id)) return "--accept " + id + ": that is a limit of your own; leave out the option that sets it";
   accepted.push_back({id, colon == std::string::npos ? "" : word.substr(colon + 1)});
   return std::nullopt;
 }

@@ -41,6 +41,8 @@ std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
 
 std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image) {
   const ErrorSummary& error = judgement.error;
+  if (image && error.rms > std::hypot(image->width, image->height))
+    return "further apart than the image is large (" + size_in_words(*image) + " px)";
   const bool all = judgement.coverage.unrepresentable == 0.0;
   const std::string bound = std::isfinite(error.bound)
                                 ? "proven below " + pixels(error.bound, image) + (all ? " everywhere" : " where it was scored")

@@ -83,6 +83,8 @@ constexpr std::array kHints = {
     // ORB-SLAM3's settings.
     OptionHint{Code::kOrbslam3SizeMissing, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kOrbslam3TypesDiffer, text::Part::kFix, "convert both with --model"},
+    OptionHint{Code::kOrbslam3ModelNotStorable, text::Part::kFix,
+               "--model radtan for ORB-SLAM2, --model eucm for slam_no_opt; or leave out the layout"},
     OptionHint{Code::kOrbslam3PairNotStorable, text::Part::kFix,
                "--orbslam3-layout v1 has both; --sensor mono writes the first camera alone; or rectify the images"},
     OptionHint{Code::kOrbslam3PairVertical, text::Part::kFix,

@@ -9,6 +9,8 @@
 #include <fca/formats/wording.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace fca::cli {
 
@@ -36,6 +38,14 @@ std::string_view label_of(const Reason& reason) {
     default:
       return reason.word == VerdictWord::kDoNotUse ? "wrong" : "look at";
   }
+}
+
+/// What the program does with a camera that it sees elsewhere.
+std::vector<Message> causes_of(const Reason& reason) {
+  std::vector<Message> causes;
+  for (const Message& cause : std::get<std::vector<Message>>(reason.facts.arguments.back().value))
+    causes.push_back(std::get<std::vector<Message>>(cause.arguments.front().value).front());
+  return causes;
 }
 
 /// Of a loss.
@@ -72,6 +82,31 @@ std::string_view in_words(VerdictWord word) {
   return "";
 }
 
+std::string region_in_words(const CameraDistance& distance) {
+  if (!distance.is_wide) return "over the whole image";
+  return "inside the circle that fits into the image; " + pixels(distance.in_image.rms) + " px rms over all of it";
+}
+
+double share_without_rays(const CameraDistance& distance) {
+  constexpr double kNoticeable = 0.01;
+  if (!distance.is_wide || distance.in_circle.no_rays > kNoticeable) return 0.0;
+  return distance.in_image.no_rays * distance.in_image.region;
+}
+
+std::string no_rays_outside_in_words(double share) {
+  return "no right ray outside the inscribed circle: " + percent(share) + " of the image";
+}
+
+std::string with_colour(std::string text, VerdictWord word) {
+  constexpr std::array<std::string_view, 3> kColours = {"\033[1;32m", "\033[1;33m", "\033[1;31m"};
+  const std::string said = ": " + std::string(in_words(word));
+  const std::size_t at = text.find(said);
+  if (at == std::string::npos) return text;
+  text.insert(at + said.size(), "\033[0m");
+  text.insert(at + 2, kColours.at(static_cast<std::size_t>(word)));
+  return text;
+}
+
 std::string summary_text(const std::vector<SummaryLine>& lines) {
   std::vector<SummaryLine> merged;
   for (const SummaryLine& line : lines) {
@@ -98,11 +133,15 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
   std::vector<std::string> codes;
   for (auto at = verdict.reasons.begin(); at != verdict.reasons.end(); ++at) {
     const Reason& reason = *at;
+    if (!with_distances && !may_be_accepted(reason)) continue;  // an error of its own
     if (reason.word == VerdictWord::kDoNotUse && may_be_accepted(reason) &&
         std::ranges::find(codes, id_of(reason)) == codes.end())
       codes.push_back(id_of(reason));
     const bool is_distance = reason.facts.code == Code::kVerdictPixelsOff;
-    if (is_distance && !with_distances) continue;
+    if (is_distance && !with_distances) {
+      for (const Message& cause : causes_of(reason)) lines.push_back({"misread", text::text_of(cause, with_options)});
+      continue;
+    }
     // The same loss of several cameras is one line.
     const auto is_like = [&reason](const Reason& other) {
       return reason.facts.code == Code::kVerdictLost && other.kind == reason.kind && other.camera != reason.camera;
@@ -118,7 +157,7 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
   }
   std::string accept;
   for (const std::string& code : codes) accept += " --accept " + code;
-  if (!accept.empty()) lines.push_back({"anyway", accept.substr(1)});
+  if (!accept.empty()) lines.push_back({std::string(kAnyway), accept.substr(1)});
   return lines;
 }
 

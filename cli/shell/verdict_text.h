@@ -33,4 +33,15 @@ struct SummaryLine {
 /// "understood within 0.001 px", "0.12 px rms off (99 %: 0.4, worst 2.9 px)"
 [[nodiscard]] std::string distance_in_words(const PixelDistance& distance);
 
+/// "inside the circle that fits into the image; 7.9 px rms over all of it": where that distance was measured.
+[[nodiscard]] std::string region_in_words(const CameraDistance& distance);
+/// The share of the image, outside the circle that decides, for which the program has no right ray; 0 where it decides anyway.
+[[nodiscard]] double share_without_rays(const CameraDistance& distance);
+/// "no right ray outside the inscribed circle: 20.2 % of the image"
+[[nodiscard]] std::string no_rays_outside_in_words(double share);
+/// What the line of lines_of() is about that says how to overrule the verdict.
+inline constexpr std::string_view kAnyway = "anyway";
+/// The text with the first ": ready" (or whatever the word is) in the verdict's colour, for terminals.
+[[nodiscard]] std::string with_colour(std::string text, VerdictWord word);
+
 }  // namespace fca::cli

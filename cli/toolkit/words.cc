@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "words.h"
 
+#include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
+#include <array>
 #include <cmath>
 
 namespace fca {
 
 std::string pixels(double value) {
-  if (value == 0.0) return "0";
-  if (value < 1e-4) return text::format_short(value, 2);
-  return text::format_short(value, 3);
+  const std::array<Argument, 1> arguments = {value};
+  return text::filled("{0:px}", arguments);
 }
 
 std::string pixels(double value, const std::optional<ImageSize>& image) {

@@ -75,9 +75,11 @@ class ImageCheck {
       return;
     }
     constexpr double kSquarePixels = 0.05;
+    constexpr double kAnySensor = 4.0;  // no sensor's pixels are so many times longer than wide
     if (std::abs(f_u / f_v - 1.0) <= kSquarePixels) return;
-    findings_.add(Code::kFocalLengthsUnlike, {camera_.name, f_u, f_v, 100.0 * std::abs(f_u / f_v - 1.0)},
-                  subject_.places.parameter(camera_, "fy"));
+    const bool absurd = std::max(f_u / f_v, f_v / f_u) > kAnySensor;
+    findings_.add(absurd ? Severity::kError : Severity::kWarning, Code::kFocalLengthsUnlike,
+                  {camera_.name, f_u, f_v, 100.0 * std::abs(f_u / f_v - 1.0)}, subject_.places.parameter(camera_, "fy"));
   }
 
   const Subject& subject_;

@@ -110,12 +110,22 @@ class ProgramsCheck {
     if (calibration_ == nullptr) return;
     const std::string mode = format_.modes.empty() ? "" : meant_mode(document_);
     report_.mode = mode;
-    report_.proof = prove(program, document_.source().bytes, load_options(mode), calibration_->rig,
+    report_.proof = prove(program, document_.source().bytes, load_options(mode), rig_in_stated_unit(),
                           options_.max_angle_rad.value_or(std::numbers::pi));
     if (report_.proof->loads) return;
     for (const Readers::Program& other : report_.readers.programs) {
       if (other.loads && other.program != program.program) report_.proof->read_by.push_back(other.program);
     }
+  }
+
+  /// The program has no unit of lengths: what the file says is compared, in its own unit.
+  [[nodiscard]] Rig rig_in_stated_unit() const {
+    Rig rig = calibration_->rig;
+    const double unit_m = format_.any_length_unit ? options_.reading.length_unit_m.value_or(1.0) : 1.0;
+    for (PoseEdge& edge : rig.poses) {
+      for (const std::size_t at : {3U, 7U, 11U}) edge.T_a_b.values[at] /= unit_m;
+    }
+    return rig;
   }
 
   [[nodiscard]] SourceRange whole_file() const { return {document_.source().name, 0, 0}; }

@@ -46,6 +46,16 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// "0.113", "4e-14", "2614"
+std::string pixels(double value) {
+  constexpr double kTiny = 1e-4;
+  constexpr double kWhole = 1e3;
+  constexpr double kHuge = 1e6;
+  if (value == 0.0) return "0";
+  if (value >= kWhole && value < kHuge) return fixed(value, 0);
+  return format_short(value, value < kTiny ? 2 : 3);
+}
+
 std::string plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 /// The words of one argument, by its type; `how` is what stands behind the colon.
@@ -65,7 +75,7 @@ struct InWords {
     if (how.empty()) return format_short(value);
     if (how == "real") return format_real(value);
     if (how == "all") return shortest(value);
-    if (how == "px") return value == 0.0 ? "0" : format_short(value, value < 1e-4 ? 2 : 3);
+    if (how == "px") return pixels(value);
     if (how == "%") return fixed(100.0 * value, 1) + " %";
     if (!how.starts_with('.')) refuse(how);
     const bool decimals = how.ends_with('f');

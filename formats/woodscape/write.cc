@@ -170,7 +170,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
       if (frame != kVehicle || !pose) {
         const bool known = pose && frame != camera.name;
         const Message value = known ? Message{Code::kOpenvinsChainPoseInFrame, {frame}} : Message{Code::kIdentity};
-        written.defaults.push_back({camera.name + " extrinsic", Message{Code::kWoodscapeJsonPoseMadeUp, {value}}, true});
+        written.defaults.push_back({camera.name + " extrinsic", Message{Code::kWoodscapeJsonPoseMadeUp, {value}}, true, true});
       }
     }
     if (!document) return std::nullopt;

@@ -97,11 +97,16 @@ std::optional<PreparedPair> prepared(const Camera& reference, const Camera& othe
 
 std::vector<ParameterComparison> parameters_of(const CameraModel& reference, const CameraModel& other) {
   std::vector<ParameterComparison> rows;
+  const bool same_model = model_info(reference).id == model_info(other).id;
   const auto add = [&](const CameraModel& model, bool only_new) {
     for (const Parameter& parameter_of_model : model_info(model).parameters) {
       const ParameterId id(parameter_of_model);
-      if (only_new && parameter(reference, id)) continue;
-      rows.push_back({std::string(parameter_of_model.name), parameter(reference, id), parameter(other, id)});
+      // Coefficients of the same name are other numbers in another model.
+      const bool is_common = same_model || parameter_of_model.group == ParameterGroup::kFocalLength ||
+                             parameter_of_model.group == ParameterGroup::kPrincipalPoint;
+      if (only_new && is_common && parameter(reference, id)) continue;
+      rows.push_back({std::string(parameter_of_model.name), only_new ? std::nullopt : parameter(reference, id),
+                      only_new || is_common ? parameter(other, id) : std::nullopt});
     }
   };
   add(reference, false);

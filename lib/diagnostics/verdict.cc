@@ -9,10 +9,11 @@ namespace fca::diagnostics {
 
 std::span<const CodeInfo> verdict_codes() {
   static constexpr std::array kRows = {
-      reader_warning(Code::kVerdictPixelsOff, "pixels-off", "{0} sees it {1:px} px rms off (99 %: {2:px}, worst {3:px} px)"),
+      reader_warning(Code::kVerdictPixelsOff, "pixels-off", "{0} sees it {1:px} px rms off (99 %: {2:px}, worst {3:px} px){4}"),
+      clause(Code::kVerdictCause, "; {0}"),
       reader_warning(Code::kVerdictMisread, "program-misreads",
-                     "{0} takes other numbers than the file's: worst pixel {1:px} px off"),
-      reader_warning(Code::kVerdictNoRays, "no-right-rays", "{0} has no right ray for {1:%}; {2:%} of the image compared"),
+                     "{0} takes other numbers than the file's: worst pixel {1:px} px off{2}"),
+      reader_warning(Code::kVerdictNoRays, "no-right-rays", "{0} has no right ray for {1:%} of the image; {2:%} compared"),
       about_reader(error(Code::kVerdictRefused, "program-refuses", "{0} refuses it: {1:and}{2}")),
       clause(Code::kVerdictReadBy, "; {0:and} loads it"),
       about_reader(error(Code::kVerdictPosesDiffer, "proof-failed", "an element of {0}'s poses differs by {1:.3}")),

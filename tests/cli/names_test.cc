@@ -99,7 +99,9 @@ TEST(Names, AUnitThatIsGivenIsNoQuestion) {
   const TemporaryFolder folder;
   const std::vector<std::string> words = {"convert", folder.write("mm.yml", pair_in_millimetres()), "--size", "640x480", "--to",
                                           "kalibr"};
-  EXPECT_TRUE(Told(words).says("units-not-stated", "--unit mm"));
+  const Told refused(words);
+  EXPECT_TRUE(refused.says("units-not-stated", "--unit mm"));
+  EXPECT_EQ(refused.code(), 1) << "120 m between two cameras are not written";
   std::vector<std::string> in_millimetres = words;
   in_millimetres.insert(in_millimetres.end(), {"--unit", "mm"});
   const Told run(in_millimetres);

@@ -7,9 +7,9 @@
 #include "options/words.h"
 #include "shell/calibration_files.h"
 #include "shell/option_hints.h"
+#include "shell/put_files.h"
 #include "shell/words.h"
 #include "shell/written_names.h"
-#include "toolkit/save/output_file.h"
 
 #include <fca/formats/text/message.h>
 
@@ -57,7 +57,7 @@ ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& con
   if (!arguments.write) return ExitCode::kGood;
   const OutputFile output{source.name, source.bytes};
   remove_leftovers(std::filesystem::path(source.name).parent_path().string());
-  const std::optional<Message> problem = write_files(std::span(&output, 1), true, false);
+  const std::optional<Message> problem = put_files(std::span(&output, 1), true, console);
   if (!problem) return ExitCode::kGood;
   console.error(text::text_of(*problem, with_options));
   return ExitCode::kIo;
@@ -143,7 +143,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     if (!for_people) continue;
     // A file that is no calibration has no result.
     const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back());
-    all.files.back().report.is_calibration ? console.say(text) : console.say_aside(text);
+    all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word) : console.say_aside(text);
   }
   if (all.files.empty()) {
     console.error("no calibration in " + enumerated(arguments.files) + " (" + std::to_string(all.skipped.size()) +

@@ -10,6 +10,7 @@
 #include <fca/formats/wording.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 namespace fca::cli {
@@ -42,6 +43,16 @@ std::string finding_text(const Finding& finding, const text::Source& source) {
   return text;
 }
 
+/// Why, where no finding is as bad as the verdict: what the program makes of the file.
+std::string reasons_text(const CheckReport& report) {
+  const bool has_error = report.has(Severity::kError);
+  const bool is_explained = has_error || (report.verdict.word != VerdictWord::kDoNotUse && report.has(Severity::kWarning));
+  if (is_explained) return "";
+  std::vector<SummaryLine> lines = lines_of(report.verdict);
+  std::erase_if(lines, [](const SummaryLine& line) { return line.about == kAnyway; });  // nothing is written here
+  return summary_text(lines);
+}
+
 std::string readers_line(const Readers& readers) {
   std::vector<std::string> names;
   for (const Readers::Program& program : readers.programs) {
@@ -60,6 +71,7 @@ std::string check_text(const CheckResult& file) {
                                    : std::string(report.format->title) + " (" +
                                          (report.why.is_said() ? text::text_of(report.why, with_options) : "--from") + "); ";
   text += count_text(report) + "\n";
+  text += reasons_text(report);
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;
   if (file.instead) text += preview_text(*file.instead, "  ");
@@ -73,17 +85,17 @@ std::string check_text(const CheckResult& file) {
 std::string check_summary(const CheckedFiles& checked) {
   if (checked.files.size() < 2 && checked.skipped.empty()) return "";
   std::size_t calibrations = 0;
-  std::size_t bad = 0;
-  std::size_t doubtful = 0;
+  std::array<std::size_t, 3> words{};
   for (const CheckResult& file : checked.files) {
     if (!file.report.is_calibration) continue;
     ++calibrations;
-    const bool error = file.report.has(Severity::kError);
-    bad += error ? 1 : 0;
-    doubtful += !error && file.report.has(Severity::kWarning) ? 1 : 0;
+    ++words.at(static_cast<std::size_t>(file.report.verdict.word));
   }
-  std::string text = "\n" + counted(calibrations, "calibration") + " checked: " + std::to_string(bad) + " with errors, " +
-                     std::to_string(doubtful) + " with warnings, " + std::to_string(calibrations - bad - doubtful) + " without";
+  std::string text = "\n" + counted(calibrations, "calibration") + " checked: ";
+  for (const VerdictWord word : {VerdictWord::kDoNotUse, VerdictWord::kUseWithCare, VerdictWord::kReady}) {
+    text += std::to_string(words.at(static_cast<std::size_t>(word))) + " " + std::string(in_words(word)) +
+            (word == VerdictWord::kReady ? "" : ", ");
+  }
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
   return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";

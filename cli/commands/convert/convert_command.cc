@@ -127,9 +127,10 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
       const bool is_wanted = !arguments.quiet || outcome.code != ExitCode::kGood;
       if (has_result && in_full && is_wanted && !outcome.files.empty()) {
         const bool written = !arguments.dry_run;
-        std::string report = convert_summary(outcome, written);
+        std::string report = convert_summary(outcome, written, !arguments.verbose);
         if (arguments.verbose) report += "\n" + convert_text(outcome, written);
-        (file_on_stdout && written) || arguments.quiet ? console.say_aside(report) : console.say(report);
+        const VerdictWord word = outcome.verdict.word;
+        (file_on_stdout && written) || arguments.quiet ? console.say_aside(report, word) : console.say(report, word);
       }
       const bool shows_all = in_full && !arguments.quiet && (arguments.verbose || !has_result);
       shows_all ? console.show(outcome.diagnostics) : console.show_errors(outcome.diagnostics);
@@ -181,7 +182,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
       "--max-angle or --lens-circle says where it ends), more than a thousandth of it or what the fit had to give "
       "up, has no pixel in the new model",
       request.max_error_px);
-  add_strict_option(options, "Fail if anything of the input cannot be carried", request.strict);
+  add_strict_option(options, "Fail if a fact of the input that the target's program uses cannot be carried", request.strict);
   options.flag_pair(
       "--verify",
       "Try the written bytes with our re-implementation of the program's reader before they are put in place (the default)",

@@ -21,8 +21,9 @@ struct ProofWords {
   std::vector<std::string> details;  ///< What belongs to it, a line each.
 };
 [[nodiscard]] std::vector<ProofWords> proofs_in_words(const ConvertResult& result);
-/// The verdict and what a user must act on, in some ten lines (summary.cc).
-[[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written);
+/// The verdict and what a user must act on, in some ten lines (summary.cc). `with_tables`: and the errors over the angle of
+/// fits that are far off.
+[[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written, bool with_tables);
 /// The full report for people (convert_text.cc) and for scripts (convert_json.cc).
 [[nodiscard]] std::string convert_text(const ConvertOutcome& outcome, bool written);
 [[nodiscard]] std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report that is printed without -v: the verdict, and what a user must act on.
 #include "convert_command.h"
+#include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
@@ -31,18 +32,26 @@ std::string first_line(const ConvertOutcome& outcome, bool written) {
   return wrapped_line(text + "; " + text::text_of(outcome.headline, with_options));
 }
 
-const PixelDistance* distance_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
+const CameraDistance* distance_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
   for (const ProofResult& proof : outcome.proofs) {
     if (!proof.is_first) continue;
     const auto seen = std::ranges::find(proof.cameras, camera.source.name, &CameraProof::name);
-    if (seen != proof.cameras.end() && seen->distance.decisive().region > 0.0) return &seen->distance.decisive();
+    if (seen != proof.cameras.end() && seen->distance.decisive().region > 0.0) return &seen->distance;
   }
   return nullptr;
 }
 
+/// What decides and, of a wide lens, the whole image.
+std::string in_both_regions(const CameraDistance& distance) {
+  constexpr double kNothingPx = 0.001;
+  const std::string decisive = distance_in_words(distance.decisive());
+  if (!distance.is_wide || distance.in_image.max <= kNothingPx) return decisive;
+  return decisive + " inside the image's circle, " + pixels(distance.in_image.rms) + " px rms over all of it";
+}
+
 SummaryLine line_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
-  const PixelDistance* distance = distance_of(outcome, camera);
-  return {name_in_words(camera), camera_line(camera) + (distance != nullptr ? "; " + distance_in_words(*distance) : "")};
+  const CameraDistance* distance = distance_of(outcome, camera);
+  return {name_in_words(camera), camera_line(camera) + (distance != nullptr ? "; " + in_both_regions(*distance) : "")};
 }
 
 /// Parts of the image beyond the region that decides.
@@ -51,13 +60,10 @@ void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) 
   double most = 0.0;
   for (const ProofResult& proof : outcome.proofs) {
     for (const CameraProof& camera : proof.cameras) {
-      const CameraDistance& distance = camera.distance;
-      if (!proof.is_first || !distance.is_wide || distance.in_circle.no_rays > kNoticeable) continue;
-      most = std::max(most, distance.in_image.no_rays * distance.in_image.region);
+      if (proof.is_first) most = std::max(most, share_without_rays(camera.distance));
     }
   }
-  if (most > kNoticeable)
-    lines.push_back({"limit", "no right ray outside the inscribed circle: " + percent(most) + " of the image"});
+  if (most > kNoticeable) lines.push_back({"limit", no_rays_outside_in_words(most)});
 }
 
 void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
@@ -105,9 +111,21 @@ std::size_t details(const ConvertOutcome& outcome) {
   return static_cast<std::size_t>(std::ranges::count(outcome.losses, false, &Loss::matters) + not_to_set + not_errors);
 }
 
+/// The errors over the angle of fits that are far off somewhere.
+std::string tables_text(const ConvertOutcome& outcome) {
+  constexpr double kFarOffPx = 1.0;
+  std::string text;
+  for (const ConvertedCamera& camera : outcome.cameras) {
+    if (!camera.report || camera.report->exact || camera.report->judgement.error.p99 <= kFarOffPx) continue;
+    text += "  " + name_in_words(camera) + ": the fit's errors by the angle from the axis\n" +
+            band_table(camera.report->judgement.bands);
+  }
+  return text;
+}
+
 }  // namespace
 
-std::string convert_summary(const ConvertOutcome& outcome, bool written) {
+std::string convert_summary(const ConvertOutcome& outcome, bool written, bool with_tables) {
   std::vector<SummaryLine> lines;
   for (const ConvertedCamera& camera : outcome.cameras) lines.push_back(line_of(outcome, camera));
   for (SummaryLine& line : lines_of(outcome.verdict, false)) lines.push_back(std::move(line));
@@ -117,7 +135,8 @@ std::string convert_summary(const ConvertOutcome& outcome, bool written) {
   add_left_out(outcome, lines);
   add_settings(outcome, lines);
   std::string text = first_line(outcome, written) + summary_text(lines);
-  if (const std::size_t count = details(outcome); count > 0) text += "  " + counted(count, "detail") + ": -v\n";
+  if (with_tables) text += tables_text(outcome);
+  if (const std::size_t count = details(outcome); count > 0 && with_tables) text += "  " + counted(count, "detail") + ": -v\n";
   return text;
 }
 

@@ -187,7 +187,7 @@ std::string row_text(const Candidate& candidate) {
   text += padded(report.exact ? "exact" : pixels(report.judgement.error.rms), kNumberWidth) +
           padded(report.exact ? "" : pixels(report.judgement.error.max), kNumberWidth);
   const std::string to = text::format_short(report.scored_to_deg, 3) + " deg";
-  return text + (reaches_all(candidate) ? "all" : "to " + to) + "\n";
+  return text + (reaches_all(candidate) && !report.fitted_to_cone ? "all" : "to " + to) + "\n";
 }
 
 std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {

@@ -10,10 +10,10 @@
 #include "options/words.h"
 #include "shell/kept_inputs.h"
 #include "shell/option_hints.h"
+#include "shell/put_files.h"
 #include "shell/verdict_text.h"
 #include "shell/words.h"
 #include "shell/written_names.h"
-#include "toolkit/save/output_file.h"
 
 #include <fca/formats/text/message.h>
 #include <fca/toolkit/report.h>
@@ -88,7 +88,7 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
   if (const std::optional<std::string> problem = KeptInputs(console, arguments.inputs).problem_with(arguments.output))
     return console.refuse(ExitCode::kUsage, *problem);
   const OutputFile file{arguments.output, page};
-  if (const std::optional<Message> failure = write_files(std::span(&file, 1), arguments.force, false))
+  if (const std::optional<Message> failure = put_files(std::span(&file, 1), arguments.force, console))
     return console.refuse(ExitCode::kIo, text::text_of(*failure, with_options));
   console.say("wrote " + arguments.output + "\n");
   return ExitCode::kGood;
@@ -118,8 +118,9 @@ ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed,
   const bool on_page = !arguments.output.empty() && arguments.output != "-";
   if (on_page && code == ExitCode::kGood) {
     const std::string what = contents.to != nullptr ? "what convert would write" : "the file";
-    console.say(wrapped_line(what + ": " + std::string(in_words(contents.verdict.word))) +
-                summary_text(lines_of(contents.verdict)));
+    console.say(
+        wrapped_line(what + ": " + std::string(in_words(contents.verdict.word))) + summary_text(lines_of(contents.verdict)),
+        contents.verdict.word);
   }
   return contents.verdict.word == VerdictWord::kDoNotUse ? worse(code, ExitCode::kJudgedBad) : code;
 }

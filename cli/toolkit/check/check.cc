@@ -40,7 +40,6 @@ CheckResult check(const CheckRequest& request, const text::Source& source, Files
     result.report = check_file(source, options_for(request, false));
   if (request.program != nullptr && source.name != text::kStandardInput && is_for_another_format(result.report))
     result.instead = preview_conversion(source.name, request.inputs, *request.program, files);
-  if (result.instead) result.report.verdict = result.instead->verdict;
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/folded_name.h>
+#include <fca/formats/program_names.h>
 #include <fca/formats/verdict.h>
 #include <fca/toolkit/programs.h>
 
@@ -39,7 +40,13 @@ const consumers::Consumer* find_program(std::string_view typed) {
   const auto all = consumers::all_consumers();
   const auto found =
       std::ranges::find_if(all, [typed](const consumers::Consumer& each) { return folded(each.id) == folded(typed); });
-  return found == all.end() ? nullptr : &*found;
+  if (found != all.end()) return &*found;
+  const ProgramName* name = find_program_name(typed);
+  if (name == nullptr || !name->is_served()) return nullptr;
+  const auto served = std::ranges::find_if(all, [name](const consumers::Consumer& each) {
+    return each.format == name->format && each.cameras && each.writing.layout == name->layout;
+  });
+  return served == all.end() ? nullptr : &*served;
 }
 
 const consumers::Consumer& reader_of(const consumers::Consumer& program, bool with_cameras) {
@@ -51,8 +58,7 @@ const consumers::Consumer& reader_of(const consumers::Consumer& program, bool wi
   return other == all.end() ? program : *other;
 }
 
-ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration,
-                           std::optional<double> max_angle_rad, const std::string& opencv_model) {
+ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration, const Inputs& inputs) {
   ProgramReading reading;
   reading.program = &reader_of(program, !calibration.rig.cameras.empty());
   const Format& format = *calibration.format;
@@ -63,8 +69,9 @@ ProgramReading ask_program(const consumers::Consumer& program, const Calibration
       format.modes.empty() ? std::span<const std::string_view>(kNoModes) : format.modes;
   const std::string& bytes = calibration.documents[calibration.with_cameras].source().bytes;
   for (const std::string_view mode : modes) {
-    const consumers::LoadOptions options = {std::string(mode), opencv_model};
-    ProofResult proof = prove(*reading.program, bytes, options, calibration.rig, max_angle_rad.value_or(std::numbers::pi));
+    const consumers::LoadOptions options = {std::string(mode), std::string(name_of(inputs.opencv_model))};
+    ProofResult proof =
+        prove(*reading.program, bytes, options, calibration.rig, inputs.max_angle_rad.value_or(std::numbers::pi));
     const auto same = std::ranges::find_if(
         reading.modes, [&proof](const ProgramReading::Mode& each) { return come_to_the_same(each.proof, proof); });
     ProgramReading::Mode& found = same != reading.modes.end() ? *same : reading.modes.emplace_back();

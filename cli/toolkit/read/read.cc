@@ -16,11 +16,9 @@ Reading read(const ReadRequest& request, Files& files) {
     calibration.rig.poses = poses_of_first(calibration.rig);
     if (!calibration.poses_without_unit.empty()) calibration.poses_without_unit = calibration.rig.poses;
   }
-  const std::string opencv_model(name_of(request.inputs.opencv_model));
   reading.readers = ask_readers(calibration.format->id, calibration.documents.front().source().bytes,
-                                !calibration.rig.cameras.empty(), {{}, opencv_model});
-  if (request.program != nullptr)
-    reading.asked = ask_program(*request.program, calibration, request.inputs.max_angle_rad, opencv_model);
+                                !calibration.rig.cameras.empty(), {{}, std::string(name_of(request.inputs.opencv_model))});
+  if (request.program != nullptr) reading.asked = ask_program(*request.program, calibration, request.inputs);
   return reading;
 }
 

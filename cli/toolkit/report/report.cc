@@ -38,6 +38,7 @@ std::vector<CheckResult> checked(const ReportRequest& request, const Calibration
     CheckRequest check_request;
     check_request.inputs.format = i < calibration.formats.size() ? calibration.formats[i] : nullptr;
     check_request.inputs.image_size = request.inputs.image_size;
+    check_request.inputs.length_unit_m = request.inputs.length_unit_m;
     check_request.inputs.opencv_model = request.inputs.opencv_model;
     check_request.inputs.max_angle_rad = request.inputs.max_angle_rad;
     results.push_back(check(check_request, calibration.documents[i].source(), files));

@@ -53,7 +53,8 @@ std::span<const CodeInfo> orbslam3_codes() {
 
       // What cannot be written.
       error(Code::kOrbslam3NoCamera, "no-camera", "ORB-SLAM3 settings need a camera and the input has none"),
-      error(Code::kOrbslam3ModelNotStorable, "model-not-storable", "{0}: these settings cannot hold {1}"),
+      error(Code::kOrbslam3ModelNotStorable, "model-not-storable", "{0}: these settings cannot hold {1}",
+            "another model: ORB-SLAM2's hold radtan, slam_no_opt's eucm"),
       error(Code::kOrbslam3SizeMissing, "image-size-missing",
             "{0}: the settings demand Camera.width and Camera.height and the input has none", "state it"),
       error(Code::kOrbslam3SizesDiffer, "image-sizes-differ",

@@ -66,6 +66,7 @@ enum class Code : std::uint16_t {
 
   // Why a file is less than ready to use.
   kVerdictPixelsOff,
+  kVerdictCause,
   kVerdictMisread,
   kVerdictNoRays,
   kVerdictRefused,

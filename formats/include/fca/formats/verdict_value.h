@@ -32,6 +32,7 @@ struct Reason {
 
 /// Limits that the user set are not overruled by the user.
 [[nodiscard]] bool may_be_accepted(const Reason& reason);
+[[nodiscard]] bool may_be_accepted(std::string_view id);
 
 struct Verdict {
   VerdictWord word = VerdictWord::kReady;

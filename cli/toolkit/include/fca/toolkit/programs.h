@@ -5,6 +5,7 @@
 #include <fca/formats/calibration.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/verdict_value.h>
+#include <fca/toolkit/inputs.h>
 
 #include <optional>
 #include <string>
@@ -15,7 +16,8 @@ namespace fca {
 
 /// The ids of all programs, as find_program() takes them.
 [[nodiscard]] std::vector<std::string> program_ids();
-/// The program of that id, in any case; null if there is none.
+/// The program of that id or of a name that people know it by (fca/formats/program_names.h), in any case; null if there is
+/// none.
 [[nodiscard]] const consumers::Consumer* find_program(std::string_view typed);
 /// The same program's reader of files with cameras, or of those without: Kalibr and OpenVINS have two.
 [[nodiscard]] const consumers::Consumer& reader_of(const consumers::Consumer& program, bool with_cameras);
@@ -33,8 +35,8 @@ struct ProgramReading {
 };
 
 /// Asks a program, in each of its modes, about the file of the calibration that states the cameras (else the first).
-/// `max_angle_rad`: what counts as lens; `opencv_model`: as consumers::LoadOptions takes it.
+/// `inputs`: what counts as lens, and which of OpenCV's models its files' numbers are of.
 [[nodiscard]] ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration,
-                                         std::optional<double> max_angle_rad, const std::string& opencv_model);
+                                         const Inputs& inputs);
 
 }  // namespace fca
