@@ -64,6 +64,9 @@ constexpr std::array kFtheta = {Name("ftheta"),    Name("ncore"),    Name("drive
                                 Name("omniverse"), Name("alpamayo"), Name("usd"),        Name("rig.json")};
 constexpr std::array kIsaac = {Name("isaac")};
 constexpr std::array kKitti360 = {Name("kitti-360")};
+constexpr std::array kTheia = {Name("theia"), Name("pytheiasfm")};
+constexpr std::array kCarla = {Name("carla")};
+constexpr std::array kArkit = {Name("arkit"), Name("polycam"), Name("record3d")};
 constexpr std::array kPhotonvision = {Name("photonvision")};
 constexpr std::array kR3live = {Name("r3live")};
 constexpr std::array kOmnidso = {Name("omnidso")};
@@ -108,6 +111,9 @@ constexpr std::array kNames = {
     ProgramName{kKitti, "KITTI", "ros", "", "", "calib.txt"},
     ProgramName{kKitti360, "KITTI-360", "vins", "", "", "VINS' files for its fisheyes (vins), perspective.txt for the others"},
     ProgramName{kIsaac, "Isaac", "ros", "", "", "camera_info as Isaac ROS (ros), a USD as Isaac Sim (isaac-sim)"},
+    ProgramName{kTheia, "Theia", "opencv", "", "", "a JSON of priors of its own"},
+    ProgramName{kCarla, "CARLA", "opencv", "", "", "attributes of its sensors, a pinhole without distortion"},
+    ProgramName{kArkit, "ARKit", "opencv", "", "", "a JSON per frame, a pinhole without distortion"},
     ProgramName{kPhotonvision, "PhotonVision", "opencv", "", "", "a JSON of its own"},
     ProgramName{kR3live, "R3LIVE", "vins", "", "", "keys of its own in its configuration"},
     ProgramName{kOmnidso, "omniDSO", "tumvi", "", "", "camera.txt with a line of the unified model"},

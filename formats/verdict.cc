@@ -46,21 +46,28 @@ std::vector<Message> causes_of(const CameraProof& camera, const ProofResult& pro
   return causes;
 }
 
+/// Where the program's rays end.
+std::vector<Message> why_no_rays(const ProofResult& proof) {
+  if (!proof.wrong_ray_why.is_said()) return {};
+  return {Message{Code::kVerdictCause, {proof.wrong_ray_why}}};
+}
+
 void add_cameras(const ProofResult& proof, std::vector<Reason>& reasons) {
   for (const CameraProof& camera : proof.cameras) {
     const PixelDistance& distance = camera.distance.decisive();
     const VerdictWord pixels = word_of(distance);
-    const auto add = [&](VerdictWord word, Code code, std::vector<Argument> arguments) {
+    const auto add = [&](VerdictWord word, Code code, std::vector<Argument> arguments, const PixelDistance& of) {
       if (word == VerdictWord::kReady) return;
-      reasons.push_back({weighed(word, proof.is_first), {code, std::move(arguments)}, camera.name, distance});
+      reasons.push_back({weighed(word, proof.is_first), {code, std::move(arguments)}, camera.name, of});
     };
-    add(pixels, Code::kVerdictPixelsOff, {proof.program, distance.rms, distance.p99, distance.max, causes_of(camera, proof)});
+    add(pixels, Code::kVerdictPixelsOff, {proof.program, distance.rms, distance.p99, distance.max, causes_of(camera, proof)},
+        distance);
     constexpr double kSeen = 1.0;  // px
     if (pixels == VerdictWord::kReady && camera.misread && distance.max > kSeen)
-      add(VerdictWord::kUseWithCare, Code::kVerdictMisread, {proof.program, distance.max, causes_of(camera, proof)});
+      add(VerdictWord::kUseWithCare, Code::kVerdictMisread, {proof.program, distance.max, causes_of(camera, proof)}, distance);
     const PixelDistance& image = camera.distance.in_image;
     add(word_of(distance.no_rays, kNoRays), Code::kVerdictNoRays,
-        {proof.program, image.region * image.no_rays, image.region * (1.0 - image.no_rays)});
+        {proof.program, image.region * image.no_rays, image.region * (1.0 - image.no_rays), why_no_rays(proof)}, image);
   }
 }
 

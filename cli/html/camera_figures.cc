@@ -143,9 +143,10 @@ std::optional<MapFigure> error_map(const DrawnCamera& camera) {
   figure.what = camera.distance + " in pixels of " + camera.target_label + " over the image of " + camera.source.name;
   figure.field = *std::move(field);
   figure.coarse = *std::move(coarse);
-  figure.scale = error_scale(error.max);
+  const double diagonal = std::hypot(figure.field.image.width, figure.field.image.height);
+  figure.scale = error_scale(std::min(error.max, diagonal));
   figure.marked = error.max_at;
-  figure.mark_label = "max " + pixels(error.max) + " px";
+  figure.mark_label = "max " + pixels(error.max, figure.field.image) + " px";
   figure.axis = principal_point(camera.source.model);
   figure.rim = camera.source.lens_circle;
   return figure;

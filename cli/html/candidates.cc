@@ -107,6 +107,11 @@ void put_errors(Html& html, const Camera& camera, const std::vector<Candidate>& 
 
 }  // namespace
 
+void put_recommendations(Html& html, const ReportContents& contents) {
+  for (const ModelsResult::OfCamera& model : contents.models)
+    html.element("p", {{"class", "strong"}}, model.camera.name + ": " + recommendation(model.candidates, contents.to));
+}
+
 void put_candidates(Html& html, const ReportContents& contents) {
   const std::vector<Camera>& cameras = contents.shown.calibration->rig.cameras;
   if (contents.models.empty()) return;

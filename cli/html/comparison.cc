@@ -67,11 +67,11 @@ void put_words(Html& html, const CameraComparison& camera) {
            error_text(difference.judgement, camera.size) + "; rms " + pixels(difference.angle.rms_deg) + " deg, max " +
                pixels(difference.angle.max_deg) + " deg");
   put_line(html, "", same_in_words(difference));
-  if (!turning_helps(camera)) return;
+  if (!turning_helps(camera) || is_larger_than(camera.rotated->difference.judgement, camera.size)) return;
   const ErrorSummary& turned = camera.rotated->difference.judgement.error;
   put_line(html, "rotation between them: ",
-           rotation_in_words(*camera.rotated) + "; with that undone rms " + pixels(turned.rms) + " px, max " +
-               pixels(turned.max) + " px");
+           rotation_in_words(*camera.rotated) + "; with that undone rms " + pixels(turned.rms, camera.size) + " px, max " +
+               pixels(turned.max, camera.size) + " px");
 }
 
 /// The parameters that differ, for images of one size.

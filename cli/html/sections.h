@@ -9,6 +9,8 @@ namespace fca::cli {
 
 /// Whether to use the file, in words and colour, the numbers for it, and the reasons against it.
 void put_verdict(Html& html, const ReportContents& contents);
+/// --model all: which model to take, a sentence for each camera.
+void put_recommendations(Html& html, const ReportContents& contents);
 /// What it all comes to, in a few lines.
 void put_summary(Html& html, const ReportContents& contents);
 /// --model all: the models beside each other, and which to take.

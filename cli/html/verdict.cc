@@ -33,7 +33,7 @@ std::string class_of(VerdictWord word) {
 
 /// A camera as the program sees it that the file is for.
 struct SeenCamera {
-  std::string program;
+  const ProofResult* by = nullptr;
   CameraProof proof;
 };
 
@@ -42,7 +42,7 @@ std::vector<SeenCamera> seen_cameras(const ReportContents& contents) {
   const auto add = [&cameras](const ProofResult& proof) {
     if (!proof.is_first) return;
     for (const CameraProof& camera : proof.cameras) {
-      if (camera.distance.in_image.region > 0.0) cameras.push_back({proof.program, camera});
+      if (camera.distance.in_image.region > 0.0) cameras.push_back({&proof, camera});
     }
   };
   if (contents.to != nullptr) {
@@ -77,15 +77,16 @@ void put_pixels(Html& html, const std::vector<SeenCamera>& cameras) {
            {missing > kNoticeable   ? "the program has no right ray for " + percent(missing)
             : distance_covers_image ? "the program has a ray for every pixel"
                                     : "the program has a ray for all that counts as lens"});
-  put_grid(html, worst->proof.name, worst->program, worst->proof.distance);
+  put_grid(html, worst->proof.name, worst->by->program, worst->proof.distance);
 }
 
 /// Corners that the verdict does not count.
 std::string limit_in_words(const std::vector<SeenCamera>& cameras) {
-  double most = 0.0;
-  for (const SeenCamera& camera : cameras) most = std::max(most, share_without_rays(camera.proof.distance));
   constexpr double kNoticeable = 0.01;
-  return most > kNoticeable ? no_rays_outside_in_words(most) : "";
+  const auto share = [](const SeenCamera& camera) { return share_without_rays(camera.proof.distance); };
+  const auto most = std::ranges::max_element(cameras, {}, share);
+  if (most == cameras.end() || share(*most) <= kNoticeable) return "";
+  return no_rays_outside_in_words(*most->by, share(*most));
 }
 
 void put_settings(Html& html, const ReportContents& contents) {
@@ -106,6 +107,7 @@ void put_verdict(Html& html, const ReportContents& contents) {
   word.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
   html.element("div", {{"class", class_of(verdict.word)}}, [&] {
     html.element("div", {{"class", "word"}}, word);
+    put_recommendations(html, contents);
     if (contents.conversion && contents.conversion->headline.is_said()) {
       const bool refused = contents.conversion->status == Status::kRejected;
       html.element("div", {},

@@ -39,9 +39,13 @@ std::string coverage_text(const Coverage& coverage, double scored_to_deg) {
   return result;
 }
 
+bool is_larger_than(const Judgement& judgement, const ImageSize& image) {
+  return judgement.error.rms > std::hypot(image.width, image.height);
+}
+
 std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image) {
   const ErrorSummary& error = judgement.error;
-  if (image && error.rms > std::hypot(image->width, image->height))
+  if (image && is_larger_than(judgement, *image))
     return "further apart than the image is large (" + size_in_words(*image) + " px)";
   const bool all = judgement.coverage.unrepresentable == 0.0;
   const std::string bound = std::isfinite(error.bound)

@@ -25,6 +25,9 @@ namespace fca::cli {
 /// Of an image of that size: no distance is said that is larger than the image.
 [[nodiscard]] std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image = {});
 
+/// Are the two so far apart that no distance between pixels says it?
+[[nodiscard]] bool is_larger_than(const Judgement& judgement, const ImageSize& image);
+
 /// A further column of the table of bands, a cell for each band.
 struct BandColumn {
   std::string title;

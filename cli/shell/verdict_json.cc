@@ -3,6 +3,7 @@
 
 #include "option_hints.h"
 
+#include <fca/code.h>
 #include <fca/formats/wording.h>
 
 namespace fca::cli {
@@ -20,7 +21,9 @@ void put_reason(Json& json, const Reason& reason) {
   put("rms_px", &PixelDistance::rms);
   put("p99_px", &PixelDistance::p99);
   put("max_px", &PixelDistance::max);
-  put("share", &PixelDistance::no_rays);
+  // Of the image, as the text says it.
+  const bool has_share = distance && reason.facts.code == Code::kVerdictNoRays;
+  has_share ? json.put("share", distance->region * distance->no_rays) : json.null("share");
   json.put("text", message_of(reason, with_options));
   json.put("fix", fix_of(reason, with_options));
   json.put("accepted", reason.is_accepted);

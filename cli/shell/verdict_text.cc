@@ -93,8 +93,8 @@ double share_without_rays(const CameraDistance& distance) {
   return distance.in_image.no_rays * distance.in_image.region;
 }
 
-std::string no_rays_outside_in_words(double share) {
-  return "no right ray outside the inscribed circle: " + percent(share) + " of the image";
+std::string no_rays_outside_in_words(const ProofResult& proof, double share) {
+  return "outside the inscribed circle " + proof.program + " has no right ray: " + percent(share) + " of the image";
 }
 
 std::string with_colour(std::string text, VerdictWord word) {
@@ -151,7 +151,9 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
     for (auto other = at + 1; other != verdict.reasons.end(); ++other) {
       if (is_like(*other)) likewise.push_back(owner_of(*other));
     }
-    const bool names_camera = (is_distance || reason.facts.code == Code::kVerdictNoRays) && !reason.camera.empty();
+    const bool is_of_camera =
+        is_distance || reason.facts.code == Code::kVerdictNoRays || reason.facts.code == Code::kVerdictNumbersDiffer;
+    const bool names_camera = is_of_camera && !reason.camera.empty();
     lines.push_back({names_camera ? reason.camera : std::string(label_of(reason)),
                      sentence_of(reason) + (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise")});
   }

@@ -2,6 +2,7 @@
 // The verdict on a file, for people.
 #pragma once
 
+#include <fca/formats/proof.h>
 #include <fca/formats/verdict_value.h>
 
 #include <string>
@@ -37,8 +38,8 @@ struct SummaryLine {
 [[nodiscard]] std::string region_in_words(const CameraDistance& distance);
 /// The share of the image, outside the circle that decides, for which the program has no right ray; 0 where it decides anyway.
 [[nodiscard]] double share_without_rays(const CameraDistance& distance);
-/// "no right ray outside the inscribed circle: 20.2 % of the image"
-[[nodiscard]] std::string no_rays_outside_in_words(double share);
+/// "outside the inscribed circle OpenCV has no right ray: 20.2 % of the image"
+[[nodiscard]] std::string no_rays_outside_in_words(const ProofResult& proof, double share);
 /// What the line of lines_of() is about that says how to overrule the verdict.
 inline constexpr std::string_view kAnyway = "anyway";
 /// The text with the first ": ready" (or whatever the word is) in the verdict's colour, for terminals.

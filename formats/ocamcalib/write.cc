@@ -59,8 +59,10 @@ void tell_inverse(const Camera& camera, const InversePolynomial& inverse, Writte
   constexpr double kGoal = 1e-6;
   const bool good = inverse.error_px <= kGoal;
   const Message fitted{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}};
-  written.defaults.push_back({camera.name + " " + std::string(kInverse), fitted, !good});
-  if (!good) diagnostics.add(Code::kCalibResultsInverseInexact, {camera.name, inverse.error_px});
+  written.defaults.push_back({camera.name + " " + std::string(kInverse), fitted});
+  constexpr double kNoticeable = 0.25;  // px
+  const Severity severity = inverse.error_px > kNoticeable ? Severity::kWarning : Severity::kNote;
+  if (!good) diagnostics.add(severity, Code::kCalibResultsInverseInexact, {camera.name, inverse.error_px});
 }
 
 /// A word that has the value already is not touched: scanf's %lf takes "0" and "0.0" alike.

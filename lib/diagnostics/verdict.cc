@@ -13,7 +13,7 @@ std::span<const CodeInfo> verdict_codes() {
       clause(Code::kVerdictCause, "; {0}"),
       reader_warning(Code::kVerdictMisread, "program-misreads",
                      "{0} takes other numbers than the file's: worst pixel {1:px} px off{2}"),
-      reader_warning(Code::kVerdictNoRays, "no-right-rays", "{0} has no right ray for {1:%} of the image; {2:%} compared"),
+      reader_warning(Code::kVerdictNoRays, "no-right-rays", "{0} has no right ray for {1:%} of the image; {2:%} compared{3}"),
       about_reader(error(Code::kVerdictRefused, "program-refuses", "{0} refuses it: {1:and}{2}")),
       clause(Code::kVerdictReadBy, "; {0:and} loads it"),
       about_reader(error(Code::kVerdictPosesDiffer, "proof-failed", "an element of {0}'s poses differs by {1:.3}")),

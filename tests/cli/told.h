@@ -31,12 +31,16 @@ inline bool says(const std::string& printed, const std::string& code, const std:
   return ours && contains(block, part);
 }
 
-/// The whole numbers in the last line, such as those of "3 of 3 inputs converted, 3 files written".
+/// The whole numbers in the last line, such as those of "3 of 3 inputs converted, 3 files written", but for the counts of
+/// verdicts at its end.
 inline std::vector<int> numbers_of_last_line(const std::string& text) {
-  const std::string rest = text.substr(0, text.find_last_not_of('\n') + 1);
+  std::string rest = text.substr(0, text.find_last_not_of('\n') + 1);
+  rest = rest.substr(rest.rfind('\n') + 1);
+  const std::size_t counts = rest.rfind("; ");
+  if (counts != std::string::npos && contains(rest.substr(counts), "do not use")) rest.resize(counts);
   std::vector<int> numbers;
   bool inside = false;
-  for (const char c : rest.substr(rest.rfind('\n') + 1)) {
+  for (const char c : rest) {
     const bool digit = c >= '0' && c <= '9';
     if (digit && !inside) numbers.push_back(0);
     if (digit) numbers.back() = numbers.back() * 10 + (c - '0');

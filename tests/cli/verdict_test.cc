@@ -245,6 +245,10 @@ TEST(VerdictFirst, ALargeBatchNamesEveryWord) {
   EXPECT_EQ(run.code, 1);
   for (const VerdictWord word : {VerdictWord::kDoNotUse, VerdictWord::kReady})
     EXPECT_TRUE(contains(run.out, std::string(cli::in_words(word)))) << run.out;
+  // The last line counts them.
+  const std::string last = run.out.substr(run.out.find_last_of('\n', run.out.size() - 2) + 1);
+  EXPECT_TRUE(contains(last, "9 ready")) << last;
+  EXPECT_TRUE(contains(last, "1 do not use")) << last;
 }
 
 TEST(VerdictFirst, QuietSaysNothingOfAGoodFile) {

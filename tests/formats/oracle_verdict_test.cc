@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 namespace fca::test {
 namespace {
@@ -45,14 +46,20 @@ bool is_in_region(const Camera& camera, const Pixel& pixel, bool is_wide) {
   return !is_wide || distance(pixel, middle) <= std::min(middle[0], middle[1]);
 }
 
-Judgement judge(const Camera& camera, const OracleTable& table, const std::array<double, 2>& scale, bool is_wide) {
+using ProjectRay = std::function<std::optional<Pixel>(const Ray&)>;
+
+/// `theirs`: the pixels that are to be the table's, in the file's.
+Judgement judge(const Camera& camera, const OracleTable& table, const std::array<double, 2>& scale, bool is_wide,
+                const ProjectRay& theirs) {
   Judgement result;
   double squares = 0.0;
   for (const OracleRow& row : table.rows) {
     const std::optional<Pixel> pixel = project(camera.model, row.ray);
     // From 90 degrees on programs mirror: the verdict counts that as a share, not as pixels.
     if (!pixel || row.ray[2] <= 0.0 || !is_in_region(camera, *pixel, is_wide) || std::isnan(row.pixel[0])) continue;
-    squares += std::pow(distance(*pixel, {row.pixel[0] / scale[0], row.pixel[1] / scale[1]}), 2);
+    const std::optional<Pixel> seen = theirs(row.ray);
+    if (!seen) continue;
+    squares += std::pow(distance(*seen, {row.pixel[0] / scale[0], row.pixel[1] / scale[1]}), 2);
     ++result.compared;
   }
   if (result.compared > 0) result.rms = std::sqrt(squares / result.compared);
@@ -63,8 +70,21 @@ Judgement judge(const Camera& camera, const OracleTable& table, const std::array
 struct Case {
   Camera camera;
   CameraProof proof;
-  std::array<double, 2> scale{1.0, 1.0};
+  consumers::ConsumerCamera reader;
 };
+
+ProjectRay by_model(const Camera& camera) {
+  return [&camera](const Ray& ray) { return project(camera.model, ray); };
+}
+
+/// In the file's pixels.
+ProjectRay by_reader(const consumers::ConsumerCamera& reader) {
+  return [&reader](const Ray& ray) -> std::optional<Pixel> {
+    const std::optional<Pixel> pixel = reader.project(ray);
+    if (!pixel) return std::nullopt;
+    return Pixel{(*pixel)[0] / reader.scale[0], (*pixel)[1] / reader.scale[1]};
+  };
+}
 
 std::optional<Case> case_of(const consumers::Consumer& consumer, const OracleTable& table) {
   const std::string bytes = read_file(shared_dir() / "corpus" / table.file);
@@ -77,7 +97,7 @@ std::optional<Case> case_of(const consumers::Consumer& consumer, const OracleTab
     const ProofResult proof = prove(consumer, bytes, options, read.calibration->rig);
     const consumers::ConsumerView view = consumer.load(bytes, options);
     if (!proof.loads || proof.cameras.size() <= table.camera || view.cameras.size() <= table.camera) continue;
-    return Case{camera, proof.cameras[table.camera], view.cameras[table.camera].scale};
+    return Case{camera, proof.cameras[table.camera], view.cameras[table.camera]};
   }
   return std::nullopt;
 }
@@ -93,7 +113,7 @@ void judge_table(const consumers::Consumer& consumer, const OracleTable& table, 
   const std::optional<Case> one = case_of(consumer, table);
   if (!one) return;
   const PixelDistance& said = one->proof.distance.decisive();
-  const Judgement real = judge(one->camera, table, one->scale, one->proof.distance.is_wide);
+  const Judgement real = judge(one->camera, table, one->reader.scale, one->proof.distance.is_wide, by_model(one->camera));
   if (real.compared == 0) return;
   ++verdicts.tables;
   const bool ready = word_of(said) == VerdictWord::kReady;
@@ -128,6 +148,44 @@ TEST(OracleVerdict, ReadyIsWhatTheRealProgramUnderstands) {
   EXPECT_GE(tables, 50);
   EXPECT_GE(ready, 30);
   EXPECT_LT(ready, tables) << "real files that their program misreads are among them";
+}
+
+/// The table's camera, written anew for its program, as our imitation reads the new file; nothing where the program misreads
+/// the old one.
+std::optional<Case> written_anew(const consumers::Consumer& consumer, const OracleTable& table) {
+  const std::optional<Case> old = case_of(consumer, table);
+  if (!old || old->proof.misread || word_of(old->proof.distance.decisive()) != VerdictWord::kReady) return std::nullopt;
+  Rig rig;
+  rig.cameras = {old->camera};
+  WriteOptions options;
+  options.sensor = "mono";
+  Diagnostics diagnostics;
+  const std::optional<Written> written = find_format(consumer.format)->write(nullptr, rig, options, diagnostics);
+  if (!written || written->files.front().cameras.empty()) return std::nullopt;
+  const std::string bytes = written->files.front().document.bytes();
+  const ProofResult proof = prove(consumer, bytes, {"mono", ""}, rig);
+  const consumers::ConsumerView view = consumer.load(bytes, {"mono", ""});
+  if (!proof.loads || proof.cameras.size() != 1) return std::nullopt;
+  return Case{old->camera, proof.cameras.front(), view.cameras.front()};
+}
+
+// What is written from such a camera and called ready has the pixels that the program computed of the old file.
+TEST(OracleVerdict, WhatIsWrittenAnewAndReadyHasTheProgramsPixels) {
+  if (!has_shared()) GTEST_SKIP() << "no oracles in '" FCA_SHARED_DIR "'";
+  int ready = 0;
+  for (const Printed& printed : kPrinted) {
+    const consumers::Consumer& consumer = *consumers::find_consumer(printed.program);
+    for (const OracleTable& table : oracle_tables(printed.folder, printed.suffix)) {
+      const std::optional<Case> anew = written_anew(consumer, table);
+      const std::optional<Case> old = case_of(consumer, table);
+      if (!anew || word_of(anew->proof.distance.decisive()) != VerdictWord::kReady) continue;
+      const Judgement real =
+          judge(anew->camera, table, old->reader.scale, anew->proof.distance.is_wide, by_reader(anew->reader));
+      ++ready;
+      EXPECT_LE(real.rms, kReadyPx) << table.file << " cam" << table.camera;
+    }
+  }
+  EXPECT_GE(ready, 30);
 }
 
 /// Kalibr's reader with k1 a hundredth too large, as far as pixels show it.

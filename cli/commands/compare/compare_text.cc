@@ -40,8 +40,7 @@ std::string heading(const CameraComparison& camera) {
 std::string turned_text(const CameraComparison& camera) {
   if (!camera.rotated) return "";
   const bool same = camera.difference.same_to_deg >= camera.difference.judgement.coverage.max_angle_deg;
-  const double turned_rms = camera.rotated->difference.judgement.error.rms;
-  if (turned_rms > std::hypot(camera.size.width, camera.size.height)) return "";
+  if (is_larger_than(camera.rotated->difference.judgement, camera.size)) return "";
   if (!turning_helps(camera)) return same ? "" : "  turned: no rotation brings the two nearer\n";
   const CameraDifference& turned = camera.rotated->difference;
   return "  turned: by " + rotation_in_words(*camera.rotated) + "\n          with that undone: rms " +

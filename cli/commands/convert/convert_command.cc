@@ -12,6 +12,7 @@
 #include "shell/words.h"
 #include "shell/written_outputs.h"
 
+#include <fca/formats/wording.h>
 #include <fca/toolkit/read.h>
 
 #include <algorithm>
@@ -90,6 +91,16 @@ ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector
   return result.inputs.size() == 1 ? result : arguments;
 }
 
+/// What is found but for what the verdict says.
+Diagnostics not_in_summary(const ConvertOutcome& outcome) {
+  Diagnostics rest;
+  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
+    const auto says_it = [&entry](const Reason& reason) { return may_be_accepted(reason) && id_of(reason) == id_of(entry); };
+    if (std::ranges::none_of(outcome.verdict.reasons, says_it)) rest.add(entry);
+  }
+  return rest;
+}
+
 ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
@@ -133,7 +144,7 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
         (file_on_stdout && written) || arguments.quiet ? console.say_aside(report, word) : console.say(report, word);
       }
       const bool shows_all = in_full && !arguments.quiet && (arguments.verbose || !has_result);
-      shows_all ? console.show(outcome.diagnostics) : console.show_errors(outcome.diagnostics);
+      shows_all ? console.show(outcome.diagnostics) : console.show_errors(not_in_summary(outcome));
       if (has_result) warn_of_unused(arguments.request.accepted, outcome.verdict, console);
     }
     code = worse(code, outcome.code);

@@ -121,6 +121,7 @@ std::vector<std::string> rightly_read(const ProofResult& proof) {
 }
 
 std::string verdict_of(const ProofResult& proof, const ConvertResult& outcome) {
+  constexpr double kAll = 5e-4;
   if (!proof.loads) {
     const bool before = std::ranges::find(outcome.refused_before, proof.program) != outcome.refused_before.end();
     return std::string(before ? "refuses it, as it did before: " : "would refuse it: ") +
@@ -131,7 +132,8 @@ std::string verdict_of(const ProofResult& proof, const ConvertResult& outcome) {
   if (proof.agrees() && proof.compared_share == 0.0)
     return "loads it; no pixels were compared, as nothing states the image's size (--size WxH)";
   return "loads it; its pixels" + (proof.misread_px > 0.0 ? " of " + enumerated(rightly_read(proof)) : "") +
-         " differ from the model above by at most " + pixels(proof.max_diff_px) + " px";
+         " differ from the model above by at most " + pixels(proof.max_diff_px) + " px" +
+         (proof.compared_share < 1.0 - kAll ? " over " + percent(proof.compared_share) + " of the image" : "");
 }
 
 std::vector<std::string> details_of(const ProofResult& proof, const ConvertResult& outcome) {

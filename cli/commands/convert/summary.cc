@@ -10,6 +10,7 @@
 #include <fca/formats/wording.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace fca::cli {
 
@@ -43,9 +44,11 @@ const CameraDistance* distance_of(const ConvertOutcome& outcome, const Converted
 
 /// What decides and, of a wide lens, the whole image.
 std::string in_both_regions(const CameraDistance& distance) {
-  constexpr double kNothingPx = 0.001;
+  constexpr double kNothingPx = 0.01;
   const std::string decisive = distance_in_words(distance.decisive());
-  if (!distance.is_wide || distance.in_image.max <= kNothingPx) return decisive;
+  if (!distance.is_wide || distance.in_image.rms <= kNothingPx) return decisive;
+  constexpr double kSame = 0.05;
+  if (std::abs(distance.in_image.rms - distance.in_circle.rms) <= kSame * distance.in_image.rms) return decisive;
   return decisive + " inside the image's circle, " + pixels(distance.in_image.rms) + " px rms over all of it";
 }
 
@@ -54,16 +57,19 @@ SummaryLine line_of(const ConvertOutcome& outcome, const ConvertedCamera& camera
   return {name_in_words(camera), camera_line(camera) + (distance != nullptr ? "; " + in_both_regions(*distance) : "")};
 }
 
-/// Parts of the image beyond the region that decides.
+/// Parts of the image beyond the region that decides, of the camera that has most of them.
 void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
-  constexpr double kNoticeable = 0.01;
-  double most = 0.0;
+  double most = 0.01;  // less is nothing to speak of
+  std::string text;
   for (const ProofResult& proof : outcome.proofs) {
     for (const CameraProof& camera : proof.cameras) {
-      if (proof.is_first) most = std::max(most, share_without_rays(camera.distance));
+      const double share = share_without_rays(camera.distance);
+      if (!proof.is_first || share <= most) continue;
+      most = share;
+      text = no_rays_outside_in_words(proof, share);
     }
   }
-  if (most > kNoticeable) lines.push_back({"limit", no_rays_outside_in_words(most)});
+  if (!text.empty()) lines.push_back({"limit", text});
 }
 
 void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {

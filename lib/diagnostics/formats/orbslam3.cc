@@ -159,7 +159,7 @@ std::span<const CodeInfo> orbslam3_codes() {
       clause(Code::kOrbslam3NoPair, "; not stereo: {0} and {1} have less than a quarter of their images in common"),
       clause(Code::kOrbslam3FirstIsLeft, "ORB-SLAM3 takes the first camera of a stereo pair for the left one"),
       clause(Code::kOrbslam3Layouts,
-             "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else v1)"),
+             "v1 (stock V1.0), old (before V1.0), orbslam2 or slam_no_opt (default: the input's, else what V1.0 reads best)"),
   };
   return kRows;
 }
