@@ -7,7 +7,6 @@
 #include "shell/option_hints.h"
 #include "shell/words.h"
 
-#include <fca/convert/domain.h>
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/numbers.h>
 
