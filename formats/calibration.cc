@@ -2,6 +2,7 @@
 #include <fca/formats/calibration.h>
 
 #include "known_formats.h"
+#include "lengths.h"
 #include "losses.h"
 #include "lost_poses.h"
 
@@ -195,14 +196,6 @@ void forget_common_origins(Rig& rig, Diagnostics& diagnostics) {
     diagnostics.add(Code::kPoseOfEachUnstated, {cameras});
   }
 }
-
-namespace {
-
-void scale_translation(double factor, Transform& T) {
-  for (const std::size_t at : {3U, 7U, 11U}) T.values[at] *= factor;
-}
-
-}  // namespace
 
 std::optional<Calibration> read_calibration(std::vector<text::Document> documents, const Format* format,
                                             const ReadOptions& options, Diagnostics& diagnostics) {

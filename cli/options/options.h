@@ -30,7 +30,7 @@ struct TypedOption {
   std::string name;                  ///< "--to"; of positional words "FILE".
   std::optional<std::string> value;  ///< Nothing: a flag.
   bool positional = false;
-  bool about_output = false;  ///< It says where the result goes and how it is told, not what it is.
+  bool about_output = false;  ///< It does not change the written file.
 };
 
 using TypedOptions = std::vector<TypedOption>;

@@ -79,7 +79,7 @@ ExitCode Console::finish(ExitCode code) const {
   const std::optional<std::string> problem = streams_->out.flush();
   if (!problem) return code;
   error("writing to standard output failed: " + *problem);
-  return worse(code, code == ExitCode::kGood && wrote_->load() ? ExitCode::kNotReported : ExitCode::kIo);
+  return worse(code, code == ExitCode::kGood && wrote_ ? ExitCode::kNotReported : ExitCode::kIo);
 }
 
 }  // namespace fca::cli

@@ -11,7 +11,6 @@
 #include <fca/formats/verdict_value.h>
 
 #include <atomic>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,7 +54,7 @@ class Console {
   [[nodiscard]] bool failed() const;
 
   /// A file was put in its place.
-  void note_written() const { wrote_->store(true); }
+  void note_written() const { wrote_ = true; }
   /// Flushes stdout; kIo (and a message) if what was printed did not arrive, kNotReported if all else is well and files are
   /// written.
   [[nodiscard]] ExitCode finish(ExitCode code) const;
@@ -67,7 +66,7 @@ class Console {
 
   Streams* streams_;
   CommandFiles files_;
-  std::unique_ptr<std::atomic<bool>> wrote_ = std::make_unique<std::atomic<bool>>(false);
+  mutable std::atomic<bool> wrote_ = false;  ///< Images are written at the same time.
   bool colour_ = false;
   bool json_promised_ = false;
 };

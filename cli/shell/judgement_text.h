@@ -22,10 +22,10 @@ namespace fca::cli {
 /// "100.0 % of the image scored, 3.0 % outside the lens": what was scored, and the parts of the image that were not.
 [[nodiscard]] std::string coverage_text(const Coverage& coverage, double scored_to_deg);
 /// "rms 0.118 px, max 2.96 px at (511.0, 0.0), proven below 2.98 everywhere"
-/// Of an image of that size: no distance is said that is larger than the image.
+/// With an image size: prints no distance larger than the image.
 [[nodiscard]] std::string error_text(const Judgement& judgement, const std::optional<ImageSize>& image = {});
 
-/// Are the two so far apart that no distance between pixels says it?
+/// Is the rms larger than the image's diagonal?
 [[nodiscard]] bool is_larger_than(const Judgement& judgement, const ImageSize& image);
 
 /// A further column of the table of bands, a cell for each band.

@@ -20,7 +20,7 @@ struct OutputPlace {
   std::string path;  ///< Of a file, of a folder that may be yet to be made, or the pattern: "out/{stem}.yaml".
 
   [[nodiscard]] bool is_said() const { return kind != Kind::kNotSaid; }
-  /// Also where nothing is said.
+  /// The default, too.
   [[nodiscard]] bool is_standard_output() const { return kind <= Kind::kStandardOutput; }
   [[nodiscard]] bool holds_many() const { return kind >= Kind::kFolder; }
 };

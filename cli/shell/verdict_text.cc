@@ -97,6 +97,15 @@ std::string no_rays_outside_in_words(const ProofResult& proof, double share) {
   return "outside the inscribed circle " + proof.program + " has no right ray: " + percent(share) + " of the image";
 }
 
+std::string VerdictCounts::in_words() const {
+  std::string text;
+  for (const VerdictWord word : {VerdictWord::kReady, VerdictWord::kUseWithCare, VerdictWord::kDoNotUse}) {
+    text += (text.empty() ? "" : ", ") + std::to_string(counts_.at(static_cast<std::size_t>(word))) + " " +
+            std::string(cli::in_words(word));
+  }
+  return text;
+}
+
 std::string with_colour(std::string text, VerdictWord word) {
   constexpr std::array<std::string_view, 3> kColours = {"\033[1;32m", "\033[1;33m", "\033[1;31m"};
   const std::string said = ": " + std::string(in_words(word));

@@ -5,6 +5,8 @@
 #include <fca/formats/proof.h>
 #include <fca/formats/verdict_value.h>
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +44,17 @@ struct SummaryLine {
 [[nodiscard]] std::string no_rays_outside_in_words(const ProofResult& proof, double share);
 /// What the line of lines_of() is about that says how to overrule the verdict.
 inline constexpr std::string_view kAnyway = "anyway";
+/// How many files got each word.
+class VerdictCounts {
+ public:
+  void add(VerdictWord word) { ++counts_.at(static_cast<std::size_t>(word)); }
+  /// "9 ready, 0 use with care, 1 do not use"
+  [[nodiscard]] std::string in_words() const;
+
+ private:
+  std::array<std::size_t, 3> counts_{};  ///< By the word's place in the enumeration.
+};
+
 /// The text with the first ": ready" (or whatever the word is) in the verdict's colour, for terminals.
 [[nodiscard]] std::string with_colour(std::string text, VerdictWord word);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../lengths.h"
 #include "complaints.h"
 #include "topics.h"
 
@@ -122,9 +123,7 @@ class ProgramsCheck {
   [[nodiscard]] Rig rig_in_stated_unit() const {
     Rig rig = calibration_->rig;
     const double unit_m = format_.any_length_unit ? options_.reading.length_unit_m.value_or(1.0) : 1.0;
-    for (PoseEdge& edge : rig.poses) {
-      for (const std::size_t at : {3U, 7U, 11U}) edge.T_a_b.values[at] /= unit_m;
-    }
+    for (PoseEdge& edge : rig.poses) scale_translation(1.0 / unit_m, edge.T_a_b);
     return rig;
   }
 

@@ -129,10 +129,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     }
     if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
     CheckResult result = check(arguments.request, *source, console.files());
-    if (result.instead) {
-      name_as_written(*result.instead);
-      name_as_written(result.report.verdict, result.instead->cameras);
-    }
+    if (result.instead) name_as_written(*result.instead);
     if (!result.report.is_calibration && !file.named) {
       all.skipped.push_back(file.path);
       continue;

@@ -10,7 +10,6 @@
 #include <fca/formats/wording.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace fca::cli {
@@ -43,7 +42,7 @@ std::string finding_text(const Finding& finding, const text::Source& source) {
   return text;
 }
 
-/// Why, where no finding is as bad as the verdict: what the program makes of the file.
+/// The reasons of a verdict that is worse than every finding.
 std::string reasons_text(const CheckReport& report) {
   const bool has_error = report.has(Severity::kError);
   const bool is_explained = has_error || (report.verdict.word != VerdictWord::kDoNotUse && report.has(Severity::kWarning));
@@ -85,17 +84,13 @@ std::string check_text(const CheckResult& file) {
 std::string check_summary(const CheckedFiles& checked) {
   if (checked.files.size() < 2 && checked.skipped.empty()) return "";
   std::size_t calibrations = 0;
-  std::array<std::size_t, 3> words{};
+  VerdictCounts words;
   for (const CheckResult& file : checked.files) {
     if (!file.report.is_calibration) continue;
     ++calibrations;
-    ++words.at(static_cast<std::size_t>(file.report.verdict.word));
+    words.add(file.report.verdict.word);
   }
-  std::string text = "\n" + counted(calibrations, "calibration") + " checked: ";
-  for (const VerdictWord word : {VerdictWord::kDoNotUse, VerdictWord::kUseWithCare, VerdictWord::kReady}) {
-    text += std::to_string(words.at(static_cast<std::size_t>(word))) + " " + std::string(in_words(word)) +
-            (word == VerdictWord::kReady ? "" : ", ");
-  }
+  const std::string text = "\n" + counted(calibrations, "calibration") + " checked: " + words.in_words();
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
   return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";

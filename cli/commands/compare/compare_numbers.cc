@@ -39,6 +39,16 @@ std::string table_text(const std::vector<Row>& rows) {
   return text;
 }
 
+const Row kTitles = {"", "REF", "FILE", "difference"};
+
+/// The rows below their titles, and how many more are the same; empty where neither file has any.
+std::string section(const std::string& heading, const std::string& what, const std::vector<Row>& rows, std::size_t same) {
+  const bool any_differs = rows.size() > 1;
+  if (!any_differs && same == 0) return "";
+  if (!any_differs) return "\n" + heading + ": the same\n";
+  return "\n" + heading + "\n" + table_text(rows) + (same > 0 ? "  " + counted(same, "other " + what) + ": the same\n" : "");
+}
+
 /// "2 times as much"
 std::string ratio_in_words(double reference, double other) {
   return reference == 0.0 ? "" : text::format_short(other / reference, 4) + " times as much";
@@ -54,7 +64,7 @@ std::string only_in(const std::vector<ParameterComparison>& parameters, bool of_
 }
 
 std::string parameters_text(const CameraComparison& camera) {
-  std::vector<Row> rows = {{"", "REF", "FILE", "difference"}};
+  std::vector<Row> rows = {kTitles};
   if (camera.reference_model != camera.other_model) rows.push_back({"model", camera.reference_model, camera.other_model, ""});
   if (camera.other_size) {
     rows.push_back({"image", size_in_words(camera.size), size_in_words(*camera.other_size),
@@ -85,7 +95,7 @@ std::string parameters_text(const CameraComparison& camera) {
 std::string length_in_words(double metres) { return text::format_short(metres * 1000.0, 5) + " mm"; }
 
 std::string poses_text(const std::vector<PoseComparison>& poses) {
-  std::vector<Row> rows = {{"", "REF", "FILE", "difference"}};
+  std::vector<Row> rows = {{"", "length in REF", "length in FILE", "difference"}};
   std::size_t same = 0;
   for (const PoseComparison& pose : poses) {
     if (pose.same_but_for_rounding()) {
@@ -97,10 +107,7 @@ std::string poses_text(const std::vector<PoseComparison>& poses) {
                     text::format_short(pose.angle_rad * kDegreesPerRadian, 3) + " deg and " +
                         text::format_short(pose.distance_m * 1000.0, 3) + " mm"});
   }
-  if (poses.empty()) return "";
-  if (rows.size() == 1) return "\nposes: the same\n";
-  return "\nposes, by their lengths\n" + table_text(rows) +
-         (same > 0 ? "  " + counted(same, "other pose") + ": the same\n" : "");
+  return section("poses", "pose", rows, same);
 }
 
 std::string difference_of(const FactComparison& fact) {
@@ -111,7 +118,7 @@ std::string difference_of(const FactComparison& fact) {
 }
 
 std::string facts_text(const std::vector<FactComparison>& facts) {
-  std::vector<Row> rows = {{"", "REF", "FILE", "difference"}};
+  std::vector<Row> rows = {kTitles};
   std::size_t same = 0;
   for (const FactComparison& fact : facts) {
     if (fact.same_but_for_rounding()) {
@@ -122,9 +129,7 @@ std::string facts_text(const std::vector<FactComparison>& facts) {
     rows.push_back({(fact.owner.empty() ? "" : fact.owner + " ") + fact.name + unit, text::format_short(fact.reference),
                     text::format_short(fact.other), difference_of(fact)});
   }
-  if (facts.empty()) return "";
-  if (rows.size() == 1) return "\ntimes and IMU: the same\n";
-  return "\ntimes and IMU\n" + table_text(rows) + (same > 0 ? "  " + counted(same, "other number") + ": the same\n" : "");
+  return section("times and IMU", "number", rows, same);
 }
 
 }  // namespace

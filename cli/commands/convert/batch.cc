@@ -164,14 +164,9 @@ std::string batch_text(const Batch& batch, bool written) {
     const auto is_file = [](const ConvertedFile& file) { return !file.path.empty(); };
     if (i < reached) files += static_cast<std::size_t>(std::ranges::count_if(outcome.files, is_file));
   }
-  std::array<std::size_t, 3> words{};
+  VerdictCounts words;
   for (const ConvertOutcome& outcome : batch.outcomes) {
-    if (outcome.status <= Status::kRejected) ++words.at(static_cast<std::size_t>(outcome.verdict.word));
-  }
-  std::string counts;
-  for (const VerdictWord word : {VerdictWord::kReady, VerdictWord::kUseWithCare, VerdictWord::kDoNotUse}) {
-    counts += (counts.empty() ? "; " : ", ") + std::to_string(words.at(static_cast<std::size_t>(word))) + " " +
-              std::string(in_words(word));
+    if (outcome.status <= Status::kRejected) words.add(outcome.verdict.word);
   }
   const std::size_t all = batch.outcomes.size() + batch.left;
   std::string text = "\n" + table(lines) + "\n" + (reached < all ? "interrupted: " : "") + std::to_string(good) + " of " +
@@ -179,7 +174,7 @@ std::string batch_text(const Batch& batch, bool written) {
   text += written ? ", " + counted(files, "file") + " written" : ", nothing written (--dry-run)";
   if (batch.skipped > 0)
     text += "; " + counted(batch.skipped, "other file") + (batch.skipped == 1 ? " holds" : " hold") + " no camera";
-  return text + counts + "\n";
+  return text + "; " + words.in_words() + "\n";
 }
 
 }  // namespace fca::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "other_writings.h"
 
+#include "models/model_advice.h"
 #include "writing.h"
 
 #include <fca/convert/reach.h>
@@ -161,8 +162,7 @@ void try_nearer_fit(const ConvertRequest& request, const Start& start, const Con
   ConvertRequest nearer = request;
   nearer.inputs.max_angle_rad = degrees * std::numbers::pi / 180.0;
   const std::optional<ConvertResult> other = written_as(nearer, start, before, result);
-  constexpr double kWorthIt = 0.5;
-  const bool is_worth_it = other && worst_rms_px(*other) < kWorthIt * worst_rms_px(result) &&
+  const bool is_worth_it = other && is_worth_a_nearer_fit(worst_rms_px(result), worst_rms_px(*other)) &&
                            largest(*other, &PixelDistance::no_rays) <= largest(result, &PixelDistance::no_rays);
   if (is_worth_it) result.nearer = {degrees, worst_rms_px(*other)};
 }

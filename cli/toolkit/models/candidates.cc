@@ -64,9 +64,9 @@ std::optional<CircleFit> fitted_in_circle(const Camera& camera, const Candidate&
   const std::optional<Conversion> conversion = convert(camera, options, told_of_the_whole);
   if (!conversion || conversion->report.fitted_to_cone) return std::nullopt;
   const PixelDistance distance = distance_to(camera, conversion->camera.model, std::nullopt).in_circle;
-  constexpr double kWorthIt = 0.5;
-  const bool is_worth_it = reaches_all(candidate) ? distance.rms < kWorthIt * candidate.distance.in_circle.rms
-                                                  : distance.no_rays <= candidate.distance.in_circle.no_rays;
+  const PixelDistance& whole = candidate.distance.in_circle;
+  const bool is_worth_it =
+      reaches_all(candidate) ? is_worth_a_nearer_fit(whole.rms, distance.rms) : distance.no_rays <= whole.no_rays;
   return is_worth_it ? std::optional(CircleFit{*degrees, distance}) : std::nullopt;
 }
 

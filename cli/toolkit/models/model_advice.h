@@ -17,4 +17,7 @@ namespace fca {
 [[nodiscard]] Message better_models(const Camera& camera, const ConversionReport& report, const Format& format,
                                     const ModelChoice& choice);
 
+/// Is a fit to the circle alone so much better there (rms in pixels, before and after) that people should hear of it?
+[[nodiscard]] constexpr bool is_worth_a_nearer_fit(double whole_px, double circle_px) { return circle_px < 0.5 * whole_px; }
+
 }  // namespace fca
