@@ -56,13 +56,13 @@ std::string compose(const Camera& camera, const InversePolynomial& inverse) {
 
 /// What a rebuilt polynomial is worth, for people.
 void tell_inverse(const Camera& camera, const InversePolynomial& inverse, Written& written, Diagnostics& diagnostics) {
-  constexpr double kGoal = 1e-6;
-  const bool good = inverse.error_px <= kGoal;
-  const Message fitted{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}};
-  written.defaults.push_back({camera.name + " " + std::string(kInverse), fitted});
+  constexpr double kGoal = 1e-6;        // px
   constexpr double kNoticeable = 0.25;  // px
-  const Severity severity = inverse.error_px > kNoticeable ? Severity::kWarning : Severity::kNote;
-  if (!good) diagnostics.add(severity, Code::kCalibResultsInverseInexact, {camera.name, inverse.error_px});
+  const bool noticeable = inverse.error_px > kNoticeable;
+  const Message fitted{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}};
+  written.defaults.push_back({camera.name + " " + std::string(kInverse), fitted, noticeable});
+  const Severity severity = noticeable ? Severity::kWarning : Severity::kNote;
+  if (inverse.error_px > kGoal) diagnostics.add(severity, Code::kCalibResultsInverseInexact, {camera.name, inverse.error_px});
 }
 
 /// A word that has the value already is not touched: scanf's %lf takes "0" and "0.0" alike.
