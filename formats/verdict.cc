@@ -78,6 +78,16 @@ std::vector<Message> facts_of(const std::vector<consumers::Complaint>& complaint
   return messages;
 }
 
+/// Models that not every version of the program reads.
+void add_versions(const Format& to, const ProofResult& proof, std::vector<Reason>& reasons) {
+  for (const CameraProof& camera : proof.cameras) {
+    const auto row = std::ranges::find(to.models, std::string_view(camera.model), &StoredModel::file_name);
+    if (row == to.models.end() || row->since.empty() || !proof.is_first) continue;
+    reasons.push_back(
+        {VerdictWord::kUseWithCare, {Code::kVerdictNeedsVersion, {proof.program, row->since, row->file_name}}, camera.name});
+  }
+}
+
 /// What the program holds otherwise than the rig: that would be a fault of the writer.
 void add_disagreement(const ProofResult& proof, std::vector<Reason>& reasons) {
   const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first);
@@ -98,6 +108,7 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   for (const ProofResult& proof : facts.proofs) {
     if (proof.loads) {
       add_cameras(proof, reasons);
+      add_versions(*facts.to, proof, reasons);
       add_disagreement(proof, reasons);
       continue;
     }

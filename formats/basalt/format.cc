@@ -19,7 +19,8 @@ constexpr std::array kModels = {
     StoredModel{"ucm", "ucm", true, "Basalt", {}},
     StoredModel{"fov", "fov", true, "Basalt", {}},
     StoredModel{"pinhole", "pinhole", true, "Basalt", {}},
-    StoredModel{"rational", "pinhole-radtan8", true, "Basalt since 2022, Monado", {}},
+    StoredModel{
+        .model = "rational", .file_name = "pinhole-radtan8", .read_by = "Basalt since 2022, Monado", .ranges = {}, .since = "2022"},
 };
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {kVignette};

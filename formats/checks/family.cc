@@ -7,6 +7,7 @@
 #include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +52,43 @@ void check_equidistant(const Subject& subject, const Camera& camera, Findings& f
   findings.add(Code::kRadtanUnderEquidistant, {camera.name, k1, k2}, subject.places.parameter(camera, "k1"));
 }
 
+/// Under radtan, k1 and k2 of a unified model leave out the xi that makes the pincushion of k2 a fisheye's barrel. No plain
+/// lens's second term outweighs the first and pulls the corner outwards so far.
+void check_unified(const Subject& subject, const Camera& camera, Findings& findings) {
+  // Not with a focal length that nobody believes.
+  constexpr std::array kOtherDefect = {Code::kAnyFocalLengthNotInPixels, Code::kAnySizeUnlikeCentre};
+  if (!camera.image_size || findings.has_any(kOtherDefect)) return;
+  const double k1 = value(camera, "k1");
+  const double k2 = value(camera, "k2");
+  const Pixel centre = principal_point(camera.model);
+  const double across = std::max(centre[0], camera.image_size->width - centre[0]) / value(camera, "fx");
+  const double down = std::max(centre[1], camera.image_size->height - centre[1]) / value(camera, "fy");
+  const double r2 = across * across + down * down;  // of the farthest corner, without distortion
+  constexpr double kOutweighs = 4.0;
+  constexpr double kShape = 0.4;  // EUCM's alpha, which ORB-SLAM's check names
+  constexpr double kPincushion = 0.2;
+  if (std::abs(k1) > kShape || k2 * r2 < kOutweighs * std::abs(k1) || k2 * r2 * r2 < kPincushion) return;
+  findings.add(Code::kMeiUnderRadtan, {camera.name, k1, k2, 100.0 * k2 * r2 * r2}, subject.places.parameter(camera, "k2"));
+}
+
+/// Estimated coefficients never agree to the last of many digits.
+void check_repeated(const Subject& subject, const Camera& camera, Findings& findings) {
+  const ParameterIds kCoefficients = {"k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2"};
+  std::vector<std::pair<ParameterId, double>> seen;
+  for (const ParameterId id : kCoefficients) {
+    const std::optional<double> number = parameter(camera.model, id);
+    constexpr double kFewDigits = 1e4;  // 0.0123 may come twice
+    if (!number || *number * kFewDigits == std::round(*number * kFewDigits)) continue;
+    const auto same = std::ranges::find(seen, *number, &std::pair<ParameterId, double>::second);
+    if (same != seen.end()) {
+      findings.add(Code::kCoefficientRepeated, {camera.name, same->first.name(), id.name(), *number},
+                   subject.places.parameter(camera, id));
+      return;
+    }
+    seen.emplace_back(id, *number);
+  }
+}
+
 }  // namespace
 
 bool check_family(const Subject& subject, Findings& findings) {
@@ -59,6 +97,8 @@ bool check_family(const Subject& subject, Findings& findings) {
     const std::string_view model = model_info(camera.model).id;
     if (model == "radtan" || model == "rational" || model == "mei") check_tangential(subject, camera, findings);
     if (model == "radtan") check_rectilinear(subject, camera, findings);
+    if (model == "radtan") check_unified(subject, camera, findings);
+    check_repeated(subject, camera, findings);
     if (model == "kb4") check_equidistant(subject, camera, findings);
     any = any || model == "radtan" || model == "rational" || model == "mei" || model == "kb4";
   }

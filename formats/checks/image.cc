@@ -3,6 +3,7 @@
 
 #include <fca/code.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fca::checks {
@@ -30,9 +31,10 @@ class ImageCheck {
   /// Width and height, or the two numbers of the centre, the other way round.
   bool check_swapped() {
     constexpr double kNear = 0.1;
-    constexpr double kFar = 0.2;
+    constexpr double kFar = 0.2;  // one of them; the other at least `kNear`
     const bool fits_swapped = off(u_, size_.height) < kNear && off(v_, size_.width) < kNear;
-    const bool far = off(u_, size_.width) > kFar && off(v_, size_.height) > kFar;
+    const auto [less, more] = std::minmax({off(u_, size_.width), off(v_, size_.height)});
+    const bool far = less > kNear && more > kFar;
     if (!fits_swapped || !far) return false;
     if (subject_.is("ocamcalib")) return true;  // its reader says so, at the centre
     findings_.add(Code::kSizeSwapped, {camera_.name, u_, v_, size_.width, size_.height}, subject_.places.image_width(camera_));

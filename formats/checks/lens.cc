@@ -14,14 +14,16 @@ namespace {
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
-/// The part of an image that has no ray.
+/// The part of an image, inside the circle that its lens lights where that is known, that has no ray.
 struct Uncovered {
   double share = 0.0;
   double nearest_px = 0.0;  ///< Its distance from the principal point.
   Pixel nearest = {};
 };
 
-Uncovered uncovered_part(const CameraModel& model, const ImageSize& size) {
+Uncovered uncovered_part(const Camera& camera) {
+  const CameraModel& model = camera.model;
+  const ImageSize& size = *camera.image_size;
   constexpr int kSteps = 64;
   const Pixel centre = principal_point(model);
   // Trapezoids: a point of the border stands for half a cell.
@@ -31,7 +33,7 @@ Uncovered uncovered_part(const CameraModel& model, const ImageSize& size) {
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) {
       const Pixel pixel = {(size.width - 1.0) * i / kSteps, (size.height - 1.0) * j / kSteps};
-      if (unproject(model, pixel)) continue;
+      if (unproject(model, pixel) || (camera.lens_circle && !camera.lens_circle->contains(pixel))) continue;
       const double distance = std::hypot(pixel[0] - centre[0], pixel[1] - centre[1]);
       if (!any || distance < result.nearest_px) {
         result.nearest_px = distance;
@@ -56,14 +58,15 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   const ImageSize size = *camera.image_size;
   const double ends = max_angle(camera.model);
   if (ends >= subject.options.max_angle_rad.value_or(std::numbers::pi)) return;
-  const Uncovered uncovered = uncovered_part(camera.model, size);
+  const Uncovered uncovered = uncovered_part(camera);
   if (uncovered.share == 0.0) return;
   const Pixel centre = principal_point(camera.model);
   const double nearest_border = std::min({centre[0], size.width - 1.0 - centre[0], centre[1], size.height - 1.0 - centre[1]});
   constexpr double kFisheye = 85.0 / kDegreesPerRadian;
   // A fisheye's image circle ends inside the image; a lens that sees less fills it.
   const bool circle = ends > kFisheye;
-  const bool broken = uncovered.nearest_px < 0.5 * nearest_border;
+  // A lens of narrower view has no reason to end inside the largest circle about its centre.
+  const bool broken = uncovered.nearest_px < (circle ? 0.5 : 1.0) * nearest_border;
   const Severity severity = broken ? Severity::kError : circle ? Severity::kNote : Severity::kWarning;
   findings.add(severity, circle && !broken ? Code::kFoldsAtCircle : Code::kFoldsInImage,
                {camera.name, ends * kDegreesPerRadian, uncovered.nearest_px, 100.0 * uncovered.share},
@@ -84,8 +87,10 @@ bool check_lens(const Subject& subject, Findings& findings) {
   for (const Camera& camera : subject.rig().cameras) {
     check_second_sphere(subject, camera, findings);
     if (!camera.image_size) continue;
-    check_coverage(subject, camera, findings);
     any = true;
+    // In an image of the other orientation it would end inside for no reason of its own.
+    if (findings.has(Code::kSizeSwapped, subject.places.image_width(camera))) continue;
+    check_coverage(subject, camera, findings);
   }
   return any;
 }

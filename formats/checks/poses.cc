@@ -174,19 +174,31 @@ bool name_bf(const Subject& subject, Findings& findings) {
   return true;
 }
 
-/// The first camera is the left one: ORB-SLAM3 looks for disparities to one side only.
-void check_stereo_order(const Subject& subject, Findings& findings) {
+/// Where the pose of a stereo pair stands; the file without a place where it is not stated.
+SourceRange place_of_pair(const Subject& subject) {
   const Rig& rig = subject.rig();
-  if (!subject.is("orbslam3")) return;
-  const std::optional<double> left = second_left_of_first(rig);
-  if (!left) return;
   const auto stated = std::ranges::find_if(rig.poses, [&rig](const PoseEdge& edge) {
     const bool of_imu = rig.kind_of(edge.a) == FrameKind::kImu || rig.kind_of(edge.b) == FrameKind::kImu;
     return !of_imu && (edge.a == rig.cameras[1].name || edge.b == rig.cameras[1].name);
   });
-  SourceRange where = {subject.document.source().name, 0, 0};
-  if (stated != rig.poses.end()) where = subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
-  findings.add(Code::kSecondCameraIsLeft, {in_metres(*left)}, where);
+  if (stated == rig.poses.end()) return {subject.document.source().name, 0, 0};
+  return subject.places.pose(static_cast<std::size_t>(stated - rig.poses.begin()), 0, 3);
+}
+
+/// The first camera is the left one, and the second beside it: ORB-SLAM looks for disparities along rows, to one side only.
+/// Fisheyes (kb4) are matched in the images as they are, by descriptors.
+void check_stereo_order(const Subject& subject, Findings& findings) {
+  const Rig& rig = subject.rig();
+  if (!subject.is("orbslam3")) return;
+  if (const std::optional<double> left = second_left_of_first(rig)) {
+    findings.add(Code::kSecondCameraIsLeft, {in_metres(*left)}, place_of_pair(subject));
+  }
+  const std::optional<double> below = second_below_first(rig);
+  if (!below || model_info(rig.cameras.front().model).id == std::string_view("kb4")) return;
+  constexpr double kCmPerM = 100.0;
+  findings.add(Severity::kError, Code::kOrbslam3PairVertical,
+               {rig.cameras[1].name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", rig.cameras[0].name},
+               place_of_pair(subject));
 }
 
 /// "0.65 m above the ground", "3.2 m below the ground"

@@ -2,6 +2,7 @@
 // ORB-SLAM3 V1.0, src/Settings.cc (UZ-SLAMLab@0df83dde): the parser of files with `File.version: "1.0"`. Every type is strict,
 // and the process ends at the first wrong or missing key; here all of them are listed.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "orbslam_shared.h"
@@ -90,12 +91,20 @@ class Parser {
     settings_.integer(camera + ".overlappingEnd");
   }
 
+  [[nodiscard]] bool states_distortion(const std::string& camera) {
+    constexpr std::array kCoefficients = {".k1", ".k2", ".p1", ".p2", ".k3"};
+    return std::ranges::any_of(kCoefficients, [&](const char* name) {
+      const cv::FileNode number = settings_.node(camera + name);
+      return storage::is_number(number) && static_cast<double>(number) != 0.0;
+    });
+  }
+
   void read_camera1() {
     first_.k = read_intrinsics("Camera1");
     if (is_pinhole()) read_pinhole_distortion("Camera1", first_);
     if (is_fisheye()) first_.radial = read_radial("Camera1");
     if (is_fisheye() && sensor_.stereo) read_overlap("Camera1");
-    if (is_rectified() && settings_.has("Camera1.k1")) settings_.warn_at("Camera1.k1", Code::kOrbslamRectifiedIgnores);
+    if (is_rectified() && states_distortion("Camera1")) settings_.warn_at("Camera1.k1", Code::kOrbslamRectifiedIgnores);
     if (is_fisheye() && sensor_.rgbd && sensor_.inertial) settings_.refuse(Code::kOrbslamSecondNeverRead);
   }
 

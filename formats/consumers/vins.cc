@@ -326,9 +326,8 @@ void read_config(const cv::FileStorage& storage, ConsumerView& view) {
   std::vector<std::string> needed = {"max_cnt",         "min_dist",           "F_threshold",
                                      "max_solver_time", "max_num_iterations", "keyframe_parallax"};
   if (number("imu") != 0.0) needed.insert(needed.end(), {"acc_n", "gyr_n", "acc_w", "gyr_w", "g_norm"});
-  for (const std::string& key : needed) {
-    if (number(key.c_str()) == 0.0) view.warnings.emplace_back(Code::kVinsSaysZero, key, std::vector<Argument>{key});
-  }
+  std::erase_if(needed, [&number](const std::string& key) { return number(key.c_str()) != 0.0; });
+  if (!needed.empty()) view.warnings.emplace_back(Code::kVinsSaysZero, needed.front(), std::vector<Argument>{needed});
 }
 
 void read_camera(const cv::FileStorage& storage, ConsumerView& view) {

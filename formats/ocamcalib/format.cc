@@ -41,9 +41,18 @@ bool has_shape(const std::vector<Node>& lines) {
          numbers[count - 2]->items.size() == 3 && numbers[count - 1]->items.size() == 2;
 }
 
+/// A README that speaks of such files: more words than a file with its comments has beside its numbers.
+bool is_prose(const std::vector<Node>& lines) {
+  const auto numbers = std::ranges::count_if(lines, is_numbers);
+  const auto words = std::ranges::count_if(lines, [](const Node& line) { return !line.items.empty() && !is_numbers(line); });
+  constexpr auto kMostComments = 10;
+  return words > kMostComments + 3 * numbers;
+}
+
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<Node>& lines = document.root().items;
+  if (is_prose(lines)) return {};
   for (const Node& line : lines) {
     if (!is_numbers(line) && mentions(line, "direct") && mentions(line, "mapping"))
       return {95, Message{Code::kCalibResultsDirectComment}};

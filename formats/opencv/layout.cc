@@ -103,6 +103,12 @@ ModelKey find_model_key(const Node& mapping) {
   return foreign;
 }
 
+/// Settings of a surround view, beside camera_matrix and dist_coeffs: its program calls cv::fisheye.
+bool is_of_surround_view(const Node& mapping) {
+  const auto has = [&mapping](std::string_view key) { return text::find(mapping, key, kDialect) != nullptr; };
+  return has("project_matrix") && (has("scale_xy") || has("shift_xy"));
+}
+
 /// Is that what the end of a file leaves of a matrix: nothing, or "rows", behind its tag? Beside another camera's the tag may
 /// be missing, too.
 bool is_cut_off(const Node& value, bool beside_another) {
@@ -120,7 +126,7 @@ std::vector<std::pair<std::string, CameraKeys>> find_cameras(const Node& mapping
     if (known) continue;
     CameraKeys keys;
     keys.matrix = entry.key.value;
-    keys.fisheye = name.fisheye;
+    keys.fisheye = name.fisheye || is_of_surround_view(mapping);
     cameras.emplace_back(name.side, std::move(keys));
   }
   for (auto& [side, keys] : cameras) {

@@ -275,6 +275,7 @@ const Format kFormat = {
     .syntaxes = "OpenCV YAML",
     .extension = ".yaml",
     .program = "OpenVINS",
+    .main_file = "kalibr_imucam_chain.yaml",
     .many_cameras = true,
     .extrinsics = true,
     .imu = true,

@@ -25,6 +25,7 @@ struct CameraInfo {
   const text::Node* width = nullptr;
   const text::Node* height = nullptr;
   const text::Node* model = nullptr;
+  bool is_message = false;   ///< As `rostopic echo` prints it.
   bool counted = false;      ///< The number of coefficients says the model (.ini, which has no key for it).
   std::optional<Numbers> K;  ///< 9
   std::optional<Numbers> D;  ///< Any count; none where the file says none.
@@ -35,6 +36,9 @@ struct CameraInfo {
   std::optional<ImageSize> part;   ///< Of the roi, before binning.
   std::vector<ExtraField> extras;  ///< What it says beyond that; keys without an owner.
 };
+
+/// Is it a sensor_msgs/CameraInfo as `rostopic echo` or `ros2 topic echo` prints it (K, D, R, P in plain lists)?
+[[nodiscard]] bool is_message(const text::Document& document);
 
 /// The keys of a YAML file; nothing, with errors, where what stands under them is not what ROS's parser reads.
 [[nodiscard]] std::optional<CameraInfo> find_in_yaml(fields::Reader& reader);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "camera_info.h"
 #include "ini.h"
 #include "layout.h"
 #include "ros.h"
@@ -32,6 +33,7 @@ bool is_plain_matrix(const Node* node) {
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() == text::Syntax::kWords)
     return looks_like_ini(document) ? ProbeResult{evidence::kCamera, Message{Code::kFoundIniSections}} : ProbeResult{};
+  if (is_message(document)) return {evidence::kCamera, Message{Code::kRosMessage}};
   const Node& root = document.root();
   const bool camera = is_plain_matrix(text::find(root, kMatrix, kDialect));
   for (const std::string_view key : {kRectification, kProjection, kCoefficients}) {

@@ -7,6 +7,7 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
+#include <array>
 
 namespace fca::ros {
 
@@ -166,7 +167,10 @@ std::optional<std::vector<CameraInfo>> find_in_ini(fields::Reader& reader) { ret
 bool looks_like_ini(const text::Document& document) {
   if (document.syntax() != text::Syntax::kWords) return false;
   const std::vector<Line> lines = lines_of(document);
-  return !lines.empty() && is_header(lines.front());
+  // Other programs' .ini files have key = value.
+  constexpr std::array<std::string_view, 4> kOwnLines = {"width", "height", "camera matrix", "distortion"};
+  const auto is_own = [&kOwnLines](const Line& line) { return std::ranges::find(kOwnLines, line.text) != kOwnLines.end(); };
+  return !lines.empty() && is_header(lines.front()) && std::ranges::any_of(lines, is_own);
 }
 
 bool ini_holds(std::string_view model) { return model == "radtan" || model == "rational" || model == "pinhole"; }

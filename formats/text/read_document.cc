@@ -64,6 +64,19 @@ std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& dia
   return std::nullopt;
 }
 
+/// UTF-16 in either order of bytes, with its mark or, of ASCII's characters, without.
+bool is_utf16(std::string_view bytes) {
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return true;
+  const std::string_view begin = bytes.substr(0, 64);
+  std::array<std::size_t, 2> zeros = {0, 0};  // at even places, at odd ones
+  for (std::size_t i = 0; i < begin.size(); ++i) zeros[i % 2] += begin[i] == '\0' ? 1 : 0;
+  const std::size_t pairs = begin.size() / 2;
+  return pairs > 0 && (zeros == std::array<std::size_t, 2>{0, pairs} || zeros == std::array<std::size_t, 2>{pairs, 0});
+}
+
+/// JSON and XML take a CR as a blank.
+bool needs_line_feeds(Syntax syntax) { return syntax != Syntax::kJson && syntax != Syntax::kXml; }
+
 }  // namespace
 
 Source read_stream(std::string name, std::istream& stream) { return {std::move(name), read_limited(stream)}; }
@@ -96,11 +109,20 @@ std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) 
     diagnostics.add(Code::kFileEmpty, {}, file);
     return std::nullopt;
   }
+  if (is_utf16(source.bytes)) {
+    diagnostics.add(Code::kFileUtf16, {}, file);
+    return std::nullopt;
+  }
   if (const std::size_t zero = source.bytes.find('\0'); zero != std::string::npos) {
     diagnostics.add(Code::kFileBinary, {}, source.range({zero, 1}));
     return std::nullopt;
   }
   Syntax syntax = choose_syntax(source);
+  const std::size_t carriage_return = source.bytes.find('\r');
+  if (carriage_return != std::string::npos && source.bytes.find('\n') == std::string::npos && needs_line_feeds(syntax)) {
+    diagnostics.add(Code::kFileCrOnly, {}, source.range({carriage_return, 1}));
+    return std::nullopt;
+  }
   std::optional<Node> root = parse(source, syntax, diagnostics);
   if (!root) return std::nullopt;
   return Document(std::move(source), syntax, *std::move(root));

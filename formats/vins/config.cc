@@ -7,6 +7,7 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace fca::vins {
@@ -36,10 +37,14 @@ class ConfigReader {
     const std::optional<ImageSize> size = read_size();
     if (!count) return;
     read_poses(*count, rig);
+    read_noise(rig);
     read_cameras(camera_files, size, rig);
     for (const text::Entry& entry : config_.root().entries) {
-      if (!read_.contains(entry.key.value))
-        rig.extra_fields.push_back({"", std::string(kTuning) + entry.key.value, fields::value_text(entry.value)});
+      if (read_.contains(entry.key.value)) continue;
+      ExtraField extra = {"", std::string(kTuning) + entry.key.value, fields::value_text(entry.value)};
+      if (std::ranges::find(kNoises, entry.key.value, &Noise::key) != kNoises.end())
+        extra.said = {Code::kVinsNoiseOfUnknownRate, {extra.value}};
+      rig.extra_fields.push_back(std::move(extra));
     }
   }
 
@@ -95,6 +100,25 @@ class ConfigReader {
         rig.add_frame(kImu, FrameKind::kImu);
       }
     }
+  }
+
+  /// Densities from one sample's noise; nothing without the rate.
+  void read_noise(Rig& rig) {
+    if (!options_.imu_rate_hz) return;
+    Imu imu;
+    imu.name = kImu;
+    imu.rate_hz = options_.imu_rate_hz;
+    const Node* first = nullptr;
+    for (const Noise& noise : kNoises) {
+      const Node* node = find(config_, noise.key);
+      if (node == nullptr) continue;
+      const std::optional<double> of_sample = reader_.positive(*take(std::string(noise.key)), noise.key);
+      if (of_sample) imu.*noise.density = *of_sample / std::sqrt(*imu.rate_hz);
+      if (first == nullptr) first = node;
+    }
+    if (first == nullptr) return;
+    reader_.say(*first, Code::kVinsNoiseRead, {imu.name, *imu.rate_hz});
+    rig.imus.push_back(std::move(imu));
   }
 
   void read_cameras(std::span<const text::Document> files, const std::optional<ImageSize>& size, Rig& rig) {

@@ -18,7 +18,10 @@
 
 #include <fca/formats/format.h>
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fca::vins {
@@ -34,6 +37,15 @@ void read_config(const text::Document& config, std::span<const text::Document> c
 
 /// The configuration, edited, and the camera files that it names.
 [[nodiscard]] std::optional<Written> write_config(const text::Document& base, const Rig& rig, Diagnostics& diagnostics);
+
+/// What VINS-Fusion takes for one sample's noise: the density times sqrt(rate).
+struct Noise {
+  std::string_view key;
+  std::optional<double> Imu::*density;
+};
+inline constexpr std::array kNoises = {
+    Noise{"acc_n", &Imu::accelerometer_noise_density}, Noise{"gyr_n", &Imu::gyroscope_noise_density},
+    Noise{"acc_w", &Imu::accelerometer_random_walk}, Noise{"gyr_w", &Imu::gyroscope_random_walk}};
 
 /// What VINS-Fusion uses at once.
 inline constexpr std::size_t kMostCameras = 2;

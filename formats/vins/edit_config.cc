@@ -10,7 +10,6 @@
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -23,13 +22,11 @@ namespace {
 
 constexpr std::string_view kImu = "imu0";
 
-struct Noise {
-  std::string_view key;
-  std::optional<double> Imu::*density;
-};
-constexpr std::array kNoises = {Noise{"acc_n", &Imu::accelerometer_noise_density},
-                                Noise{"gyr_n", &Imu::gyroscope_noise_density}, Noise{"acc_w", &Imu::accelerometer_random_walk},
-                                Noise{"gyr_w", &Imu::gyroscope_random_walk}};
+/// Alike but for what dividing by a root and multiplying with it rounds.
+bool agrees(double a, double b) {
+  constexpr double kRounding = 1e-14;
+  return std::abs(a - b) <= kRounding * std::abs(b);
+}
 
 std::string numbered(std::string_view before, std::size_t index, std::string_view after) {
   return std::string(before) + std::to_string(index) + std::string(after);
@@ -128,7 +125,7 @@ class Editor {
       if (node == nullptr) continue;
       if (field.shape != fields::Shape::kMatrix) {
         const std::optional<double> number = text::parse_real(node->value);
-        const bool same = number && number == text::parse_real(field.tokens.front());
+        const bool same = number && agrees(*number, *text::parse_real(field.tokens.front()));
         result.push_back(same ? field : fields::scalar(field.key, node->value));
         continue;
       }

@@ -35,8 +35,10 @@ ProbeResult probe(const text::Document& document) {
   for (const std::string_view section : {"projection_parameters", "poly_parameters"}) {
     if (has(section)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {section}}};
   }
+  // OV2SLAM's settings have body_T_cam0, too.
+  const bool of_vins = has("num_of_cam") || has("image0_topic") || has("acc_n") || has("max_cnt");
   for (const std::string_view key : {"cam0_calib", "body_T_cam0"}) {
-    if (has(key)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {key}}};
+    if (of_vins && has(key)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {key}}};
   }
   if (has("model_type") && has("camera_name"))
     return {evidence::kPart, Message{Code::kFoundKeys, {std::vector<std::string>{"model_type", "camera_name"}}}};

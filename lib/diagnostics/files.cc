@@ -33,7 +33,11 @@ std::span<const CodeInfo> file_codes() {
       clause(Code::kFileReadingFailed, "reading failed"),
       error(Code::kFileTooLarge, "too-large", "larger than {0} MiB; no calibration is"),
       error(Code::kFileEmpty, "empty-file", "the file is empty"),
-      error(Code::kFileBinary, "binary-file", "a zero byte: this is no text file (UTF-16 or binary?)", "save it as UTF-8 text"),
+      error(Code::kFileBinary, "binary-file", "a zero byte: this is no text file", "save it as UTF-8 text"),
+      error(Code::kFileUtf16, "utf-16", "the file is UTF-16 text; programs read calibrations as UTF-8",
+            "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE"),
+      error(Code::kFileCrOnly, "cr-line-ends", "its lines end in CR alone; to programs that read such files it is one line",
+            "end them in LF: tr '\\r' '\\n' < FILE"),
 
       error(Code::kFormatUnknown, kUnknown, "none of the formats fca-io reads: no key of it stands here", kSayWhichFormat),
       // {0}: a clause, {1} and {2}: keys.
@@ -42,6 +46,7 @@ std::span<const CodeInfo> file_codes() {
       error(Code::kFormatLooksLikeKeysInside, kUnknown, "looks like {0} ({1} with {2}), which fca-io does not read",
             kSayWhichFormat),
       clause(Code::kLooksLikeMultiCol, "MultiCol-SLAM's OCam settings"),
+      clause(Code::kLooksLikeOv2Slam, "OV2SLAM's settings"),
       clause(Code::kLooksLikePlainLists, "OpenCV's numbers in plain lists, of which cv::FileStorage makes no matrix"),
       clause(Code::kLooksLikePyOcamCalib, "py-OCamCalib's JSON"),
       error(Code::kFormatAmbiguous, "ambiguous-format", "could be {0:or}", "say which format it is"),

@@ -25,6 +25,9 @@ std::span<const CodeInfo> verdict_codes() {
                      "write it anew, with the keys that {0} reads"),
       warning(Code::kVerdictLost, "lost", "{0}"),
       warning(Code::kVerdictInvented, "invented-value", "{0:and}: no input states it, and it matters"),
+      reader_warning(Code::kVerdictNeedsVersion, "needs-version",
+                     "{0} reads {2} since {1}; its readers before refuse the file"),
+      clause(Code::kOlderVersionsRead, "they read {0}"),
       clause(Code::kFitInsideAngle, "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}"),
   };
   return kRows;

@@ -203,6 +203,29 @@ std::vector<Defect> defects() {
        },
        20,
        "orbslam3"},
+      {"the second camera below the first",
+       {"stereo-vertical"},
+       [](Rig& rig) {
+         if (rig.cameras.size() != 2 || model_info(rig.cameras.front().model).id == std::string_view("kb4")) return false;
+         for (PoseEdge& edge : rig.poses) {
+           if (edge.a.starts_with("imu") || edge.b.starts_with("imu")) continue;
+           std::swap(edge.T_a_b(0, 3), edge.T_a_b(1, 3));
+           return true;
+         }
+         return false;
+       },
+       1,
+       "orbslam3",
+       nullptr,
+       false},
+      {"k1 copied over k2",
+       {"coefficient-repeated"},
+       [](Rig& rig) {
+         const std::optional<double> k1 = rig.cameras.empty() ? std::nullopt : parameter(rig.cameras.front().model, "k1");
+         const bool long_enough = k1 && std::round(*k1 * 1e4) != *k1 * 1e4;
+         return long_enough && parameter(rig.cameras.front().model, "k2") &&
+                set_parameter(rig.cameras.front().model, "k2", *k1);
+       }},
       {"EUCM's alpha and beta under radial terms",
        {"eucm-without-type"},
        [](Rig& rig) {

@@ -205,6 +205,19 @@ std::vector<TextDefect> defects() {
        },
        20,
        false},
+      {"lines that end in CR",
+       {"kalibr", "orbslam3", "opencv"},
+       {"cr-line-ends"},
+       [](const Good& good) -> std::optional<SpanEdit> {
+         const text::Syntax syntax = document_of(good).syntax();
+         if (syntax == text::Syntax::kXml || syntax == text::Syntax::kJson) return std::nullopt;
+         std::string bytes = bytes_of(good);
+         std::erase(bytes, '\r');
+         std::ranges::replace(bytes, '\n', '\r');
+         return SpanEdit{{0, bytes_of(good).size()}, bytes};
+       },
+       20,
+       false},
       {"the end cut off",
        {"woodscape"},
        {"json-syntax"},

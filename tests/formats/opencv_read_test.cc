@@ -390,5 +390,14 @@ std::string test_name(const testing::TestParamInfo<fs::path>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, OpenCvGoodFiles, testing::ValuesIn(good_files()), test_name);
 
+// Its program calls cv2.fisheye; the file says so by its other keys.
+TEST(OpenCvRead, ASurroundViewIsOfFisheyes) {
+  const Calibration calibration =
+      calibration_of(read_file(testdata_dir() / "opencv" / "surround-view" / "front.yml"), "front.yaml");
+  ASSERT_EQ(calibration.rig.cameras.size(), 1U);
+  EXPECT_EQ(model_info(calibration.rig.cameras.front().model).id, "kb4");
+  EXPECT_EQ(calibration.rig.cameras.front().image_size, (ImageSize{960, 640}));
+}
+
 }  // namespace
 }  // namespace fca::test

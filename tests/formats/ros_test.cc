@@ -11,6 +11,7 @@
 #include <fca/rig/rotation.h>
 
 #include <random>
+#include <tuple>
 
 namespace fca::test {
 namespace {
@@ -19,6 +20,7 @@ using Vector = std::array<double, 3>;
 
 const Format& ros() { return *find_format("ros"); }
 const consumers::Consumer& program() { return *consumers::find_consumer("ros"); }
+std::string message(const std::string& name) { return read_file(testdata_dir() / "ros" / "messages" / name); }
 std::string good(const std::string& name) { return read_file(testdata_dir() / "ros" / "good" / name); }
 
 /// The files of several cameras as one rig.
@@ -359,6 +361,35 @@ TEST(Ros, OurModelIsThePrograms) {
     }
   }
   EXPECT_GE(compared, 100);
+}
+
+// `rostopic echo` and `ros2 topic echo` print the message, whose keys and shapes are others than the file's.
+TEST(Ros, APrintedMessageMeansWhatAFileMeans) {
+  const Rig first = calibration_of(message("ros1.yaml"), "a.yaml").rig;
+  ASSERT_EQ(first.cameras.size(), 1U);
+  EXPECT_EQ(first.cameras[0].name, "left_optical");
+  EXPECT_EQ(first.cameras[0].image_size, (ImageSize{640, 480}));
+  EXPECT_EQ(model_info(first.cameras[0].model).id, "radtan");
+  EXPECT_EQ(parameter(first.cameras[0].model, "k1"), -0.3125);
+  const Rig second = calibration_of(message("ros2.yaml"), "b.yaml").rig;
+  EXPECT_EQ(model_info(second.cameras.at(0).model).id, "kb4");
+  EXPECT_EQ(parameter(second.cameras[0].model, "k4"), 0.00390625);
+  for (const Rig& rig : {first, second}) {
+    const Written file = written_by(ros(), nullptr, rig);
+    EXPECT_TRUE(prove(program(), file.files.front().document.bytes(), {}, rig, file.files.front().cameras).agrees());
+  }
+}
+
+TEST(Ros, AnEditOfAPrintedMessageChangesItsOwnNumber) {
+  for (const auto& [name, before, after] :
+       {std::tuple{"ros1.yaml", "-0.3125", "-0.25"}, {"ros2.yaml", "-0.0078125", "-0.25"}}) {
+    const Calibration calibration = calibration_of(message(name), "a.yaml");
+    Rig rig = calibration.rig;
+    EXPECT_EQ(written_by(ros(), &calibration.documents.front(), rig).files.front().document.bytes(), message(name));
+    ASSERT_TRUE(set_parameter(rig.cameras[0].model, "k1", -0.25));
+    EXPECT_EQ(written_by(ros(), &calibration.documents.front(), rig).files.front().document.bytes(),
+              with_replaced(message(name), before, after));
+  }
 }
 
 }  // namespace

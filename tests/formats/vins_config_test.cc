@@ -103,6 +103,22 @@ TEST(VinsConfig, NoiseIsOfSamples) {
   EXPECT_TRUE(loses(without, "imu-dropped"));
 }
 
+TEST(VinsConfig, TheRateMakesDensitiesOfItsNoise) {
+  const text::Document config = document_of(good("config.yaml"), "config.yaml");
+  ReadOptions options;
+  options.imu_rate_hz = 200.0;
+  Diagnostics diagnostics;
+  const std::optional<Rig> rig = vins().read(std::span(&config, 1), options, diagnostics);
+  ASSERT_TRUE(rig) << diagnostics.entries().size();
+  ASSERT_EQ(rig->imus.size(), 1U);
+  const Imu& imu = rig->imus.front();
+  EXPECT_DOUBLE_EQ(imu.accelerometer_noise_density.value(), 0.1 / std::sqrt(200.0));
+  EXPECT_DOUBLE_EQ(imu.gyroscope_noise_density.value(), 0.01 / std::sqrt(200.0));
+  EXPECT_EQ(imu.rate_hz, 200.0);
+  EXPECT_EQ(written_by(vins(), &config, *rig).files.front().document.bytes(), good("config.yaml")) << "and back";
+  EXPECT_TRUE(pair().rig.imus.empty()) << "nobody knows its rate";
+}
+
 // A file's name is no way to write elsewhere.
 TEST(VinsConfig, CameraFilesLieBesideIt) {
   const std::string config = with_replaced(good("config.yaml"), "cam0_calib: \"cam0.yaml\"", "cam0_calib: \"../../cam0.yaml\"");

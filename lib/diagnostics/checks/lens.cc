@@ -48,6 +48,14 @@ std::span<const CodeInfo> lens_check_codes() {
                   "an equidistant one's",
                   "if so, name the model radtan (plumb_bob, PinHole)"),
           kOffAtTheBorder),
+      with_consequence(
+          warning(Code::kMeiUnderRadtan, kFamily,
+                  "{0}: k2 = {2:.4} outweighs k1 = {1:.4} and pulls the corner outwards by {3:.3} %: no plain lens does; the "
+                  "numbers of a unified model (omni, MEI), which stand beside its xi, look so",
+                  "if so, name that model and give its xi"),
+          kOffAtTheBorder),
+      warning(Code::kCoefficientRepeated, "coefficient-repeated", "{0}: {1} and {2} are the same number to the last digit, {3}",
+              "one was copied to the other's place: look into the calibration's result"),
       error(Code::kSizeSwapped, "size-swapped",
             "{0}: the principal point ({1:.5}, {2:.5}) is the middle of a {4} x {3} image, not of one of {3} x {4}",
             "exchange width and height, or the two numbers of the principal point"),

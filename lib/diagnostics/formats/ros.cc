@@ -22,6 +22,7 @@ std::span<const CodeInfo> ros_codes() {
       error(Code::kRosNoMapping, "wrong-syntax", "a camera_info is a mapping of keys and values"),
       error(Code::kRosOneFile, "wrong-syntax", "a camera_info is one file"),
       warning(Code::kRosKeyMissing, "missing-key", "there is no {0}: ROS's parser refuses the file", "add it"),
+      clause(Code::kRosMessage, "a printed CameraInfo message: K and P as lists"),
       warning(Code::kRosRectificationMissing, "missing-key", "there is no rectification_matrix: ROS's parser refuses the file",
               kAloneTheIdentity),
       warning(Code::kRosProjectionMissing, "missing-key", "there is no projection_matrix: ROS's parser refuses the file",

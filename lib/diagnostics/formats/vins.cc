@@ -91,6 +91,10 @@ std::span<const CodeInfo> vins_codes() {
       note(Code::kVinsNoiseConverted, "imu-noise-converted",
            "{0}: acc_n, gyr_n, acc_w and gyr_w are the densities times sqrt({1} Hz), what VINS-Fusion takes for one sample's "
            "noise"),
+      note(Code::kVinsNoiseRead, "imu-noise-converted",
+           "{0}: acc_n, gyr_n, acc_w and gyr_w are one sample's noise to VINS-Fusion; divided by sqrt({1} Hz) they are "
+           "densities"),
+      clause(Code::kVinsNoiseOfUnknownRate, "{0} (one sample's noise: the IMU's rate makes a density of it)"),
 
       // What the files cannot hold.
       loss(Code::kVinsNoiseDropped, "imu-dropped", "{0} noise",

@@ -31,7 +31,7 @@ std::span<const CodeInfo> vins_program_codes() {
       named_refusal(Code::kVinsSaysCameraMissing, "{0} is missing: VINS-Fusion has no camera and stops", kAddTheKey),
       named_refusal(Code::kVinsSaysPoseMissing, "{0} is missing: VINS-Fusion copies a matrix that is not there", kAddTheKey),
       named_refusal(Code::kVinsSaysPoseSize, "{0} is not 4 x 4: VINS-Fusion copies it unchecked"),
-      misreading(Code::kVinsSaysZero, "{0} is 0 or missing: VINS-Fusion goes on with 0"),
+      misreading(Code::kVinsSaysZero, "0 or missing, and VINS-Fusion goes on with 0: {0:and}"),
   };
   return kRows;
 }

@@ -23,6 +23,7 @@ struct ReadOptions {
   std::string opencv_model;             ///< "pinhole" or "fisheye", for OpenCV files whose four numbers could be either.
   bool join = false;  ///< Further documents are further cameras of one rig: a name that is taken becomes the next "camN".
   std::optional<double> length_unit_m = {};  ///< Of translations in files that do not state it; default: metres.
+  std::optional<double> imu_rate_hz = {};    ///< Of the IMU, where a file does not state it.
 };
 
 /// A way in which a format stores a camera model, and who reads it.
@@ -34,6 +35,7 @@ struct StoredModel {
   std::span<const ParameterRange> ranges;  ///< What the program demands beyond the model's own ranges (EUCM alpha > 0.5).
   Code why = {};                           ///< Why it demands that, a clause.
   bool pairs_only = false;                 ///< A file holds one such camera, or a pair with its pose, and no other rig.
+  std::string_view since = {};             ///< The program's version that first reads it: "2022"; empty: each does.
 };
 
 /// Something the target format cannot carry: of whom, which fact, its values. fca/formats/wording.h words it.
@@ -144,7 +146,7 @@ struct Format {
   std::string_view syntaxes;                     ///< For people: "YAML".
   std::string_view extension;                    ///< Of its files, with the point: ".yaml".
   std::string_view program;                      ///< The stock program that reads it: "Kalibr".
-  std::string_view main_file = "camchain.yaml";  ///< A name of a file with cameras, beside which its other parts are given.
+  std::string_view main_file = "camchain.yaml";  ///< The file with the cameras, where its other parts lie beside it.
   bool reader_warns = false;                     ///< What its program misreads its reader says itself, at the place.
   std::string_view layout_of = {};      ///< Id of the format whose files its own are, with habits of their own; may be empty.
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
