@@ -141,6 +141,13 @@ void add_join_option(Options& options, Inputs& inputs) {
 
 void add_imu_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kReading);
+  options.number("--imu-rate", "HZ", "The IMU's rate, of an input that does not state it (VINS-Fusion's configuration)",
+                 [&inputs](double rate_hz) -> std::optional<std::string> {
+                   constexpr double kFastest = 1e6;
+                   if (!(rate_hz > 0.0 && rate_hz <= kFastest)) return "--imu-rate wants samples per second in (0, 1e6]";
+                   inputs.imu_rate_hz = rate_hz;
+                   return std::nullopt;
+                 });
   options.value("--imu-noise", "KIND",
                 "What the input's IMU noise is: continuous (densities, the default), discrete (standard deviations of single "
                 "samples, converted with the rate), variance or discrete-variance (squares of those)",

@@ -224,7 +224,7 @@ TEST(Convert, ThereAndBackThroughTheCommand) {
   const RunResult run = run_program({"convert", settings, "--to", "kalibr", "-o", folder / "back/"});
   ASSERT_EQ(run.code, 0) << run.err;
   const Rig start = rig_in(read_file(kTumvi));
-  const Rig back = rig_in(read_file(folder / "back/settings.kalibr.yaml"));
+  const Rig back = rig_in(read_file(folder / "back/camchain.yaml"));
   ASSERT_EQ(back.cameras.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.cameras[i].model, start.cameras[i].model);
   for (const auto& [a, b] : {std::pair{"cam1", "cam0"}, std::pair{"cam0", "imu0"}}) {

@@ -183,6 +183,27 @@ TEST(OutputFile, AFolderOrAFileThatCannotBeWrittenIsAnError) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+// To rename a file over it needs a right to the folder alone.
+TEST(OutputFile, AWriteProtectedFileIsKept) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("out.yaml", kOld);
+  fs::permissions(path, fs::perms::owner_read);
+  const RunResult run = convert({"-o", path, "--force"});
+  EXPECT_EQ(run.code, 4);
+  EXPECT_TRUE(says(run.err, "cannot-write")) << run.err;
+  EXPECT_EQ(read_file(path), kOld);
+  EXPECT_EQ(folder.names(), std::set<std::string>{"out.yaml"});
+}
+
+TEST(OutputFile, AnotherHardLinkKeepsTheOldText) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("out.yaml", kOld);
+  fs::create_hard_link(path, folder / "other.yaml");
+  EXPECT_EQ(convert({"-o", path, "--force"}).code, 0);
+  EXPECT_EQ(read_file(folder / "other.yaml"), kOld);
+  EXPECT_NE(read_file(path), kOld);
+}
+
 TEST(OutputFile, PathsThatLeadNowhereAreInputOutput) {
   const TemporaryFolder folder;
   fs::create_symlink("loop", folder.path() / "loop");
@@ -291,13 +312,26 @@ TEST(OutputFile, CollisionsAreRefusedBeforeAnythingIsWritten) {
   EXPECT_EQ(folder.names(), std::set<std::string>{"a"});
 }
 
+// Who gives an IMU's file means it: it is not left out because one file was named.
+TEST(OutputFile, AnImuThatWasGivenWantsAFolder) {
+  const TemporaryFolder folder;
+  for (const char* format : {"kalibr", "openvins"}) {
+    const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", format, "-o", folder / "out.yaml"});
+    EXPECT_EQ(run.code, 3) << format << run.err;
+    EXPECT_TRUE(says(run.err, "one-output", "-o FOLDER/")) << run.err;
+  }
+  EXPECT_TRUE(folder.names().empty());
+  EXPECT_EQ(run_program({"convert", kTumvi, "--with", kImu, "--to", "openvins", "-o", folder.path().string()}).code, 0);
+  EXPECT_EQ(folder.names(), (std::set<std::string>{"kalibr_imu_chain.yaml", "kalibr_imucam_chain.yaml"}));
+}
+
 TEST(OutputFile, TheImuOfACamchainGoesBesideIt) {
   const TemporaryFolder folder;
   const std::string settings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
   const RunResult run = run_program({"convert", settings, "--to", "kalibr", "-o", folder / "out/"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(read_file(folder / "out/imu.yaml"), "accelerometer_noise_density")) << run.out;
-  EXPECT_TRUE(contains(read_file(folder / "out/v1-stereo-inertial.kalibr.yaml"), "camera_model")) << run.out;
+  EXPECT_TRUE(contains(read_file(folder / "out/camchain.yaml"), "camera_model")) << run.out;
   // With one output there is no room for it, and that is a loss.
   const Told piped({"convert", settings, "--to", "kalibr", "--strict"});
   EXPECT_EQ(piped.code(), 1);

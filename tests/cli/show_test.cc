@@ -79,6 +79,27 @@ const rapidjson::Value* mode_of(const rapidjson::Document& document, const std::
 }
 
 // V1.0 gives the second fisheye camera the first one's k1..k4: what that costs is known without asking it.
+// A file that does not say which lens its four coefficients are means two things: both are shown, and what decides.
+TEST(Show, BothReadingsOfAFileThatLeavesTheLensOpen) {
+  const std::string file =
+      "%YAML:1.0\nimage_width: 640\nimage_height: 480\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+      "   data: [ 300., 0., 319.5, 0., 300., 239.5, 0., 0., 1. ]\ndistortion_coefficients: !!opencv-matrix\n   rows: 4\n"
+      "   cols: 1\n   dt: d\n   data: [ -0.1, 0.02, -0.001, 0.0005 ]\n";
+  const Told run({"show", "-"}, {.input = file});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  const auto& shown = run.json()["files"][0];
+  ASSERT_EQ(shown["readings"].Size(), 2U);
+  const std::array<std::array<const char*, 2>, 2> expected = {{{"pinhole", "radtan"}, {"fisheye", "kb4"}}};
+  for (rapidjson::SizeType i = 0; i < 2; ++i) {
+    EXPECT_STREQ(shown["readings"][i]["opencv_model"].GetString(), expected[i][0]);
+    EXPECT_STREQ(shown["readings"][i]["cameras"][0]["model"].GetString(), expected[i][1]);
+  }
+  EXPECT_FALSE(shown.HasMember("cameras"));
+  EXPECT_STREQ(shown["diagnostics"][0]["code"].GetString(), "ambiguous-model");
+  EXPECT_STREQ(shown["diagnostics"][0]["severity"].GetString(), "warning");
+  EXPECT_EQ(run_program({"convert", "-", "--to", "kalibr"}, {.input = file}).code, 2);
+}
+
 TEST(Show, ForAProgramThatMisreadsACamera) {
   const std::string bytes = settings();
   const Rig rig = rig_in(bytes);

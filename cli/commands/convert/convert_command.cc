@@ -202,7 +202,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.group(OptionGroup::kOutput);
   add_jobs_option(options, "Inputs, or cameras of one, worked on at the same time", request.jobs);
   options.flag("--dry-run", "Report, write nothing", arguments.dry_run);
-  add_force_option(options, "Overwrite existing files", arguments.force);
+  add_force_option(options, "Replace existing files; their other hard links keep the old text", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
   add_json_option(options, arguments.json);
   options.flag("-v,--verbose", "The full report, with its tables", arguments.verbose);

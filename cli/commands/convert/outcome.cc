@@ -25,6 +25,7 @@ OutputRoom room(const ConvertArguments& arguments) {
   OutputRoom result;
   result.named_files = arguments.json || arguments.in_place || !output.is_standard_output();
   result.further_files = output.kind == OutputPlace::Kind::kFolder;
+  result.given_parts = output.kind != OutputPlace::Kind::kFile;
   result.camera_files =
       result.further_files || (!output.is_said() && arguments.json) || output.path.find("{camera}") != std::string::npos;
   return result;

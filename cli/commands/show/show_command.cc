@@ -40,7 +40,8 @@ ExitCode run_show(const ShowArguments& arguments, Console& console) {
     files.push_back(read_shown({inputs, arguments.request.program}, console.files()));
     code = worse(code, exit_code(files.back().status));
     if (!arguments.json) {
-      if (files.back().calibration) console.say((files.size() > 1 ? "\n" : "") + show_text(files.back()));
+      if (files.back().calibration || !files.back().readings.empty())
+        console.say((files.size() > 1 ? "\n" : "") + show_text(files.back()));
       console.show(files.back().diagnostics);
     }
   }

@@ -29,6 +29,7 @@ void add_show_command(Application& application);
 /// What was read, for the texts.
 [[nodiscard]] ShownFile as_shown(Reading reading, const Inputs& inputs);
 
+/// Of a file with a calibration or with readings.
 [[nodiscard]] std::string show_text(const ShownFile& shown);
 [[nodiscard]] std::string show_json(const std::vector<ShownFile>& files, const Console& console);
 

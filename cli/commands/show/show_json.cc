@@ -116,6 +116,15 @@ void put_file(Json& json, const ShownFile& shown, const Console& console) {
       });
     }
   }
+  if (!shown.readings.empty()) {
+    json.array("readings", shown.readings, [&](const ReadingAs& reading) {
+      json.object([&] {
+        json.put("opencv_model", name_of(reading.model));
+        json.array("cameras", reading.calibration.rig.cameras,
+                   [&](const Camera& camera) { json.object([&] { put_camera(json, camera, shown.limit_deg); }); });
+      });
+    });
+  }
   put_diagnostics(json, shown.diagnostics, console);
 }
 

@@ -140,9 +140,22 @@ std::string parts_in_words(const Rig& rig) {
   return rig.imus.empty() ? ", a pose without cameras" : ", an IMU without cameras";
 }
 
+/// A file whose four coefficients may be those of two lenses: its cameras as either.
+std::string readings_text(const ShownFile& shown) {
+  std::string text = text::printable(shown.file) + ": " + std::string(shown.readings.front().calibration.format->title) +
+                     "; which lens its four coefficients are, it does not say\n";
+  for (const ReadingAs& reading : shown.readings) {
+    text += "\nwith --opencv-model " + std::string(name_of(reading.model)) + "\n";
+    for (const Camera& camera : reading.calibration.rig.cameras)
+      text += camera_text(camera, reading.calibration.rig.extra_fields, shown.limit_deg);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string show_text(const ShownFile& shown) {
+  if (!shown.readings.empty()) return readings_text(shown);
   const Calibration& calibration = *shown.calibration;
   std::string text = text::printable(shown.file) + ": " + std::string(calibration.format->title) +
                      parts_in_words(calibration.rig) + " (" + text::text_of(calibration.why, with_options) + ")\n";

@@ -3,6 +3,7 @@
 #include "convert/other_writings.h"
 #include "convert/start.h"
 #include "convert/writing.h"
+#include "models/model_advice.h"
 
 #include <fca/code.h>
 #include <fca/formats/verdict.h>
@@ -28,6 +29,15 @@ std::vector<Finding> findings_since(const ConvertResult& before, const ConvertRe
   return findings;
 }
 
+/// The model that older versions of the program read, and what it costs; nothing if none does.
+Message remedy_of_version(const ConvertRequest& request, const ConvertResult& result) {
+  std::vector<Camera> sources;
+  for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
+  const std::optional<Message> best =
+      best_of_every_version(sources, *result.to, {.max_angle_rad = request.inputs.max_angle_rad});
+  return best ? Message{Code::kOlderVersionsRead, {*best}} : Message();
+}
+
 Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                    const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
@@ -49,6 +59,13 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
     if (entry.facts.code != Code::kInputNotUnderstood && entry.facts.code != Code::kEditNotProven) continue;
     for (Reason& reason : verdict.reasons) {
       if (reason.facts.code == Code::kVerdictRefused) reason.remedy = entry.facts;
+    }
+  }
+  const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };
+  if (std::ranges::any_of(verdict.reasons, needs_version)) {
+    const Message remedy = remedy_of_version(request, result);
+    for (Reason& reason : verdict.reasons) {
+      if (needs_version(reason)) reason.remedy = remedy;
     }
   }
   if (result.nearer) {

@@ -4,7 +4,9 @@
 #include <fca/code.h>
 #include <fca/formats/wording.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fca {
 
@@ -19,6 +21,21 @@ void warn_of_poor_fits(const ConvertRequest& request, ConvertResult& result) {
                            {camera.source.name, camera.report->to_model, error.rms, error.max, request.inputs.files.front()});
   }
 }
+
+namespace {
+
+/// Why the error of a fit is not known to be within the limit; nothing if it is. A maximum counts where the proof confirms it:
+/// of an image one pixel wide the lattice may miss the worst ray.
+std::optional<Message> beyond_limit(const ConvertedCamera& camera, double limit_px) {
+  const ErrorSummary& error = camera.report->judgement.error;
+  constexpr double kConfirmed = 1.1;
+  if (error.max > limit_px) return Message{Code::kErrorBeyondLimit, {camera.source.name, error.max, limit_px}};
+  if (error.bound <= std::max(limit_px, kConfirmed * error.max)) return std::nullopt;
+  if (std::isinf(error.bound)) return Message{Code::kNoBoundBelowLimit, {camera.source.name, error.max, limit_px}};
+  return Message{Code::kBoundBeyondLimit, {camera.source.name, error.max, error.bound, limit_px}};
+}
+
+}  // namespace
 
 void apply_limits(const ConvertRequest& request, ConvertResult& result) {
   for (const ProofResult& proof : result.proofs) {
@@ -38,10 +55,11 @@ void apply_limits(const ConvertRequest& request, ConvertResult& result) {
                                                          std::floor(camera.report->scored_to_deg), instead});
       result.status = Status::kRejected;
     }
-    const double worst = camera.report->judgement.error.max;
-    if (camera.report->exact || worst <= *request.max_error_px) continue;
-    result.diagnostics.add(Code::kErrorBeyondLimit, {camera.source.name, worst, *request.max_error_px});
-    result.status = Status::kRejected;
+    if (camera.report->exact) continue;
+    if (std::optional<Message> beyond = beyond_limit(camera, *request.max_error_px)) {
+      result.diagnostics.add(beyond->code, std::move(beyond->arguments));
+      result.status = Status::kRejected;
+    }
   }
   std::vector<Message> what;
   for (const Loss& loss : result.losses) {

@@ -43,6 +43,14 @@ bool is_misnamed(const std::string& path, text::Syntax syntax) {
   return known != kExtensions.end() && known->syntax != name_of(syntax);
 }
 
+/// The file without cameras (an IMU's) that would be left out though the input's parts were given for it; null if there is
+/// none.
+const ConvertedFile* given_part_without_room(const ConvertRequest& request, const ConvertResult& result) {
+  if (request.room.further_files || request.room.given_parts || request.inputs.parts.empty()) return nullptr;
+  const auto part = std::ranges::find_if(result.files, [](const ConvertedFile& file) { return file.cameras.empty(); });
+  return part == result.files.end() ? nullptr : &*part;
+}
+
 /// False with an error where there is no place for so many files.
 bool has_room(const ConvertRequest& request, ConvertResult& result) {
   const std::size_t with_cameras = camera_files(result.files);
@@ -53,6 +61,8 @@ bool has_room(const ConvertRequest& request, ConvertResult& result) {
     const Message one = result.to->many_cameras ? Message{Code::kOfHeadlineOne, {result.headline}}
                                                 : Message{Code::kHoldsOne, {result.to->title}};
     result.diagnostics.add(Code::kOneCameraPerFile, {one, with_cameras, extension_of(result.files.front(), *result.to)});
+  } else if (const ConvertedFile* part = given_part_without_room(request, result)) {
+    result.diagnostics.add(Code::kPartHasNoRoom, {result.to->title, part->name});
   } else {
     return true;
   }

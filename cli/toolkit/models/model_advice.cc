@@ -40,24 +40,51 @@ Message in_words(const ConversionReport& report) {
   return {covers ? Code::kModelRms : Code::kModelRmsUpTo, {report.to_model, report.judgement.error.rms, report.scored_to_deg}};
 }
 
+std::optional<ConversionReport> report_as(const StoredModel& stored, const Camera& camera, const ModelChoice& choice) {
+  ConvertOptions options = options_for(stored, choice);
+  options.every_pixel = false;
+  options.bound = false;
+  options.objective = Objective::kRms;
+  Diagnostics unheard;
+  std::optional<Conversion> conversion = convert(camera, options, unheard);
+  return conversion ? std::optional(std::move(conversion->report)) : std::nullopt;
+}
+
 /// Of the camera as those models, what is better than `than`; the best first.
 std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
                                           const std::vector<StoredModel>& models) {
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
-    ConvertOptions options = options_for(stored, choice);
-    options.every_pixel = false;
-    options.bound = false;
-    options.objective = Objective::kRms;
-    Diagnostics unheard;
-    std::optional<Conversion> conversion = convert(camera, options, unheard);
-    if (conversion && is_better(conversion->report, than)) result.push_back(std::move(conversion->report));
+    std::optional<ConversionReport> report = report_as(stored, camera, choice);
+    if (report && is_better(*report, than)) result.push_back(*std::move(report));
   }
   std::ranges::stable_sort(result, is_better);
   return result;
 }
 
+/// The report of the camera that the model fits worst; nothing if it fits one of them not at all.
+std::optional<ConversionReport> worst_report(const StoredModel& stored, std::span<const Camera> cameras,
+                                             const ModelChoice& choice) {
+  std::optional<ConversionReport> worst;
+  for (const Camera& camera : cameras) {
+    std::optional<ConversionReport> report = report_as(stored, camera, choice);
+    if (!report) return std::nullopt;
+    if (!worst || is_better(*worst, *report)) worst = std::move(report);
+  }
+  return worst;
+}
+
 }  // namespace
+
+std::optional<Message> best_of_every_version(std::span<const Camera> cameras, const Format& format, const ModelChoice& choice) {
+  std::optional<ConversionReport> best;
+  for (const StoredModel& stored : format.models) {
+    if (!stored.stock || !stored.since.empty()) continue;
+    std::optional<ConversionReport> report = worst_report(stored, cameras, choice);
+    if (report && (!best || is_better(*report, *best))) best = std::move(report);
+  }
+  return best ? std::optional(in_words(*best)) : std::nullopt;
+}
 
 Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, const ModelChoice& choice) {
   constexpr std::size_t kMost = 3;

@@ -4,7 +4,8 @@
 
 #include "convert/choose_model.h"
 
-#include <string>
+#include <optional>
+#include <span>
 
 namespace fca {
 
@@ -16,6 +17,11 @@ namespace fca {
 /// that is much better. All of them are fitted for this.
 [[nodiscard]] Message better_models(const Camera& camera, const ConversionReport& report, const Format& format,
                                     const ModelChoice& choice);
+
+/// "kb4 (rms 0.0312 px)": of the models that every version of the format's program reads the one that all cameras fit best,
+/// with the error of the worst; nothing if there is none.
+[[nodiscard]] std::optional<Message> best_of_every_version(std::span<const Camera> cameras, const Format& format,
+                                                           const ModelChoice& choice);
 
 /// Is a fit to the circle alone so much better there (rms in pixels, before and after) that people should hear of it?
 [[nodiscard]] constexpr bool is_worth_a_nearer_fit(double whole_px, double circle_px) { return circle_px < 0.5 * whole_px; }

@@ -30,6 +30,18 @@ std::string_view name_of(NoiseKind kind) {
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
+bool set_imu_rate(double rate_hz, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
+  if (rig.imus.empty()) diagnostics.add(Code::kRateWithoutImu, {}, {input, 0, 0});
+  for (Imu& imu : rig.imus) {
+    if (imu.rate_hz.value_or(rate_hz) != rate_hz) {
+      diagnostics.add(Code::kRateContradicts, {imu.name, *imu.rate_hz, rate_hz}, {input, 0, 0});
+      return false;
+    }
+    imu.rate_hz = rate_hz;
+  }
+  return !rig.imus.empty();
+}
+
 bool make_densities(NoiseKind kind, const std::string& input, Rig& rig, Diagnostics& diagnostics) {
   if (kind == NoiseKind::kContinuous) return true;
   if (rig.imus.empty()) {

@@ -1,16 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fca/code.h>
 #include <fca/rig/first_camera.h>
 #include <fca/toolkit/read.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fca {
+
+namespace {
+
+bool asks_for_lens(const Diagnostic& entry) { return entry.facts.code == Code::kOpencvAmbiguousModel; }
+
+/// Both readings of a file that leaves nothing open but the lens; none of any other.
+std::vector<ReadingAs> both_readings(const Inputs& inputs, const Diagnostics& diagnostics, Files& files) {
+  const auto is_other_error = [](const Diagnostic& entry) {
+    return entry.severity == Severity::kError && !asks_for_lens(entry);
+  };
+  std::vector<ReadingAs> readings;
+  if (std::ranges::none_of(diagnostics.entries(), asks_for_lens) || std::ranges::any_of(diagnostics.entries(), is_other_error))
+    return readings;
+  for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
+    Inputs as = inputs;
+    as.opencv_model = model;
+    Diagnostics unheard;
+    std::optional<Calibration> calibration = read_calibration(as, files, unheard);
+    if (calibration) readings.push_back({model, *std::move(calibration)});
+  }
+  return readings;
+}
+
+Diagnostics as_warnings(const Diagnostics& diagnostics) {
+  Diagnostics result;
+  for (Diagnostic entry : diagnostics.entries()) {
+    if (asks_for_lens(entry)) entry.severity = Severity::kWarning;
+    result.add(std::move(entry));
+  }
+  return result;
+}
+
+}  // namespace
 
 Reading read(const ReadRequest& request, Files& files) {
   Reading reading;
   reading.calibration = read_calibration(request.inputs, files, reading.diagnostics);
   reading.status = status_of(reading.diagnostics);
-  if (!reading.calibration) return reading;
+  if (!reading.calibration) {
+    reading.readings = both_readings(request.inputs, reading.diagnostics, files);
+    if (reading.readings.empty()) return reading;
+    reading.diagnostics = as_warnings(reading.diagnostics);
+    reading.status = Status::kDone;
+    return reading;
+  }
   Calibration& calibration = *reading.calibration;
   if (request.inputs.cameras) {
     calibration.rig.poses = poses_of_first(calibration.rig);

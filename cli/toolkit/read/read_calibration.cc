@@ -171,6 +171,7 @@ bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration,
   if (!add_lens_circles(inputs.lens_circles, inputs.change, files, calibration.rig, diagnostics)) return false;
   const std::string& input = inputs.files.front();
   return change_images(inputs.change, input, calibration.rig, diagnostics) &&
+         (!inputs.imu_rate_hz || set_imu_rate(*inputs.imu_rate_hz, input, calibration.rig, diagnostics)) &&
          (!inputs.imu_noise || make_densities(*inputs.imu_noise, input, calibration.rig, diagnostics));
 }
 
@@ -181,7 +182,7 @@ std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, 
 }
 
 ReadOptions read_options(const Inputs& inputs) {
-  return {inputs.image_size, std::string(name_of(inputs.opencv_model)), inputs.join, inputs.length_unit_m};
+  return {inputs.image_size, std::string(name_of(inputs.opencv_model)), inputs.join, inputs.length_unit_m, inputs.imu_rate_hz};
 }
 
 std::string_view name_of(const std::optional<OpenCvModel>& model) {

@@ -58,6 +58,10 @@ out rather than guessed.)"},
 row. The other order is reported if it puts the centre at most half as far from the middle, and as it stands it is more than 0.03
 diagonals of the image from there; on an image that is almost square nobody can tell.)"},
     Story{
+        "coefficient-repeated",
+        R"(Two of k1 ... k6, p1, p2 agree to the last of more than four decimals. Estimated numbers never do: one was copied to
+the other's place.)"},
+    Story{
         "comment-lines",
         R"(get_ocam_model reads calib_results.txt by lines: one line skipped, one block read, five times over. With two comment
 lines before a block it takes the second for the numbers. Blank lines count, too.)"},
@@ -65,6 +69,8 @@ lines before a block it takes the second for the numbers. Blank lines count, too
     Story{
         "comment-too-long",
         "get_ocam_model skips a comment with fgets into a buffer of 1024 bytes; the rest of a longer line is read as numbers."},
+    Story{"cr-line-ends",
+          "Old Macs ended lines in CR alone. YAML parsers and OCamCalib's reader look for LF and see one line."},
     Story{"degree-too-high", "MATLAB's default is degree 4; the message says up to which degree fca-io holds the polynomial."},
     Story{"depth-threshold",
           R"(ORB-SLAM takes points nearer than ThDepth * baseline for close, whose depth one view gives. 35 to 60 in upstream's
@@ -266,6 +272,10 @@ have no place for one.)"},
     Story{"stale-inverse", "The inverse polynomial is a fit to the direct one, to 0.01 px when fresh. Above 1 px is reported."},
     Story{"stereo-order",
           "T_c1_c2 takes points of camera 2 to camera 1: its translation is where camera 2 stands, x > 0 for the right one."},
+    Story{
+        "stereo-vertical",
+        R"(ORB-SLAM rectifies a pair of pinholes and looks for the points of one image along the rows of the other. Of a pair whose
+second camera stands more below or above the first than beside it the points move along columns.)"},
     Story{
         "thin-prism",
         R"(s1 to s4, OpenCV's coefficients 9 to 12. Without them the pixels move by some 0.1 px at the border: calibrate again without

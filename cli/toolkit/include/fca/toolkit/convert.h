@@ -65,6 +65,7 @@ struct OutputRoom {
   bool camera_files = true;   ///< Several files with cameras; else more than one is an error.
   bool named_files = true;    ///< Files that another one names; else they are an error.
   bool further_files = true;  ///< Files without cameras (Kalibr's imu.yaml); else they are left out, as a loss.
+  bool given_parts = true;    ///< A part of the input may be left out so; else that is an error.
 };
 
 struct ConvertRequest {

@@ -49,6 +49,7 @@ struct Inputs {
   std::optional<double> max_angle_rad;               ///< What counts as lens, from the axis; nothing: the whole image.
   std::vector<CameraImage> lens_circles;             ///< What counts as lens: the image circle that these images show.
   std::optional<double> length_unit_m;               ///< Of translations in files that do not state their unit; none: metres.
+  std::optional<double> imu_rate_hz;                 ///< For files that do not state it.
   std::optional<NoiseKind> imu_noise;                ///< Of the input.
   bool join = false;                                 ///< Several files, or one that is written as one of several.
 };

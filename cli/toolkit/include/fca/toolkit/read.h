@@ -19,11 +19,20 @@ struct ReadRequest {
   const consumers::Consumer* program = nullptr;  ///< What it makes of the file is asked, too; null: none.
 };
 
+/// What a file means if its four coefficients are those of this lens.
+struct ReadingAs {
+  OpenCvModel model = OpenCvModel::kPinhole;
+  Calibration calibration;
+};
+
 struct Reading {
   Status status = Status::kDone;
   std::optional<Calibration> calibration;  ///< Nothing where it could not be read.
-  Readers readers;                         ///< The programs of its format.
-  std::optional<ProgramReading> asked;     ///< The request's.
+  /// Of an OpenCV file that does not say which of two lenses its four coefficients are: as either. `calibration` is nothing
+  /// then, and the question a warning.
+  std::vector<ReadingAs> readings;
+  Readers readers;                      ///< The programs of its format.
+  std::optional<ProgramReading> asked;  ///< The request's.
   Diagnostics diagnostics;
 };
 
