@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
-#include "basalt/basalt.h"
+#include "basalt.h"
 #include "kalibr/kalibr.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a rig to the text of a fresh JSON file.
+#include "../spelling.h"
+#include "schema.h"
+
+namespace fca::schema {
+
+namespace {
+
+constexpr std::size_t kDeeper = 2;
+constexpr text::Syntax kJson = text::Syntax::kJson;
+
+std::string blanks(std::size_t count) { return std::string(count, ' '); }
+
+std::string entry(std::string_view name, std::size_t depth, const std::string& value) {
+  return blanks(depth) + "\"" + std::string(name) + "\": " + value;
+}
+
+/// Values between brackets: each on lines of its own, or all on one.
+std::string enclosed(const std::vector<std::string>& values, char open, char close, std::optional<std::size_t> depth) {
+  std::string text(1, open);
+  std::string separator = depth ? "\n" : "";
+  for (const std::string& value : values) {
+    text += separator + value;
+    separator = depth ? ",\n" : ", ";
+  }
+  return text + (depth ? "\n" + blanks(*depth) : "") + close;
+}
+
+std::vector<std::string> lines_of(std::span<const Statement> statements, std::size_t depth) {
+  std::vector<std::string> lines;
+  for (const Statement& statement : statements) lines.push_back(fields::spell(statement.field, depth, kJson));
+  return lines;
+}
+
+std::vector<std::string> members(const Subject& subject, const Mapping& mapping, std::size_t depth);
+
+/// An object at that depth.
+std::string object(const Subject& subject, const Key& key, std::size_t depth) {
+  const std::size_t below = depth + kDeeper;
+  const std::vector<std::string> lines =
+      key.mapping != nullptr ? members(subject, *key.mapping, below) : lines_of(key.write(subject, key), below);
+  return enclosed(lines, '{', '}', depth);
+}
+
+bool is_object(const Key& key) { return key.mapping != nullptr || key.inside; }
+
+/// A list with one item for each camera.
+std::string list(const Subject& subject, const Key& key, std::size_t depth) {
+  std::vector<std::string> items;
+  for (std::size_t i = 0; key.spread != Spread::kSomeEach && i < subject.rig.cameras.size(); ++i) {
+    const Subject item{subject.schema, subject.rig, i, subject.fresh};
+    if (is_object(key)) {
+      items.push_back(blanks(depth + kDeeper) + object(item, key, depth + kDeeper));
+    } else {
+      items.push_back(fields::spell_value(key.write(item, key).front().field, kJson, {}));
+    }
+  }
+  return enclosed(items, '[', ']', is_object(key) ? std::optional(depth) : std::nullopt);
+}
+
+std::vector<std::string> members(const Subject& subject, const Mapping& mapping, std::size_t depth) {
+  std::vector<std::string> lines;
+  for (const Key* key : in_written_order(mapping)) {
+    if (key->spread != Spread::kOnce) {
+      lines.push_back(entry(key->name, depth, list(subject, *key, depth)));
+    } else if (is_object(*key)) {
+      lines.push_back(entry(key->name, depth, object(subject, *key, depth)));
+    } else if (key->write != nullptr) {
+      for (const std::string& line : lines_of(key->write(subject, *key), depth)) lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string composed_json(const Schema& schema, const Rig& rig, Written& written) {
+  const Subject subject{schema, rig, 0, &written};
+  return enclosed(members(subject, schema.root, kDeeper), '{', '}', 0) + "\n";
+}
+
+}  // namespace fca::schema

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a document that states one rig to the same document with the numbers of another.
+#include "schema.h"
+
+#include <algorithm>
+
+namespace fca::schema {
+
+using fields::Field;
+using text::Node;
+
+namespace {
+
+class Editor {
+ public:
+  Editor(text::Document& document, Written& written) : document_(document), written_(written) {}
+
+  void edit(const Mapping& mapping, const Node& node, const Subject& before, const Subject& after) {
+    std::vector<Field> from;
+    std::vector<Field> to;
+    for (const Key* key : in_written_order(mapping)) {
+      if (key->spread == Spread::kOnce && key->mapping == nullptr && !key->inside) {
+        add_fields(*key, before, after, from, to);
+      } else if (const Node* value = text::find(node, key->name, after.schema.dialect)) {
+        edit_below(*key, *value, before, after);
+      }
+    }
+    fields::apply(document_, node, after.schema.dialect, from, to);
+  }
+
+ private:
+  /// What the rig does not state stays.
+  static void add_fields(const Key& key, const Subject& before, const Subject& after, std::vector<Field>& from,
+                         std::vector<Field>& to) {
+    if (key.write == nullptr) return;
+    const std::vector<Field> old = fields_of(key.write(before, key));
+    const std::vector<Field> now = fields_of(key.write(after, key));
+    from.insert(from.end(), old.begin(), old.end());
+    to.insert(to.end(), now.empty() ? old.begin() : now.begin(), now.empty() ? old.end() : now.end());
+  }
+
+  /// The value of a key: an object, or a list with an item for each camera.
+  void edit_below(const Key& key, const Node& value, const Subject& before, const Subject& after) {
+    if (key.spread == Spread::kOnce) return edit_value(key, value, before, after);
+    for (std::size_t i = 0; i < std::min(value.items.size(), after.rig.cameras.size()); ++i)
+      edit_value(key, value.items[i], {before.schema, before.rig, i}, {after.schema, after.rig, i});
+  }
+
+  void edit_value(const Key& key, const Node& value, const Subject& before, const Subject& after) {
+    if (key.mapping != nullptr) return edit(*key.mapping, value, before, after);
+    if (key.edit != nullptr) return key.edit(document_, value, key, before, after, written_);
+    if (key.write == nullptr) return;
+    const std::vector<Field> from = fields_of(key.write(before, key));
+    const std::vector<Field> to = fields_of(key.write(after, key));
+    if (key.inside) return fields::apply(document_, value, after.schema.dialect, from, to);
+    if (!to.empty() && from != to) edit_items(value, to.front());
+  }
+
+  void edit_items(const Node& list, const Field& field) {
+    for (std::size_t i = 0; i < std::min(list.items.size(), field.tokens.size()); ++i)
+      fields::set_scalar(document_, list.items[i], field.tokens[i]);
+  }
+
+  text::Document& document_;
+  Written& written_;
+};
+
+}  // namespace
+
+std::vector<Field> fields_of(std::span<const Statement> statements) {
+  std::vector<Field> fields;
+  for (const Statement& statement : statements) fields.push_back(statement.field);
+  return fields;
+}
+
+bool same_cameras(const Rig& old, const Rig& rig) {
+  return std::ranges::equal(old.cameras, rig.cameras, {}, &Camera::name, &Camera::name);
+}
+
+text::Document edited(const Schema& schema, const text::Document& base, const Rig& old, const Rig& rig, Written& written) {
+  text::Document document = base;
+  Editor(document, written).edit(schema.root, document.root(), {schema, old}, {schema, rig});
+  return document;
+}
+
+}  // namespace fca::schema

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The row of a pose that stands as a translation and a quaternion.
+#include "keys.h"
+
+#include <fca/formats/text/numbers.h>
+#include <fca/rig/limits.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fca::schema {
+
+using fields::Field;
+using text::Node;
+
+namespace {
+
+constexpr double kRounding = 1e-9;       ///< What a rotation may be off before its quaternion is said to be another one.
+constexpr double kSameRotation = 1e-12;  ///< Elements of two rotations that differ by less say the same.
+constexpr double kPrinted = 1e-3;        ///< From 1: the length of a quaternion that was printed with few digits.
+constexpr Fact kAnyOfRotation = {.kind = FactKind::kPose, .row = -1};
+
+/// One part of a pose, as entries of its mapping.
+std::vector<Statement> statements_of(std::span<const std::string_view> keys, std::span<const double> values,
+                                     std::span<const Fact> facts) {
+  if (keys.size() == 1) return {{fields::list(std::string(keys.front()), values), {facts.begin(), facts.end()}}};
+  std::vector<Statement> statements;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    statements.push_back({fields::real(std::string(keys[i]), values[i]), {facts[i]}});
+  return statements;
+}
+
+std::vector<Statement> translation_of_pose(const PoseLayout& layout, const Transform& T) {
+  constexpr std::array kFacts = {Fact{.kind = FactKind::kPose, .row = 0, .column = 3},
+                                 Fact{.kind = FactKind::kPose, .row = 1, .column = 3},
+                                 Fact{.kind = FactKind::kPose, .row = 2, .column = 3}};
+  return statements_of(layout.translation, translation_of(T), kFacts);
+}
+
+std::vector<Statement> rotation_of_pose(const PoseLayout& layout, const Quaternion& q) {
+  constexpr std::array kFacts = {kAnyOfRotation, kAnyOfRotation, kAnyOfRotation, kAnyOfRotation};
+  return statements_of(layout.rotation, q, kFacts);
+}
+
+Quaternion quaternion_for(const PoseLayout& layout, const Transform& T) {
+  return quaternion_of(layout.restated != Code{} ? nearest_rotation(T).value_or(T) : T);
+}
+
+/// The nodes of a part's numbers; null for one that is missing.
+std::vector<const Node*> numbers_of(const Node& pose, std::span<const std::string_view> keys, text::Dialect dialect) {
+  std::vector<const Node*> numbers;
+  for (const std::string_view key : keys) {
+    const Node* node = text::find(pose, key, dialect);
+    if (keys.size() > 1) numbers.push_back(node);
+    if (keys.size() > 1 || node == nullptr) continue;
+    for (const Node& item : node->items) numbers.push_back(&item);
+  }
+  return numbers;
+}
+
+/// What the file says; zeros where it says none.
+Quaternion stated_quaternion(const Node& pose, const PoseLayout& layout, text::Dialect dialect) {
+  Quaternion q{};
+  const std::vector<const Node*> numbers = numbers_of(pose, layout.rotation, dialect);
+  for (std::size_t i = 0; i < std::min(q.size(), numbers.size()); ++i)
+    q.at(i) = numbers[i] != nullptr ? text::parse_real(numbers[i]->value).value_or(0.0) : 0.0;
+  return q;
+}
+
+/// A quaternion says a rotation only; a matrix printed with few digits, or a product of such, is not quite one.
+void list_restated(const PoseFrame& frame, const Key& key, const Camera& camera, const Transform& T, Written& written) {
+  const PoseLayout& layout = *key.pose;
+  const Transform said = pose_of(quaternion_for(layout, T), translation_of(T));
+  const double off = largest_difference(said, T).distance;
+  if (layout.restated == Code{} || !frame.known() || off <= kRounding) return;
+  written.restated.push_back({frame.name(), camera.name, said});
+  written.losses.push_back(lost(layout.restated, camera.name, std::string(key.name), {frame.name(), off}));
+}
+
+/// A fresh file's pose that no input states, or that is stated in another frame than the layout's.
+void list_made_up(const PoseFrame& frame, const Key& key, const Camera& camera, bool stated, Written& written) {
+  if (frame.known() && stated) return;
+  const bool in_frame = stated && frame.name() != camera.name;
+  const Message value = in_frame ? Message{key.pose->in_frame, {frame.name()}} : Message{key.pose->identity};
+  written.defaults.push_back({camera.name + " " + std::string(key.name), value, true, true});
+}
+
+/// Numbers under seven keys; nothing with an error where one is missing or is no number.
+std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key, const Node& node) {
+  const std::string what = reading.label(key);
+  std::vector<double> numbers;
+  for (const auto& keys : {key.pose->translation, key.pose->rotation}) {
+    for (const std::string_view name : keys) {
+      const Node* number = reading.reader.require(node, name, what);
+      const std::optional<double> value =
+          number != nullptr ? reading.reader.real(*number, what + " " + std::string(name)) : std::nullopt;
+      if (!value) return std::nullopt;
+      numbers.push_back(*value);
+    }
+  }
+  return numbers;
+}
+
+/// Of length 1; nothing with an error where it is too far from that. A warning where it is only roughly.
+std::optional<Quaternion> unit_quaternion(Reading& reading, const Key& key, const Quaternion& q, const Node& place) {
+  const PoseLayout& layout = *key.pose;
+  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (std::abs(norm - 1.0) <= kPrinted) return normalised(q);
+  const bool near = norm >= layout.shortest && norm <= layout.longest;
+  reading.reader.say(near ? Severity::kWarning : Severity::kError, place, norm > 0.0 ? layout.length : layout.no_length,
+                     {reading.label(key), norm});
+  return near ? std::optional(normalised(q)) : std::nullopt;
+}
+
+/// The coordinate that is beyond what a rig may state; the first where none is.
+const Node& longest_coordinate(const std::vector<const Node*>& translation) {
+  const auto beyond = std::ranges::find_if(
+      translation, [](const Node* node) { return std::abs(text::parse_real(node->value).value_or(0.0)) > kLongestDistance; });
+  return beyond == translation.end() ? *translation.front() : **beyond;
+}
+
+}  // namespace
+
+PoseFrame::PoseFrame(const Rig& rig, const PoseLayout& layout)
+    : rig_(rig),
+      name_(layout.kind == FrameKind::kImu && !rig.imus.empty() ? rig.imus.front().name : std::string(layout.frame)) {
+  known_ = std::ranges::any_of(rig.cameras, [this](const Camera& camera) { return pose(camera).has_value(); });
+  if (!known_) name_ = rig.cameras.front().name;
+}
+
+std::optional<Transform> PoseFrame::pose(const Camera& camera) const {
+  const Transform* stated = rig_.stated(name_, camera.name);
+  return stated != nullptr ? *stated : rig_.resolve(name_, camera.name);
+}
+
+bool read_pose(Reading& reading, const Key& key, const Node& node) {
+  const PoseLayout& layout = *key.pose;
+  const std::string what = reading.label(key);
+  if (!node.is_mapping()) {
+    reading.reader.say(node, layout.no_pose, {what});
+    return false;
+  }
+  const std::optional<std::vector<double>> n = read_numbers(reading, key, node);
+  if (!n) return false;
+  const text::Dialect dialect = reading.reader.dialect();
+  const Node& rotation = *numbers_of(node, layout.rotation, dialect).front();
+  const std::optional<Quaternion> q = unit_quaternion(reading, key, {(*n)[3], (*n)[4], (*n)[5], (*n)[6]}, rotation);
+  if (!q) return false;
+  const Node& translation = longest_coordinate(numbers_of(node, layout.translation, dialect));
+  const std::optional<Transform> T =
+      reading.reader.checked(pose_of(*q, {(*n)[0], (*n)[1], (*n)[2]}), {rotation, what}, {translation, what});
+  if (!T) return false;
+  reading.rig.poses.push_back({std::string(layout.frame), reading.camera->name, *T});
+  reading.rig.add_frame(layout.frame, layout.kind);
+  return true;
+}
+
+std::vector<Statement> write_pose(const Subject& subject, const Key& key) {
+  const Camera& camera = subject.the_camera();
+  const PoseFrame frame(subject.rig, *key.pose);
+  const std::optional<Transform> T = frame.pose(camera);
+  if (subject.fresh != nullptr) {
+    list_made_up(frame, key, camera, T.has_value(), *subject.fresh);
+    if (T) list_restated(frame, key, camera, *T, *subject.fresh);
+  }
+  std::vector<Statement> statements = translation_of_pose(*key.pose, T.value_or(Transform{}));
+  for (Statement& statement : rotation_of_pose(*key.pose, quaternion_for(*key.pose, T.value_or(Transform{}))))
+    statements.push_back(std::move(statement));
+  return statements;
+}
+
+void edit_pose(text::Document& document, const Node& node, const Key& key, const Subject& before, const Subject& after,
+               Written& written) {
+  const PoseLayout& layout = *key.pose;
+  const text::Dialect dialect = after.schema.dialect;
+  const PoseFrame frame(after.rig, layout);
+  const std::optional<Transform> now = frame.known() ? frame.pose(after.the_camera()) : std::nullopt;
+  const Transform* stated = before.rig.stated(layout.frame, before.the_camera().name);
+  if (stated == nullptr || !now || *stated == *now) return;
+  const auto apply = [&](const std::vector<Statement>& from, const std::vector<Statement>& to) {
+    fields::apply(document, node, dialect, fields_of(from), fields_of(to));
+  };
+  apply(translation_of_pose(layout, *stated), translation_of_pose(layout, *now));
+  if (largest_difference(*stated, *now).distance <= kSameRotation) return;
+  const Quaternion there = stated_quaternion(node, layout, dialect);
+  apply(rotation_of_pose(layout, there), rotation_of_pose(layout, signed_as(quaternion_for(layout, *now), there)));
+  list_restated(frame, key, after.the_camera(), *now, written);
+}
+
+bool are_rotations(const Rig& rig, const PoseLayout& layout, Code code, Diagnostics& diagnostics) {
+  const PoseFrame frame(rig, layout);
+  bool good = true;
+  for (const Camera& camera : rig.cameras) {
+    const std::optional<Transform> T = frame.pose(camera);
+    if (!T || rotation_determinant(*T) > 0.0) continue;
+    diagnostics.add(code, {camera.name, frame.name()});
+    good = false;
+  }
+  return good;
+}
+
+}  // namespace fca::schema

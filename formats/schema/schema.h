@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A format as a table: which fact of a rig stands under which key. One table reads files, composes fresh ones, edits them,
+// finds the place of a fact and lists what the format cannot hold.
+//
+// A row (Key) is a pair of total functions: `read` takes a node's text to facts of the rig, `write` takes the rig to the text.
+// keys.h makes the rows that formats share; what only one format has is a row with functions of its own, beside its table.
+#pragma once
+
+#include "../fields.h"
+
+#include <fca/formats/format.h>
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fca::schema {
+
+enum class FactKind {
+  kOther,  ///< What a rig has no member for: it is kept among its extra fields.
+  kModel,
+  kParameter,
+  kImageSize,
+  kPose,
+  kTimeOffset,
+  kFrameRate,
+  kTopic,
+  kImu,
+  kBaseline,
+};
+
+/// One number of a rig, but for the camera that it belongs to.
+struct Fact {
+  FactKind kind = FactKind::kOther;
+  std::string_view parameter = {};            ///< kParameter: its name.
+  std::optional<double> Imu::*imu = nullptr;  ///< kImu
+  int row = 0;  ///< kPose: an element of T_frame_camera; -1: any of its rotation. kImageSize: 0 width, 1 height.
+  int column = 0;
+  bool operator==(const Fact&) const = default;
+};
+
+/// A key, the tokens of its value, and the fact that each of them states; one fact stands for all tokens.
+struct Statement {
+  fields::Field field;
+  std::vector<Fact> facts = {};
+};
+
+/// How a program's name for a lens and our model map onto each other.
+struct Lens {
+  std::string_view name;   ///< "pinhole-radtan8"
+  std::string_view model;  ///< "rational"
+  /// A key beside the parameters that the model has no parameter for, and what a fresh file says there; empty: none.
+  std::string_view further = {};
+  double none = 0.0;
+};
+
+/// Numbers of a pose T_frame_camera as a translation [m] and a quaternion x y z w: seven keys, or two lists.
+struct PoseLayout {
+  std::string_view frame;  ///< "imu0", "vehicle"
+  FrameKind kind;
+  std::span<const std::string_view> translation;  ///< Three keys, or that of a list of three.
+  std::span<const std::string_view> rotation;     ///< Four keys, or that of a list of four.
+  /// Lengths of a quaternion that are taken for a rotation's; others are an error.
+  double shortest = 0.0;
+  double longest = std::numeric_limits<double>::infinity();
+  Code no_pose = {};    ///< Neither an object nor a list stands there. {0} the pose
+  Code length = {};     ///< The quaternion is not of unit length. {0} the pose, {1} the length
+  Code no_length = {};  ///< It is 0. The same.
+  Code restated = {};   ///< A pose is only roughly a rotation and is written as the nearest. {2} the frame, {3} by how much
+  Code in_frame = {};   ///< Made up: the pose in another camera. {0} which
+  Code identity = {};   ///< Made up: no pose is known.
+};
+
+struct Key;
+
+/// An object of keys.
+struct Mapping {
+  std::span<const Key> keys;                       ///< In the order in which they are read.
+  std::span<const std::string_view> written = {};  ///< Their order in a fresh file; empty: as above.
+  bool keeps_unread = false;                       ///< Entries of other keys are kept among the rig's extra fields.
+  Code missing = {};                               ///< Said of keys without which only the program stops; none: nothing is.
+};
+
+/// Of how many cameras the value under a key speaks.
+enum class Spread {
+  kOnce,
+  kCounted,   ///< A list with one item for each camera; its length is the number of cameras.
+  kEach,      ///< A list with one item for each camera.
+  kSomeEach,  ///< The same, and items may be missing.
+};
+
+struct Reading;
+struct Subject;
+
+/// A row of the table. Members that a row's functions do not use stay empty.
+struct Key {
+  using Read = bool (*)(Reading& reading, const Key& key, const text::Node& node);
+  using Write = std::vector<Statement> (*)(const Subject& subject, const Key& key);
+  using Edit = void (*)(text::Document& document, const text::Node& node, const Key& key, const Subject& before,
+                        const Subject& after, Written& written);
+
+  std::string_view name;
+  FactKind fact = FactKind::kOther;
+  Read read = nullptr;    ///< False, with an error said, where the node does not state the fact.
+  Write write = nullptr;  ///< Nothing where the rig does not state the fact: an edit then leaves what stands there.
+  Edit edit = nullptr;    ///< Null: numbers of which `write` says another than before are replaced.
+  bool inside = false;    ///< `write` gives the entries of the mapping that is the key's value, not the key itself.
+  bool required = false;
+  Spread spread = Spread::kOnce;
+
+  const Mapping* mapping = nullptr;
+  std::span<const Lens> lenses = {};
+  const PoseLayout* pose = nullptr;
+  std::optional<double> Imu::*imu = nullptr;
+  std::size_t count = 0;    ///< Of the numbers of a list.
+  double initial = 0.0;     ///< What the program starts from, for a fresh file.
+  double per_second = 1.0;  ///< Units of a time in a second: 1e9 for nanoseconds.
+};
+
+/// What a program's own sentences are called.
+struct Codes {
+  Code wrong_syntax = {};       ///< The document is no mapping.
+  Code no_object = {};          ///< {0} is no mapping.
+  Code no_camera_list = {};     ///< {0} is no list of cameras.
+  Code no_list = {};            ///< {0} is no list of {1} items, one for each camera.
+  Code item_count = {};         ///< {0} has {1} items, and there are {2} cameras.
+  Code unknown_model = {};      ///< {0} has a model {1}.
+  Code unknown_parameter = {};  ///< {0}'s {1} is no parameter of {2}.
+  Code no_size = {};            ///< {0}'s value is no list of width and height.
+  Code offset_not_whole = {};   ///< {0} is {1}, and a whole number is wanted.
+  Code offset_invalid = {};     ///< {0}: {1}
+  Code initial_value = {};      ///< Made up: {0}, what the program starts from.
+  Code one_offset = {};         ///< There is one time offset for all cameras, a clause.
+  Code offset_rounded = {};     ///< The time offset {2} is rounded to the file's unit.
+  Code further_imu = {};        ///< {0} is lost: there is one IMU.
+};
+
+struct Schema {
+  std::string_view what;  ///< For people: "a Basalt calibration".
+  text::Dialect dialect;
+  Mapping root;
+  Codes codes;
+};
+
+/// A rig while it is read.
+struct Reading {
+  const Schema& schema;
+  fields::Reader& reader;
+  const ReadOptions& options;
+  Rig& rig;
+  std::string owner;           ///< What the keys belong to, for messages: "value0", "cam0 intrinsics".
+  Camera* camera = nullptr;    ///< Whose item of a list is read; null outside.
+  std::string_view lens = {};  ///< The name of its lens as the file has it; empty before it is read, or where it is unknown.
+
+  /// What a message calls the value under a key: "cam0 resolution" of a camera, else the key.
+  [[nodiscard]] std::string label(const Key& key) const {
+    return (camera != nullptr ? owner + " " : "") + std::string(key.name);
+  }
+};
+
+/// What is written, or was read: a rig, or one camera of it.
+struct Subject {
+  const Schema& schema;
+  const Rig& rig;
+  std::size_t camera = 0;
+  Written* fresh = nullptr;  ///< A fresh file is composed: takes note of what is made up for it. Null in an edit.
+
+  [[nodiscard]] const Camera& the_camera() const { return rig.cameras[camera]; }
+};
+
+/// What the table makes of documents; nothing, with errors, where they do not state a calibration.
+[[nodiscard]] std::optional<Rig> read(const Schema& schema, std::span<const text::Document> documents,
+                                      const ReadOptions& options, Diagnostics& diagnostics);
+/// The keys of a mapping of a document that is read.
+[[nodiscard]] bool read_mapping(Reading& reading, const Mapping& mapping, const text::Node& node);
+
+/// A fresh JSON file, two blanks deeper per level.
+[[nodiscard]] std::string composed_json(const Schema& schema, const Rig& rig, Written& written);
+
+/// Are the cameras of a file and of a rig the same ones, by their names and in that order? Then an edit can do.
+[[nodiscard]] bool same_cameras(const Rig& old, const Rig& rig);
+/// The base, which states `old`, with other numbers where `rig` states others. The cameras are the same ones.
+[[nodiscard]] text::Document edited(const Schema& schema, const text::Document& base, const Rig& old, const Rig& rig,
+                                    Written& written);
+
+/// The node that states a fact of a camera (`camera`: its index; any for facts of the IMU); null where none does.
+[[nodiscard]] const text::Node* place_of(const Schema& schema, const text::Document& document, const Rig& rig,
+                                         std::size_t camera, const Fact& fact);
+
+/// Is there a key for facts of that kind?
+[[nodiscard]] bool holds(const Schema& schema, FactKind kind);
+/// What the file rounds or has no key for: time offsets, topics, frame rates, IMUs, the baseline. `why`: a clause.
+void list_losses(const Schema& schema, const Rig& rig, const Message& why, std::vector<Loss>& losses);
+/// Those of the rig's extra fields that a fresh file states.
+[[nodiscard]] std::vector<ExtraField> carried(const Schema& schema, const Rig& rig);
+
+/// The keys of a mapping in the order of a fresh file.
+[[nodiscard]] std::vector<const Key*> in_written_order(const Mapping& mapping);
+[[nodiscard]] std::vector<fields::Field> fields_of(std::span<const Statement> statements);
+
+}  // namespace fca::schema
