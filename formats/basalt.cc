@@ -77,7 +77,7 @@ constexpr std::array kKeys = {
     schema::density("gyro_noise_std", &Imu::gyroscope_noise_density, 3, 0.000282),
     schema::density("accel_bias_std", &Imu::accelerometer_random_walk, 3, 0.001),
     schema::density("gyro_bias_std", &Imu::gyroscope_random_walk, 3, 0.0001),
-    schema::rate("imu_update_rate", 200.0),
+    schema::imu_number("imu_update_rate", &Imu::rate_hz, 200.0),
     schema::kept_numbers("calib_accel_bias", 9),
     schema::kept_numbers("calib_gyro_bias", 12),
     schema::common_time_offset("cam_time_offset_ns", 1e9),
@@ -86,8 +86,10 @@ constexpr std::array<std::string_view, kKeys.size()> kWrittenOrder = {
     "T_imu_cam",       "intrinsics",     "resolution",     "calib_accel_bias", "calib_gyro_bias",    "imu_update_rate",
     "accel_noise_std", "gyro_noise_std", "accel_bias_std", "gyro_bias_std",    "cam_time_offset_ns", "vignette"};
 constexpr schema::Mapping kValue = {
-    .keys = kKeys, .written = kWrittenOrder, .keeps_unread = true, .missing = Code::kBasaltMissingKeys};
+    .keys = kKeys, .written = kWrittenOrder, .unread = "", .warns_of_duplicates = true, .missing = Code::kBasaltMissingKeys};
 constexpr std::array kRootKeys = {required(schema::object("value0", kValue))};
+
+}  // namespace
 
 /// cereal looks a key up from the front: of equal ones the first counts, as in cv::FileStorage.
 constexpr schema::Schema kSchema = {.what = "a Basalt calibration",
@@ -107,6 +109,8 @@ constexpr schema::Schema kSchema = {.what = "a Basalt calibration",
                                               .one_offset = Code::kBasaltOneOffset,
                                               .offset_rounded = Code::kBasaltOffsetRounded,
                                               .further_imu = Code::kBasaltImuDropped}};
+
+namespace {
 
 /// A limit that was set for another lens is kept where the new one has such a key, and goes where it has none.
 void list_stale_radius(const Rig& old, const Rig& rig, std::vector<Loss>& losses) {
@@ -137,8 +141,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   Written written;
   if (edits) list_stale_radius(*old, rig, written.losses);
   std::optional<text::Document> document =
-      edits ? schema::edited(kSchema, *base, *old, rig, written)
-            : text::parse_document({"calibration.json", schema::composed_json(kSchema, rig, written)}, diagnostics);
+      edits ? schema::edited(*base, {kSchema, *old}, {kSchema, rig}, written)
+            : text::parse_document({"calibration.json", schema::composed_json(kSchema, rig, 0, written)}, diagnostics);
   if (!document) return std::nullopt;
   written.files.push_back({*std::move(document), {}, {"basalt"}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
@@ -172,8 +176,11 @@ constexpr std::array kModels = {
     StoredModel{"ucm", "ucm", true, "Basalt", {}},
     StoredModel{"fov", "fov", true, "Basalt", {}},
     StoredModel{"pinhole", "pinhole", true, "Basalt", {}},
-    StoredModel{
-        .model = "rational", .file_name = "pinhole-radtan8", .read_by = "Basalt since 2022, Monado", .ranges = {}, .since = "2022"},
+    StoredModel{.model = "rational",
+                .file_name = "pinhole-radtan8",
+                .read_by = "Basalt since 2022, Monado",
+                .ranges = {},
+                .since = "2022"},
 };
 
 constexpr std::array<std::string_view, 1> kOfTheImages = {kVignette};

@@ -75,7 +75,18 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
   return first != nullptr ? document_->range(*first) : nowhere;
 }
 
+std::optional<SourceRange> Places::by_table(std::string_view camera, const schema::Fact& fact) const {
+  const schema::Schema* table = schema::table_of(*calibration_->format);
+  if (table == nullptr || calibration_->documents.size() != 1) return std::nullopt;
+  const std::vector<Camera>& cameras = calibration_->rig.cameras;
+  const auto index = static_cast<std::size_t>(std::ranges::find(cameras, camera, &Camera::name) - cameras.begin());
+  if (index == cameras.size() && fact.kind != schema::FactKind::kImu) return std::nullopt;
+  const text::Node* node = schema::place_of(*table, *document_, calibration_->rig, index, fact);
+  return node != nullptr ? std::optional(document_->range(*node)) : std::nullopt;
+}
+
 SourceRange Places::parameter(const Camera& camera, ParameterId id) const {
+  if (const auto place = by_table(camera.name, {.kind = schema::FactKind::kParameter, .parameter = id.name()})) return *place;
   return of(
       [&](Rig& rig) {
         const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
@@ -86,6 +97,7 @@ SourceRange Places::parameter(const Camera& camera, ParameterId id) const {
 }
 
 SourceRange Places::image_width(const Camera& camera) const {
+  if (const auto place = by_table(camera.name, {schema::FactKind::kImageSize})) return *place;
   return of(
       [&](Rig& rig) {
         const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
@@ -95,6 +107,7 @@ SourceRange Places::image_width(const Camera& camera) const {
 }
 
 SourceRange Places::time_offset(const Camera& camera) const {
+  if (const auto place = by_table(camera.name, {schema::FactKind::kTimeOffset})) return *place;
   return of(
       [&](Rig& rig) {
         const auto same = std::ranges::find(rig.cameras, camera.name, &Camera::name);
@@ -104,6 +117,11 @@ SourceRange Places::time_offset(const Camera& camera) const {
 }
 
 SourceRange Places::pose(std::size_t index, int row, int column) const {
+  const PoseEdge& edge = calibration_->rig.poses[index];
+  const schema::Fact fact = {.kind = schema::FactKind::kPose, .pose = &edge, .row = row, .column = column};
+  for (const std::string& camera : {edge.b, edge.a}) {
+    if (const auto place = by_table(camera, fact)) return *place;
+  }
   return of(
       [&](Rig& rig) {
         double& element = rig.poses[index].T_a_b(row, column);
@@ -113,6 +131,7 @@ SourceRange Places::pose(std::size_t index, int row, int column) const {
 }
 
 SourceRange Places::imu(std::optional<double> Imu::*member) const {
+  if (const auto place = by_table("", {.kind = schema::FactKind::kImu, .imu = member})) return *place;
   return of(
       [&](Rig& rig) {
         if (!rig.imus.empty() && rig.imus.front().*member) rig.imus.front().*member = nudged(*(rig.imus.front().*member));

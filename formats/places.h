@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a file states a fact of its rig: what the format's writer would edit if the fact were another. So no second list of
-// keys is needed, and a new format has places as soon as it can write.
+// Where a file states a fact of its rig: where the format's table says, or what the format's writer would edit if the fact were
+// another. So no second list of keys is needed, and a new format has places as soon as it can write.
 #pragma once
+
+#include "schema/schema.h"
 
 #include <fca/formats/calibration.h>
 
@@ -32,6 +34,8 @@ class Places {
   [[nodiscard]] SourceRange baseline() const;
 
  private:
+  /// By the format's table; nothing where it has none, or where the number stands in no key of it.
+  [[nodiscard]] std::optional<SourceRange> by_table(std::string_view camera, const schema::Fact& fact) const;
   [[nodiscard]] std::vector<text::Span> edits_for(const Rig& rig) const;
 
   const text::Document* document_;

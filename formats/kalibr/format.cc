@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "blocks.h"
 #include "demands.h"
 #include "kalibr.h"
 #include "layout.h"
@@ -34,9 +35,9 @@ ProbeResult probe(const text::Document& document) {
   const Node& root = document.root();
   for (const text::Entry& entry : root.entries) {
     if (!index_in(entry.key.value, "cam") || !entry.value.is_mapping()) continue;
-    for (const std::string_view key : kCameraKeys) {
-      if (text::find(entry.value, key, text::Dialect::kPyYaml) != nullptr) {
-        return {evidence::kCamera, Message{Code::kCamchainWithKey, {entry.key.value, key}}};
+    for (const schema::Key& key : kCameraBlock.keys) {
+      if (text::find(entry.value, key.name, text::Dialect::kPyYaml) != nullptr) {
+        return {evidence::kCamera, Message{Code::kCamchainWithKey, {entry.key.value, key.name}}};
       }
     }
   }

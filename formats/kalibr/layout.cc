@@ -44,16 +44,4 @@ std::optional<std::size_t> index_in(std::string_view key, std::string_view prefi
   return index;
 }
 
-namespace {
-
-constexpr std::string_view kNoiseKeys[] = {"accelerometer_noise_density", "accelerometer_random_walk",
-                                           "gyroscope_noise_density", "gyroscope_random_walk"};
-
-}  // namespace
-
-bool holds_noise(const text::Node& mapping) {
-  return std::ranges::any_of(
-      kNoiseKeys, [&mapping](std::string_view key) { return text::find(mapping, key, text::Dialect::kPyYaml) != nullptr; });
-}
-
 }  // namespace fca::kalibr

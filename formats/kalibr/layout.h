@@ -6,7 +6,6 @@
 #include <fca/formats/text/document.h>
 #include <fca/models/camera_model.h>
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,13 +45,5 @@ struct Layout {
 [[nodiscard]] std::string indexed(std::string_view prefix, std::size_t index);
 /// "cam12" and "cam" -> 12.
 [[nodiscard]] std::optional<std::size_t> index_in(std::string_view key, std::string_view prefix);
-
-/// The keys that become members of a Camera and its poses.
-inline constexpr std::array<std::string_view, 10> kCameraKeys = {
-    "camera_model", "intrinsics", "distortion_model", "distortion_coeffs", "resolution",
-    "rostopic",     "T_cam_imu",  "T_imu_cam",        "T_cn_cnm1",         "timeshift_cam_imu"};
-
-/// Does the mapping hold one of imu.yaml's noise keys?
-[[nodiscard]] bool holds_noise(const text::Node& mapping);
 
 }  // namespace fca::kalibr

@@ -26,6 +26,13 @@ std::optional<PoseKey> named_pose_key(const std::string& key) {
   return pose;
 }
 
+void add_pose(const PoseKey& pose, const Transform& T, Rig& rig) {
+  rig.poses.push_back({pose.a, pose.b, T});
+  for (const std::string& frame : {pose.a, pose.b}) {
+    if (index_in(frame, "imu")) rig.add_frame(frame, FrameKind::kImu);
+  }
+}
+
 std::optional<Transform> pose_in(const Rig& rig, std::string_view a, std::string_view b) {
   const Transform* stated = rig.stated(a, b);
   return stated != nullptr ? *stated : rig.resolve(a, b);

@@ -25,6 +25,9 @@ struct PoseKey {
 /// A top-level T_cam1_cam0; nothing if the key is none.
 [[nodiscard]] std::optional<PoseKey> named_pose_key(const std::string& key);
 
+/// Adds what a file states under the key.
+void add_pose(const PoseKey& pose, const Transform& T, Rig& rig);
+
 /// T_a_b as the rig states it, else as it follows from what it states.
 [[nodiscard]] std::optional<Transform> pose_in(const Rig& rig, std::string_view a, std::string_view b);
 

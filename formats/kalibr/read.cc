@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "blocks.h"
 #include "kalibr.h"
 #include "layout.h"
 #include "poses.h"
 
-#include "../fields.h"
+#include "../schema/schema.h"
 
 #include <fca/code.h>
 #include <fca/formats/text/prose.h>
@@ -15,13 +16,6 @@ namespace fca::kalibr {
 using text::Node;
 
 namespace {
-
-constexpr std::string_view kImuKeys[] = {"accelerometer_noise_density",
-                                         "accelerometer_random_walk",
-                                         "gyroscope_noise_density",
-                                         "gyroscope_random_walk",
-                                         "update_rate",
-                                         "rostopic"};
 
 class ChainReader {
  public:
@@ -66,26 +60,16 @@ class ChainReader {
     reader_.warn_of_duplicates(node);
     Camera camera;
     camera.name = name;
+    camera.image_size = options_.image_size;
     if (!read_model(node, key, camera)) return;
-    read_size(node, name, camera);
-    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr)
-      camera.topic = reader_.name(*topic, name + " rostopic");
-    if (const Node* shift = reader_.find(node, "timeshift_cam_imu")) {
-      camera.time_offset_s = reader_.time_offset(*shift, name + " timeshift_cam_imu");
-    }
-    read_poses(node, name, rig);
-    keep_unread(node, name, kCameraKeys, rig);
+    schema::Reading block = reading(name, rig);
+    block.camera = &camera;
+    if (!schema::read_mapping(block, kCameraBlock, node)) return;
+    schema::keep_unread(block, kCameraBlock, node, name);
     rig.cameras.push_back(std::move(camera));
   }
 
-  /// What the file says and a Rig has no place for (line_delay, T_i_b, ...): a format without those keys must be able to say
-  /// so.
-  void keep_unread(const Node& node, const std::string& owner, std::span<const std::string_view> known, Rig& rig) {
-    for (const text::Entry& entry : node.entries) {
-      if (std::ranges::find(known, entry.key.value) != known.end()) continue;
-      rig.extra_fields.push_back({owner, entry.key.value, fields::value_text(entry.value)});
-    }
-  }
+  schema::Reading reading(const std::string& owner, Rig& rig) { return {kChain, reader_, options_, rig, owner}; }
 
   bool read_model(const Node& node, const Node& key, Camera& camera) {
     const std::string& name = key.value;
@@ -156,26 +140,6 @@ class ChainReader {
     return good;
   }
 
-  void read_size(const Node& node, const std::string& name, Camera& camera) {
-    camera.image_size = options_.image_size;
-    const Node* resolution = reader_.find(node, "resolution");
-    if (resolution == nullptr) return;
-    if (!resolution->is_sequence() || resolution->items.size() != 2) {
-      reader_.say(*resolution, Code::kCamchainResolution, {name + " resolution"});
-      return;
-    }
-    if (const std::optional<ImageSize> size = reader_.image_size(resolution->items[0], resolution->items[1], name + " "))
-      camera.image_size = size;
-  }
-
-  void read_poses(const Node& node, const std::string& name, Rig& rig) {
-    for (const PoseKey& pose : pose_keys(name)) {
-      const Node* value = reader_.find(node, pose.key);
-      if (value == nullptr) continue;
-      if (const std::optional<Transform> T = reader_.transform(*value, name + " " + pose.key)) add_pose(pose, *T, rig);
-    }
-  }
-
   /// A top-level T_cam1_cam0, as some forks and converters write it.
   bool read_named_pose(const text::Entry& entry, Rig& rig) {
     const std::optional<PoseKey> pose = named_pose_key(entry.key.value);
@@ -184,27 +148,13 @@ class ChainReader {
     return true;
   }
 
-  static void add_pose(const PoseKey& pose, const Transform& T, Rig& rig) {
-    rig.poses.push_back({pose.a, pose.b, T});
-    for (const std::string& frame : {pose.a, pose.b}) {
-      if (index_in(frame, "imu")) rig.add_frame(frame, FrameKind::kImu);
-    }
-  }
-
   void read_imu(const Node& node, const std::string& name, Rig& rig) {
     Imu imu;
     imu.name = name;
-    const auto read_number = [&](std::string_view key, std::optional<double>& target) {
-      if (const Node* value = reader_.find(node, key)) target = reader_.positive(*value, name + " " + std::string(key));
-    };
-    read_number("accelerometer_noise_density", imu.accelerometer_noise_density);
-    read_number("accelerometer_random_walk", imu.accelerometer_random_walk);
-    read_number("gyroscope_noise_density", imu.gyroscope_noise_density);
-    read_number("gyroscope_random_walk", imu.gyroscope_random_walk);
-    read_number("update_rate", imu.rate_hz);
-    if (const Node* topic = reader_.find(node, "rostopic"); topic != nullptr)
-      imu.topic = reader_.name(*topic, name + " rostopic");
-    keep_unread(node, name, kImuKeys, rig);
+    schema::Reading block = reading(name, rig);
+    block.imu = &imu;
+    if (!schema::read_mapping(block, kImuBlock, node)) return;
+    schema::keep_unread(block, kImuBlock, node, name);
     rig.imus.push_back(std::move(imu));
   }
 

@@ -88,23 +88,9 @@ bool check_sizes(const Rig& rig, const Rig* old, Diagnostics& diagnostics) {
 
 constexpr std::string_view kImuFile = "Kalibr's imu.yaml";
 
-/// What Kalibr's imu.yaml demands and the IMU lacks.
-std::vector<std::string> missing_in(const Imu& imu) {
-  std::vector<std::string> missing;
-  const auto want = [&missing](const std::optional<double>& value, const char* key) {
-    if (!value) missing.emplace_back(key);
-  };
-  want(imu.accelerometer_noise_density, "accelerometer_noise_density");
-  want(imu.accelerometer_random_walk, "accelerometer_random_walk");
-  want(imu.gyroscope_noise_density, "gyroscope_noise_density");
-  want(imu.gyroscope_random_walk, "gyroscope_random_walk");
-  want(imu.rate_hz, "update_rate");
-  return missing;
-}
-
 /// Kalibr's imu.yaml as a file of its own, if the IMU is complete.
 void add_imu_file(Imu imu, Written& written, Diagnostics& diagnostics) {
-  const std::vector<std::string> missing = missing_in(imu);
+  const std::vector<std::string> missing = missing_in(imu, true);
   if (!missing.empty()) {
     const Message why{Code::kCamchainImuDemands, {kImuFile, missing}};
     written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "", {why}));
@@ -192,7 +178,7 @@ std::optional<Written> write_imu_files(const text::Document* base, const Rig* ol
     if (rig.imus.empty()) {
       diagnostics.add(Code::kCamchainNoCamera, {"a camchain"});
     } else {
-      diagnostics.add(Code::kCamchainImuNotStated, {kImuFile, missing_in(rig.imus.front())});
+      diagnostics.add(Code::kCamchainImuNotStated, {kImuFile, missing_in(rig.imus.front(), true)});
     }
     return std::nullopt;
   }

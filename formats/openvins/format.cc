@@ -117,21 +117,12 @@ std::optional<text::Document> compose(const Rig& rig, std::vector<ExtraField>& s
   return std::move(chain).document("kalibr_imucam_chain.yaml", diagnostics);
 }
 
-std::vector<std::string> missing_in(const Imu& imu) {
-  std::vector<std::string> missing;
-  if (!imu.accelerometer_noise_density) missing.emplace_back("accelerometer_noise_density");
-  if (!imu.accelerometer_random_walk) missing.emplace_back("accelerometer_random_walk");
-  if (!imu.gyroscope_noise_density) missing.emplace_back("gyroscope_noise_density");
-  if (!imu.gyroscope_random_walk) missing.emplace_back("gyroscope_random_walk");
-  return missing;
-}
-
 constexpr std::string_view kImuChain = "kalibr_imu_chain.yaml";
 
 /// That file, if the noise is complete.
 void add_imu_file(const Rig& rig, std::vector<ExtraField>& said, Written& written, Diagnostics& diagnostics) {
   Imu imu = rig.imus.front();
-  if (const std::vector<std::string> missing = missing_in(imu); !missing.empty()) {
+  if (const std::vector<std::string> missing = kalibr::missing_in(imu, false); !missing.empty()) {
     const Message why{Code::kCamchainImuDemands, {"OpenVINS", missing}};
     written.losses.push_back(lost(Code::kCamchainImuDropped, imu.name, "", {why}));
     return;
@@ -253,7 +244,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   }
   if (!rig.imus.empty()) add_imu_file(rig, said, written, diagnostics);
   if (written.files.empty()) {
-    diagnostics.add(Code::kCamchainImuNotStated, {"OpenVINS", missing_in(rig.imus.front())});
+    diagnostics.add(Code::kCamchainImuNotStated, {"OpenVINS", kalibr::missing_in(rig.imus.front(), false)});
     return std::nullopt;
   }
   add_beyond_base(rig.extra_fields, said, Message{Code::kOpenvinsChainNoPlace}, written.losses);

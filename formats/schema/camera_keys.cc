@@ -17,13 +17,13 @@ namespace {
 constexpr std::size_t kLongestWord = 40;  ///< Of the file, in a message.
 
 std::string_view lens_of(const Camera& camera, const Key& key) {
-  const auto found = std::ranges::find(key.lenses, model_info(camera.model).id, &Lens::model);
-  return found == key.lenses.end() ? std::string_view() : found->name;
+  const auto found = std::ranges::find(key.with.lenses, model_info(camera.model).id, &Lens::model);
+  return found == key.with.lenses.end() ? std::string_view() : found->name;
 }
 
 /// The keys that lenses have beside their parameters.
 bool is_further(const Key& key, std::string_view name) {
-  return !name.empty() && std::ranges::find(key.lenses, name, &Lens::further) != key.lenses.end();
+  return !name.empty() && std::ranges::find(key.with.lenses, name, &Lens::further) != key.with.lenses.end();
 }
 
 /// Entries beside the parameters: a limit of a lens is kept where it is one, of others is said that nobody reads them.
@@ -41,7 +41,22 @@ void read_further(Reading& reading, const Key& key, const Node& node) {
   }
 }
 
-/// The first time offset that is stated, in the file's unit.
+/// A word that no YAML parser takes for anything else.
+bool is_path(std::string_view topic) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/_";
+  return topic.starts_with('/') && topic.find_first_not_of(kPlain) == std::string_view::npos;
+}
+
+/// One side of the image.
+std::vector<Statement> write_side(const Subject& subject, const Key& key, bool is_width) {
+  const std::optional<ImageSize>& size = subject.the_camera().image_size;
+  if (!size) return {};
+  const int side = is_width ? size->width : size->height;
+  const Fact fact = {.kind = FactKind::kImageSize, .row = is_width ? 0 : 1};
+  return states(key.with.real ? fields::real(key.text(), side) : fields::integer(key.text(), side), fact);
+}
+
+/// The first time offset that is stated [s].
 std::optional<double> common_offset(const Rig& rig) {
   const auto stated = std::ranges::find_if(rig.cameras, [](const Camera& camera) { return camera.time_offset_s.has_value(); });
   return stated == rig.cameras.end() ? std::nullopt : stated->time_offset_s;
@@ -50,8 +65,8 @@ std::optional<double> common_offset(const Rig& rig) {
 }  // namespace
 
 bool read_lens_name(Reading& reading, const Key& key, const Node& node) {
-  const auto lens = std::ranges::find(key.lenses, node.value, &Lens::name);
-  if (lens == key.lenses.end()) {
+  const auto lens = std::ranges::find(key.with.lenses, node.value, &Lens::name);
+  if (lens == key.with.lenses.end()) {
     reading.reader.say(node, reading.schema.codes.unknown_model, {reading.camera->name, node.value.substr(0, kLongestWord)});
     return false;
   }
@@ -61,7 +76,7 @@ bool read_lens_name(Reading& reading, const Key& key, const Node& node) {
 }
 
 std::vector<Statement> write_lens_name(const Subject& subject, const Key& key) {
-  return {{fields::quoted(std::string(key.name), lens_of(subject.the_camera(), key)), {{FactKind::kModel}}}};
+  return states(fields::quoted(key.text(), lens_of(subject.the_camera(), key)), {FactKind::kModel});
 }
 
 bool read_parameters(Reading& reading, const Key& key, const Node& node) {
@@ -89,11 +104,41 @@ std::vector<Statement> write_parameters(const Subject& subject, const Key& key) 
     statements.push_back(
         {fields::real(std::string(parameter.name), value), {{.kind = FactKind::kParameter, .parameter = parameter.name}}});
   }
-  const auto lens = std::ranges::find(key.lenses, model_info(model).id, &Lens::model);
-  if (lens != key.lenses.end() && !lens->further.empty())
+  const auto lens = std::ranges::find(key.with.lenses, model_info(model).id, &Lens::model);
+  if (lens != key.with.lenses.end() && !lens->further.empty())
     statements.push_back({fields::real(std::string(lens->further), lens->none)});
   return statements;
 }
+
+bool read_parameter(Reading& reading, const Key& key, const Node& node) {
+  return reading.reader.parameter(node, reading.owner, key.with.parameter.value(), reading.camera->model);
+}
+
+std::vector<Statement> write_parameter(const Subject& subject, const Key& key) {
+  const std::optional<double> value = fca::parameter(subject.the_camera().model, key.with.parameter.value());
+  if (!value) return {};
+  return states(fields::real(key.text(), *value), {.kind = FactKind::kParameter, .parameter = key.with.parameter->name()});
+}
+
+bool read_camera_name(Reading& reading, const Key& key, const Node& node) {
+  if (std::string name = reading.reader.name(node, key.name); !name.empty()) reading.camera->name = std::move(name);
+  return true;
+}
+
+std::vector<Statement> write_camera_name(const Subject& subject, const Key& key) {
+  if (subject.fresh == nullptr) return {};
+  return states(fields::quoted(key.text(), subject.the_camera().name));
+}
+
+bool read_image_sides(Reading& reading, const Key& key, const Node& node) {
+  const Node* width = reading.reader.find(*reading.mapping, key.with.other);
+  if (width != nullptr) reading.camera->image_size = reading.reader.image_size(*width, node, reading.owner + " ");
+  return reading.camera->image_size.has_value();
+}
+
+std::vector<Statement> write_image_width(const Subject& subject, const Key& key) { return write_side(subject, key, true); }
+
+std::vector<Statement> write_image_height(const Subject& subject, const Key& key) { return write_side(subject, key, false); }
 
 bool read_image_size(Reading& reading, const Key& key, const Node& node) {
   if (!node.is_sequence() || node.items.size() != 2) {
@@ -115,13 +160,38 @@ std::vector<Statement> write_image_size(const Subject& subject, const Key& key) 
 }
 
 bool read_time_offset(Reading& reading, const Key& key, const Node& node) {
+  std::optional<double>& offset = reading.camera->time_offset_s;
+  offset = reading.reader.time_offset(node, reading.label(key));
+  return offset.has_value();
+}
+
+std::vector<Statement> write_time_offset(const Subject& subject, const Key& key) {
+  const std::optional<double>& offset = subject.the_camera().time_offset_s;
+  if (!offset) return {};
+  return states(fields::real(key.text(), *offset), {FactKind::kTimeOffset});
+}
+
+bool read_topic(Reading& reading, const Key& key, const Node& node) {
+  std::string& topic = key.with.of_imu ? reading.imu->topic : reading.camera->topic;
+  topic = reading.reader.name(node, reading.label(key));
+  return true;
+}
+
+std::vector<Statement> write_topic(const Subject& subject, const Key& key) {
+  const std::string& topic = key.with.of_imu ? subject.rig.imus[subject.imu].topic : subject.the_camera().topic;
+  if (topic.empty()) return {};
+  const bool quoted = key.with.of_imu || !is_path(topic);
+  return states(quoted ? fields::quoted(key.text(), topic) : fields::scalar(key.text(), topic), {FactKind::kTopic});
+}
+
+bool read_common_offset(Reading& reading, const Key& key, const Node& node) {
   const std::optional<double> offset = reading.reader.real(node, key.name);
   if (!offset) return false;
   if (*offset != std::floor(*offset)) {
     reading.reader.say(node, reading.schema.codes.offset_not_whole, {key.name, node.value});
     return false;
   }
-  const double seconds = *offset / key.per_second;
+  const double seconds = *offset / key.with.per_second;
   if (const Message problem = problem_with_time_offset(seconds); problem.is_said()) {
     reading.reader.say(node, reading.schema.codes.offset_invalid, {key.name, problem});
     return false;
@@ -130,9 +200,9 @@ bool read_time_offset(Reading& reading, const Key& key, const Node& node) {
   return true;
 }
 
-std::vector<Statement> write_time_offset(const Subject& subject, const Key& key) {
-  const long long offset = std::llround(common_offset(subject.rig).value_or(0.0) * key.per_second);
-  return {{fields::scalar(std::string(key.name), std::to_string(offset)), {{FactKind::kTimeOffset}}}};
+std::vector<Statement> write_common_offset(const Subject& subject, const Key& key) {
+  const long long offset = std::llround(common_offset(subject.rig).value_or(0.0) * key.with.per_second);
+  return states(fields::scalar(key.text(), std::to_string(offset)), {FactKind::kTimeOffset});
 }
 
 }  // namespace fca::schema

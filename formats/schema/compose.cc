@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kDeeper = 2;
 constexpr text::Syntax kJson = text::Syntax::kJson;
 
-std::string blanks(std::size_t count) { return std::string(count, ' '); }
+std::string blanks(std::size_t count) { return std::string().append(count, ' '); }
 
 std::string entry(std::string_view name, std::size_t depth, const std::string& value) {
   return blanks(depth) + "\"" + std::string(name) + "\": " + value;
@@ -27,9 +27,19 @@ std::string enclosed(const std::vector<std::string>& values, char open, char clo
   return text + (depth ? "\n" + blanks(*depth) : "") + close;
 }
 
-std::vector<std::string> lines_of(std::span<const Statement> statements, std::size_t depth) {
+/// Key and value of each statement.
+std::vector<std::string> lines_of(const Subject& subject, const Key& key, std::size_t depth) {
   std::vector<std::string> lines;
-  for (const Statement& statement : statements) lines.push_back(fields::spell(statement.field, depth, kJson));
+  for (const Statement& statement : key.write(subject, key)) {
+    const fields::Field& field = statement.field;
+    if (subject.schema.numbers_in_lines && field.shape == fields::Shape::kList) {
+      std::vector<std::string> numbers;
+      for (const std::string& token : field.tokens) numbers.push_back(blanks(depth + kDeeper) + token);
+      lines.push_back(entry(field.key, depth, enclosed(numbers, '[', ']', depth)));
+    } else {
+      lines.push_back(fields::spell(field, depth, kJson));
+    }
+  }
   return lines;
 }
 
@@ -39,17 +49,18 @@ std::vector<std::string> members(const Subject& subject, const Mapping& mapping,
 std::string object(const Subject& subject, const Key& key, std::size_t depth) {
   const std::size_t below = depth + kDeeper;
   const std::vector<std::string> lines =
-      key.mapping != nullptr ? members(subject, *key.mapping, below) : lines_of(key.write(subject, key), below);
+      key.with.mapping != nullptr ? members(subject, *key.with.mapping, below) : lines_of(subject, key, below);
   return enclosed(lines, '{', '}', depth);
 }
 
-bool is_object(const Key& key) { return key.mapping != nullptr || key.inside; }
+bool is_object(const Key& key) { return key.with.mapping != nullptr || key.inside; }
 
 /// A list with one item for each camera.
 std::string list(const Subject& subject, const Key& key, std::size_t depth) {
   std::vector<std::string> items;
   for (std::size_t i = 0; key.spread != Spread::kSomeEach && i < subject.rig.cameras.size(); ++i) {
-    const Subject item{subject.schema, subject.rig, i, subject.fresh};
+    Subject item = subject;
+    item.camera = i;
     if (is_object(key)) {
       items.push_back(blanks(depth + kDeeper) + object(item, key, depth + kDeeper));
     } else {
@@ -67,7 +78,7 @@ std::vector<std::string> members(const Subject& subject, const Mapping& mapping,
     } else if (is_object(*key)) {
       lines.push_back(entry(key->name, depth, object(subject, *key, depth)));
     } else if (key->write != nullptr) {
-      for (const std::string& line : lines_of(key->write(subject, *key), depth)) lines.push_back(line);
+      for (const std::string& line : lines_of(subject, *key, depth)) lines.push_back(line);
     }
   }
   return lines;
@@ -75,8 +86,8 @@ std::vector<std::string> members(const Subject& subject, const Mapping& mapping,
 
 }  // namespace
 
-std::string composed_json(const Schema& schema, const Rig& rig, Written& written) {
-  const Subject subject{schema, rig, 0, &written};
+std::string composed_json(const Schema& schema, const Rig& rig, std::size_t camera, Written& written) {
+  const Subject subject{.schema = schema, .rig = rig, .camera = camera, .fresh = &written};
   return enclosed(members(subject, schema.root, kDeeper), '{', '}', 0) + "\n";
 }
 

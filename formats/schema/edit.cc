@@ -3,6 +3,7 @@
 #include "schema.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace fca::schema {
 
@@ -19,7 +20,7 @@ class Editor {
     std::vector<Field> from;
     std::vector<Field> to;
     for (const Key* key : in_written_order(mapping)) {
-      if (key->spread == Spread::kOnce && key->mapping == nullptr && !key->inside) {
+      if (key->spread == Spread::kOnce && key->with.mapping == nullptr && !key->inside) {
         add_fields(*key, before, after, from, to);
       } else if (const Node* value = text::find(node, key->name, after.schema.dialect)) {
         edit_below(*key, *value, before, after);
@@ -33,10 +34,11 @@ class Editor {
   static void add_fields(const Key& key, const Subject& before, const Subject& after, std::vector<Field>& from,
                          std::vector<Field>& to) {
     if (key.write == nullptr) return;
-    const std::vector<Field> old = fields_of(key.write(before, key));
-    const std::vector<Field> now = fields_of(key.write(after, key));
-    from.insert(from.end(), old.begin(), old.end());
-    to.insert(to.end(), now.empty() ? old.begin() : now.begin(), now.empty() ? old.end() : now.end());
+    std::vector<Field> old = fields_of(key.write(before, key));
+    std::vector<Field> now = fields_of(key.write(after, key));
+    if (now.empty()) now = old;
+    std::ranges::move(old, std::back_inserter(from));
+    std::ranges::move(now, std::back_inserter(to));
   }
 
   /// The value of a key: an object, or a list with an item for each camera.
@@ -47,7 +49,7 @@ class Editor {
   }
 
   void edit_value(const Key& key, const Node& value, const Subject& before, const Subject& after) {
-    if (key.mapping != nullptr) return edit(*key.mapping, value, before, after);
+    if (key.with.mapping != nullptr) return edit(*key.with.mapping, value, before, after);
     if (key.edit != nullptr) return key.edit(document_, value, key, before, after, written_);
     if (key.write == nullptr) return;
     const std::vector<Field> from = fields_of(key.write(before, key));
@@ -67,9 +69,20 @@ class Editor {
 
 }  // namespace
 
-std::vector<Field> fields_of(std::span<const Statement> statements) {
+std::vector<Field> fields_of(std::vector<Statement> statements) {
   std::vector<Field> fields;
-  for (const Statement& statement : statements) fields.push_back(statement.field);
+  fields.reserve(statements.size());
+  for (Statement& statement : statements) fields.push_back(std::move(statement.field));
+  return fields;
+}
+
+std::vector<Field> sorted_fields(const Subject& subject, const Mapping& mapping, FactKind but) {
+  std::vector<Field> fields;
+  for (const Key& key : mapping.keys) {
+    if (key.write == nullptr || key.fact == but) continue;
+    std::ranges::move(fields_of(key.write(subject, key)), std::back_inserter(fields));
+  }
+  std::ranges::sort(fields, {}, &Field::key);
   return fields;
 }
 
@@ -77,9 +90,9 @@ bool same_cameras(const Rig& old, const Rig& rig) {
   return std::ranges::equal(old.cameras, rig.cameras, {}, &Camera::name, &Camera::name);
 }
 
-text::Document edited(const Schema& schema, const text::Document& base, const Rig& old, const Rig& rig, Written& written) {
+text::Document edited(const text::Document& base, const Subject& before, const Subject& after, Written& written) {
   text::Document document = base;
-  Editor(document, written).edit(schema.root, document.root(), {schema, old}, {schema, rig});
+  Editor(document, written).edit(after.schema.root, document.root(), before, after);
   return document;
 }
 

@@ -12,60 +12,62 @@ using text::Node;
 
 namespace {
 
-/// The one IMU of the file, which has it once a key speaks of it.
-Imu& imu_of(Rig& rig) {
-  if (rig.imus.empty()) rig.imus.emplace_back().name = kImu;
-  return rig.imus.front();
+/// The IMU whose keys are read; else the one of the file, which has it once a key speaks of it.
+Imu& imu_of(Reading& reading) {
+  if (reading.imu != nullptr) return *reading.imu;
+  if (reading.rig.imus.empty()) reading.rig.imus.emplace_back().name = kImu;
+  return reading.rig.imus.front();
 }
 
 /// What the rig states; in a fresh file else what the program starts from.
 std::optional<double> value_of(const Subject& subject, const Key& key) {
-  const std::optional<double> stated = subject.rig.imus.empty() ? std::nullopt : subject.rig.imus.front().*key.imu;
+  const std::optional<double> stated =
+      subject.imu < subject.rig.imus.size() ? subject.rig.imus[subject.imu].*key.with.imu : std::nullopt;
   if (stated || subject.fresh == nullptr) return stated;
-  const Message value{subject.schema.codes.initial_value, {key.initial}};
-  subject.fresh->defaults.push_back({std::string(key.name), value, true, true});
-  return key.initial;
+  const Message value{subject.schema.codes.initial_value, {key.with.initial}};
+  subject.fresh->defaults.push_back({key.text(), value, true, true});
+  return key.with.initial;
 }
 
-Fact fact_of(const Key& key) { return {.kind = FactKind::kImu, .imu = key.imu}; }
+Fact fact_of(const Key& key) { return {.kind = FactKind::kImu, .imu = key.with.imu}; }
 
 /// Numbers that the rig keeps from a file with such a key; zeros where it has none.
 std::vector<double> kept_numbers_of(const Rig& rig, const Key& key) {
   const ExtraField* extra = rig.find_extra_field(kImu, key.name);
-  const std::vector<double> none(key.count, 0.0);
+  const std::vector<double> none(key.with.count, 0.0);
   const std::vector<double> kept = extra != nullptr ? text::reals_in(extra->value).value_or(none) : none;
-  return kept.size() == key.count ? kept : none;
+  return kept.size() == key.with.count ? kept : none;
 }
 
 }  // namespace
 
-bool read_rate(Reading& reading, const Key& key, const Node& node) {
-  std::optional<double>& member = imu_of(reading.rig).*key.imu;
-  member = reading.reader.positive(node, key.name);
+bool read_imu_number(Reading& reading, const Key& key, const Node& node) {
+  std::optional<double>& member = imu_of(reading).*key.with.imu;
+  member = reading.reader.positive(node, reading.label(key));
   return member.has_value();
 }
 
-std::vector<Statement> write_rate(const Subject& subject, const Key& key) {
+std::vector<Statement> write_imu_number(const Subject& subject, const Key& key) {
   const std::optional<double> value = value_of(subject, key);
   if (!value) return {};
-  return {{fields::real(std::string(key.name), *value), {fact_of(key)}}};
+  return states(fields::real(key.text(), *value), fact_of(key));
 }
 
 /// A rig has one number for all axes: of axes that differ none is taken.
 bool read_density(Reading& reading, const Key& key, const Node& node) {
-  if (node.is_scalar()) return read_rate(reading, key, node);
-  Imu& imu = imu_of(reading.rig);
-  if (!reading.reader.reals(node, key.count, key.name)) return false;
+  if (node.is_scalar()) return read_imu_number(reading, key, node);
+  Imu& imu = imu_of(reading);
+  if (!reading.reader.reals(node, key.with.count, reading.label(key))) return false;
   std::vector<double> axes;
   for (const Node& item : node.items) {
-    const std::optional<double> axis = reading.reader.positive(item, key.name);
+    const std::optional<double> axis = reading.reader.positive(item, reading.label(key));
     if (!axis) return false;
     axes.push_back(*axis);
   }
   if (std::ranges::all_of(axes, [&axes](double axis) { return axis == axes.front(); })) {
-    imu.*key.imu = axes.front();
+    imu.*key.with.imu = axes.front();
   } else {
-    reading.rig.extra_fields.push_back({std::string(kImu), std::string(key.name), fields::value_text(node)});
+    reading.rig.extra_fields.push_back({std::string(kImu), key.text(), fields::value_text(node)});
   }
   return true;
 }
@@ -73,27 +75,27 @@ bool read_density(Reading& reading, const Key& key, const Node& node) {
 std::vector<Statement> write_density(const Subject& subject, const Key& key) {
   const std::optional<double> value = value_of(subject, key);
   if (!value) return {};
-  return {{fields::list(std::string(key.name), std::vector<double>(key.count, *value)), {fact_of(key)}}};
+  return states(fields::list(key.text(), std::vector<double>(key.with.count, *value)), fact_of(key));
 }
 
 bool keep(Reading& reading, const Key& key, const Node& node) {
   const std::string owner = reading.camera != nullptr ? reading.camera->name : "";
-  reading.rig.extra_fields.push_back({owner, std::string(key.name), fields::value_text(node)});
+  reading.rig.extra_fields.push_back({owner, key.text(), fields::value_text(node)});
   return true;
 }
 
 bool keep_numbers(Reading& reading, const Key& key, const Node& node) {
-  const std::optional<std::vector<double>> numbers = reading.reader.reals(node, key.count, key.name);
+  const std::optional<std::vector<double>> numbers = reading.reader.reals(node, key.with.count, reading.label(key));
   if (!numbers) return false;
   if (std::ranges::any_of(*numbers, [](double number) { return number != 0.0; }))
-    reading.rig.extra_fields.push_back({std::string(kImu), std::string(key.name), fields::value_text(node)});
+    reading.rig.extra_fields.push_back({std::string(kImu), key.text(), fields::value_text(node)});
   return true;
 }
 
 /// An edit leaves them: a rig does not state others.
 std::vector<Statement> write_kept_numbers(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
-  return {{fields::list(std::string(key.name), kept_numbers_of(subject.rig, key))}};
+  return states(fields::list(key.text(), kept_numbers_of(subject.rig, key)));
 }
 
 }  // namespace fca::schema

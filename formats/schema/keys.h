@@ -14,21 +14,32 @@ inline constexpr std::string_view kImu = "imu0";
 bool read_object(Reading& reading, const Key& key, const text::Node& node);
 bool read_lens_name(Reading& reading, const Key& key, const text::Node& node);
 bool read_parameters(Reading& reading, const Key& key, const text::Node& node);
+bool read_camera_name(Reading& reading, const Key& key, const text::Node& node);
+bool read_parameter(Reading& reading, const Key& key, const text::Node& node);
+bool read_image_sides(Reading& reading, const Key& key, const text::Node& node);
 bool read_image_size(Reading& reading, const Key& key, const text::Node& node);
 bool read_time_offset(Reading& reading, const Key& key, const text::Node& node);
+bool read_common_offset(Reading& reading, const Key& key, const text::Node& node);
+bool read_topic(Reading& reading, const Key& key, const text::Node& node);
 bool read_pose(Reading& reading, const Key& key, const text::Node& node);
 bool read_density(Reading& reading, const Key& key, const text::Node& node);
-bool read_rate(Reading& reading, const Key& key, const text::Node& node);
+bool read_imu_number(Reading& reading, const Key& key, const text::Node& node);
 bool keep(Reading& reading, const Key& key, const text::Node& node);
 bool keep_numbers(Reading& reading, const Key& key, const text::Node& node);
 
 std::vector<Statement> write_lens_name(const Subject& subject, const Key& key);
 std::vector<Statement> write_parameters(const Subject& subject, const Key& key);
+std::vector<Statement> write_camera_name(const Subject& subject, const Key& key);
+std::vector<Statement> write_parameter(const Subject& subject, const Key& key);
+std::vector<Statement> write_image_width(const Subject& subject, const Key& key);
+std::vector<Statement> write_image_height(const Subject& subject, const Key& key);
 std::vector<Statement> write_image_size(const Subject& subject, const Key& key);
 std::vector<Statement> write_time_offset(const Subject& subject, const Key& key);
+std::vector<Statement> write_common_offset(const Subject& subject, const Key& key);
+std::vector<Statement> write_topic(const Subject& subject, const Key& key);
 std::vector<Statement> write_pose(const Subject& subject, const Key& key);
 std::vector<Statement> write_density(const Subject& subject, const Key& key);
-std::vector<Statement> write_rate(const Subject& subject, const Key& key);
+std::vector<Statement> write_imu_number(const Subject& subject, const Key& key);
 std::vector<Statement> write_kept_numbers(const Subject& subject, const Key& key);
 
 /// Numbers of the translation, and those of the rotation where it is another one: what it rounds, a rotation printed with few
@@ -38,76 +49,79 @@ void edit_pose(text::Document& document, const text::Node& node, const Key& key,
 
 /// An object with keys of its own.
 constexpr Key object(std::string_view name, const Mapping& mapping) {
-  return {.name = name, .read = read_object, .mapping = &mapping};
+  return {name, FactKind::kOther, read_object, nullptr, {.mapping = &mapping}};
 }
+
+/// What the file calls the camera. An edit leaves it.
+constexpr Key camera_name(std::string_view name) { return {name, FactKind::kOther, read_camera_name, write_camera_name}; }
 
 /// What the program calls the camera's lens.
 constexpr Key lens_name(std::string_view name, std::span<const Lens> lenses) {
-  return {.name = name, .fact = FactKind::kModel, .read = read_lens_name, .write = write_lens_name, .lenses = lenses};
+  return {name, FactKind::kModel, read_lens_name, write_lens_name, {.lenses = lenses}};
 }
 
 /// An object with the lens's parameters by our names.
 constexpr Key parameters(std::string_view name, std::span<const Lens> lenses) {
-  return {.name = name,
-          .fact = FactKind::kParameter,
-          .read = read_parameters,
-          .write = write_parameters,
-          .inside = true,
-          .lenses = lenses};
+  return {name, FactKind::kParameter, read_parameters, write_parameters, {.lenses = lenses}, nullptr, true};
+}
+
+/// One parameter.
+constexpr Key parameter(std::string_view name, ParameterId id) {
+  return {name, FactKind::kParameter, read_parameter, write_parameter, {.parameter = id}};
+}
+
+/// The width of the image, which is read with its height. `real`: with a point.
+constexpr Key image_width(std::string_view name, bool real) {
+  return {name, FactKind::kImageSize, nullptr, write_image_width, {.real = real}};
+}
+constexpr Key image_height(std::string_view name, std::string_view width, bool real) {
+  return {name, FactKind::kImageSize, read_image_sides, write_image_height, {.other = width, .real = real}};
 }
 
 /// [width, height]
-constexpr Key image_size(std::string_view name) {
-  return {.name = name, .fact = FactKind::kImageSize, .read = read_image_size, .write = write_image_size};
-}
+constexpr Key image_size(std::string_view name) { return {name, FactKind::kImageSize, read_image_size, write_image_size}; }
 
 /// An object that states T_frame_camera.
 constexpr Key pose(std::string_view name, const PoseLayout& layout) {
-  return {.name = name,
-          .fact = FactKind::kPose,
-          .read = read_pose,
-          .write = write_pose,
-          .edit = edit_pose,
-          .inside = true,
-          .pose = &layout};
+  return {name, FactKind::kPose, read_pose, write_pose, {.pose = &layout}, edit_pose, true};
+}
+
+/// The camera's time offset, t_imu = t_cam + offset [s].
+constexpr Key time_offset(std::string_view name) { return {name, FactKind::kTimeOffset, read_time_offset, write_time_offset}; }
+
+/// The time offset of all cameras, t_imu = t_cam + offset, in whole units (1e9 per second: nanoseconds).
+constexpr Key common_time_offset(std::string_view name, double per_second) {
+  return {name, FactKind::kTimeOffset, read_common_offset, write_common_offset, {.per_second = per_second}};
 }
 
 /// A noise density of the IMU in our unit: a list with the same number for each axis. Older files have one number for all.
 constexpr Key density(std::string_view name, std::optional<double> Imu::*member, std::size_t axes, double initial) {
-  return {.name = name,
-          .fact = FactKind::kImu,
-          .read = read_density,
-          .write = write_density,
-          .imu = member,
-          .count = axes,
-          .initial = initial};
+  return {name, FactKind::kImu, read_density, write_density, {.imu = member, .count = axes, .initial = initial}};
 }
 
-/// The IMU's rate [Hz].
-constexpr Key rate(std::string_view name, double initial) {
-  return {
-      .name = name, .fact = FactKind::kImu, .read = read_rate, .write = write_rate, .imu = &Imu::rate_hz, .initial = initial};
+/// A noise density or the rate of the IMU in our unit, as one number.
+constexpr Key imu_number(std::string_view name, std::optional<double> Imu::*member, double initial = 0.0) {
+  return {name, FactKind::kImu, read_imu_number, write_imu_number, {.imu = member, .initial = initial}};
 }
 
-/// The time offset of all cameras, t_imu = t_cam + offset, in whole units (1e9 per second: nanoseconds).
-constexpr Key common_time_offset(std::string_view name, double per_second) {
-  return {.name = name,
-          .fact = FactKind::kTimeOffset,
-          .read = read_time_offset,
-          .write = write_time_offset,
-          .per_second = per_second};
-}
+/// A ROS topic of the camera, without quotes where it needs none; of the IMU.
+constexpr Key camera_topic(std::string_view name) { return {name, FactKind::kTopic, read_topic, write_topic}; }
+constexpr Key imu_topic(std::string_view name) { return {name, FactKind::kTopic, read_topic, write_topic, {.of_imu = true}}; }
 
 /// `count` numbers of the IMU that a rig has no member for, as an extra field; zeros say nothing.
 constexpr Key kept_numbers(std::string_view name, std::size_t count) {
-  return {.name = name, .read = keep_numbers, .write = write_kept_numbers, .count = count};
+  return {name, FactKind::kOther, keep_numbers, write_kept_numbers, {.count = count}};
 }
 
 /// What a rig has no member for: an extra field, of the camera where it is a camera's. A fresh file has none.
-constexpr Key kept(std::string_view name) { return {.name = name, .read = keep}; }
+constexpr Key kept(std::string_view name) { return {name, FactKind::kOther, keep}; }
 
 constexpr Key required(Key key) {
-  key.required = true;
+  key.need = Need::kRequired;
+  return key;
+}
+constexpr Key wanted(Key key) {
+  key.need = Need::kWanted;
   return key;
 }
 
@@ -127,12 +141,21 @@ class PoseFrame {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// T_frame_camera
   [[nodiscard]] std::optional<Transform> pose(const Camera& camera) const;
+  /// The same in the layout's own frame only.
+  [[nodiscard]] std::optional<Transform> own_pose(const Camera& camera) const { return known_ ? pose(camera) : std::nullopt; }
 
  private:
   const Rig& rig_;
   std::string name_;
   bool known_ = false;
 };
+
+/// The rig's T_a_b as it was read; null if there is none.
+[[nodiscard]] const PoseEdge* edge_of(const Rig& rig, std::string_view a, std::string_view b);
+
+/// Adds the pose of the camera that is read. False, with errors at the parts, where it is none.
+bool add_pose(Reading& reading, const PoseLayout& layout, const Transform& T, const fields::Reader::Place& rotation,
+              const fields::Reader::Place& translation);
 
 /// An error for each pose that is a mirror image, which no quaternion says: false then. `code`: {0} the camera, {1} the frame.
 [[nodiscard]] bool are_rotations(const Rig& rig, const PoseLayout& layout, Code code, Diagnostics& diagnostics);

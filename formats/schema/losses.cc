@@ -19,7 +19,7 @@ namespace {
 const Key* find_key(const Mapping& mapping, const std::function<bool(const Key&)>& wanted) {
   for (const Key& key : mapping.keys) {
     if (wanted(key)) return &key;
-    const Key* below = key.mapping != nullptr ? find_key(*key.mapping, wanted) : nullptr;
+    const Key* below = key.with.mapping != nullptr ? find_key(*key.with.mapping, wanted) : nullptr;
     if (below != nullptr) return below;
   }
   return nullptr;
@@ -35,7 +35,7 @@ void list_common_offset(const Schema& schema, const Key& key, const Rig& rig, st
   if (stated == rig.cameras.end()) return;
   const double common = stated->time_offset_s.value();
   constexpr double kExact = 1e-12;
-  if (std::abs(std::round(common * key.per_second) / key.per_second - common) > kExact)
+  if (std::abs(std::round(common * key.with.per_second) / key.with.per_second - common) > kExact)
     losses.push_back(lost(schema.codes.offset_rounded, "", "", {common}));
   add_other_time_offsets(rig, common, Message{schema.codes.one_offset}, losses);
 }

@@ -11,31 +11,44 @@ using text::Node;
 namespace {
 
 /// A quaternion states every element of its rotation.
-bool states(const Fact& stated, const Fact& wanted) {
-  return stated == wanted ||
-         (stated.kind == FactKind::kPose && wanted.kind == FactKind::kPose && stated.row < 0 && wanted.column < 3);
+bool is_stated_by(const Fact& stated, const Fact& wanted) {
+  return stated == wanted || (stated.kind == FactKind::kPose && wanted.kind == FactKind::kPose && stated.row < 0 &&
+                              stated.pose == wanted.pose && wanted.column < 3);
 }
 
-/// The token's node: of a scalar itself, of a list its item.
-const Node* token_of(const Node& value, std::size_t index) {
-  if (!value.is_sequence()) return index == 0 ? &value : nullptr;
-  return index < value.items.size() ? &value.items[index] : nullptr;
+/// Those of a list or of rows, one after the other.
+void collect_tokens(const Node& value, std::vector<const Node*>& tokens) {
+  if (value.is_scalar()) tokens.push_back(&value);
+  for (const Node& item : value.items) collect_tokens(item, tokens);
 }
 
 const Node* find_token(const Statement& statement, const Node* value, const Fact& fact) {
-  for (std::size_t i = 0; value != nullptr && i < statement.facts.size(); ++i) {
-    if (states(statement.facts[i], fact)) return token_of(*value, i);
-  }
-  return nullptr;
+  const auto stated = std::ranges::find_if(statement.facts, [&fact](const Fact& each) { return is_stated_by(each, fact); });
+  if (value == nullptr || stated == statement.facts.end()) return nullptr;
+  std::vector<const Node*> tokens;
+  collect_tokens(*value, tokens);
+  const auto index = static_cast<std::size_t>(stated - statement.facts.begin());
+  return index < tokens.size() ? tokens[index] : nullptr;
 }
 
 const Node* find_in(const Mapping& mapping, const Node& node, const Subject& subject, const Fact& fact);
 
+/// The name under which a row's value stands.
+std::string_view name_of(const Key& key, const Subject& subject) {
+  const bool of_camera = key.spread == Spread::kNamed && subject.camera < subject.rig.cameras.size();
+  const bool of_imu = key.spread == Spread::kNamedImu && subject.imu < subject.rig.imus.size();
+  return of_camera ? subject.the_camera().name : of_imu ? subject.rig.imus[subject.imu].name : key.name;
+}
+
+bool is_list(const Key& key) {
+  return key.spread == Spread::kCounted || key.spread == Spread::kEach || key.spread == Spread::kSomeEach;
+}
+
 /// In the value of a key; of a list with items for the cameras, in that camera's.
 const Node* find_below(const Key& key, const Node& value, const Subject& subject, const Fact& fact) {
-  const Node* item = key.spread == Spread::kOnce ? &value : token_of(value, subject.camera);
-  if (item == nullptr) return nullptr;
-  if (key.mapping != nullptr) return find_in(*key.mapping, *item, subject, fact);
+  if (is_list(key) && (!value.is_sequence() || subject.camera >= value.items.size())) return nullptr;
+  const Node* item = is_list(key) ? &value.items[subject.camera] : &value;
+  if (key.with.mapping != nullptr) return find_in(*key.with.mapping, *item, subject, fact);
   if (key.write == nullptr || key.fact != fact.kind) return nullptr;
   for (const Statement& statement : key.write(subject, key)) {
     const Node* stated = key.inside ? text::find(*item, statement.field.key, subject.schema.dialect) : item;
@@ -46,7 +59,7 @@ const Node* find_below(const Key& key, const Node& value, const Subject& subject
 
 const Node* find_in(const Mapping& mapping, const Node& node, const Subject& subject, const Fact& fact) {
   for (const Key& key : mapping.keys) {
-    const Node* value = text::find(node, key.name, subject.schema.dialect);
+    const Node* value = text::find(node, name_of(key, subject), subject.schema.dialect);
     const Node* found = value != nullptr ? find_below(key, *value, subject, fact) : nullptr;
     if (found != nullptr) return found;
   }

@@ -8,10 +8,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace fca::schema {
 
-using fields::Field;
 using text::Node;
 
 namespace {
@@ -19,8 +20,6 @@ namespace {
 constexpr double kRounding = 1e-9;       ///< What a rotation may be off before its quaternion is said to be another one.
 constexpr double kSameRotation = 1e-12;  ///< Elements of two rotations that differ by less say the same.
 constexpr double kPrinted = 1e-3;        ///< From 1: the length of a quaternion that was printed with few digits.
-constexpr Fact kAnyOfRotation = {.kind = FactKind::kPose, .row = -1};
-
 /// One part of a pose, as entries of its mapping.
 std::vector<Statement> statements_of(std::span<const std::string_view> keys, std::span<const double> values,
                                      std::span<const Fact> facts) {
@@ -31,16 +30,16 @@ std::vector<Statement> statements_of(std::span<const std::string_view> keys, std
   return statements;
 }
 
-std::vector<Statement> translation_of_pose(const PoseLayout& layout, const Transform& T) {
-  constexpr std::array kFacts = {Fact{.kind = FactKind::kPose, .row = 0, .column = 3},
-                                 Fact{.kind = FactKind::kPose, .row = 1, .column = 3},
-                                 Fact{.kind = FactKind::kPose, .row = 2, .column = 3}};
-  return statements_of(layout.translation, translation_of(T), kFacts);
+std::vector<Statement> translation_of_pose(const PoseLayout& layout, const Transform& T, const PoseEdge* edge) {
+  const Fact x = {.kind = FactKind::kPose, .pose = edge, .row = 0, .column = 3};
+  std::array facts = {x, x, x};
+  for (int row = 1; row < 3; ++row) facts.at(static_cast<std::size_t>(row)).row = row;
+  return statements_of(layout.translation, translation_of(T), facts);
 }
 
-std::vector<Statement> rotation_of_pose(const PoseLayout& layout, const Quaternion& q) {
-  constexpr std::array kFacts = {kAnyOfRotation, kAnyOfRotation, kAnyOfRotation, kAnyOfRotation};
-  return statements_of(layout.rotation, q, kFacts);
+std::vector<Statement> rotation_of_pose(const PoseLayout& layout, const Quaternion& q, const PoseEdge* edge) {
+  const Fact any = {.kind = FactKind::kPose, .pose = edge, .row = -1};
+  return statements_of(layout.rotation, q, std::array{any, any, any, any});
 }
 
 Quaternion quaternion_for(const PoseLayout& layout, const Transform& T) {
@@ -70,27 +69,29 @@ Quaternion stated_quaternion(const Node& pose, const PoseLayout& layout, text::D
 
 /// A quaternion says a rotation only; a matrix printed with few digits, or a product of such, is not quite one.
 void list_restated(const PoseFrame& frame, const Key& key, const Camera& camera, const Transform& T, Written& written) {
-  const PoseLayout& layout = *key.pose;
+  const PoseLayout& layout = *key.with.pose;
   const Transform said = pose_of(quaternion_for(layout, T), translation_of(T));
   const double off = largest_difference(said, T).distance;
   if (layout.restated == Code{} || !frame.known() || off <= kRounding) return;
   written.restated.push_back({frame.name(), camera.name, said});
-  written.losses.push_back(lost(layout.restated, camera.name, std::string(key.name), {frame.name(), off}));
+  written.losses.push_back(lost(layout.restated, camera.name, key.text(), {frame.name(), off}));
 }
 
 /// A fresh file's pose that no input states, or that is stated in another frame than the layout's.
 void list_made_up(const PoseFrame& frame, const Key& key, const Camera& camera, bool stated, Written& written) {
   if (frame.known() && stated) return;
   const bool in_frame = stated && frame.name() != camera.name;
-  const Message value = in_frame ? Message{key.pose->in_frame, {frame.name()}} : Message{key.pose->identity};
-  written.defaults.push_back({camera.name + " " + std::string(key.name), value, true, true});
+  const Message value = in_frame ? Message{key.with.pose->in_frame, {frame.name()}} : Message{key.with.pose->identity};
+  const Code made_up = key.with.pose->made_up;
+  written.defaults.push_back(
+      {camera.name + " " + key.text(), made_up != Code{} ? Message{made_up, {value}} : value, true, true});
 }
 
 /// Numbers under seven keys; nothing with an error where one is missing or is no number.
 std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key, const Node& node) {
   const std::string what = reading.label(key);
   std::vector<double> numbers;
-  for (const auto& keys : {key.pose->translation, key.pose->rotation}) {
+  for (const auto& keys : {key.with.pose->translation, key.with.pose->rotation}) {
     for (const std::string_view name : keys) {
       const Node* number = reading.reader.require(node, name, what);
       const std::optional<double> value =
@@ -104,7 +105,7 @@ std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key
 
 /// Of length 1; nothing with an error where it is too far from that. A warning where it is only roughly.
 std::optional<Quaternion> unit_quaternion(Reading& reading, const Key& key, const Quaternion& q, const Node& place) {
-  const PoseLayout& layout = *key.pose;
+  const PoseLayout& layout = *key.with.pose;
   const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
   if (std::abs(norm - 1.0) <= kPrinted) return normalised(q);
   const bool near = norm >= layout.shortest && norm <= layout.longest;
@@ -122,6 +123,11 @@ const Node& longest_coordinate(const std::vector<const Node*>& translation) {
 
 }  // namespace
 
+const PoseEdge* edge_of(const Rig& rig, std::string_view a, std::string_view b) {
+  const auto found = std::ranges::find_if(rig.poses, [&](const PoseEdge& edge) { return edge.a == a && edge.b == b; });
+  return found == rig.poses.end() ? nullptr : &*found;
+}
+
 PoseFrame::PoseFrame(const Rig& rig, const PoseLayout& layout)
     : rig_(rig),
       name_(layout.kind == FrameKind::kImu && !rig.imus.empty() ? rig.imus.front().name : std::string(layout.frame)) {
@@ -135,7 +141,7 @@ std::optional<Transform> PoseFrame::pose(const Camera& camera) const {
 }
 
 bool read_pose(Reading& reading, const Key& key, const Node& node) {
-  const PoseLayout& layout = *key.pose;
+  const PoseLayout& layout = *key.with.pose;
   const std::string what = reading.label(key);
   if (!node.is_mapping()) {
     reading.reader.say(node, layout.no_pose, {what});
@@ -148,43 +154,52 @@ bool read_pose(Reading& reading, const Key& key, const Node& node) {
   const std::optional<Quaternion> q = unit_quaternion(reading, key, {(*n)[3], (*n)[4], (*n)[5], (*n)[6]}, rotation);
   if (!q) return false;
   const Node& translation = longest_coordinate(numbers_of(node, layout.translation, dialect));
-  const std::optional<Transform> T =
-      reading.reader.checked(pose_of(*q, {(*n)[0], (*n)[1], (*n)[2]}), {rotation, what}, {translation, what});
-  if (!T) return false;
-  reading.rig.poses.push_back({std::string(layout.frame), reading.camera->name, *T});
+  return add_pose(reading, layout, pose_of(*q, {(*n)[0], (*n)[1], (*n)[2]}), {rotation, what}, {translation, what});
+}
+
+bool add_pose(Reading& reading, const PoseLayout& layout, const Transform& T, const fields::Reader::Place& rotation,
+              const fields::Reader::Place& translation) {
+  const std::optional<Transform> checked = reading.reader.checked(T, rotation, translation);
+  if (!checked) return false;
+  reading.rig.poses.push_back({std::string(layout.frame), reading.camera->name, *checked});
   reading.rig.add_frame(layout.frame, layout.kind);
   return true;
 }
 
 std::vector<Statement> write_pose(const Subject& subject, const Key& key) {
   const Camera& camera = subject.the_camera();
-  const PoseFrame frame(subject.rig, *key.pose);
+  const PoseFrame frame(subject.rig, *key.with.pose);
   const std::optional<Transform> T = frame.pose(camera);
   if (subject.fresh != nullptr) {
     list_made_up(frame, key, camera, T.has_value(), *subject.fresh);
     if (T) list_restated(frame, key, camera, *T, *subject.fresh);
   }
-  std::vector<Statement> statements = translation_of_pose(*key.pose, T.value_or(Transform{}));
-  for (Statement& statement : rotation_of_pose(*key.pose, quaternion_for(*key.pose, T.value_or(Transform{}))))
-    statements.push_back(std::move(statement));
-  return statements;
+  const PoseLayout& layout = *key.with.pose;
+  const PoseEdge* edge = edge_of(subject.rig, layout.frame, camera.name);
+  std::vector<Statement> first = translation_of_pose(layout, T.value_or(Transform{}), edge);
+  std::vector<Statement> second = rotation_of_pose(layout, quaternion_for(layout, T.value_or(Transform{})), edge);
+  if (layout.rotation_first) std::swap(first, second);
+  std::ranges::move(second, std::back_inserter(first));
+  return first;
 }
 
 void edit_pose(text::Document& document, const Node& node, const Key& key, const Subject& before, const Subject& after,
                Written& written) {
-  const PoseLayout& layout = *key.pose;
+  const PoseLayout& layout = *key.with.pose;
   const text::Dialect dialect = after.schema.dialect;
   const PoseFrame frame(after.rig, layout);
-  const std::optional<Transform> now = frame.known() ? frame.pose(after.the_camera()) : std::nullopt;
+  const std::optional<Transform> now = frame.own_pose(after.the_camera());
   const Transform* stated = before.rig.stated(layout.frame, before.the_camera().name);
-  if (stated == nullptr || !now || *stated == *now) return;
+  if (!now || (stated != nullptr && *stated == *now) || node.entries.empty()) return;
   const auto apply = [&](const std::vector<Statement>& from, const std::vector<Statement>& to) {
     fields::apply(document, node, dialect, fields_of(from), fields_of(to));
   };
-  apply(translation_of_pose(layout, *stated), translation_of_pose(layout, *now));
+  if (stated == nullptr) return apply({}, write_pose(after, key));
+  apply(translation_of_pose(layout, *stated, nullptr), translation_of_pose(layout, *now, nullptr));
   if (largest_difference(*stated, *now).distance <= kSameRotation) return;
   const Quaternion there = stated_quaternion(node, layout, dialect);
-  apply(rotation_of_pose(layout, there), rotation_of_pose(layout, signed_as(quaternion_for(layout, *now), there)));
+  apply(rotation_of_pose(layout, there, nullptr),
+        rotation_of_pose(layout, signed_as(quaternion_for(layout, *now), there), nullptr));
   list_restated(frame, key, after.the_camera(), *now, written);
 }
 

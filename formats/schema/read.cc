@@ -6,7 +6,6 @@
 #include <fca/code.h>
 
 #include <algorithm>
-#include <set>
 
 namespace fca::schema {
 
@@ -19,16 +18,11 @@ void warn_of_missing(Reading& reading, const Mapping& mapping, const Node& node)
   if (mapping.missing == Code{}) return;
   std::vector<std::string> missing;
   for (const Key* key : in_written_order(mapping)) {
-    if (!key->required && reading.reader.find(node, key->name) == nullptr) missing.emplace_back(key->name);
+    if (key->need != Need::kRequired && reading.reader.find(node, key->name) == nullptr) missing.emplace_back(key->name);
   }
   SourceRange where = reading.reader.document().range(node);
   where.length = 1;
   if (!missing.empty()) reading.reader.diagnostics().add(mapping.missing, {missing}, where);
-}
-
-const Node* find(Reading& reading, const Key& key, const Node& node) {
-  if (!key.required) return reading.reader.find(node, key.name);
-  return reading.reader.require(node, key.name, reading.owner.empty() ? reading.schema.what : reading.owner);
 }
 
 /// A list with one item for each camera.
@@ -55,7 +49,7 @@ bool find_lists(Reading& reading, const Mapping& mapping, const Node& node, std:
   bool good = true;
   for (const Key& key : mapping.keys) {
     if (key.spread == Spread::kOnce) continue;
-    const CameraList list = {&key, find(reading, key, node)};
+    const CameraList list = {&key, find_value(reading, key, node)};
     if (key.spread == Spread::kCounted) {
       if (list.node == nullptr) return false;
       if (!list.node->is_sequence() || list.node->items.empty()) {
@@ -84,7 +78,9 @@ bool read_cameras(Reading& reading, const Mapping& mapping, const Node& node) {
     Camera& camera = reading.rig.cameras.emplace_back();
     camera.name = "cam" + std::to_string(i);
     camera.image_size = reading.options.image_size;
-    Reading item{reading.schema, reading.reader, reading.options, reading.rig, camera.name, &camera};
+    Reading item = reading;
+    item.owner = camera.name;
+    item.camera = &camera;
     for (const CameraList& list : lists) {
       if (i < list.node->items.size()) good = list.key->read(item, *list.key, list.node->items[i]) && good;
     }
@@ -92,44 +88,73 @@ bool read_cameras(Reading& reading, const Mapping& mapping, const Node& node) {
   return good;
 }
 
-void keep_unread(Reading& reading, const Mapping& mapping, const Node& node) {
+}  // namespace
+
+void keep_unread(Reading& reading, const Mapping& mapping, const Node& node, const std::string& owner) {
   for (const text::Entry& entry : node.entries) {
-    if (std::ranges::find(mapping.keys, entry.key.value, &Key::name) != mapping.keys.end()) continue;
-    if (reading.reader.find(node, entry.key.value) == &entry.value)
-      reading.rig.extra_fields.push_back({"", entry.key.value, fields::value_text(entry.value)});
+    const auto row = std::ranges::find(mapping.keys, entry.key.value, &Key::name);
+    if (!mapping.unread || (row != mapping.keys.end() && !row->with.only_warns)) continue;
+    if (mapping.warns_of_duplicates && reading.reader.find(node, entry.key.value) != &entry.value) continue;
+    reading.rig.extra_fields.push_back(
+        {owner, std::string(*mapping.unread) + entry.key.value, fields::value_text(entry.value)});
+  }
+  for (const Key& key : mapping.keys) {
+    const bool below = key.with.mapping != nullptr && key.spread == Spread::kOnce;
+    const Node* value = below ? text::find(node, key.name, reading.schema.dialect) : nullptr;
+    if (value != nullptr) keep_unread(reading, *key.with.mapping, *value, owner);
   }
 }
-
-}  // namespace
 
 std::vector<const Key*> in_written_order(const Mapping& mapping) {
   std::vector<const Key*> keys;
-  for (const Key& key : mapping.keys) keys.push_back(&key);
-  const auto place = [&mapping](const Key* key) {
-    return std::ranges::find(mapping.written, key->name) - mapping.written.begin();
-  };
-  if (!mapping.written.empty()) std::ranges::stable_sort(keys, {}, place);
+  for (const std::string_view name : mapping.written) keys.push_back(&*std::ranges::find(mapping.keys, name, &Key::name));
+  for (const Key& key : mapping.keys) {
+    if (std::ranges::find(mapping.written, key.name) == mapping.written.end()) keys.push_back(&key);
+  }
   return keys;
 }
 
+const Node* find_value(Reading& reading, const Key& key, const Node& mapping) {
+  const Codes& codes = reading.schema.codes;
+  if (key.need == Need::kRequired && codes.missing == Code{})
+    return reading.reader.require(mapping, key.name, reading.owner.empty() ? reading.schema.what : reading.owner);
+  const Node* node = reading.reader.find(mapping, key.name);
+  const bool of_keys = key.with.mapping != nullptr || key.inside;
+  const bool wrong = node != nullptr && codes.wrong != Code{} && of_keys && !node->is_mapping();
+  if (!wrong && (node != nullptr || key.need == Need::kOptional)) return node;
+  const bool error = key.need == Need::kRequired;
+  const bool top = reading.owner.empty();
+  std::vector<Argument> arguments = {key.name, error ? std::vector<Message>() : std::vector<Message>{{codes.unless_wanted}}};
+  if (!top) arguments.insert(arguments.begin(), reading.owner);
+  SourceRange where = reading.reader.document().range(wrong ? *node : mapping);
+  where.length = 1;
+  reading.reader.diagnostics().add(error ? Severity::kError : Severity::kWarning,
+                                   wrong ? codes.wrong
+                                   : top ? codes.missing
+                                         : codes.missing_below,
+                                   arguments, where);
+  return nullptr;
+}
+
 bool read_mapping(Reading& reading, const Mapping& mapping, const Node& node) {
-  if (mapping.keeps_unread) reading.reader.warn_of_duplicates(node);
+  if (mapping.warns_of_duplicates) reading.reader.warn_of_duplicates(node);
   warn_of_missing(reading, mapping, node);
   bool good = read_cameras(reading, mapping, node);
+  reading.mapping = &node;
   for (const Key& key : mapping.keys) {
     if (key.spread != Spread::kOnce) continue;
-    const Node* value = find(reading, key, node);
-    if (value != nullptr) good = key.read(reading, key, *value) && good;
-    if (value == nullptr && key.required) good = false;
+    const Node* value = find_value(reading, key, node);
+    const bool read = value != nullptr ? key.read == nullptr || key.read(reading, key, *value) : key.need != Need::kRequired;
+    good = good && read;
+    if (!read && mapping.in_turn) return false;
   }
-  if (mapping.keeps_unread) keep_unread(reading, mapping, node);
   return good;
 }
 
 bool read_object(Reading& reading, const Key& key, const Node& node) {
   Reading inside = reading;
   if (key.spread == Spread::kOnce) inside.owner = reading.label(key);
-  if (node.is_mapping()) return read_mapping(inside, *key.mapping, node);
+  if (node.is_mapping()) return read_mapping(inside, *key.with.mapping, node);
   reading.reader.say(node, reading.schema.codes.no_object, {inside.owner});
   return false;
 }
@@ -143,7 +168,13 @@ std::optional<Rig> read(const Schema& schema, std::span<const text::Document> do
   Rig rig;
   fields::Reader reader(documents.front(), schema.dialect, diagnostics);
   Reading reading{schema, reader, options, rig, ""};
+  if (schema.one_camera) {
+    reading.camera = &rig.cameras.emplace_back();
+    reading.camera->name = "cam0";
+    if (const std::optional<CameraModel> model = make_model(schema.model)) reading.camera->model = *model;
+  }
   if (!read_mapping(reading, schema.root, documents.front().root())) return std::nullopt;
+  keep_unread(reading, schema.root, documents.front().root(), "");
   reader.warn_of_misspelt();
   return rig;
 }

@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace fca::schema {
@@ -37,16 +38,22 @@ struct Fact {
   FactKind kind = FactKind::kOther;
   std::string_view parameter = {};            ///< kParameter: its name.
   std::optional<double> Imu::*imu = nullptr;  ///< kImu
-  int row = 0;  ///< kPose: an element of T_frame_camera; -1: any of its rotation. kImageSize: 0 width, 1 height.
+  const PoseEdge* pose = nullptr;             ///< kPose: of the rig.
+  int row = 0;  ///< kPose: an element of T_a_b; -1: any of its rotation. kImageSize: 0 width, 1 height.
   int column = 0;
   bool operator==(const Fact&) const = default;
 };
 
-/// A key, the tokens of its value, and the fact that each of them states; one fact stands for all tokens.
+/// A key, the tokens of its value, and the facts that they state, one for one. The first alone may be there.
 struct Statement {
   fields::Field field;
   std::vector<Fact> facts = {};
 };
+
+/// Of a key whose first token stands for all.
+[[nodiscard]] inline std::vector<Statement> states(fields::Field field, const Fact& fact = {}) {
+  return {{std::move(field), {fact}}};
+}
 
 /// How a program's name for a lens and our model map onto each other.
 struct Lens {
@@ -63,6 +70,7 @@ struct PoseLayout {
   FrameKind kind;
   std::span<const std::string_view> translation;  ///< Three keys, or that of a list of three.
   std::span<const std::string_view> rotation;     ///< Four keys, or that of a list of four.
+  bool rotation_first = false;                    ///< In a fresh file.
   /// Lengths of a quaternion that are taken for a rotation's; others are an error.
   double shortest = 0.0;
   double longest = std::numeric_limits<double>::infinity();
@@ -72,6 +80,7 @@ struct PoseLayout {
   Code restated = {};   ///< A pose is only roughly a rotation and is written as the nearest. {2} the frame, {3} by how much
   Code in_frame = {};   ///< Made up: the pose in another camera. {0} which
   Code identity = {};   ///< Made up: no pose is known.
+  Code made_up = {};    ///< Either, with more words: {0}. None: as it is.
 };
 
 struct Key;
@@ -80,9 +89,15 @@ struct Key;
 struct Mapping {
   std::span<const Key> keys;                       ///< In the order in which they are read.
   std::span<const std::string_view> written = {};  ///< Their order in a fresh file; empty: as above.
-  bool keeps_unread = false;                       ///< Entries of other keys are kept among the rig's extra fields.
-  Code missing = {};                               ///< Said of keys without which only the program stops; none: nothing is.
+  /// What stands before the names of entries under other keys, which are kept as extra fields; nothing: they are not kept.
+  std::optional<std::string_view> unread = {};
+  bool warns_of_duplicates = false;  ///< And of entries that are kept only those that count.
+  bool in_turn = false;              ///< No key is read after one that cannot be read.
+  Code missing = {};                 ///< Said of all keys without which only the program stops; none: nothing is.
 };
+
+/// What is said where a key is not there: nothing, a warning, an error.
+enum class Need { kOptional, kWanted, kRequired };
 
 /// Of how many cameras the value under a key speaks.
 enum class Spread {
@@ -90,12 +105,30 @@ enum class Spread {
   kCounted,   ///< A list with one item for each camera; its length is the number of cameras.
   kEach,      ///< A list with one item for each camera.
   kSomeEach,  ///< The same, and items may be missing.
+  kNamed,     ///< A value for each camera, under the camera's own name.
+  kNamedImu,  ///< The same for each IMU.
 };
 
 struct Reading;
 struct Subject;
 
-/// A row of the table. Members that a row's functions do not use stay empty.
+/// What the functions of a row need to know; the others stay empty.
+struct Details {
+  const Mapping* mapping = nullptr;  ///< The keys of an object.
+  std::span<const Lens> lenses = {};
+  const PoseLayout* pose = nullptr;
+  std::optional<ParameterId> parameter = {};
+  std::optional<double> Imu::*imu = nullptr;
+  std::string_view other = {};  ///< The key beside it that states the other half of the fact.
+  std::size_t count = 0;        ///< Of the numbers of a list.
+  double initial = 0.0;         ///< What the program starts from, for a fresh file.
+  double per_second = 1.0;      ///< Units of a time in a second: 1e9 for nanoseconds.
+  bool only_warns = false;      ///< What stands there is kept as under a key that no row reads.
+  bool real = false;            ///< A whole number is spelled with a point.
+  bool of_imu = false;          ///< A text is the IMU's, and has quotes, needed or not.
+};
+
+/// A row of the table.
 struct Key {
   using Read = bool (*)(Reading& reading, const Key& key, const text::Node& node);
   using Write = std::vector<Statement> (*)(const Subject& subject, const Key& key);
@@ -104,25 +137,24 @@ struct Key {
 
   std::string_view name;
   FactKind fact = FactKind::kOther;
-  Read read = nullptr;    ///< False, with an error said, where the node does not state the fact.
+  Read read = nullptr;    ///< False, with an error said, where the node does not state the fact. Null: another row reads it.
   Write write = nullptr;  ///< Nothing where the rig does not state the fact: an edit then leaves what stands there.
-  Edit edit = nullptr;    ///< Null: numbers of which `write` says another than before are replaced.
-  bool inside = false;    ///< `write` gives the entries of the mapping that is the key's value, not the key itself.
-  bool required = false;
+  Details with = {};
+  Edit edit = nullptr;  ///< Null: numbers of which `write` says another than before are replaced.
+  bool inside = false;  ///< `write` gives the entries of the mapping that is the key's value, not the key itself.
+  Need need = Need::kOptional;
   Spread spread = Spread::kOnce;
 
-  const Mapping* mapping = nullptr;
-  std::span<const Lens> lenses = {};
-  const PoseLayout* pose = nullptr;
-  std::optional<double> Imu::*imu = nullptr;
-  std::size_t count = 0;    ///< Of the numbers of a list.
-  double initial = 0.0;     ///< What the program starts from, for a fresh file.
-  double per_second = 1.0;  ///< Units of a time in a second: 1e9 for nanoseconds.
+  [[nodiscard]] std::string text() const { return std::string(name); }
 };
 
 /// What a program's own sentences are called.
 struct Codes {
   Code wrong_syntax = {};       ///< The document is no mapping.
+  Code missing = {};            ///< There is no {0}: {1}, a clause or nothing. None: "missing-key" as everywhere.
+  Code missing_below = {};      ///< {0} has no {1}: {2}
+  Code wrong = {};              ///< {0} is no mapping: {1}. None: no_object.
+  Code unless_wanted = {};      ///< What follows where a wanted key is not there: that clause.
   Code no_object = {};          ///< {0} is no mapping.
   Code no_camera_list = {};     ///< {0} is no list of cameras.
   Code no_list = {};            ///< {0} is no list of {1} items, one for each camera.
@@ -143,6 +175,9 @@ struct Schema {
   text::Dialect dialect;
   Mapping root;
   Codes codes;
+  bool one_camera = false;        ///< The document is a camera's, "cam0" if it does not name it.
+  std::string_view model = {};    ///< Of that camera, where all are of one model.
+  bool numbers_in_lines = false;  ///< A fresh file has each number of a list on a line of its own.
 };
 
 /// A rig while it is read.
@@ -151,40 +186,49 @@ struct Reading {
   fields::Reader& reader;
   const ReadOptions& options;
   Rig& rig;
-  std::string owner;           ///< What the keys belong to, for messages: "value0", "cam0 intrinsics".
-  Camera* camera = nullptr;    ///< Whose item of a list is read; null outside.
+  std::string owner;                    ///< What the keys belong to, for messages: "value0", "cam0 intrinsics".
+  const text::Node* mapping = nullptr;  ///< That holds the key which is read.
+  Camera* camera = nullptr;             ///< Whose item of a list is read; null outside.
+  Imu* imu = nullptr;                   ///< Whose keys are read; null: those of the only one.
   std::string_view lens = {};  ///< The name of its lens as the file has it; empty before it is read, or where it is unknown.
 
   /// What a message calls the value under a key: "cam0 resolution" of a camera, else the key.
   [[nodiscard]] std::string label(const Key& key) const {
-    return (camera != nullptr ? owner + " " : "") + std::string(key.name);
+    return ((camera != nullptr || imu != nullptr) && !owner.empty() ? owner + " " : "") + std::string(key.name);
   }
 };
 
-/// What is written, or was read: a rig, or one camera of it.
+/// What is written, or was read: a rig, or one camera or IMU of it.
 struct Subject {
   const Schema& schema;
   const Rig& rig;
   std::size_t camera = 0;
+  std::size_t imu = 0;
   Written* fresh = nullptr;  ///< A fresh file is composed: takes note of what is made up for it. Null in an edit.
 
   [[nodiscard]] const Camera& the_camera() const { return rig.cameras[camera]; }
 };
+
+/// The table of a format; null where the format has none yet.
+[[nodiscard]] const Schema* table_of(const Format& format);
 
 /// What the table makes of documents; nothing, with errors, where they do not state a calibration.
 [[nodiscard]] std::optional<Rig> read(const Schema& schema, std::span<const text::Document> documents,
                                       const ReadOptions& options, Diagnostics& diagnostics);
 /// The keys of a mapping of a document that is read.
 [[nodiscard]] bool read_mapping(Reading& reading, const Mapping& mapping, const text::Node& node);
+/// Entries of the mapping, and of those below it, that no row reads: extra fields of `owner`.
+void keep_unread(Reading& reading, const Mapping& mapping, const text::Node& node, const std::string& owner);
+/// The value under a key; null where it is not there, and what is said then has been said.
+[[nodiscard]] const text::Node* find_value(Reading& reading, const Key& key, const text::Node& mapping);
 
-/// A fresh JSON file, two blanks deeper per level.
-[[nodiscard]] std::string composed_json(const Schema& schema, const Rig& rig, Written& written);
+/// A fresh JSON file of a rig or (schema.one_camera) of one camera, two blanks deeper per level.
+[[nodiscard]] std::string composed_json(const Schema& schema, const Rig& rig, std::size_t camera, Written& written);
 
 /// Are the cameras of a file and of a rig the same ones, by their names and in that order? Then an edit can do.
 [[nodiscard]] bool same_cameras(const Rig& old, const Rig& rig);
-/// The base, which states `old`, with other numbers where `rig` states others. The cameras are the same ones.
-[[nodiscard]] text::Document edited(const Schema& schema, const text::Document& base, const Rig& old, const Rig& rig,
-                                    Written& written);
+/// The base, which states `before`, with other numbers where `after` states others. The cameras are the same ones.
+[[nodiscard]] text::Document edited(const text::Document& base, const Subject& before, const Subject& after, Written& written);
 
 /// The node that states a fact of a camera (`camera`: its index; any for facts of the IMU); null where none does.
 [[nodiscard]] const text::Node* place_of(const Schema& schema, const text::Document& document, const Rig& rig,
@@ -199,6 +243,8 @@ void list_losses(const Schema& schema, const Rig& rig, const Message& why, std::
 
 /// The keys of a mapping in the order of a fresh file.
 [[nodiscard]] std::vector<const Key*> in_written_order(const Mapping& mapping);
-[[nodiscard]] std::vector<fields::Field> fields_of(std::span<const Statement> statements);
+[[nodiscard]] std::vector<fields::Field> fields_of(std::vector<Statement> statements);
+/// What the keys of a mapping, but for those of one kind, say of a subject: fields in the alphabet's order.
+[[nodiscard]] std::vector<fields::Field> sorted_fields(const Subject& subject, const Mapping& mapping, FactKind but);
 
 }  // namespace fca::schema

@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// WoodScape: one JSON per camera (valeoai/WoodScape, scripts/calibration/projection.py and calibration.txt).
-//
-//   intrinsic   aspect_ratio, cx_offset, cy_offset, height, k1 .. k4 [px / rad^i], model "radial_poly", poly_order 4, width
-//               principal point = size / 2 - 0.5 + offset; aspect_ratio multiplies v only
-//   extrinsic   quaternion x y z w and translation [m]: p_vehicle = R p_camera + t; vehicle: ISO 8855, x forward, y left, z up
-//   name        "FV", "RV", "MVL", "MVR"
-//
-// omnidet, the dataset's other program, takes the values of intrinsic by their place: the order of the keys is part of the
-// format.
 #pragma once
 
-#include <fca/formats/format.h>
+#include "../schema/schema.h"
 
 namespace fca::woodscape {
 
 extern const Format kFormat;
+extern const schema::Schema kSchema;
 
-[[nodiscard]] std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options,
-                                      Diagnostics& diagnostics);
-[[nodiscard]] std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
-                                           Diagnostics& diagnostics);
+extern const schema::PoseLayout kPoseInVehicle;
+/// The row of extrinsic.
+[[nodiscard]] const schema::Key& pose_key();
+
+inline constexpr std::string_view kModel = "radial_poly";
+/// SynWoodScape's key in place of "translation".
+inline constexpr std::string_view kCarlaTranslation = "translation used in CARLA (CARLA reference)";
+/// Of equal keys Python's json takes the last, as PyYAML does.
+inline constexpr text::Dialect kDialect = text::Dialect::kPyYaml;
 
 }  // namespace fca::woodscape
