@@ -143,8 +143,10 @@ void add_imu_option(Options& options, Inputs& inputs) {
   options.group(OptionGroup::kReading);
   options.number("--imu-rate", "HZ", "The IMU's rate, of an input that does not state it (VINS-Fusion's configuration)",
                  [&inputs](double rate_hz) -> std::optional<std::string> {
+                   constexpr double kSlowest = 0.1;
                    constexpr double kFastest = 1e6;
-                   if (!(rate_hz > 0.0 && rate_hz <= kFastest)) return "--imu-rate wants samples per second in (0, 1e6]";
+                   if (!(rate_hz >= kSlowest && rate_hz <= kFastest))
+                     return "--imu-rate wants samples per second from 0.1 to 1e6";
                    inputs.imu_rate_hz = rate_hz;
                    return std::nullopt;
                  });
@@ -164,6 +166,7 @@ std::vector<std::string> given_changes(const Inputs& inputs) {
 
 std::vector<std::string> all_changes() {
   std::vector<std::string> names;
+  names.reserve(kChanges.size());
   for (const ChangeOption& option : kChanges) names.emplace_back(option.name);
   return names;
 }

@@ -228,7 +228,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kPartMissing, text::Part::kFix, "put that file there; --into needs it only for cameras that stay"},
     OptionHint{Code::kGivenSizeContradicts, text::Part::kText, "{0} has {1} x {2} px in the file, and --size says {3} x {4}"},
     OptionHint{Code::kGivenSizeContradicts, text::Part::kFix, "--size is for files that state no size"},
-    OptionHint{Code::kOlderVersionsRead, text::Part::kText, "they read --model {0}"},
+    OptionHint{Code::kOlderVersionsRead, text::Part::kText, "for those --model {0}: {1:px} px rms off, worst {2:px}"},
     OptionHint{Code::kFitInsideAngle, text::Part::kText,
                "--max-angle {0} fits the inscribed circle alone: {1:px} px rms there, not {2:px}"},
     OptionHint{Code::kSayWhatWasDone, text::Part::kText,

@@ -87,7 +87,10 @@ std::string output_path(const OutputPlace& place, const std::string& input, cons
   if (file.cameras.empty() || file.named) return (folder / as_file_name(proposal.filename().string())).string();
   // Files that belong together have the names under which their program looks for them.
   const bool has_further = std::ranges::any_of(result.files, [](const ConvertedFile& each) { return each.cameras.empty(); });
-  if (has_further && camera_files(result.files) == 1) return (folder / result.to->main_file).string();
+  const fs::path main_file = folder / result.to->main_file;
+  std::error_code error;  // what cannot be asked is not there
+  const bool is_input = fs::equivalent(main_file, input, error);
+  if (has_further && camera_files(result.files) == 1 && !is_input) return main_file.string();
   const std::string camera = camera_files(result.files) > 1 ? "." + as_file_name(joined(file.cameras)) : "";
   return (folder / (stem + camera + "." + std::string(result.to->id) + extension_of(file, *result.to))).string();
 }

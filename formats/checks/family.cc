@@ -4,6 +4,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
@@ -67,8 +68,20 @@ void check_unified(const Subject& subject, const Camera& camera, Findings& findi
   constexpr double kOutweighs = 4.0;
   constexpr double kShape = 0.4;  // EUCM's alpha, which ORB-SLAM's check names
   constexpr double kPincushion = 0.2;
-  if (std::abs(k1) > kShape || k2 * r2 < kOutweighs * std::abs(k1) || k2 * r2 * r2 < kPincushion) return;
-  findings.add(Code::kMeiUnderRadtan, {camera.name, k1, k2, 100.0 * k2 * r2 * r2}, subject.places.parameter(camera, "k2"));
+  const double outwards = k1 * r2 + k2 * r2 * r2;
+  const bool four_numbers = value(camera, "k3") == 0.0;
+  if (!four_numbers || std::abs(k1) > kShape || k2 * r2 < kOutweighs * std::abs(k1) || outwards < kPincushion) return;
+  findings.add(Code::kMeiUnderRadtan, {camera.name, k1, k2, 100.0 * outwards}, subject.places.parameter(camera, "k2"));
+}
+
+/// Of the shortest spelling that reads as the number: 2 of 0.00120 and of 1.2e-5.
+int significant_digits(double number) {
+  std::string digits = text::format_real(std::abs(number));
+  digits.resize(std::min(digits.size(), digits.find('e')));
+  std::erase(digits, '.');
+  digits.erase(0, digits.find_first_not_of('0'));
+  digits.resize(digits.find_last_not_of('0') + 1);  // npos + 1 is 0
+  return static_cast<int>(digits.size());
 }
 
 /// Estimated coefficients never agree to the last of many digits.
@@ -77,8 +90,8 @@ void check_repeated(const Subject& subject, const Camera& camera, Findings& find
   std::vector<std::pair<ParameterId, double>> seen;
   for (const ParameterId id : kCoefficients) {
     const std::optional<double> number = parameter(camera.model, id);
-    constexpr double kFewDigits = 1e4;  // 0.0123 may come twice
-    if (!number || *number * kFewDigits == std::round(*number * kFewDigits)) continue;
+    constexpr int kFew = 5;  // 0.0123 may come twice
+    if (!number || significant_digits(*number) < kFew) continue;
     const auto same = std::ranges::find(seen, *number, &std::pair<ParameterId, double>::second);
     if (same != seen.end()) {
       findings.add(Code::kCoefficientRepeated, {camera.name, same->first.name(), id.name(), *number},

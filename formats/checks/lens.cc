@@ -65,8 +65,10 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   constexpr double kFisheye = 85.0 / kDegreesPerRadian;
   // A fisheye's image circle ends inside the image; a lens that sees less fills it.
   const bool circle = ends > kFisheye;
-  // A lens of narrower view has no reason to end inside the largest circle about its centre.
-  const bool broken = uncovered.nearest_px < (circle ? 0.5 : 1.0) * nearest_border;
+  // Polynomials of the tangent fold where they were not fitted: no such lens ends inside the largest circle about its centre.
+  const std::string_view model = model_info(camera.model).id;
+  const bool of_tangent = model == "radtan" || model == "rational";
+  const bool broken = uncovered.nearest_px < (of_tangent ? 1.0 : 0.5) * nearest_border;
   const Severity severity = broken ? Severity::kError : circle ? Severity::kNote : Severity::kWarning;
   findings.add(severity, circle && !broken ? Code::kFoldsAtCircle : Code::kFoldsInImage,
                {camera.name, ends * kDegreesPerRadian, uncovered.nearest_px, 100.0 * uncovered.share},

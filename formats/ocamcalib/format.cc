@@ -52,7 +52,7 @@ bool is_prose(const std::vector<Node>& lines) {
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<Node>& lines = document.root().items;
-  if (is_prose(lines)) return {};
+  if (!has_shape(lines) && is_prose(lines)) return {};
   for (const Node& line : lines) {
     if (!is_numbers(line) && mentions(line, "direct") && mentions(line, "mapping"))
       return {95, Message{Code::kCalibResultsDirectComment}};

@@ -109,6 +109,13 @@ bool is_of_surround_view(const Node& mapping) {
   return has("project_matrix") && (has("scale_xy") || has("shift_xy"));
 }
 
+bool has_four_numbers(const Node& mapping, std::string_view key) {
+  const Node* matrix = text::find(mapping, key, kDialect);
+  const Node* data = matrix != nullptr && matrix->is_mapping() ? text::find(*matrix, "data", kDialect) : matrix;
+  constexpr std::size_t kFour = 4;
+  return data != nullptr && data->is_sequence() && data->items.size() == kFour;
+}
+
 /// Is that what the end of a file leaves of a matrix: nothing, or "rows", behind its tag? Beside another camera's the tag may
 /// be missing, too.
 bool is_cut_off(const Node& value, bool beside_another) {
@@ -126,7 +133,7 @@ std::vector<std::pair<std::string, CameraKeys>> find_cameras(const Node& mapping
     if (known) continue;
     CameraKeys keys;
     keys.matrix = entry.key.value;
-    keys.fisheye = name.fisheye || is_of_surround_view(mapping);
+    keys.fisheye = name.fisheye;
     cameras.emplace_back(name.side, std::move(keys));
   }
   for (auto& [side, keys] : cameras) {
@@ -146,6 +153,7 @@ std::vector<std::pair<std::string, CameraKeys>> find_cameras(const Node& mapping
       if (name.role == Role::kTangential) take(keys.tangential);
       if (name.role == Role::kXi) take(keys.xi);
     }
+    keys.fisheye = keys.fisheye || (is_of_surround_view(mapping) && has_four_numbers(mapping, keys.distortion));
     keys.transposed = keys.distortion.empty() && !keys.radial.empty();
     if (!keys.transposed) keys.radial = keys.tangential = "";
   }

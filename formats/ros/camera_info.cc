@@ -33,11 +33,14 @@ constexpr Keys kMessageOfRos1 = {"width", "height", "K", "D", "R", "P", true};
 constexpr Keys kMessageOfRos2 = {"width", "height", "k", "d", "r", "p", true};
 
 bool has_lists(const text::Document& document, const Keys& keys) {
-  const auto is_list = [&document](std::string_view key) {
-    const Node* node = text::find(document.root(), key, kDialect);
-    return node != nullptr && node->is_sequence();
+  const Node& root = document.root();
+  const auto has = [&root](std::string_view key) { return text::find(root, key, kDialect) != nullptr; };
+  const auto is_list = [&root](std::string_view key) {
+    const Node* node = text::find(root, key, kDialect);
+    return node != nullptr && node->is_sequence() && std::ranges::all_of(node->items, &Node::is_scalar);
   };
-  return document.root().is_mapping() && is_list(keys.K) && is_list(keys.P);
+  return root.is_mapping() && !has(kMatrix) && has(keys.width) && has(keys.height) && is_list(keys.K) && is_list(keys.D) &&
+         is_list(keys.P);
 }
 
 const Keys& keys_of(const text::Document& document) {
@@ -59,7 +62,6 @@ class YamlFinder {
   std::optional<CameraInfo> run() {
     reader_.warn_of_duplicates(root_);
     CameraInfo info;
-    info.is_message = keys_.is_message;
     info.width = reader_.find(root_, keys_.width);
     info.height = reader_.find(root_, keys_.height);
     read_name(info);

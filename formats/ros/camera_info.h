@@ -25,7 +25,6 @@ struct CameraInfo {
   const text::Node* width = nullptr;
   const text::Node* height = nullptr;
   const text::Node* model = nullptr;
-  bool is_message = false;   ///< As `rostopic echo` prints it.
   bool counted = false;      ///< The number of coefficients says the model (.ini, which has no key for it).
   std::optional<Numbers> K;  ///< 9
   std::optional<Numbers> D;  ///< Any count; none where the file says none.

@@ -124,8 +124,7 @@ class Editor {
     const auto last = std::ranges::find_if(values.rbegin(), values.rend(), [](double value) { return value != 0.0; });
     const auto meant = static_cast<std::size_t>(values.rend() - last);
     constexpr std::size_t kFewest = 4;
-    const bool long_enough = there.nodes.size() >= (info_.is_message ? 0 : kFewest);
-    const bool may_stay = opencv && !info_.counted && long_enough && there.nodes.size() >= meant;
+    const bool may_stay = opencv && !info_.counted && there.nodes.size() >= kFewest && there.nodes.size() >= meant;
     if (may_stay) values.resize(there.nodes.size(), 0.0);
     if (values.size() == there.nodes.size()) {
       for (std::size_t i = 0; i < values.size(); ++i) set(*there.nodes[i], values[i]);
@@ -196,8 +195,7 @@ class BaseFile {
 
   /// ROVIO's files, for one, have neither R nor P: nothing is made up to please the parser.
   [[nodiscard]] std::vector<std::string> programs() const {
-    const bool for_ros =
-        std::ranges::all_of(infos_, [](const CameraInfo& info) { return info.R && info.P && !info.is_message; });
+    const bool for_ros = std::ranges::all_of(infos_, [](const CameraInfo& info) { return info.R && info.P; });
     return for_ros && infos_.size() == 1 ? std::vector<std::string>{"ros"} : std::vector<std::string>();
   }
 
@@ -217,13 +215,6 @@ class BaseFile {
   std::vector<CameraInfo> infos_;
   std::vector<std::string> cameras_;
 };
-
-/// A printed message has as many coefficients as its model.
-bool is_message_of_other_models(const text::Document& base, const Rig& old, const Rig& rig) {
-  if (base.syntax() == text::Syntax::kWords || !is_message(base)) return false;
-  return !std::ranges::equal(old.cameras, rig.cameras,
-                             [](const Camera& a, const Camera& b) { return model_info(a.model).id == model_info(b.model).id; });
-}
 
 /// False with an error for every camera whose model an .ini does not hold.
 bool can_store_in_ini(const Rig& rig, Diagnostics& diagnostics) {
@@ -263,11 +254,13 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   if (!writable_alone(kFormat, rig, Message{Code::kRosDemandsSize}, diagnostics)) return std::nullopt;
   const std::optional<bool> named_ini = names_ini(options.extension);
   const bool base_ini = base != nullptr && base->syntax() == text::Syntax::kWords;
+  // A message is printed by ROS, and no file that it reads.
+  const bool base_message = base != nullptr && !base_ini && is_message(*base);
   const bool ini = named_ini.value_or(base_ini && ini_holds_all(rig));
   if (ini && !can_store_in_ini(rig, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool edits = old && !options.anew && ini == base_ini && !is_message_of_other_models(*base, *old, rig);
+  const bool edits = old && !options.anew && ini == base_ini && !base_message;
   const Rectification rectification = rectification_of(rig);
   Written written;
   std::vector<ExtraField> said;

@@ -66,12 +66,14 @@ std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& dia
 
 /// UTF-16 in either order of bytes, with its mark or, of ASCII's characters, without.
 bool is_utf16(std::string_view bytes) {
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return true;
+  const bool is_utf32 = bytes.substr(0, 4) == std::string_view("\xFF\xFE\0\0", 4);
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return !is_utf32;
   const std::string_view begin = bytes.substr(0, 64);
   std::array<std::size_t, 2> zeros = {0, 0};  // at even places, at odd ones
   for (std::size_t i = 0; i < begin.size(); ++i) zeros[i % 2] += begin[i] == '\0' ? 1 : 0;
   const std::size_t pairs = begin.size() / 2;
-  return pairs > 0 && (zeros == std::array<std::size_t, 2>{0, pairs} || zeros == std::array<std::size_t, 2>{pairs, 0});
+  const auto [fewer, more] = std::minmax(zeros[0], zeros[1]);
+  return pairs > 0 && fewer == 0 && 4 * more > 3 * pairs;
 }
 
 /// JSON and XML take a CR as a blank.

@@ -113,7 +113,8 @@ class ConfigReader {
       const Node* node = find(config_, noise.key);
       if (node == nullptr) continue;
       const std::optional<double> of_sample = reader_.positive(*take(std::string(noise.key)), noise.key);
-      if (of_sample) imu.*noise.density = *of_sample / std::sqrt(*imu.rate_hz);
+      if (!of_sample) continue;
+      imu.*noise.density = *of_sample / std::sqrt(*imu.rate_hz);
       if (first == nullptr) first = node;
     }
     if (first == nullptr) return;

@@ -125,7 +125,8 @@ class Editor {
       if (node == nullptr) continue;
       if (field.shape != fields::Shape::kMatrix) {
         const std::optional<double> number = text::parse_real(node->value);
-        const bool same = number && agrees(*number, *text::parse_real(field.tokens.front()));
+        const std::optional<double> wanted = text::parse_real(field.tokens.front());
+        const bool same = number && wanted && agrees(*number, *wanted);
         result.push_back(same ? field : fields::scalar(field.key, node->value));
         continue;
       }

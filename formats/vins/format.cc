@@ -37,9 +37,8 @@ ProbeResult probe(const text::Document& document) {
   }
   // OV2SLAM's settings have body_T_cam0, too.
   const bool of_vins = has("num_of_cam") || has("image0_topic") || has("acc_n") || has("max_cnt");
-  for (const std::string_view key : {"cam0_calib", "body_T_cam0"}) {
-    if (of_vins && has(key)) return {evidence::kCamera, Message{Code::kFoundTopLevel, {key}}};
-  }
+  if (has("cam0_calib")) return {evidence::kCamera, Message{Code::kFoundTopLevel, {"cam0_calib"}}};
+  if (of_vins && has("body_T_cam0")) return {evidence::kCamera, Message{Code::kFoundTopLevel, {"body_T_cam0"}}};
   if (has("model_type") && has("camera_name"))
     return {evidence::kPart, Message{Code::kFoundKeys, {std::vector<std::string>{"model_type", "camera_name"}}}};
   return {};
@@ -56,6 +55,7 @@ const Format kFormat = {
     .many_cameras = false,
     .extrinsics = false,
     .imu = false,
+    .noise_of_samples = true,
     .image_size = true,
     .own_facts = kOwnFacts,
     .demands = kDemands,

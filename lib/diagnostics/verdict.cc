@@ -27,7 +27,7 @@ std::span<const CodeInfo> verdict_codes() {
       warning(Code::kVerdictInvented, "invented-value", "{0:and}: no input states it, and it matters"),
       reader_warning(Code::kVerdictNeedsVersion, "needs-version",
                      "{0} reads {2} since {1}; its readers before refuse the file"),
-      clause(Code::kOlderVersionsRead, "they read {0}"),
+      clause(Code::kOlderVersionsRead, "for those the model {0}: {1:px} px rms off, worst {2:px}"),
       clause(Code::kFitInsideAngle, "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}"),
   };
   return kRows;

@@ -652,5 +652,26 @@ TEST(Convert, LocalesDoNotMatter) {
   EXPECT_EQ(german.out, spawn_program({"convert", kTumvi, "--to", "orbslam3"}).out);
 }
 
+// VINS-Fusion's four are one sample's noise, whether or not the user says so; the rate makes densities of them, once.
+TEST(Convert, TheRateOfAnImuMakesDensities) {
+  const TemporaryFolder folder;
+  const std::string config = folder.write("config.yaml", read_file(testdata("formats/vins/good/config.yaml")));
+  for (const char* name : {"cam0.yaml", "cam1.yaml"})
+    static_cast<void>(folder.write(name, read_file(testdata("formats/vins/good/kannala-brandt.yaml"))));
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--imu-noise", "discrete"}}) {
+    std::vector<std::string> words = {"convert", config, "--imu-rate",    "200",    "--to",
+                                      "kalibr",  "-o",   folder / "out/", "--force"};
+    words.insert(words.end(), more.begin(), more.end());
+    const RunResult run = run_program(words);
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Rig rig = rig_in(read_file(folder / "out/imu.yaml"));
+    ASSERT_EQ(rig.imus.size(), 1U);
+    EXPECT_NEAR(rig.imus[0].accelerometer_noise_density.value(), 0.1 / std::sqrt(200.0), 1e-12);
+    EXPECT_EQ(rig.imus[0].rate_hz, 200.0);
+  }
+  EXPECT_EQ(run_program({"convert", kTumvi, "--imu-rate", "200", "--to", "opencv"}).code, 2) << "it has no IMU";
+  EXPECT_EQ(run_program({"convert", kTumvi, "--imu-rate", "0", "--to", "opencv"}).code, 3);
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -78,7 +78,6 @@ const rapidjson::Value* mode_of(const rapidjson::Document& document, const std::
   return nullptr;
 }
 
-// V1.0 gives the second fisheye camera the first one's k1..k4: what that costs is known without asking it.
 // A file that does not say which lens its four coefficients are means two things: both are shown, and what decides.
 TEST(Show, BothReadingsOfAFileThatLeavesTheLensOpen) {
   const std::string file =
@@ -100,6 +99,7 @@ TEST(Show, BothReadingsOfAFileThatLeavesTheLensOpen) {
   EXPECT_EQ(run_program({"convert", "-", "--to", "kalibr"}, {.input = file}).code, 2);
 }
 
+// V1.0 gives the second fisheye camera the first one's k1..k4: what that costs is known without asking it.
 TEST(Show, ForAProgramThatMisreadsACamera) {
   const std::string bytes = settings();
   const Rig rig = rig_in(bytes);

@@ -258,5 +258,19 @@ TEST(VerdictFirst, QuietSaysNothingOfAGoodFile) {
   EXPECT_EQ(run.out + run.err, "");
 }
 
+// Basalt reads radtan's terms since 2022: whoever has an older one needs another model, and hears what it costs.
+TEST(Verdict, AModelThatOlderVersionsDoNotReadAsksForCare) {
+  const std::string chain = testdata("checks/clean.yaml");
+  const Told run({"convert", chain, "--to", "basalt", "--json"});
+  EXPECT_EQ(run.code(), 0) << run.text();
+  const auto& reasons = run.json()["verdict"]["reasons"];
+  const auto* const found =
+      std::find_if(reasons.Begin(), reasons.End(), [](const auto& reason) { return reason["code"] == "needs-version"; });
+  ASSERT_NE(found, reasons.End()) << run.text();
+  const std::string fix = (*found)["fix"].GetString();
+  EXPECT_TRUE(contains(fix, "--model ")) << fix;
+  EXPECT_FALSE(contains(Told({"convert", chain, "--to", "basalt", "--model", "kb4", "--json"}).text(), "needs-version"));
+}
+
 }  // namespace
 }  // namespace fca::test

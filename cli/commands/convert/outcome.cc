@@ -25,7 +25,7 @@ OutputRoom room(const ConvertArguments& arguments) {
   OutputRoom result;
   result.named_files = arguments.json || arguments.in_place || !output.is_standard_output();
   result.further_files = output.kind == OutputPlace::Kind::kFolder;
-  result.given_parts = output.kind != OutputPlace::Kind::kFile;
+  result.given_parts = !arguments.in_place && (!output.is_said() || output.is_standard_output());
   result.camera_files =
       result.further_files || (!output.is_said() && arguments.json) || output.path.find("{camera}") != std::string::npos;
   return result;

@@ -33,9 +33,8 @@ std::vector<Finding> findings_since(const ConvertResult& before, const ConvertRe
 Message remedy_of_version(const ConvertRequest& request, const ConvertResult& result) {
   std::vector<Camera> sources;
   for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
-  const std::optional<Message> best =
-      best_of_every_version(sources, *result.to, {.max_angle_rad = request.inputs.max_angle_rad});
-  return best ? Message{Code::kOlderVersionsRead, {*best}} : Message();
+  const ModelChoice choice = {.max_angle_rad = request.inputs.max_angle_rad, .objective = request.objective};
+  return best_of_every_version(sources, *result.to, choice).value_or(Message());
 }
 
 Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,

@@ -44,7 +44,6 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
   ConvertOptions options = options_for(stored, choice);
   options.every_pixel = false;
   options.bound = false;
-  options.objective = Objective::kRms;
   Diagnostics unheard;
   std::optional<Conversion> conversion = convert(camera, options, unheard);
   return conversion ? std::optional(std::move(conversion->report)) : std::nullopt;
@@ -53,9 +52,11 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
 /// Of the camera as those models, what is better than `than`; the best first.
 std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
                                           const std::vector<StoredModel>& models) {
+  ModelChoice by_rms = choice;
+  by_rms.objective = Objective::kRms;
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
-    std::optional<ConversionReport> report = report_as(stored, camera, choice);
+    std::optional<ConversionReport> report = report_as(stored, camera, by_rms);
     if (report && is_better(*report, than)) result.push_back(*std::move(report));
   }
   std::ranges::stable_sort(result, is_better);
@@ -83,7 +84,8 @@ std::optional<Message> best_of_every_version(std::span<const Camera> cameras, co
     std::optional<ConversionReport> report = worst_report(stored, cameras, choice);
     if (report && (!best || is_better(*report, *best))) best = std::move(report);
   }
-  return best ? std::optional(in_words(*best)) : std::nullopt;
+  if (!best) return std::nullopt;
+  return Message{Code::kOlderVersionsRead, {best->to_model, best->judgement.error.rms, best->judgement.error.max}};
 }
 
 Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, const ModelChoice& choice) {

@@ -18,8 +18,8 @@ namespace fca {
 [[nodiscard]] Message better_models(const Camera& camera, const ConversionReport& report, const Format& format,
                                     const ModelChoice& choice);
 
-/// "kb4 (rms 0.0312 px)": of the models that every version of the format's program reads the one that all cameras fit best,
-/// with the error of the worst; nothing if there is none.
+/// Code::kOlderVersionsRead: of the models that every version of the format's program reads the one that all cameras fit best,
+/// and the error of the worst; nothing if there is none.
 [[nodiscard]] std::optional<Message> best_of_every_version(std::span<const Camera> cameras, const Format& format,
                                                            const ModelChoice& choice);
 

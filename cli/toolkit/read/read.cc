@@ -12,21 +12,29 @@ namespace {
 
 bool asks_for_lens(const Diagnostic& entry) { return entry.facts.code == Code::kOpencvAmbiguousModel; }
 
-/// Both readings of a file that leaves nothing open but the lens; none of any other.
-std::vector<ReadingAs> both_readings(const Inputs& inputs, const Diagnostics& diagnostics, Files& files) {
+/// Both readings of a file that leaves nothing open but the lens; none of any other, or, with what else is wrong, where there
+/// is no reading at all.
+std::vector<ReadingAs> both_readings(const Inputs& inputs, Diagnostics& diagnostics, Files& files) {
   const auto is_other_error = [](const Diagnostic& entry) {
     return entry.severity == Severity::kError && !asks_for_lens(entry);
   };
   std::vector<ReadingAs> readings;
+  Diagnostics other;  // what else is wrong with the file, where it means nothing as either
   if (std::ranges::none_of(diagnostics.entries(), asks_for_lens) || std::ranges::any_of(diagnostics.entries(), is_other_error))
     return readings;
   for (const OpenCvModel model : {OpenCvModel::kPinhole, OpenCvModel::kFisheye}) {
     Inputs as = inputs;
     as.opencv_model = model;
-    Diagnostics unheard;
-    std::optional<Calibration> calibration = read_calibration(as, files, unheard);
-    if (calibration) readings.push_back({model, *std::move(calibration)});
+    Diagnostics found;
+    std::optional<Calibration> calibration = read_calibration(as, files, found);
+    if (calibration) {
+      readings.push_back({model, *std::move(calibration)});
+    } else {
+      other = std::move(found);
+    }
   }
+  if (!readings.empty()) return readings;
+  for (const Diagnostic& entry : other.entries()) diagnostics.add(entry);
   return readings;
 }
 

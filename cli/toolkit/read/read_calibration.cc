@@ -140,6 +140,9 @@ bool has_use_for_unit(const Inputs& inputs, const Calibration& calibration, Diag
   return false;
 }
 
+/// Has the format's reader made densities of such noise?
+bool is_converted(NoiseKind kind, const Format& format) { return format.noise_of_samples && kind == NoiseKind::kDiscrete; }
+
 }  // namespace
 
 std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
@@ -172,7 +175,8 @@ bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration,
   const std::string& input = inputs.files.front();
   return change_images(inputs.change, input, calibration.rig, diagnostics) &&
          (!inputs.imu_rate_hz || set_imu_rate(*inputs.imu_rate_hz, input, calibration.rig, diagnostics)) &&
-         (!inputs.imu_noise || make_densities(*inputs.imu_noise, input, calibration.rig, diagnostics));
+         (!inputs.imu_noise || is_converted(*inputs.imu_noise, *calibration.format) ||
+          make_densities(*inputs.imu_noise, input, calibration.rig, diagnostics));
 }
 
 std::optional<Calibration> read_calibration(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {

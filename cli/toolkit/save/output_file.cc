@@ -174,9 +174,9 @@ std::optional<Message> find_place(const std::string& path, bool overwrite, Place
   if (place.exists && S_ISDIR(status.st_mode)) return Message{Code::kIsFolder, {path}};
   place.device = place.exists && !S_ISREG(status.st_mode);
   if (place.exists && !place.device && !overwrite) return Message{Code::kFileExists, {path}};
-  // Putting a new file into its place needs a right to the folder alone; who protects a file means the file.
-  const bool may_write = (status.st_mode & 0222) != 0 && ::access(path.c_str(), W_OK) == 0;
-  if (place.exists && !place.device && !may_write) return Message{Code::kFileProtected, {path}};
+  // Putting a new file into its place needs a right to the folder alone; whoever protects a file means its content.
+  const auto may_write = [&] { return (status.st_mode & 0222) != 0 && ::access(path.c_str(), W_OK) == 0; };
+  if (place.exists && !place.device && !may_write()) return Message{Code::kFileProtected, {path}};
   if (place.exists) place.mode = status.st_mode & 07777;
   place.target = path;
   // Written through a symbolic link, also one whose target is yet to come.

@@ -116,7 +116,7 @@ std::span<const CodeInfo> convert_codes() {
                   "name a folder, or a file that has the others beside it"),
       bad_request(Code::kOneCameraPerFile, "one-camera-per-file", "{0} camera per file, and here are {1}",
                   "name a folder, or a pattern for the files' names, or choose one camera"),
-      bad_request(Code::kPartHasNoRoom, "one-output", "{0}: {1} is a file of its own, and one file is named",
+      bad_request(Code::kPartHasNoRoom, "one-output", "{0}: {1} is a file of its own, and there is room for one file",
                   "name a folder for both"),
       clause(Code::kOfHeadlineOne, "{0}: one"),
       clause(Code::kHoldsOne, "{0} holds one"),

@@ -36,7 +36,7 @@ std::span<const CodeInfo> reading_codes() {
                   "give the IMU's file, too"),
       error(Code::kNoiseWithoutRate, "imu-rate-missing", "{0} noise needs the rate of {1}, and nothing states it",
             "add update_rate to the IMU's file"),
-      bad_request(Code::kRateWithoutImu, "imu-missing", "there is a rate of an IMU, and the input has none",
+      bad_request(Code::kRateWithoutImu, "imu-missing", "a rate of the IMU is given, and the input has no IMU",
                   "give the IMU's file, too"),
       error(Code::kRateContradicts, "imu-rate", "{0} has {1} Hz in the file, and {2} Hz are given",
             "give a rate only for files that state none"),

@@ -73,7 +73,8 @@ std::span<const CodeInfo> request_codes() {
       error(Code::kCannotForceToDisk, kNotWritten, "cannot force the files to disk: {0}"),
       error(Code::kIsFolder, kNotWritten, "{0} is a directory"),
       error(Code::kFileExists, kNotWritten, "{0} exists"),
-      error(Code::kFileProtected, kNotWritten, "{0} is write-protected", "allow to write it (chmod u+w), or name another file"),
+      error(Code::kFileProtected, kNotWritten, "{0} is write-protected",
+            "make it writable (chmod u+w FILE), or name another file"),
       error(Code::kPathFails, kNotWritten, "{0}: {1}"),
       error(Code::kFolderMissing, kNotWritten, "cannot write {0}: there is no folder {1}"),
   };

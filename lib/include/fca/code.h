@@ -1177,6 +1177,7 @@ enum class Code : std::uint16_t {
   kBaselineIsBf,
   kBaselineIsBfOrMillimetres,
   kSecondCameraIsLeft,
+  kPairVertical,
   kCameraUnderGround,
   kCameraNotOfACar,
   kAboveGround,

@@ -59,8 +59,8 @@ row. The other order is reported if it puts the centre at most half as far from 
 diagonals of the image from there; on an image that is almost square nobody can tell.)"},
     Story{
         "coefficient-repeated",
-        R"(Two of k1 ... k6, p1, p2 agree to the last of more than four decimals. Estimated numbers never do: one was copied to
-the other's place.)"},
+        R"(Two of k1 ... k6, p1, p2 agree in five digits and more, to the last. Estimated numbers never do: one was copied to the
+other's place.)"},
     Story{
         "comment-lines",
         R"(get_ocam_model reads calib_results.txt by lines: one line skipped, one block read, five times over. With two comment
@@ -70,7 +70,8 @@ lines before a block it takes the second for the numbers. Blank lines count, too
         "comment-too-long",
         "get_ocam_model skips a comment with fgets into a buffer of 1024 bytes; the rest of a longer line is read as numbers."},
     Story{"cr-line-ends",
-          "Old Macs ended lines in CR alone. YAML parsers and OCamCalib's reader look for LF and see one line."},
+          "Old Macs ended lines in CR alone. OpenCV's reader and OCamCalib's look for LF and see one line; PyYAML (Kalibr) "
+          "does not."},
     Story{"degree-too-high", "MATLAB's default is degree 4; the message says up to which degree fca-io holds the polynomial."},
     Story{"depth-threshold",
           R"(ORB-SLAM takes points nearer than ThDepth * baseline for close, whose depth one view gives. 35 to 60 in upstream's
@@ -112,8 +113,9 @@ the second.)"},
          +---------------- angle from the axis
 
 The angle is where the radius stops growing; the pixels are those of the image beyond that radius. Within 85 deg a warning:
-such a lens fills the image. Beyond, a note: a fisheye's image circle may end there. If it is within half the way to the
-border, an error. --max-angle says what counts as lens.)"},
+such a lens fills the image. Beyond, a note: a fisheye's image circle may end there. It is an error within half the way to the
+border, and of radtan and rational within all of it: their terms fold where nothing was calibrated. --max-angle says what counts
+as lens.)"},
     Story{"image-size-invalid",
           "Width and height are whole numbers of pixels, at least 1, and what a camera can have at most: a digit too many or "
           "too few."},

@@ -156,8 +156,9 @@ struct Format {
   bool pair_poses = false;       ///< Of the poses between cameras it states that of a stereo pair only, the rig's first two.
   bool any_length_unit = false;  ///< Its files do not say in what unit translations are; metres elsewhere.
   bool imu = true;
-  bool needs_imu = false;  ///< Its program does nothing without an IMU: its calibrations state one.
-  bool imu_file = false;   ///< An IMU without cameras is a file of its own: Kalibr's imu.yaml.
+  bool noise_of_samples = false;  ///< Its IMU noise is one sample's; its reader makes densities of it.
+  bool needs_imu = false;         ///< Its program does nothing without an IMU: its calibrations state one.
+  bool imu_file = false;          ///< An IMU without cameras is a file of its own: Kalibr's imu.yaml.
   bool image_size = true;
   bool time_offset = false;
   bool frame_rate = false;
