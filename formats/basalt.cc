@@ -89,8 +89,6 @@ constexpr schema::Mapping kValue = {
     .keys = kKeys, .written = kWrittenOrder, .unread = "", .warns_of_duplicates = true, .missing = Code::kBasaltMissingKeys};
 constexpr std::array kRootKeys = {required(schema::object("value0", kValue))};
 
-}  // namespace
-
 /// cereal looks a key up from the front: of equal ones the first counts, as in cv::FileStorage.
 constexpr schema::Schema kSchema = {.what = "a Basalt calibration",
                                     .dialect = text::Dialect::kOpenCv,
@@ -109,8 +107,6 @@ constexpr schema::Schema kSchema = {.what = "a Basalt calibration",
                                               .one_offset = Code::kBasaltOneOffset,
                                               .offset_rounded = Code::kBasaltOffsetRounded,
                                               .further_imu = Code::kBasaltImuDropped}};
-
-namespace {
 
 /// A limit that was set for another lens is kept where the new one has such a key, and goes where it has none.
 void list_stale_radius(const Rig& old, const Rig& rig, std::vector<Loss>& losses) {
@@ -207,6 +203,7 @@ const Format kFormat = {
     .demands = kDemands,
     .of_the_images = kOfTheImages,
     .models = kModels,
+    .table = &kSchema,
     .probe = probe,
     .read = read,
     .write = write,

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "schema/schema.h"
+#include <fca/formats/format.h>
 
 namespace fca::basalt {
 
 extern const Format kFormat;
-extern const schema::Schema kSchema;
 
 }  // namespace fca::basalt

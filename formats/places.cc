@@ -76,7 +76,7 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
 }
 
 std::optional<SourceRange> Places::by_table(std::string_view camera, const schema::Fact& fact) const {
-  const schema::Schema* table = schema::table_of(*calibration_->format);
+  const schema::Schema* table = calibration_->format->table;
   if (table == nullptr || calibration_->documents.size() != 1) return std::nullopt;
   const std::vector<Camera>& cameras = calibration_->rig.cameras;
   const auto index = static_cast<std::size_t>(std::ranges::find(cameras, camera, &Camera::name) - cameras.begin());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
 #include "basalt.h"
-#include "kalibr/blocks.h"
 #include "kalibr/kalibr.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"
@@ -18,7 +17,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace fca {
 
@@ -35,15 +33,6 @@ const auto& table() {
 }  // namespace
 
 std::span<const Format> all_formats() { return table(); }
-
-const schema::Schema* schema::table_of(const Format& format) {
-  static constexpr std::array kTables = {
-      std::pair{&basalt::kFormat, &basalt::kSchema}, std::pair{&woodscape::kFormat, &woodscape::kSchema},
-      std::pair{&kalibr::kFormat, &kalibr::kChain}, std::pair{&tumvi::kFormat, &kalibr::kChain},
-      std::pair{&openvins::kFormat, &kalibr::kOpenCvChain}};
-  const auto found = std::ranges::find_if(kTables, [&](const auto& row) { return row.first->id == format.id; });
-  return found == kTables.end() ? nullptr : found->second;
-}
 
 const Format* find_format(std::string_view name) {
   const auto& formats = table();

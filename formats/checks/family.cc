@@ -8,7 +8,6 @@
 #include <fca/rig/fields_of_view.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -56,9 +55,7 @@ void check_equidistant(const Subject& subject, const Camera& camera, Findings& f
 /// Under radtan, k1 and k2 of a unified model leave out the xi that makes the pincushion of k2 a fisheye's barrel. No plain
 /// lens's second term outweighs the first and pulls the corner outwards so far.
 void check_unified(const Subject& subject, const Camera& camera, Findings& findings) {
-  // Not with a focal length that nobody believes.
-  constexpr std::array kOtherDefect = {Code::kAnyFocalLengthNotInPixels, Code::kAnySizeUnlikeCentre};
-  if (!camera.image_size || findings.has_any(kOtherDefect)) return;
+  if (!camera.image_size) return;
   const double k1 = value(camera, "k1");
   const double k2 = value(camera, "k2");
   const Pixel centre = principal_point(camera.model);
@@ -71,6 +68,10 @@ void check_unified(const Subject& subject, const Camera& camera, Findings& findi
   const double outwards = k1 * r2 + k2 * r2 * r2;
   const bool four_numbers = value(camera, "k3") == 0.0;
   if (!four_numbers || std::abs(k1) > kShape || k2 * r2 < kOutweighs * std::abs(k1) || outwards < kPincushion) return;
+  // Not with a focal length or a size that nobody believes.
+  if (findings.has(Code::kAnyFocalLengthNotInPixels, subject.places.parameter(camera, "fx")) ||
+      findings.has(Code::kAnySizeUnlikeCentre, subject.places.image_width(camera)))
+    return;
   findings.add(Code::kMeiUnderRadtan, {camera.name, k1, k2, 100.0 * outwards}, subject.places.parameter(camera, "k2"));
 }
 

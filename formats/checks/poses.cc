@@ -196,7 +196,7 @@ void check_stereo_order(const Subject& subject, Findings& findings) {
   const std::optional<double> below = second_below_first(rig);
   if (!below || model_info(rig.cameras.front().model).id == std::string_view("kb4")) return;
   constexpr double kCmPerM = 100.0;
-  findings.add(Code::kPairVertical,
+  findings.add(Code::kOrbslam3PairVertical,
                {rig.cameras[1].name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", rig.cameras[0].name},
                place_of_pair(subject));
 }

@@ -86,6 +86,7 @@ const Format kFormat = {
     .of_the_images = kOfTheImages,
     .of_cameras = kOfCameras,
     .models = kModels,
+    .table = &kChain,
     .probe = probe,
     .optional_value = optional_value,
     .read = read,

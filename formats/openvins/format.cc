@@ -280,6 +280,7 @@ const Format kFormat = {
     .of_the_images = kOfTheImages,
     .of_cameras = kOfCameras,
     .models = kModels,
+    .table = &kalibr::kOpenCvChain,
     .probe = probe,
     .read = read,
     .write = write,

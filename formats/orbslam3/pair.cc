@@ -31,7 +31,7 @@ void warn_of_vertical_pair(const Rig& rig, const Target& target, Diagnostics& di
   const std::optional<double> below = second_below_first(rig);
   if (!below) return;
   constexpr double kCmPerM = 100.0;
-  diagnostics.add(Code::kOrbslam3PairVertical,
+  diagnostics.add(Severity::kWarning, Code::kOrbslam3PairVertical,
                   {rig.cameras[1].name, kCmPerM * std::abs(*below), *below > 0.0 ? "below" : "above", rig.cameras[0].name});
 }
 

@@ -26,7 +26,7 @@ bool is_further(const Key& key, std::string_view name) {
   return !name.empty() && std::ranges::find(key.with.lenses, name, &Lens::further) != key.with.lenses.end();
 }
 
-/// Entries beside the parameters: a limit of a lens is kept where it is one, of others is said that nobody reads them.
+/// Entries that are no parameters: the limit of a lens that has one is kept, others get a warning.
 void read_further(Reading& reading, const Key& key, const Node& node) {
   const auto& parameters = model_info(reading.camera->model).parameters;
   for (const text::Entry& entry : node.entries) {

@@ -17,7 +17,7 @@ using text::Node;
 
 namespace {
 
-constexpr double kRounding = 1e-9;       ///< What a rotation may be off before its quaternion is said to be another one.
+constexpr double kRounding = 1e-9;       ///< Up to here a rotation and that of its quaternion are the same.
 constexpr double kSameRotation = 1e-12;  ///< Elements of two rotations that differ by less say the same.
 constexpr double kPrinted = 1e-3;        ///< From 1: the length of a quaternion that was printed with few digits.
 /// One part of a pose, as entries of its mapping.

@@ -96,7 +96,7 @@ struct Mapping {
   Code missing = {};                 ///< Said of all keys without which only the program stops; none: nothing is.
 };
 
-/// What is said where a key is not there: nothing, a warning, an error.
+/// What a missing key is: nothing, a warning, an error.
 enum class Need { kOptional, kWanted, kRequired };
 
 /// Of how many cameras the value under a key speaks.
@@ -209,10 +209,7 @@ struct Subject {
   [[nodiscard]] const Camera& the_camera() const { return rig.cameras[camera]; }
 };
 
-/// The table of a format; null where the format has none yet.
-[[nodiscard]] const Schema* table_of(const Format& format);
-
-/// What the table makes of documents; nothing, with errors, where they do not state a calibration.
+/// Reads documents by the table; nothing, with errors, where they hold no calibration.
 [[nodiscard]] std::optional<Rig> read(const Schema& schema, std::span<const text::Document> documents,
                                       const ReadOptions& options, Diagnostics& diagnostics);
 /// The keys of a mapping of a document that is read.

@@ -2,6 +2,7 @@
 #include "camera_txt.h"
 #include "tumvi.h"
 
+#include "../kalibr/blocks.h"
 #include "../kalibr/demands.h"
 #include "../kalibr/kalibr.h"
 #include "../kalibr/overlaps.h"
@@ -188,6 +189,7 @@ const Format kFormat = {
     .of_the_images = kOfTheImages,
     .of_cameras = kOfCameras,
     .models = kModels,
+    .table = &kalibr::kChain,
     .probe = probe,
     .layout_holds = layout_holds,
     .read = read,

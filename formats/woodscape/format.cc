@@ -142,6 +142,7 @@ const Format kFormat = {
     .own_facts = kOwnFacts,
     .demands = kDemands,
     .models = kModels,
+    .table = &kSchema,
     .probe = probe,
     .read = read,
     .write = write,

@@ -42,9 +42,6 @@ std::span<const CodeInfo> pose_check_codes() {
               "the second camera stands {0} to the left of the first: the pose holds the other direction, or the cameras are "
               "exchanged",
               "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)"),
-      about_reader(error(Code::kPairVertical, "stereo-vertical",
-                         "{0} sits {1:.3} cm {2} {3}, and ORB-SLAM3 looks for a pair's matches along the rows only",
-                         "turn both images by 90 deg and calibrate those; the mode mono takes one camera")),
       warning(Code::kCameraUnderGround, "pose-inverted",
               "{0} stands {1} of the vehicle's frame; the inverse pose would put it {2}",
               "the file states camera -> vehicle: invert the pose"),

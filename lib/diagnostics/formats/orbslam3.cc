@@ -73,9 +73,10 @@ std::span<const CodeInfo> orbslam3_codes() {
             "settings of pinhole cameras in the style before ORB-SLAM3 V1.0 are for rectified pairs: they have no place for "
             "the pose between unrectified cameras nor for a second camera's own intrinsics",
             "the layout v1 has both; the mode mono takes the first camera alone; or rectify the images"),
-      warning(Code::kOrbslam3PairVertical, "stereo-vertical",
-              "{0} sits {1:.3} cm {2} {3}, and ORB-SLAM3 looks for a pair's matches along the rows only",
-              "turn both images by 90 deg and calibrate those; the mode mono takes one camera"),
+      // An error in a file for ORB-SLAM; the other programs that it is converted to do not mind.
+      about_reader(error(Code::kOrbslam3PairVertical, "stereo-vertical",
+                         "{0} sits {1:.3} cm {2} {3}, and ORB-SLAM3 looks for a pair's matches along the rows only",
+                         "turn both images by 90 deg and calibrate those; the mode mono takes one camera")),
       warning(Code::kOrbslam3PairNotRectified, "not-rectified",
               "one camera and a baseline stand for a rectified pair, and {0} has distortion: matches are looked for along the "
               "rows of images that are not rectified",

@@ -1177,7 +1177,6 @@ enum class Code : std::uint16_t {
   kBaselineIsBf,
   kBaselineIsBfOrMillimetres,
   kSecondCameraIsLeft,
-  kPairVertical,
   kCameraUnderGround,
   kCameraNotOfACar,
   kAboveGround,

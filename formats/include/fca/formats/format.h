@@ -62,6 +62,9 @@ struct DefaultedValue {
 };
 
 struct Format;
+namespace schema {
+struct Schema;  // formats/schema/schema.h
+}
 
 /// What a format states and a Rig has no member for.
 struct OwnFact {
@@ -178,6 +181,7 @@ struct Format {
   /// Keys of own facts that name cameras by their numbers (1: cam1): who names those anew counts these anew.
   std::span<const std::string_view> of_cameras = {};
   std::span<const StoredModel> models;
+  const schema::Schema* table = nullptr;  ///< Which fact stands under which key; null where the format has no table yet.
 
   ProbeResult (*probe)(const text::Document& document);
 
