@@ -74,6 +74,10 @@ constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam")};
 constexpr std::array kMetashape = {Name("metashape"), Name("photoscan"), Name("agisoft")};
 constexpr std::array kKitti = {Name("kitti"), Name("kitti-odom")};
 constexpr std::array kMast3r = {Name("mast3r"), Name("mast3r-slam")};
+constexpr std::array kTagslam = {Name("tagslam")};
+constexpr std::array kAirslam = {Name("airslam"), Name("airvo")};
+constexpr std::array kOpenmvg = {Name("openmvg")};
+constexpr std::array kGtsam = {Name("gtsam")};
 constexpr std::array kMatlab = {Name("matlab")};
 constexpr std::array kSpectacular = {Name("spectacularai"), Name("sai")};
 
@@ -118,6 +122,11 @@ constexpr std::array kNames = {
     ProgramName{kR3live, "R3LIVE", "vins", "", "", "keys of its own in its configuration"},
     ProgramName{kOmnidso, "omniDSO", "tumvi", "", "", "camera.txt with a line of the unified model"},
     ProgramName{kMast3r, "MASt3R-SLAM", "opencv", "", "", "intrinsics.yaml"},
+    ProgramName{kTagslam, "TagSLAM", "kalibr", "", "",
+                "cameras.yaml, Kalibr's keys with a tagtopic and a rig_body for each camera"},
+    ProgramName{kAirslam, "AirSLAM", "kalibr", "", "", "a YAML of its own"},
+    ProgramName{kOpenmvg, "openMVG", "opencv", "", "", "sfm_data.json"},
+    ProgramName{kGtsam, "GTSAM", "opencv", "", "", "arguments of its Cal3 classes"},
     ProgramName{kMatlab, "MATLAB", "opencv", "", "", "objects of its own (cameraIntrinsicsKB, fisheyeIntrinsics)"},
     ProgramName{kSpectacular, "SpectacularAI", "opencv", "", "", "calibration.json"},
 };

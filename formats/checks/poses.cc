@@ -132,23 +132,63 @@ bool name_millimetres(const Subject& subject, Findings& findings) {
   return true;
 }
 
-/// If a slip of one of them explains the contradictions, it is told, and the pose that follows from the others stands in `rig`.
-bool name_slip(const Subject& subject, const Suspect& suspect, Rig& rig, Findings& findings) {
-  const PoseEdge& edge = subject.rig().poses[suspect.index];
+/// A slip that explains the contradictions of a pose with the others.
+struct Explanation {
+  Suspect suspect;
+  Code slip = {};
+};
+
+std::optional<Explanation> explained(const PoseEdge& edge, const Suspect& suspect) {
   for (const PoseSlip& slip : pose_slips()) {
     const std::optional<Transform> undone = slip.undo(edge.T_a_b);
     if (!undone) continue;
     // A small rotation and its transpose are as near as honest statements are, but then none of them is exact.
     const bool explains = !close(edge.T_a_b, suspect.around) && close(*undone, suspect.around);
-    if (!explains && !same(*undone, suspect.around)) continue;
-    const bool of_translation = slip.code == Code::kPoseInMillimetres || slip.code == Code::kPoseInKilometres;
-    findings.add(slip.code, {name_of(edge)},
-                 of_translation ? subject.places.pose(suspect.index, longest_row(edge.T_a_b), 3)
-                                : subject.places.pose(suspect.index, 0, 0));
-    rig.poses[suspect.index].T_a_b = suspect.around;
-    return true;
+    if (explains || same(*undone, suspect.around)) return Explanation{suspect, slip.code};
   }
-  return false;
+  return std::nullopt;
+}
+
+Rig without_slip(const Rig& rig, const Explanation& explanation) {
+  Rig meant = rig;
+  meant.poses[explanation.suspect.index].T_a_b = explanation.suspect.around;
+  return meant;
+}
+
+/// The explanations after which the second camera stands to the right of the first; all where that tells none from another.
+std::vector<Explanation> in_stereo_order(const Rig& rig, std::vector<Explanation> explanations) {
+  std::vector<Explanation> ordered = explanations;
+  std::erase_if(ordered, [&rig](const Explanation& each) { return second_left_of_first(without_slip(rig, each)).has_value(); });
+  return ordered.empty() ? explanations : ordered;
+}
+
+void tell_slip(const Subject& subject, const Explanation& explanation, Findings& findings) {
+  const std::size_t index = explanation.suspect.index;
+  const PoseEdge& edge = subject.rig().poses[index];
+  const bool of_translation = explanation.slip == Code::kPoseInMillimetres || explanation.slip == Code::kPoseInKilometres;
+  findings.add(explanation.slip, {name_of(edge)},
+               of_translation ? subject.places.pose(index, longest_row(edge.T_a_b), 3) : subject.places.pose(index, 0, 0));
+}
+
+/// If a slip of one pose explains contradictions, it is told, and the pose that follows from the others stands in `meant`.
+/// Where slips of several would, and the order of a stereo pair does not decide, that is an open question.
+bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig& meant, Findings& findings) {
+  const std::vector<PoseEdge>& stated = subject.rig().poses;
+  std::vector<Explanation> explanations;
+  for (const Suspect& suspect : suspects_in(meant, loops)) {
+    if (meant.poses[suspect.index] != stated[suspect.index]) continue;  // told before
+    if (const auto explanation = explained(stated[suspect.index], suspect)) explanations.push_back(*explanation);
+  }
+  explanations = in_stereo_order(meant, std::move(explanations));
+  if (explanations.size() > 1) {
+    std::vector<std::string> names;
+    for (const Explanation& each : explanations) names.push_back(name_of(stated[each.suspect.index]));
+    findings.undecided(Code::kWrongPoseUndecided, {names});
+  }
+  if (explanations.size() != 1) return false;
+  tell_slip(subject, explanations.front(), findings);
+  meant = without_slip(meant, explanations.front());
+  return true;
 }
 
 constexpr double kLargestRig = 50.0;  // m
@@ -262,14 +302,8 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
   if (!loops.empty() && name_millimetres(subject, findings)) return true;
   // What one slip explains is no contradiction besides.
   Rig meant = subject.rig();
-  const auto explain_one = [&] {
-    const auto named = [&](const Suspect& each) {
-      const bool told = meant.poses[each.index] != poses[each.index];
-      return !told && name_slip(subject, each, meant, findings);
-    };
-    return std::ranges::any_of(suspects_in(meant, loops), named);
-  };
-  for (std::size_t slips = 0; slips < poses.size() && !loops.empty() && explain_one(); ++slips) loops = contradictions(meant);
+  for (std::size_t slips = 0; slips < poses.size() && !loops.empty() && explain_one(subject, loops, meant, findings); ++slips)
+    loops = contradictions(meant);
   constexpr double kSmallAngle = 1.0 / kDegreesPerRadian;
   constexpr double kSmallDistance = 0.01;
   for (const PoseLoop& loop : loops) {

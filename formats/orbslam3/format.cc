@@ -69,6 +69,11 @@ bool layout_holds(const text::Document& document, std::string_view model) {
   return find_layout(style_of(document), model) != nullptr;
 }
 
+bool layout_stores(std::string_view layout, std::string_view model) {
+  const auto* const named = std::ranges::find(kStyleNames, layout, &StyleName::name);
+  return named != kStyleNames.end() && find_layout(named->style, model) != nullptr;
+}
+
 }  // namespace
 
 const Format kFormat = {
@@ -97,6 +102,8 @@ const Format kFormat = {
     .range_of = range_of,
     .optional_value = optional_value,
     .layout_holds = layout_holds,
+    .cameras_held = cameras_held,
+    .layout_stores = layout_stores,
     .read = read,
     .write = write,
 };

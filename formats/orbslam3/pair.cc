@@ -54,12 +54,15 @@ void warn_of_unlike_times(const Rig& rig, Diagnostics& diagnostics) {
 
 }  // namespace
 
+bool holds_pair(const Rig& rig, Style style) {
+  const bool before_v1 = style == Style::kOld || style == Style::kOrbSlam2;
+  if (!before_v1 || rig.cameras.size() < 2) return true;
+  const Layout* layout = find_layout(style, model_info(rig.cameras[1].model).id);
+  return (layout != nullptr && is_fisheye(*layout)) || is_posed_as_rectified(rig);
+}
+
 bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
-  const bool before_v1 = target.style == Style::kOld || target.style == Style::kOrbSlam2;
-  if (!before_v1 || !target.sensor.two_cameras || rig.cameras.size() < 2) return true;
-  const Layout* layout = find_layout(target.style, model_info(rig.cameras[1].model).id);
-  const bool holds_two = layout != nullptr && is_fisheye(*layout);
-  if (holds_two || is_posed_as_rectified(rig)) return true;
+  if (!target.sensor.two_cameras || holds_pair(rig, target.style)) return true;
   diagnostics.add(Code::kOrbslam3PairNotStorable);
   return false;
 }

@@ -8,8 +8,11 @@
 
 namespace fca::orbslam3 {
 
-/// False with an error where the style has no place for the pair: before V1.0, settings of pinhole cameras hold one set of
-/// intrinsics and Camera.bf for both.
+/// Does the style have a place for the pair? Before V1.0, settings of pinhole cameras hold one set of intrinsics and Camera.bf
+/// for both.
+[[nodiscard]] bool holds_pair(const Rig& rig, Style style);
+
+/// False with an error where the style has no place for the pair.
 [[nodiscard]] bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics);
 
 /// Warnings of a pair that can be written and that the program will hardly match: nothing seen by both, one camera above the

@@ -34,12 +34,17 @@ bool only_when_asked(const Sensor& sensor) { return sensor.depth; }
 Sensor richest_sensor(const Rig& rig, Style style, std::vector<Message>& next) {
   Sensor best = *find_sensor("mono");
   const bool is_pair = rig.cameras.size() < 2 || may_be_stereo(rig, rig.cameras[0], rig.cameras[1]);
+  const bool is_held = holds_pair(rig, style);
   for (const Sensor& sensor : kSensors) {
-    if (sensor.two_cameras && !is_pair) continue;
+    if (sensor.two_cameras && !(is_pair && is_held)) continue;
     if (!only_when_asked(sensor) && missing_for(rig, sensor, style).empty()) best = sensor;
   }
   if (!is_pair) {
     next = {Message{Code::kOrbslam3NoPair, {rig.cameras[0].name, rig.cameras[1].name}}};
+    return best;
+  }
+  if (!is_held) {
+    next = {Message{Code::kOrbslam3ModeLacks, {"stereo", Message{Code::kOrbslam3LacksRectifiedPair}}}};
     return best;
   }
   const std::string_view wished = rig.cameras.size() > 1 ? "stereo-inertial" : "mono-inertial";
@@ -48,6 +53,18 @@ Sensor richest_sensor(const Rig& rig, Style style, std::vector<Message>& next) {
   }
   return best;
 }
+
+}  // namespace
+
+std::size_t cameras_held(const Rig& rig, const std::string& mode) {
+  if (rig.cameras.empty()) return 0;
+  std::vector<Message> next;
+  const Sensor* asked = find_sensor(mode);
+  const Sensor sensor = asked != nullptr ? *asked : richest_sensor(rig, Style::kV1, next);
+  return sensor.two_cameras ? 2 : 1;
+}
+
+namespace {
 
 /// Rates that the style stores as ints.
 void list_rounded_rates(const Rig& rig, const Target& target, Written& written) {

@@ -132,6 +132,18 @@ void add_other_name(const CameraModel& reference, const CameraModel& other, Cand
   }
 }
 
+/// The lens of the reference, where the other has none.
+void add_left_out(const CameraModel& reference, const CameraModel& other, Candidates& candidates) {
+  const ModelInfo& right = model_info(reference);
+  const ModelInfo& wrong = model_info(other);
+  if (!right.focal_lengths_first || !wrong.focal_lengths_first) return;
+  const std::span<const double> numbers = parameter_values(other);
+  if (std::ranges::any_of(numbers.subspan(kBeforeLens), [](double number) { return number != 0.0; })) return;
+  CameraModel undone = reference;
+  std::copy_n(numbers.begin(), kBeforeLens, parameter_values(undone).begin());
+  candidates.push_back({Code::kDistortionLeftOut, undone});
+}
+
 }  // namespace
 
 std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, double scale,
@@ -145,6 +157,7 @@ std::optional<Mistake> mistake_in(const Camera& reference, const Camera& other, 
   add_scales(other.model, scale, candidates);
   add_other_orders(other.model, candidates);
   add_other_name(reference.model, other.model, candidates);
+  add_left_out(reference.model, other.model, candidates);
 
   // A guess must come as near as two honest calibrations of one camera rarely do.
   constexpr double kNear = 1.0;

@@ -205,6 +205,17 @@ std::vector<TextDefect> defects() {
        },
        20,
        false},
+      {"UTF-16",
+       {},
+       {"utf-16"},
+       [](const Good& good) {
+         const std::string bytes = bytes_of(good);
+         std::string wide = "\xFF\xFE";
+         for (const char byte : bytes) wide += {byte, '\0'};
+         return SpanEdit{{0, bytes.size()}, wide};
+       },
+       20,
+       false},
       {"lines that end in CR",
        {"kalibr", "orbslam3", "opencv"},
        {"cr-line-ends"},

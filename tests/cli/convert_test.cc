@@ -290,6 +290,30 @@ TEST(Convert, SensorsAreServedOrRefused) {
   EXPECT_NEAR(rig_in(depth.out).baseline_m.value(), 0.05, 1e-12);
 }
 
+// One camera is exact as PinHole; with the other it would have to become a Kannala-Brandt.
+TEST(Convert, ModelsAreChosenForTheCamerasOfTheMode) {
+  const std::string first =
+      "cam0:\n  camera_model: pinhole\n  intrinsics: [411.5, 412.25, 321.5, 238.5]\n  distortion_model: radtan\n"
+      "  distortion_coeffs: [-0.28, 0.0725, 0.0003, -0.0002]\n  resolution: [640, 480]\n";
+  const std::string second =
+      "cam1:\n  camera_model: pinhole\n  intrinsics: [191.5, 191.25, 321.0, 239.0]\n  distortion_model: equidistant\n"
+      "  distortion_coeffs: [0.0035, 0.0007, -0.002, 0.0002]\n  resolution: [640, 480]\n  T_cn_cnm1:\n";
+  const std::string beside = "  - [1.0, 0.0, 0.0, -0.11]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n";
+  const std::string away = "  - [0.0, 0.0, 1.0, -0.11]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [-1.0, 0.0, 0.0, 0.0]\n";
+  const std::string last = "  - [0.0, 0.0, 0.0, 1.0]\n";
+  const TemporaryFolder folder;
+  const std::string pair = folder.write("pair.yaml", first + second + beside + last);
+  const std::string apart = folder.write("apart.yaml", first + second + away + last);
+  for (const Told& run :
+       {Told({"convert", pair, "--to", "orbslam3", "--sensor", "mono"}), Told({"convert", apart, "--to", "orbslam3"})}) {
+    ASSERT_EQ(run.json()["cameras"].Size(), 1U) << run.text();
+    EXPECT_TRUE(run.json()["cameras"][0]["exact"].GetBool()) << run.text();
+    EXPECT_EQ(std::string(run.json()["cameras"][0]["to_model"].GetString()), "radtan") << run.text();
+  }
+  const Told both({"convert", pair, "--to", "orbslam3", "--accept", "pixels"});
+  EXPECT_EQ(both.json()["cameras"].Size(), 2U) << both.text();
+}
+
 TEST(Convert, AStatedFrameRateIsNoDefault) {
   const RunResult run = run_program({"convert", kTumvi, "--to", "orbslam3", "--fps", "30", "--orbslam3-layout", "v1"});
   EXPECT_TRUE(contains(run.out, "Camera.fps: 30\n")) << run.out;

@@ -45,6 +45,9 @@ TEST(Names, NoneStandsTwice) {
 TEST(Names, AProgramsNameMayMeanALayoutOrASyntax) {
   const Told orbslam2({"convert", kTumvi, "--camera", "0", "--model", "radtan", "--max-angle", "40", "--to", "ORB_SLAM2"});
   EXPECT_TRUE(consumers::find_consumer("orbslam2")->load(orbslam2.bytes(), {"mono"}).loads()) << orbslam2.text();
+  // Without a model asked for it is one that the layout holds.
+  const Told pair({"convert", kTumvi, "--max-angle", "40", "--to", "orbslam2"});
+  EXPECT_TRUE(consumers::find_consumer("orbslam2")->load(pair.bytes(), {"mono"}).loads()) << pair.text();
   const Told dso({"convert", kTumvi, "--camera", "0", "--model", "radtan", "--max-angle", "40", "--to", "dso"});
   EXPECT_TRUE(consumers::find_consumer("dso")->load(dso.bytes(), {}).loads()) << dso.text();
 }

@@ -77,13 +77,18 @@ struct RunResult {
   std::string err;
 };
 
-// The sanitizers' checks make the program this much slower (20 to 35 times in a fit); limits of time are for the program as
-// users run it.
-#ifdef __SANITIZE_ADDRESS__
-inline constexpr double kSlowdown = 20.0;
-#else
-inline constexpr double kSlowdown = 1.0;
+// GCC tells by a macro, Clang by a feature.
+#ifndef __has_feature
+#define __has_feature(name) 0
 #endif
+#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+/// The sanitizers' checks make the program this much slower (20 to 35 times in a fit); limits of time are for the program as
+/// users run it.
+inline constexpr double kSlowdown = kSanitized ? 20.0 : 1.0;
 
 struct RunOptions {
   std::string input;            ///< Standard input.

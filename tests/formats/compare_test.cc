@@ -241,6 +241,18 @@ bool rename(Rig& rig, std::string_view from, std::string_view to) {
   return false;
 }
 
+/// The same focal lengths and centre without any lens.
+bool leave_out_lens(Rig& rig) {
+  for (Camera& camera : rig.cameras) {
+    if (!model_info(camera.model).focal_lengths_first || model_info(camera.model).parameters.size() == 4) continue;
+    CameraModel straight = *make_model("pinhole");
+    std::ranges::copy(std::span(parameter_values(std::as_const(camera.model))).first(4), parameter_values(straight).begin());
+    camera.model = straight;
+    return true;
+  }
+  return false;
+}
+
 bool change_noise(Rig& rig, const std::function<double(double, double)>& change) {
   bool any = false;
   for (Imu& imu : rig.imus) {
@@ -333,6 +345,7 @@ const std::vector<Plant>& plants() {
       {"wrong-model", 2, [](Rig& rig) { return rename(rig, "radtan", "kb4"); }},
       {"wrong-model", 2, [](Rig& rig) { return rename(rig, "eucm", "ds"); }},
       {"wrong-model", 2, [](Rig& rig) { return rename(rig, "ucm", "mei"); }},
+      {"distortion-left-out", 3, leave_out_lens},
       {"cameras-exchanged", 3,
        [](Rig& rig) {
          if (rig.cameras.size() < 2) return false;

@@ -165,7 +165,10 @@ std::string show_text(const ShownFile& shown) {
   if (calibration.rig.baseline_m)
     text += "\nbaseline of the rectified pair or depth sensor: " + text::format_short(*calibration.rig.baseline_m) + " m\n";
   if (!calibration.rig.poses.empty()) text += "\nposes\n";
-  for (const PoseEdge& edge : calibration.rig.poses) text += pose_text(edge, calibration);
+  for (auto edge = calibration.rig.poses.begin(); edge != calibration.rig.poses.end(); ++edge) {
+    // Two files of one calibration may state the same pose.
+    if (std::find(calibration.rig.poses.begin(), edge, *edge) == edge) text += pose_text(*edge, calibration);
+  }
   text += others_text(calibration.rig);
   text += readers_text(shown.readers);
   constexpr double kWholeSphere = 180.0;

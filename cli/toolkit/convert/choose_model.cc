@@ -186,7 +186,7 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
       diagnostics.add(Code::kModelNotStorable, {format.title, model.id, storable(format)});
       return std::nullopt;
     }
-    const std::size_t used = std::min(cameras.size(), format.most_cameras);
+    const std::size_t used = std::min(cameras.size(), choice.most_cameras);
     std::optional<std::vector<ConvertedCamera>> outcomes =
         convert_all({cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(used)}, *stored, choice, diagnostics);
     // A format that uses no more drops the others, and says so.
@@ -197,7 +197,7 @@ std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera
   // What a program holds in one type for all cameras is chosen for all; else each that can keeps its own, and the others take
   // one.
   std::vector<Camera> to_fit;
-  const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), format.most_cameras));
+  const std::span<const Camera> used = std::span(cameras).first(std::min(cameras.size(), choice.most_cameras));
   for (const Camera& camera : used) {
     if (format.one_model || !kept_row(camera, format, choice)) to_fit.push_back(camera);
   }

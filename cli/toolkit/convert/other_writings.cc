@@ -60,6 +60,13 @@ bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
   });
 }
 
+/// Does the layout store the models that the cameras have?
+bool stores_models(const Format& to, std::string_view layout, const ConvertResult& result) {
+  return to.layout_stores == nullptr || std::ranges::all_of(result.cameras, [&](const ConvertedCamera& camera) {
+           return to.layout_stores(layout, model_info(camera.target.model).id);
+         });
+}
+
 bool is_good(const ProofResult& proof) {
   return std::ranges::all_of(
       proof.cameras, [](const CameraProof& camera) { return word_of(camera.distance.decisive()) == VerdictWord::kReady; });
@@ -133,13 +140,15 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
   // First in the models that the cameras have: nothing is fitted for that.
   for (const std::string_view layout : result.to->layouts) {
     if (choice.is_good()) break;
+    if (layout == request.layout.name || !stores_models(*result.to, layout, result)) continue;
     other.layout = {result.to, std::string(layout)};
-    if (layout != request.layout.name) choice.consider(written_as(other, start, before, result), layout);
+    choice.consider(written_as(other, start, before, result), layout);
   }
   if (!choice.is_good() && request.model == nullptr) {
     for (const std::string_view layout : choice.layouts_left()) {
       for (const StoredModel& stored : result.to->models) {
         if (!stored.stock || (is_wide && sees_ahead_only(stored.model))) continue;
+        if (result.to->layout_stores != nullptr && !result.to->layout_stores(layout, stored.model)) continue;
         other.layout = {result.to, std::string(layout)};
         other.model = find_model(stored.model);
         choice.consider(written_as(other, start, before, result), layout);

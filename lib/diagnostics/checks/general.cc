@@ -211,6 +211,7 @@ std::span<const CodeInfo> general_codes() {
       any(Code::kAnyUnknownModel, "unknown-model", "a camera model the program does not know", kProgramStops,
           "write the program's own name"),
       any(Code::kAnyUnquotedText, "unquoted-text", "text without quotes", kProgramStops),
+      any(Code::kAnyUtf16, "utf-16", "UTF-16 text", kNotRead, "save it as UTF-8 text"),
       any(Code::kAnyWrongCount, "wrong-count", "more or fewer numbers than announced", kGarbage,
           "write as many numbers as are announced, or announce as many as stand there"),
       any(Code::kAnyWrongFamily, "wrong-family", "another lens model's numbers", kWrongPixels),

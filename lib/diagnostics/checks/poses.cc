@@ -55,6 +55,8 @@ std::span<const CodeInfo> pose_check_codes() {
       question(Code::kAgreementUndecided, "poses-contradict", "whether the poses agree", "one of them is not a rotation"),
       question(Code::kDirectionUndecided, "pose-inverted", "direction of {0}{1}",
                "each is stated once, and a pose and its inverse are equally long"),
+      question(Code::kWrongPoseUndecided, "pose-inverted", "which of {0} is wrong",
+               "each of them, stated the other way, would agree with the others"),
       clause(Code::kAndTheOthers, " and the other poses"),
       error(Code::kPosesContradict, "poses-contradict",
             "{0} as stated and as it follows from the other poses differ by {1:.3} deg and {2}",

@@ -108,6 +108,8 @@ std::span<const CodeInfo> orbslam3_codes() {
       clause(Code::kOrbslam3LacksSecondRectified,
              "a second camera: one camera and a baseline are a pair only where the images are rectified, without distortion, "
              "and {0} is {1} with distortion (rectify with cv::stereoRectify, or take the mode rgbd for a depth sensor)"),
+      clause(Code::kOrbslam3LacksRectifiedPair,
+             "rectified images: before V1.0 the settings of pinhole cameras have no place for the pose between two lenses"),
       clause(Code::kOrbslam3LacksPose, "the pose of {0} to {1}"),
       clause(Code::kOrbslam3LacksOneSize, "one image size for both cameras"),
       clause(Code::kOrbslam3LacksBaseline, "the baseline"),

@@ -313,6 +313,10 @@ length with the distance of the two lenses.)"},
     Story{"unknown-model", "The message names those that the program knows. fca-io models has the other names of each."},
     Story{"unquoted-text",
           "File.version: 1.0 is a number to OpenCV; PinHole # a comment is text with its comment. Quotes mend both."},
+    Story{
+        "utf-16",
+        "Windows' editors and redirections in PowerShell save text as UTF-16, two bytes for a character. No program that reads "
+        "calibrations expects it."},
     Story{"wrong-count",
           "The first number of OCamCalib's polynomials is how many follow; rows x cols of a matrix is how many numbers data "
           "holds."},
