@@ -36,18 +36,18 @@ TEST(Killed, WhileItWritesTheFileIsTheOldOrTheNew) {
   const std::string old = "%YAML:1.0\n# the old one\n";
 
   std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> moment(0.0, 1.1 * whole.seconds / kSlowdown);
+  std::uniform_real_distribution<double> moment(0.0, 1.1 * whole.seconds / slowdown());
   int finished = 0;
-  constexpr int kRuns = kSlowdown > 1.0 ? 30 : 300;  // sanitizers look at what a run does, not at when it ends
-  for (int i = 0; i < kRuns; ++i) {
+  const int runs = is_sanitized() ? 30 : 300;  // sanitizers look at what a run does, not at when it ends
+  for (int i = 0; i < runs; ++i) {
     folder.write("settings.yaml", old);
     const RunResult run = spawn_program(conversion_to(output), {.limit_seconds = moment(random)});
     const std::string bytes = read_file(output);
     ASSERT_TRUE(bytes == old || bytes == written) << "after " << run.seconds << " s: " << bytes.size() << " bytes";
     finished += bytes == written ? 1 : 0;
   }
-  std::printf("%d of %d runs had put the new file in place; %zu temporary files left\n", finished, kRuns, leftovers(folder));
-  EXPECT_LT(finished, kRuns);
+  std::printf("%d of %d runs had put the new file in place; %zu temporary files left\n", finished, runs, leftovers(folder));
+  EXPECT_LT(finished, runs);
   EXPECT_EQ(spawn_program(conversion_to(output)).code, 0);
   EXPECT_EQ(leftovers(folder), 0U);
 }
@@ -70,7 +70,7 @@ TEST(Killed, ABatchThatIsAskedToEndLeavesWholeFilesAlone) {
   fs::create_directory(folder.path() / "in");
   for (int i = 0; i < kInputs; ++i) fs::copy_file(kChain, folder.path() / "in" / ("chain" + std::to_string(100 + i) + ".yaml"));
   const auto command = [&folder](const std::string& how, const std::string& output) {
-    return how + " " + FCA_IO + " convert " + folder / "in" + " --to orbslam3 --max-angle 97.5 --no-provenance -o " +
+    return how + " " + executable() + " convert " + folder / "in" + " --to orbslam3 --max-angle 97.5 --no-provenance -o " +
            folder / output + "/ >" + folder / "log" + " 2>&1";
   };
   const auto start = std::chrono::steady_clock::now();
@@ -81,11 +81,11 @@ TEST(Killed, ABatchThatIsAskedToEndLeavesWholeFilesAlone) {
     whole[each.path().filename()] = read_file(each.path());
   ASSERT_EQ(whole.size(), static_cast<std::size_t>(kInputs));
 
-  constexpr int kRuns = kSlowdown > 1.0 ? 2 : 8;
+  const int runs = is_sanitized() ? 2 : 8;
   for (const std::string signal : {"INT", "TERM", "HUP"}) {
     int told = 0;  // runs that ended by themselves, early, with their summary
-    for (int i = 0; i < kRuns; ++i) {
-      const std::string after = std::to_string(seconds * (i + 0.5) / kRuns);
+    for (int i = 0; i < runs; ++i) {
+      const std::string after = std::to_string(seconds * (i + 0.5) / runs);
       EXPECT_NE(std::system(command("timeout --signal=" + signal + " " + after, "cut").c_str()), -1);
       told += contains(read_file(folder / "log"), "interrupted: ") ? 1 : 0;
       if (!fs::exists(folder / "cut")) continue;  // it had not begun to write

@@ -44,7 +44,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 
 /// Under sanitizers a process takes longer to start than most runs last, and what they find ends this one as well.
 RunResult run_watched(const std::vector<std::string>& command, const RunOptions& options) {
-  return kSanitized ? run_program(command, options) : spawn_program(command, options);
+  return is_sanitized() ? run_program(command, options) : spawn_program(command, options);
 }
 
 class Watch {

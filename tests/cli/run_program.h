@@ -4,6 +4,7 @@
 #pragma once
 
 #include "command.h"
+#include "sanitized.h"
 
 #include <algorithm>
 #include <chrono>
@@ -77,18 +78,9 @@ struct RunResult {
   std::string err;
 };
 
-// GCC tells by a macro, Clang by a feature.
-#ifndef __has_feature
-#define __has_feature(name) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || __has_feature(address_sanitizer)
-inline constexpr bool kSanitized = true;
-#else
-inline constexpr bool kSanitized = false;
-#endif
 /// The sanitizers' checks make the program this much slower (20 to 35 times in a fit); limits of time are for the program as
 /// users run it.
-inline constexpr double kSlowdown = kSanitized ? 20.0 : 1.0;
+inline double slowdown() { return is_sanitized() ? 20.0 : 1.0; }
 
 struct RunOptions {
   std::string input;            ///< Standard input.
@@ -140,7 +132,7 @@ inline RunResult run_program(std::vector<std::string> words, const RunOptions& o
   const auto start = std::chrono::steady_clock::now();
   run.code = cli::run(words, streams);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run.timed_out = run.seconds > options.limit_seconds * kSlowdown;
+  run.timed_out = run.seconds > options.limit_seconds * slowdown();
   return run;
 }
 

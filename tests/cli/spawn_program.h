@@ -19,6 +19,12 @@ extern char** environ;
 
 namespace fca::test {
 
+/// That of the build whose tests run, also where their objects are another's.
+inline std::string executable() {
+  const char* path = std::getenv("FCA_IO");
+  return path != nullptr ? path : FCA_IO;
+}
+
 /// Runs the executable with these words. `output_path`: where standard output goes instead of into RunResult::out
 /// ("/dev/full").
 inline RunResult spawn_program(const std::vector<std::string>& words, const RunOptions& options = {},
@@ -36,7 +42,7 @@ inline RunResult spawn_program(const std::vector<std::string>& words, const RunO
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
 
-  std::vector<std::string> all = {FCA_IO};
+  std::vector<std::string> all = {executable()};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> argv;
   for (std::string& word : all) argv.push_back(word.data());
@@ -46,13 +52,13 @@ inline RunResult spawn_program(const std::vector<std::string>& words, const RunO
   const auto start = std::chrono::steady_clock::now();
   const auto elapsed = [&start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   pid_t child = 0;
-  const int spawned = posix_spawn(&child, FCA_IO, &actions, nullptr, argv.data(), environ);
+  const int spawned = posix_spawn(&child, all.front().c_str(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  EXPECT_EQ(spawned, 0) << FCA_IO;
+  EXPECT_EQ(spawned, 0) << all.front();
   if (spawned != 0) return run;
   int status = 0;
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    if (elapsed() > options.limit_seconds * kSlowdown) {
+    if (elapsed() > options.limit_seconds * slowdown()) {
       run.timed_out = true;
       ::kill(child, SIGKILL);
       ::waitpid(child, &status, 0);
