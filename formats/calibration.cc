@@ -239,6 +239,10 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     }
     files.resize(result.rig.poses.size(), document.source().name);
   }
+  for (const Format& each : all_formats()) {
+    const bool is_read = std::ranges::find(result.formats, &each) != result.formats.end();
+    if (is_read && each.complete != nullptr) each.complete(result.rig);
+  }
   warn_of_contradictions(result.rig, files, diagnostics);
   if (options.join && result.format->pair_poses) forget_common_origins(result.rig, diagnostics);
   result.documents = std::move(documents);

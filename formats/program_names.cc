@@ -25,6 +25,9 @@ constexpr std::array kRos = {Name("ros2"),         Name("camera_info"), Name("rt
 constexpr std::array kOpencv = {Name("cv2"), Name("filestorage"), Name("uco-slam"), Name("lensboy")};
 constexpr std::array kOcamcalib = {Name("ocam"), Name("scaramuzza"), Name("py-ocamcalib"), Name("multicol-slam")};
 constexpr std::array kWoodscape = {Name("synwoodscape")};
+constexpr std::array kEuroc = {Name("asl"), Name("mav0")};
+constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam")};
+constexpr std::array kKimera = {Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
 
 // Not written: what they read.
 constexpr std::array kColmap = {Name("colmap"),
@@ -44,8 +47,6 @@ constexpr std::array kColmap = {Name("colmap"),
                                 Name("realitycapture-colmap")};
 constexpr std::array kNerfstudio = {Name("nerfstudio"), Name("splatfacto"), Name("nerfacto"),        Name("instant-ngp"),
                                     Name("ngp"),        Name("torch-ngp"),  Name("transforms.json"), Name("luma")};
-constexpr std::array kEuroc = {Name("euroc"), Name("asl"), Name("mav0")};
-constexpr std::array kKimera = {Name("kimera"), Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
 constexpr std::array kSvo = {Name("svo"),     Name("svo-pro"), Name("vikit"),        Name("maplab"),
                              Name("rovioli"), Name("rpg"),     Name("ultimate-slam")};
@@ -70,7 +71,6 @@ constexpr std::array kArkit = {Name("arkit"), Name("polycam"), Name("record3d")}
 constexpr std::array kPhotonvision = {Name("photonvision")};
 constexpr std::array kR3live = {Name("r3live")};
 constexpr std::array kOmnidso = {Name("omnidso")};
-constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam")};
 constexpr std::array kMetashape = {Name("metashape"), Name("photoscan"), Name("agisoft")};
 constexpr std::array kKitti = {Name("kitti"), Name("kitti-odom")};
 constexpr std::array kMast3r = {Name("mast3r"), Name("mast3r-slam")};
@@ -93,10 +93,11 @@ constexpr std::array kNames = {
     ProgramName{kOpencv, "OpenCV", "opencv"},
     ProgramName{kOcamcalib, "OCamCalib", "ocamcalib"},
     ProgramName{kWoodscape, "WoodScape", "woodscape"},
+    ProgramName{kEuroc, "EuRoC", "euroc"},
+    ProgramName{kCuvslam, "cuVSLAM", "euroc"},
+    ProgramName{kKimera, "Kimera", "kimera"},
     ProgramName{kColmap, "COLMAP", "opencv", "", "", "cameras.txt or cameras.bin of a model folder"},
     ProgramName{kNerfstudio, "nerfstudio", "opencv", "", "", "transforms.json"},
-    ProgramName{kEuroc, "EuRoC", "kalibr", "", "", "a sensor.yaml per sensor"},
-    ProgramName{kKimera, "Kimera", "kalibr", "", "", "LeftCameraParams.yaml, RightCameraParams.yaml and ImuParams.yaml"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},
@@ -110,7 +111,6 @@ constexpr std::array kNames = {
     ProgramName{kOpenicc, "OpenImuCameraCalibrator", "opencv", "", "", "a JSON of its own"},
     ProgramName{kAria, "Project Aria", "opencv", "", "", "a JSON of its own, with the model Fisheye624"},
     ProgramName{kFtheta, "NVIDIA's f-theta", "ocamcalib", "", "", "a rig.json with polynomials of its own"},
-    ProgramName{kCuvslam, "cuVSLAM", "ros", "", "", "camera_info, or a dialect of EuRoC's sensor.yaml"},
     ProgramName{kMetashape, "Metashape", "opencv", "", "", "an XML of its own"},
     ProgramName{kKitti, "KITTI", "ros", "", "", "calib.txt"},
     ProgramName{kKitti360, "KITTI-360", "vins", "", "", "VINS' files for its fisheyes (vins), perspective.txt for the others"},

@@ -7,6 +7,8 @@
 #include "openvins/openvins.h"
 #include "orbslam3/orbslam3.h"
 #include "ros/ros.h"
+#include "sensors/euroc.h"
+#include "sensors/kimera.h"
 #include "tumvi/tumvi.h"
 #include "vins/vins.h"
 #include "woodscape/woodscape.h"
@@ -26,7 +28,7 @@ const auto& table() {
   static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),   guarded<ocamcalib::kFormat>(),
                                     guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),
                                     guarded<basalt::kFormat>(), guarded<openvins::kFormat>(), guarded<vins::kFormat>(),
-                                    guarded<ros::kFormat>()};
+                                    guarded<ros::kFormat>(),    guarded<euroc::kFormat>(),    guarded<kimera::kFormat>()};
   return kTable;
 }
 

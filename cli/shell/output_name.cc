@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 
 namespace fca::cli {
 
@@ -32,6 +33,13 @@ std::string joined(const std::vector<std::string>& names) {
 std::string folder_of(const std::string& input) {
   std::error_code error;  // a folder that is gone has no name
   return input == "-" ? "stdin" : fs::absolute(input, error).lexically_normal().parent_path().filename().string();
+}
+
+/// A file of a program's own folder, in that one ("mav0") or in what is to hold it.
+std::string in_folder(const fs::path& folder, const fs::path& file) {
+  const fs::path last = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
+  const bool is_own = std::distance(file.begin(), file.end()) > 1 && *file.begin() == last;
+  return (folder / (is_own ? file.lexically_relative(last) : file)).string();
 }
 
 }  // namespace
@@ -84,6 +92,7 @@ std::string output_path(const OutputPlace& place, const std::string& input, cons
   if (place.kind == OutputPlace::Kind::kFile) return place.path;
   const fs::path folder = place.path;
   const fs::path proposal = file.name;
+  if (!file.place.empty()) return in_folder(folder, file.place);
   if (file.cameras.empty() || file.named) return (folder / as_file_name(proposal.filename().string())).string();
   // Files that belong together have the names under which their program looks for them.
   const bool has_further = std::ranges::any_of(result.files, [](const ConvertedFile& each) { return each.cameras.empty(); });

@@ -25,6 +25,10 @@ void prepare_storage_programs() {
   }
 }
 
+ConsumerView load_kimera(std::string_view bytes, const LoadOptions& options) { return programs().kimera(bytes, options); }
+ConsumerView load_kimera_imu(std::string_view bytes, const LoadOptions& options) {
+  return programs().kimera_imu(bytes, options);
+}
 ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options) { return programs().openvins(bytes, options); }
 ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options) {
   return programs().openvins_imu(bytes, options);

@@ -4,7 +4,9 @@
 
 extern "C" __attribute__((visibility("default"))) const void* fca_storage_programs() {
   namespace consumers = fca::consumers;
-  static constexpr consumers::StoragePrograms kPrograms = {.openvins = &consumers::load_openvins,
+  static constexpr consumers::StoragePrograms kPrograms = {.kimera = &consumers::load_kimera,
+                                                           .kimera_imu = &consumers::load_kimera_imu,
+                                                           .openvins = &consumers::load_openvins,
                                                            .openvins_imu = &consumers::load_openvins_imu,
                                                            .orbslam3 = &consumers::load_orbslam3,
                                                            .orbslam2 = &consumers::load_orbslam2,

@@ -8,6 +8,8 @@ namespace fca::consumers {
 
 struct StoragePrograms {
   using Load = ConsumerView (*)(std::string_view bytes, const LoadOptions& options);
+  Load kimera;
+  Load kimera_imu;
   Load openvins;
   Load openvins_imu;
   Load orbslam3;

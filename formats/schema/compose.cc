@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a rig to the text of a fresh JSON file.
+// From a rig to the text of a fresh file.
+#include "../composed.h"
 #include "../spelling.h"
 #include "schema.h"
 
@@ -85,6 +86,26 @@ std::vector<std::string> members(const Subject& subject, const Mapping& mapping,
 }
 
 }  // namespace
+
+std::optional<text::Document> composed_yaml(const Subject& subject, std::string head, std::string name,
+                                            Diagnostics& diagnostics) {
+  ComposedYaml file(std::move(head));
+  for (const Key* key : in_written_order(subject.schema.root)) {
+    if (key->with.only_edited) continue;
+    if (key->with.mapping == nullptr) {
+      if (key->write == nullptr) continue;
+      for (const fields::Field& field : fields_of(key->write(subject, *key))) file.add(field);
+      continue;
+    }
+    std::vector<fields::Field> inside;
+    for (const Key* below : in_written_order(*key->with.mapping)) {
+      if (below->write == nullptr) continue;
+      for (fields::Field& field : fields_of(below->write(subject, *below))) inside.push_back(std::move(field));
+    }
+    if (!inside.empty()) file.add_mapping(key->text(), inside, kDeeper);
+  }
+  return std::move(file).document(std::move(name), diagnostics);
+}
 
 std::string composed_json(const Schema& schema, const Rig& rig, std::size_t camera, Written& written) {
   const Subject subject{.schema = schema, .rig = rig, .camera = camera, .fresh = &written};

@@ -24,6 +24,16 @@ bool read_topic(Reading& reading, const Key& key, const text::Node& node);
 bool read_pose(Reading& reading, const Key& key, const text::Node& node);
 bool read_density(Reading& reading, const Key& key, const text::Node& node);
 bool read_imu_number(Reading& reading, const Key& key, const text::Node& node);
+bool read_list_lens(Reading& reading, const Key& key, const text::Node& node);
+bool read_focal_and_centre(Reading& reading, const Key& key, const text::Node& node);
+bool read_coefficients(Reading& reading, const Key& key, const text::Node& node);
+bool read_frame_rate(Reading& reading, const Key& key, const text::Node& node);
+bool read_side_of_four(Reading& reading, const Key& key, const text::Node& node);
+bool read_matrix(Reading& reading, const Key& key, const text::Node& node);
+bool read_identity(Reading& reading, const Key& key, const text::Node& node);
+bool read_imu_matrix(Reading& reading, const Key& key, const text::Node& node);
+bool read_fixed(Reading& reading, const Key& key, const text::Node& node);
+bool read_tuning(Reading& reading, const Key& key, const text::Node& node);
 bool keep(Reading& reading, const Key& key, const text::Node& node);
 bool keep_numbers(Reading& reading, const Key& key, const text::Node& node);
 
@@ -40,6 +50,17 @@ std::vector<Statement> write_topic(const Subject& subject, const Key& key);
 std::vector<Statement> write_pose(const Subject& subject, const Key& key);
 std::vector<Statement> write_density(const Subject& subject, const Key& key);
 std::vector<Statement> write_imu_number(const Subject& subject, const Key& key);
+std::vector<Statement> write_list_lens(const Subject& subject, const Key& key);
+std::vector<Statement> write_camera_model(const Subject& subject, const Key& key);
+std::vector<Statement> write_focal_and_centre(const Subject& subject, const Key& key);
+std::vector<Statement> write_coefficients(const Subject& subject, const Key& key);
+std::vector<Statement> write_frame_rate(const Subject& subject, const Key& key);
+std::vector<Statement> write_side_of_four(const Subject& subject, const Key& key);
+std::vector<Statement> write_matrix(const Subject& subject, const Key& key);
+std::vector<Statement> write_identity(const Subject& subject, const Key& key);
+std::vector<Statement> write_imu_matrix(const Subject& subject, const Key& key);
+std::vector<Statement> write_fixed(const Subject& subject, const Key& key);
+std::vector<Statement> write_tuning(const Subject& subject, const Key& key);
 std::vector<Statement> write_kept_numbers(const Subject& subject, const Key& key);
 
 /// Numbers of the translation, and those of the rotation where it is another one: what it rounds, a rotation printed with few
@@ -116,6 +137,56 @@ constexpr Key kept_numbers(std::string_view name, std::size_t count) {
 /// What a rig has no member for: an extra field, of the camera where it is a camera's. A fresh file has none.
 constexpr Key kept(std::string_view name) { return {name, FactKind::kOther, keep}; }
 
+/// The two names of a camera's lens; the second row reads both. `list`: the key of the coefficients.
+constexpr Key camera_model(std::string_view name, std::span<const ListLens> lenses) {
+  return {name, FactKind::kModel, nullptr, write_camera_model, {.list_lenses = lenses}};
+}
+constexpr Key distortion_model(std::string_view name, std::string_view camera_model, std::string_view list,
+                               std::span<const ListLens> lenses) {
+  return {name, FactKind::kModel, read_list_lens, write_list_lens, {.list_lenses = lenses, .other = camera_model, .list = list}};
+}
+
+/// [fx, fy, cx, cy], and the lens's coefficients; both after the row of its names.
+constexpr Key focal_and_centre(std::string_view name) {
+  return {name, FactKind::kParameter, read_focal_and_centre, write_focal_and_centre};
+}
+constexpr Key coefficients(std::string_view name, std::span<const ListLens> lenses) {
+  return {name, FactKind::kParameter, read_coefficients, write_coefficients, {.list_lenses = lenses}};
+}
+
+/// The camera's images per second.
+constexpr Key frame_rate(std::string_view name) { return {name, FactKind::kFrameRate, read_frame_rate, write_frame_rate}; }
+
+/// The number of rows or columns of such a matrix.
+constexpr Key side_of_four(std::string_view name) { return {name, FactKind::kOther, read_side_of_four, write_side_of_four}; }
+
+/// 16 numbers, row by row: T_frame_camera, T_frame_imu, or an IMU's that is the frame. `owner`: the key that they stand below.
+constexpr Key matrix(std::string_view name, std::string_view owner, const PoseLayout& layout) {
+  return {name, FactKind::kPose, read_matrix, write_matrix, {.pose = &layout, .other = owner}};
+}
+constexpr Key imu_matrix(std::string_view name, const PoseLayout& layout) {
+  return {name, FactKind::kPose, read_imu_matrix, write_imu_matrix, {.pose = &layout}};
+}
+constexpr Key identity(std::string_view name) { return {name, FactKind::kOther, read_identity, write_identity}; }
+
+/// A word that says nothing, and what a fresh file has there.
+constexpr Key fixed(std::string_view name, std::string_view token) {
+  return {name, FactKind::kOther, read_fixed, write_fixed, {.token = token}};
+}
+/// A word that says nothing.
+constexpr Key unread(std::string_view name) { return {name, FactKind::kOther, read_fixed}; }
+
+/// What tunes the program: an extra field of the file ("kimera.n_gravity" with the prefix "kimera."), which a fresh file says
+/// again; else `token`, as a default.
+constexpr Key tuning(std::string_view name, std::string_view prefix, std::string_view token) {
+  return {name, FactKind::kOther, read_tuning, write_tuning, {.other = prefix, .token = token}};
+}
+
+/// The row of a key that a fresh file does not have.
+constexpr Key only_edited(Key key) {
+  key.with.only_edited = true;
+  return key;
+}
 constexpr Key required(Key key) {
   key.need = Need::kRequired;
   return key;
@@ -143,6 +214,8 @@ class PoseFrame {
   [[nodiscard]] std::optional<Transform> pose(const Camera& camera) const;
   /// The same in the layout's own frame only.
   [[nodiscard]] std::optional<Transform> own_pose(const Camera& camera) const { return known_ ? pose(camera) : std::nullopt; }
+  /// Notes for a fresh file that the pose under that key is stated by no input, or in another frame than the layout's.
+  void list_made_up(std::string_view key, const PoseLayout& layout, const Camera& camera, Written& written) const;
 
  private:
   const Rig& rig_;

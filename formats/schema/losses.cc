@@ -35,7 +35,8 @@ void list_common_offset(const Schema& schema, const Key& key, const Rig& rig, st
   if (stated == rig.cameras.end()) return;
   const double common = stated->time_offset_s.value();
   constexpr double kExact = 1e-12;
-  if (std::abs(std::round(common * key.with.per_second) / key.with.per_second - common) > kExact)
+  const bool whole = key.with.per_second != 1.0;
+  if (whole && std::abs(std::round(common * key.with.per_second) / key.with.per_second - common) > kExact)
     losses.push_back(lost(schema.codes.offset_rounded, "", "", {common}));
   add_other_time_offsets(rig, common, Message{schema.codes.one_offset}, losses);
 }

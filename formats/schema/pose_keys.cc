@@ -77,16 +77,6 @@ void list_restated(const PoseFrame& frame, const Key& key, const Camera& camera,
   written.losses.push_back(lost(layout.restated, camera.name, key.text(), {frame.name(), off}));
 }
 
-/// A fresh file's pose that no input states, or that is stated in another frame than the layout's.
-void list_made_up(const PoseFrame& frame, const Key& key, const Camera& camera, bool stated, Written& written) {
-  if (frame.known() && stated) return;
-  const bool in_frame = stated && frame.name() != camera.name;
-  const Message value = in_frame ? Message{key.with.pose->in_frame, {frame.name()}} : Message{key.with.pose->identity};
-  const Code made_up = key.with.pose->made_up;
-  written.defaults.push_back(
-      {camera.name + " " + key.text(), made_up != Code{} ? Message{made_up, {value}} : value, true, true});
-}
-
 /// Numbers under seven keys; nothing with an error where one is missing or is no number.
 std::optional<std::vector<double>> read_numbers(Reading& reading, const Key& key, const Node& node) {
   const std::string what = reading.label(key);
@@ -140,6 +130,16 @@ std::optional<Transform> PoseFrame::pose(const Camera& camera) const {
   return stated != nullptr ? *stated : rig_.resolve(name_, camera.name);
 }
 
+void PoseFrame::list_made_up(std::string_view key, const PoseLayout& layout, const Camera& camera, Written& written) const {
+  const bool stated = pose(camera).has_value();
+  if (known_ && stated) return;
+  const bool in_frame = stated && name_ != camera.name;
+  const Message value = in_frame ? Message{layout.in_frame, {name_}} : Message{layout.identity};
+  const Code made_up = layout.made_up;
+  written.defaults.push_back(
+      {camera.name + " " + std::string(key), made_up != Code{} ? Message{made_up, {value}} : value, true, true});
+}
+
 bool read_pose(Reading& reading, const Key& key, const Node& node) {
   const PoseLayout& layout = *key.with.pose;
   const std::string what = reading.label(key);
@@ -171,7 +171,7 @@ std::vector<Statement> write_pose(const Subject& subject, const Key& key) {
   const PoseFrame frame(subject.rig, *key.with.pose);
   const std::optional<Transform> T = frame.pose(camera);
   if (subject.fresh != nullptr) {
-    list_made_up(frame, key, camera, T.has_value(), *subject.fresh);
+    frame.list_made_up(key.name, *key.with.pose, camera, *subject.fresh);
     if (T) list_restated(frame, key, camera, *T, *subject.fresh);
   }
   const PoseLayout& layout = *key.with.pose;

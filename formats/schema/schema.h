@@ -64,6 +64,18 @@ struct Lens {
   double none = 0.0;
 };
 
+/// A lens as two names and two lists of numbers: fx fy cx cy, and coefficients.
+struct ListLens {
+  std::string_view model;             ///< Ours. Written is the first row of a model that holds the camera.
+  std::string_view camera_model;      ///< "pinhole"
+  std::string_view distortion_model;  ///< "radial-tangential"
+  std::span<const ParameterId> coefficients = {};
+  std::size_t zeros = 0;                     ///< Numbers after these that are none.
+  std::span<const ParameterId> absent = {};  ///< Parameters that have no number here and must be 0.
+  bool any_length = false;                   ///< The program reads no coefficients.
+  Code told = {};                            ///< Said of a file with these names. {0} camera, {1} and {2} the names
+};
+
 /// Numbers of a pose T_frame_camera as a translation [m] and a quaternion x y z w: seven keys, or two lists.
 struct PoseLayout {
   std::string_view frame;  ///< "imu0", "vehicle"
@@ -116,13 +128,18 @@ struct Subject;
 struct Details {
   const Mapping* mapping = nullptr;  ///< The keys of an object.
   std::span<const Lens> lenses = {};
+  std::span<const ListLens> list_lenses = {};
   const PoseLayout* pose = nullptr;
   std::optional<ParameterId> parameter = {};
   std::optional<double> Imu::*imu = nullptr;
-  std::string_view other = {};  ///< The key beside it that states the other half of the fact.
+  std::string_view other = {};  ///< The key beside it that states the other half of the fact; of tuning what its extra field
+                                ///< has before the key.
+  std::string_view list = {};   ///< The key beside it with a lens's coefficients.
+  std::string_view token = {};  ///< What a fresh file says.
   std::size_t count = 0;        ///< Of the numbers of a list.
   double initial = 0.0;         ///< What the program starts from, for a fresh file.
   double per_second = 1.0;      ///< Units of a time in a second: 1e9 for nanoseconds.
+  bool only_edited = false;     ///< A fresh file does not have it.
   bool only_warns = false;      ///< What stands there is kept as under a key that no row reads.
   bool real = false;            ///< A whole number is spelled with a point.
   bool of_imu = false;          ///< A text is the IMU's, and has quotes, needed or not.
@@ -160,6 +177,10 @@ struct Codes {
   Code no_list = {};            ///< {0} is no list of {1} items, one for each camera.
   Code item_count = {};         ///< {0} has {1} items, and there are {2} cameras.
   Code unknown_model = {};      ///< {0} has a model {1}.
+  Code unknown_lens = {};       ///< {0} has a camera model {1} with a distortion model {2}.
+  Code coefficient_count = {};  ///< {0} has {1} numbers; one of {2} is wanted of a distortion model {3}.
+  Code not_four = {};           ///< {0} is {1}, and the matrix is 4 x 4.
+  Code no_identity = {};        ///< {0}, the IMU's pose in the body, is not the identity.
   Code unknown_parameter = {};  ///< {0}'s {1} is no parameter of {2}.
   Code no_size = {};            ///< {0}'s value is no list of width and height.
   Code offset_not_whole = {};   ///< {0} is {1}, and a whole number is wanted.
@@ -191,6 +212,7 @@ struct Reading {
   Camera* camera = nullptr;             ///< Whose item of a list is read; null outside.
   Imu* imu = nullptr;                   ///< Whose keys are read; null: those of the only one.
   std::string_view lens = {};  ///< The name of its lens as the file has it; empty before it is read, or where it is unknown.
+  const ListLens* list_lens = nullptr;  ///< The same of one with two names.
 
   /// What a message calls the value under a key: "cam0 resolution" of a camera, else the key.
   [[nodiscard]] std::string label(const Key& key) const {
@@ -208,6 +230,10 @@ struct Subject {
 
   [[nodiscard]] const Camera& the_camera() const { return rig.cameras[camera]; }
 };
+
+/// A fresh YAML file, key by key, behind `head`: what stands in its first lines.
+[[nodiscard]] std::optional<text::Document> composed_yaml(const Subject& subject, std::string head, std::string name,
+                                                          Diagnostics& diagnostics);
 
 /// Reads documents by the table; nothing, with errors, where they hold no calibration.
 [[nodiscard]] std::optional<Rig> read(const Schema& schema, std::span<const text::Document> documents,

@@ -26,6 +26,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> woodscape_codes();
 [[nodiscard]] std::span<const CodeInfo> opencv_codes();
 [[nodiscard]] std::span<const CodeInfo> basalt_codes();
+[[nodiscard]] std::span<const CodeInfo> sensor_codes();
 [[nodiscard]] std::span<const CodeInfo> orbslam3_codes();
 [[nodiscard]] std::span<const CodeInfo> vins_codes();
 [[nodiscard]] std::span<const CodeInfo> ros_codes();
@@ -35,6 +36,7 @@ namespace fca::diagnostics {
 [[nodiscard]] std::span<const CodeInfo> ros_program_codes();
 [[nodiscard]] std::span<const CodeInfo> vins_program_codes();
 [[nodiscard]] std::span<const CodeInfo> basalt_program_codes();
+[[nodiscard]] std::span<const CodeInfo> sensor_program_codes();
 [[nodiscard]] std::span<const CodeInfo> opencv_program_codes();
 [[nodiscard]] std::span<const CodeInfo> ocamcalib_program_codes();
 [[nodiscard]] std::span<const CodeInfo> woodscape_program_codes();

@@ -12,7 +12,7 @@ namespace fca::test {
 struct SharedFolders {
   std::string_view format;
   std::string_view files;            ///< Below shared/corpus.
-  std::string_view tables;           ///< Below shared/oracles.
+  std::string_view tables;           ///< Below shared/oracles; empty: there are none.
   std::string_view more_files = {};  ///< As files; may be empty.
 };
 
@@ -26,6 +26,8 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"basalt", "extra/basalt", "basalt"},
     SharedFolders{"vins", "extra/camodocal", "camodocal", "extra/vins_config"},
     SharedFolders{"ros", "extra/ros_camera_info", "ros_camera_info"},
+    SharedFolders{"euroc", "extra/euroc_sensor", ""},
+    SharedFolders{"kimera", "extra/kimera", ""},
 };
 
 /// Those of a format that are there: OpenVINS' files lie among Kalibr's.

@@ -91,6 +91,17 @@ ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector
   return result.inputs.size() == 1 ? result : arguments;
 }
 
+/// Of a folder that is one rig (EuRoC's mav0) the files are the input, as with --join.
+ConvertArguments with_rig_files(const ConvertArguments& arguments) {
+  ConvertArguments result = arguments;
+  if (arguments.inputs.size() != 1) return result;
+  std::vector<std::string> files = rig_files_in(arguments.inputs.front());
+  if (files.empty()) return result;
+  result.inputs = std::move(files);
+  result.request.inputs.join = true;
+  return result;
+}
+
 /// What is found but for what the verdict says.
 Diagnostics not_in_summary(const ConvertOutcome& outcome) {
   Diagnostics rest;
@@ -101,7 +112,8 @@ Diagnostics not_in_summary(const ConvertOutcome& outcome) {
   return rest;
 }
 
-ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
+ExitCode run_convert(const ConvertArguments& typed_in, const TypedOptions& typed, Console& console) {
+  const ConvertArguments given = with_rig_files(typed_in);
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
   const ConvertArguments arguments = with_parts(given, walk(given.inputs), console.streams());

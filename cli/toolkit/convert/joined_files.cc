@@ -82,6 +82,55 @@ void append(Written part, Written& all) {
   for (PoseEdge& edge : part.restated) all.restated.push_back(std::move(edge));
 }
 
+/// The inputs of that format with an IMU and no camera, where it has such files.
+std::vector<Part> imu_parts_of(const Calibration& source, const Format& format) {
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < source.documents.size() && format.imu_file; ++i) {
+    if (source.formats[i] != &format) continue;
+    Diagnostics said_before;
+    const std::optional<Rig> rig = format.read(std::span(&source.documents[i], 1), {}, said_before);
+    if (rig && rig->cameras.empty() && !rig->imus.empty()) parts.push_back({&source.documents[i], *rig});
+  }
+  return parts;
+}
+
+/// Takes what an IMU's own file says out of the rig, also of its cameras' clocks.
+void take_out(const Part& part, const Format& format, std::vector<std::pair<Camera, Part>>& cameras, Rig& rig) {
+  for (const ExtraField& extra : part.rig.extra_fields) {
+    const auto found = std::ranges::find(rig.extra_fields, extra);
+    if (found != rig.extra_fields.end()) rig.extra_fields.erase(found);
+  }
+  std::erase_if(rig.imus, [&part](const Imu& imu) { return std::ranges::count(part.rig.imus, imu.name, &Imu::name) > 0; });
+  for (auto& [camera, own] : cameras) {
+    Rig with_camera = part.rig;
+    with_camera.cameras = own.rig.cameras;
+    if (format.complete != nullptr) format.complete(with_camera);
+    if (camera.time_offset_s == with_camera.cameras.front().time_offset_s) camera.time_offset_s.reset();
+  }
+}
+
+/// What the rig says of the IMUs of a file.
+Rig of_imus(const Part& part, const Rig& rig) {
+  Rig result = part.rig;
+  for (Imu& imu : result.imus) {
+    const auto now = std::ranges::find(rig.imus, imu.name, &Imu::name);
+    if (now != rig.imus.end()) imu = *now;
+  }
+  for (PoseEdge& edge : result.poses) {
+    if (const Transform* now = rig.stated(edge.a, edge.b)) edge.T_a_b = *now;
+  }
+  return result;
+}
+
+/// Files of which two would have one place have none.
+void forget_shared_places(std::vector<Written::File>& files) {
+  std::vector<std::string> places;
+  for (const Written::File& file : files) places.push_back(file.place);
+  for (Written::File& file : files) {
+    if (std::ranges::count(places, file.place) > 1) file.place.clear();
+  }
+}
+
 /// Files in the order of the rig's cameras.
 void sort_files(const Rig& rig, std::vector<Written::File>& files) {
   std::ranges::stable_sort(files, {}, [&rig](const Written::File& file) {
@@ -106,6 +155,8 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
     parts.erase(part);
   }
   if (own.empty()) return std::nullopt;
+  const std::vector<Part> imus = imu_parts_of(source, format);
+  for (const Part& part : imus) take_out(part, format, own, rest);
   Written all;
   for (const auto& [camera, part] : own) {
     Rig said = alone(rig, camera, part);
@@ -127,7 +178,13 @@ std::optional<Written> write_each_into_its_own(const Calibration& source, const 
     if (!written) return std::nullopt;
     append(*std::move(written), all);
   }
+  for (const Part& part : imus) {
+    std::optional<Written> written = write_calibration(format, part.document, of_imus(part, rig), options, diagnostics);
+    if (!written) return std::nullopt;
+    append(*std::move(written), all);
+  }
   sort_files(rig, all.files);
+  forget_shared_places(all.files);
   return all;
 }
 

@@ -76,7 +76,7 @@ void leave_out_further_files(ConvertResult& result) {
     if (!result.files[i].cameras.empty()) continue;
     const std::string name = result.files[i].name;
     std::erase_if(result.defaults, [&name](const DefaultedValue& value) { return value.file == name; });
-    result.losses.push_back(lost(Code::kImuFileDropped, name, ""));
+    if (!result.files[i].of_defaults) result.losses.push_back(lost(Code::kImuFileDropped, name, ""));
     result.files.erase(result.files.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }

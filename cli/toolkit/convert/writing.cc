@@ -163,7 +163,7 @@ bool Writing::place() {
   result_.defaults = written_.defaults;
   for (const Written::File& file : written_.files) {
     result_.files.push_back({file.document.source().name, "", file.document.bytes(), file.document.syntax(), file.cameras,
-                             file.programs, file.named});
+                             file.programs, file.named, file.place, file.of_defaults});
   }
   if (!place_files(request_, result_)) return false;
   // Cameras that no file holds are listed as lost; their fits are nobody's business.

@@ -140,12 +140,26 @@ bool has_use_for_unit(const Inputs& inputs, const Calibration& calibration, Diag
   return false;
 }
 
+/// With the files of each folder that is one rig in its place.
+Inputs with_rig_files(const Inputs& inputs) {
+  Inputs result = inputs;
+  result.files.clear();
+  for (const std::string& path : inputs.files) {
+    const std::vector<std::string> files = rig_files_in(path);
+    result.join = result.join || !files.empty();
+    result.files.insert(result.files.end(), files.begin(), files.end());
+    if (files.empty()) result.files.push_back(path);
+  }
+  return result;
+}
+
 /// Has the format's reader made densities of such noise?
 bool is_converted(NoiseKind kind, const Format& format) { return format.noise_of_samples && kind == NoiseKind::kDiscrete; }
 
 }  // namespace
 
-std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics) {
+std::optional<Calibration> read_as_stated(const Inputs& given, Files& files, Diagnostics& diagnostics) {
+  const Inputs inputs = with_rig_files(given);
   std::vector<std::string> paths = inputs.files;
   paths.insert(paths.end(), inputs.parts.begin(), inputs.parts.end());
   std::vector<text::Document> documents;

@@ -16,10 +16,12 @@ bool save(const ConvertResult& result, const std::string& folder, Diagnostics& d
   }
   namespace fs = std::filesystem;
   std::error_code error;  // what is wrong with the folder, writing into it shows
-  fs::create_directories(folder, error);
   std::vector<OutputFile> files;
-  for (const ConvertedFile& file : result.files)
-    files.push_back({(fs::path(folder) / fs::path(file.name).filename()).string(), file.bytes});
+  for (const ConvertedFile& file : result.files) {
+    const fs::path path = fs::path(folder) / (file.place.empty() ? fs::path(file.name).filename() : fs::path(file.place));
+    fs::create_directories(path.parent_path(), error);
+    files.push_back({path.string(), file.bytes});
+  }
   const std::optional<Message> problem = write_files(files, true, false);
   if (problem) diagnostics.add(problem->code, problem->arguments);
   return !problem;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pixels_basalt.h"
+#include "pixels_euroc.h"
 #include "pixels_kalibr.h"
+#include "pixels_kimera.h"
 #include "pixels_ocamcalib.h"
 #include "pixels_opencv.h"
 #include "pixels_openvins.h"
@@ -24,6 +26,8 @@ const FormatReader* find_reader(const std::string& id) {
       {"openvins", openvins::camera, openvins::relative_poses},
       {"vins", vins::camera, vins::relative_poses},
       {"ros", ros::camera, ros::relative_poses},
+      {"euroc", euroc::camera, euroc::relative_poses},
+      {"kimera", kimera::camera, kimera::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;

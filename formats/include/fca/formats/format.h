@@ -107,6 +107,8 @@ struct Written {
     std::vector<std::string> programs;  ///< Ids of the consumers meant to read it.
     /// Another of the files names it: it lies beside that one, under its source's name.
     bool named = false;
+    std::string place = {};    ///< Its path in a folder of the program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
+    bool of_defaults = false;  ///< It states nothing of the rig, but what the program stops without.
   };
   std::vector<File> files;
   Message headline;          ///< First line for people: mode, who reads it, who does not.
@@ -207,6 +209,10 @@ struct Format {
   /// Where a document's numbers are of other images than those that its camera is of (ROS's binning and roi): the camera as the
   /// numbers say it. Nothing of any other document. Null: the numbers are the camera's.
   std::optional<Camera> (*as_stated)(const text::Document& document, const Camera& camera) = nullptr;
+
+  /// Gives the cameras of a rig, once all of its files are read, what a file without cameras says of them (Kimera's
+  /// imu_time_shift). Null: none does.
+  void (*complete)(Rig& rig) = nullptr;
 
   /// Documents that together are one calibration, or nothing with errors. Those of parts() follow the one that names them.
   std::optional<Rig> (*read)(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics);

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fca/toolkit/inputs.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace fca {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+/// 1 of "cam1".
+std::optional<int> number_in(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return std::nullopt;
+  int number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, failure] = std::from_chars(name.data() + prefix.size(), end, number);
+  return failure == std::errc() && rest == end ? std::optional(number) : std::nullopt;
+}
+
+/// cam0/sensor.yaml, cam1/sensor.yaml, ... by their numbers.
+void add_sensors(const fs::path& folder, std::string_view prefix, std::vector<std::string>& files) {
+  std::vector<std::pair<int, std::string>> found;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator(); at.increment(error)) {
+    const std::optional<int> number = number_in(at->path().filename().string(), prefix);
+    const fs::path file = at->path() / "sensor.yaml";
+    if (number && is_file(file)) found.emplace_back(*number, file.string());
+  }
+  std::ranges::sort(found);
+  for (auto& [number, file] : found) files.push_back(std::move(file));
+}
+
+}  // namespace
+
+std::vector<std::string> rig_files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code ignored;
+  if (folder.empty() || !fs::is_directory(folder, ignored)) return files;
+  for (const fs::path& each : {fs::path(folder) / "mav0", fs::path(folder)}) {
+    add_sensors(each, "cam", files);
+    if (files.empty()) continue;
+    add_sensors(each, "imu", files);
+    return files;
+  }
+  constexpr std::array<std::string_view, 3> kOfKimera = {"LeftCameraParams.yaml", "RightCameraParams.yaml", "ImuParams.yaml"};
+  for (const std::string_view name : kOfKimera) {
+    if (const fs::path file = fs::path(folder) / name; is_file(file)) files.push_back(file.string());
+  }
+  return files;
+}
+
+}  // namespace fca

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// PyCuVSLAM's EuRoC example (NVlabs/PyCuVSLAM@f1fb2b8, examples/euroc) as a consumer of sensor.yaml, through PyYAML. The first
+// key that begins with T_ is the pose (T_BS or T_Cam0, 16 numbers below data). distortion_model is never read: the coefficients
+// of a sensor.yaml are k1 k2 p1 p2 of cuVSLAM's Brown model, those of a sensor_recalibrated.yaml of its Fisheye model. Bytes
+// have no name: a file with camera_model fisheye, as that example's, is taken for one of the latter.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "fca/code.h"
+#include "opencv_formulas.h"
+#include "programs.h"
+#include "pyyaml.h"
+
+namespace fca::consumers {
+namespace {
+
+using pyyaml::Kind;
+using pyyaml::Value;
+
+/// The keys of a file, and what the example says of them.
+class Sensor {
+ public:
+  Sensor(const Value& root, ConsumerView& view) : root_(root), view_(view) {}
+
+  void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
+    arguments.insert(arguments.begin(), key);
+    view_.refusals.emplace_back(code, key, std::move(arguments));
+  }
+
+  const Value* require(const std::string& key) {
+    const Value* value = root_.find(key);
+    if (value == nullptr) refuse(Code::kCuvslamSaysMissing, key);
+    return value;
+  }
+
+  std::optional<double> number(const std::string& key) {
+    const Value* value = require(key);
+    if (value == nullptr) return std::nullopt;
+    if (value->is_number()) return value->number;
+    refuse(Code::kCuvslamSaysNoNumber, key, {pyyaml::describe(*value)});
+    return std::nullopt;
+  }
+
+  std::optional<std::vector<double>> numbers(const Value* list, const std::string& path, std::size_t count) {
+    if (list == nullptr) return std::nullopt;
+    std::vector<double> values;
+    if (list->kind == Kind::kList) {
+      for (const pyyaml::ValuePtr& item : list->items) {
+        if (item->is_number()) values.push_back(item->number);
+      }
+    }
+    if (list->kind == Kind::kList && list->items.size() == count && values.size() == count) return values;
+    refuse(Code::kCuvslamSaysNumberCount, path, {count});
+    return std::nullopt;
+  }
+  std::optional<std::vector<double>> numbers(const std::string& key, std::size_t count) {
+    return numbers(require(key), key, count);
+  }
+
+  /// The frame ("imu0" of T_BS: the body) with the pose in it.
+  std::optional<ConsumerPose> pose() {
+    for (const auto& [key, value] : root_.entries) {
+      if (!key->text.starts_with("T_")) continue;
+      const std::string path = key->text + "/data";
+      const Value* data = value->kind == Kind::kMap ? value->find("data") : nullptr;
+      if (data == nullptr) refuse(Code::kCuvslamSaysMissing, path);
+      const std::optional<std::vector<double>> matrix = numbers(data, path, 16);
+      if (!matrix) return std::nullopt;
+      ConsumerPose pose = {key->text == "T_Cam0" ? "" : "imu0", "", {}};
+      std::copy_n(matrix->begin(), pose.T_a_b.size(), pose.T_a_b.begin());
+      return pose;
+    }
+    view_.refusals.emplace_back(Code::kCuvslamSaysNoPose, "");
+    return std::nullopt;
+  }
+
+ private:
+  const Value& root_;
+  ConsumerView& view_;
+};
+
+pyyaml::ValuePtr load_map(std::string_view bytes, ConsumerView& view) {
+  pyyaml::Loaded loaded = pyyaml::safe_load(bytes);
+  if (!loaded.root) {
+    view.refusals.emplace_back(Code::kCuvslamSaysNotParsed, "", std::vector<Argument>{loaded.error});
+    return nullptr;
+  }
+  if (loaded.root->kind == Kind::kMap) return loaded.root;
+  view.refusals.emplace_back(Code::kCuvslamSaysNoMap, "");
+  return nullptr;
+}
+
+std::string text_at(const Value& root, std::string_view key) {
+  const Value* value = root.find(key);
+  return value != nullptr && value->kind == Kind::kString ? value->text : std::string();
+}
+
+/// What cuVSLAM does with rays from behind is not documented: none here.
+ConsumerCamera camera_of(const std::vector<double>& k, const std::vector<double>& d, bool is_fisheye) {
+  const opencv::CameraMatrix K = {.fx = k[0], .fy = k[1], .cx = k[2], .cy = k[3]};
+  ConsumerCamera camera;
+  camera.name = "cam0";
+  camera.model = is_fisheye ? "Fisheye" : "Brown";
+  camera.project = [K, d, is_fisheye](const std::array<double, 3>& ray) -> std::optional<std::array<double, 2>> {
+    if (!(ray[2] > 0.0)) return std::nullopt;
+    if (is_fisheye) return opencv::fisheye_project_points(K, {d[0], d[1], d[2], d[3]}, ray);
+    return opencv::project_points(K, {d[0], d[1], d[2], d[3]}, ray);
+  };
+  return camera;
+}
+
+}  // namespace
+
+ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& /*options*/) {
+  ConsumerView view;
+  const pyyaml::ValuePtr root = load_map(bytes, view);
+  if (!root) return view;
+  Sensor sensor(*root, view);
+  std::optional<ConsumerPose> pose = sensor.pose();
+  const auto intrinsics = sensor.numbers("intrinsics", 4);
+  const auto coefficients = sensor.numbers("distortion_coefficients", 4);
+  const auto size = sensor.numbers("resolution", 2);
+  if (!view.loads() || !pose || !intrinsics || !coefficients || !size) return view;
+  const bool is_fisheye = text_at(*root, "camera_model") == "fisheye";
+  ConsumerCamera camera = camera_of(*intrinsics, *coefficients, is_fisheye);
+  camera.width = static_cast<int>((*size)[0]);
+  camera.height = static_cast<int>((*size)[1]);
+  const std::string distortion = text_at(*root, "distortion_model");
+  if (!is_fisheye && (distortion == "equidistant" || distortion == "none")) {
+    camera.misread = distortion == "equidistant";
+    const std::string key = "distortion_model";
+    if (camera.misread)
+      view.warnings.emplace_back(Code::kCuvslamSaysTakenForBrown, key, std::vector<Argument>{key, distortion});
+  }
+  view.cameras.push_back(std::move(camera));
+  pose->b = "cam0";
+  if (!pose->a.empty()) view.poses.push_back(*std::move(pose));
+  return view;
+}
+
+ConsumerView load_cuvslam_imu(std::string_view bytes, const LoadOptions& /*options*/) {
+  ConsumerView view;
+  const pyyaml::ValuePtr root = load_map(bytes, view);
+  if (!root) return view;
+  Sensor sensor(*root, view);
+  sensor.pose();
+  ConsumerImu& imu = view.imu.emplace();
+  imu.rate_hz = sensor.number("rate_hz");
+  imu.gyroscope_noise_density = sensor.number("gyroscope_noise_density");
+  imu.gyroscope_random_walk = sensor.number("gyroscope_random_walk");
+  imu.accelerometer_noise_density = sensor.number("accelerometer_noise_density");
+  imu.accelerometer_random_walk = sensor.number("accelerometer_random_walk");
+  return view;
+}
+
+}  // namespace fca::consumers

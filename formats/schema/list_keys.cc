@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rows of formats that state a lens as two names and two lists of numbers, and a pose as 16 of them.
+#include "keys.h"
+
+#include <fca/folded_name.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fca::schema {
+
+using text::Node;
+
+namespace {
+
+constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
+constexpr std::size_t kLongestWord = 40;  ///< Of the file, in a message.
+
+std::string shown(const Node& node) { return node.value.substr(0, kLongestWord); }
+
+std::size_t length_of(const ListLens& lens) { return lens.coefficients.size() + lens.zeros; }
+
+/// Programs read such names in any case.
+bool has_names(const ListLens& lens, const Node& camera_model, const Node& distortion_model) {
+  return folded(lens.camera_model) == folded(camera_model.value) &&
+         folded(lens.distortion_model) == folded(distortion_model.value);
+}
+
+const ListLens* lens_of(const CameraModel& model, const Key& key) {
+  // What has more numbers than a shorter row of the same model has parameters for is of the longer one.
+  const auto holds = [&model](const ListLens& lens) {
+    if (lens.model != model_info(model).id) return false;
+    return std::ranges::all_of(lens.absent, [&model](ParameterId id) { return parameter(model, id) == 0.0; });
+  };
+  const auto found = std::ranges::find_if(key.with.list_lenses, holds);
+  return found == key.with.list_lenses.end() ? nullptr : &*found;
+}
+
+bool read_list(Reading& reading, const Key& key, const Node& node, std::span<const ParameterId> ids, std::size_t zeros) {
+  const std::string what = reading.label(key);
+  const bool fits = node.is_sequence() && node.items.size() == ids.size() + zeros;
+  if (!fits) return reading.reader.reals(node, ids.size() + zeros, what) && fits;
+  bool good = true;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    good = reading.reader.parameter(node.items[i], what, ids[i], reading.camera->model) && good;
+  return good;
+}
+
+std::vector<Statement> write_list(const Subject& subject, const Key& key, std::span<const ParameterId> ids, std::size_t zeros) {
+  std::vector<double> values;
+  Statement statement;
+  for (const ParameterId id : ids) {
+    values.push_back(parameter(subject.the_camera().model, id).value());
+    statement.facts.push_back({.kind = FactKind::kParameter, .parameter = id.name()});
+  }
+  values.resize(ids.size() + zeros, 0.0);
+  statement.field = fields::list(key.text(), values);
+  return {std::move(statement)};
+}
+
+std::vector<Statement> states_pose(const Key& key, const Transform& T, const PoseEdge* edge) {
+  Statement statement = {fields::list(key.text(), T.values), {}};
+  for (int i = 0; i < 16; ++i)
+    statement.facts.push_back({.kind = FactKind::kPose, .pose = edge, .row = i / 4, .column = i % 4});
+  return {std::move(statement)};
+}
+
+}  // namespace
+
+/// The lens of a camera, by both names and, where several have these, by how many coefficients it has.
+bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
+  const Node* other = reading.reader.find(*reading.mapping, key.with.other);
+  const Node* coefficients = reading.reader.find(*reading.mapping, key.with.list);
+  if (other == nullptr) return false;  // which is said of its own row
+  const auto named = [&](const ListLens& lens) { return has_names(lens, *other, node); };
+  const std::span<const ListLens> lenses = key.with.list_lenses;
+  if (std::ranges::none_of(lenses, named)) {
+    const bool known = std::ranges::any_of(
+        lenses, [other](const ListLens& lens) { return folded(lens.camera_model) == folded(other->value); });
+    reading.reader.say(known ? node : *other, reading.schema.codes.unknown_lens,
+                       {reading.camera->name, shown(*other), shown(node)});
+    return false;
+  }
+  const std::size_t count = coefficients != nullptr ? coefficients->items.size() : 0;
+  const auto lens = std::ranges::find_if(lenses, [&](const ListLens& each) { return named(each) && length_of(each) == count; });
+  if (lens == lenses.end() && coefficients != nullptr && !std::ranges::find_if(lenses, named)->any_length) {
+    std::vector<std::string> wanted;
+    for (const ListLens& each : lenses) {
+      if (named(each)) wanted.push_back(std::to_string(length_of(each)));
+    }
+    reading.reader.say(*coefficients, reading.schema.codes.coefficient_count,
+                       {reading.owner + " " + std::string(key.with.list), count, wanted, shown(node)});
+    return false;
+  }
+  const ListLens& taken = lens != lenses.end() ? *lens : *std::ranges::find_if(lenses, named);
+  reading.camera->model = make_model(taken.model).value();
+  reading.list_lens = &taken;
+  if (taken.told != Code{}) reading.reader.say(node, taken.told, {reading.camera->name, shown(*other), shown(node)});
+  return !reading.reader.diagnostics().has_errors();
+}
+
+std::vector<Statement> write_list_lens(const Subject& subject, const Key& key) {
+  const ListLens* lens = lens_of(subject.the_camera().model, key);
+  if (lens == nullptr) return {};
+  return states(fields::scalar(key.text(), std::string(lens->distortion_model)), {FactKind::kModel});
+}
+
+std::vector<Statement> write_camera_model(const Subject& subject, const Key& key) {
+  const ListLens* lens = lens_of(subject.the_camera().model, key);
+  if (lens == nullptr) return {};
+  return states(fields::scalar(key.text(), std::string(lens->camera_model)), {FactKind::kModel});
+}
+
+bool read_focal_and_centre(Reading& reading, const Key& key, const Node& node) {
+  return read_list(reading, key, node, kFocalAndCentre, 0);
+}
+
+std::vector<Statement> write_focal_and_centre(const Subject& subject, const Key& key) {
+  return write_list(subject, key, kFocalAndCentre, 0);
+}
+
+bool read_coefficients(Reading& reading, const Key& key, const Node& node) {
+  if (reading.list_lens == nullptr) return false;
+  const bool unread = reading.list_lens->coefficients.empty();
+  return unread || read_list(reading, key, node, reading.list_lens->coefficients, reading.list_lens->zeros);
+}
+
+std::vector<Statement> write_coefficients(const Subject& subject, const Key& key) {
+  const ListLens* lens = lens_of(subject.the_camera().model, key);
+  if (lens == nullptr) return {};
+  return write_list(subject, key, lens->coefficients, lens->zeros);
+}
+
+bool read_frame_rate(Reading& reading, const Key& key, const Node& node) {
+  std::optional<double>& rate = reading.camera->frame_rate_hz;
+  rate = reading.reader.positive(node, reading.label(key));
+  return rate.has_value();
+}
+
+std::vector<Statement> write_frame_rate(const Subject& subject, const Key& key) {
+  const std::optional<double>& rate = subject.the_camera().frame_rate_hz;
+  if (!rate) return {};
+  return states(fields::real(key.text(), *rate), {FactKind::kFrameRate});
+}
+
+bool read_side_of_four(Reading& reading, const Key& key, const Node& node) {
+  const std::optional<int> side = reading.reader.integer(node, reading.label(key));
+  if (side && *side != 4) reading.reader.say(node, reading.schema.codes.not_four, {reading.label(key), *side});
+  return side == 4;
+}
+
+std::vector<Statement> write_side_of_four(const Subject& subject, const Key& key) {
+  if (subject.fresh == nullptr) return {};
+  return states(fields::integer(key.text(), 4));
+}
+
+bool read_matrix(Reading& reading, const Key& key, const Node& node) {
+  const PoseLayout& layout = *key.with.pose;
+  const std::optional<Transform> T = reading.reader.transform(node, reading.label(key));
+  if (!T) return false;
+  if (reading.camera->name == layout.frame) {
+    if (!(*T == Transform{})) reading.reader.say(node, reading.schema.codes.no_identity, {reading.label(key)});
+    return *T == Transform{};
+  }
+  reading.rig.poses.push_back({std::string(layout.frame), reading.camera->name, *T});
+  reading.rig.add_frame(layout.frame, layout.kind);
+  return true;
+}
+
+std::vector<Statement> write_matrix(const Subject& subject, const Key& key) {
+  const Camera& camera = subject.the_camera();
+  const PoseFrame frame(subject.rig, *key.with.pose);
+  const bool fresh = subject.fresh != nullptr;
+  const std::optional<Transform> T = fresh ? frame.pose(camera) : frame.own_pose(camera);
+  if (fresh) frame.list_made_up(key.with.other, *key.with.pose, camera, *subject.fresh);
+  if (!fresh && !T) return {};
+  return states_pose(key, T.value_or(Transform{}), edge_of(subject.rig, key.with.pose->frame, camera.name));
+}
+
+bool read_identity(Reading& reading, const Key& key, const Node& node) {
+  const std::optional<Transform> T = reading.reader.transform(node, reading.label(key));
+  if (T && !(*T == Transform{})) reading.reader.say(node, reading.schema.codes.no_identity, {reading.label(key)});
+  return T == Transform{};
+}
+
+std::vector<Statement> write_identity(const Subject& subject, const Key& key) {
+  if (subject.fresh == nullptr) return {};
+  return states_pose(key, Transform{}, nullptr);
+}
+
+bool read_imu_matrix(Reading& reading, const Key& key, const Node& node) {
+  const PoseLayout& layout = *key.with.pose;
+  const std::optional<Transform> T = reading.reader.transform(node, reading.label(key));
+  if (!T) return false;
+  reading.rig.poses.push_back({std::string(layout.frame), reading.imu->name, *T});
+  reading.rig.add_frame(layout.frame, layout.kind);
+  return true;
+}
+
+std::vector<Statement> write_imu_matrix(const Subject& subject, const Key& key) {
+  if (subject.imu >= subject.rig.imus.size()) return {};
+  const std::string& imu = subject.rig.imus[subject.imu].name;
+  const Transform* stated = subject.rig.stated(key.with.pose->frame, imu);
+  const std::optional<Transform> T = stated != nullptr ? *stated : subject.rig.resolve(key.with.pose->frame, imu);
+  if (!T) return {};
+  return states_pose(key, *T, edge_of(subject.rig, key.with.pose->frame, imu));
+}
+
+bool read_fixed(Reading& /*reading*/, const Key& /*key*/, const Node& /*node*/) { return true; }
+
+std::vector<Statement> write_fixed(const Subject& subject, const Key& key) {
+  if (subject.fresh == nullptr) return {};
+  return states(fields::scalar(key.text(), std::string(key.with.token)));
+}
+
+/// As the rig keeps it from a file with such a key, else what the program's own file has.
+std::vector<Statement> write_tuning(const Subject& subject, const Key& key) {
+  if (subject.fresh == nullptr) return {};
+  const ExtraField* kept = subject.rig.find_extra_field("", std::string(key.with.other) + key.text());
+  const std::string token = kept != nullptr ? kept->value : std::string(key.with.token);
+  if (kept == nullptr) subject.fresh->defaults.push_back({key.text(), token, false, false});
+  return states(fields::scalar(key.text(), token));
+}
+
+bool read_tuning(Reading& reading, const Key& key, const Node& node) {
+  reading.rig.extra_fields.push_back({"", std::string(key.with.other) + key.text(), fields::value_text(node)});
+  return true;
+}
+
+}  // namespace fca::schema
