@@ -143,7 +143,8 @@ constexpr Key camera_model(std::string_view name, std::span<const ListLens> lens
 }
 constexpr Key distortion_model(std::string_view name, std::string_view camera_model, std::string_view list,
                                std::span<const ListLens> lenses) {
-  return {name, FactKind::kModel, read_list_lens, write_list_lens, {.list_lenses = lenses, .other = camera_model, .list = list}};
+  return {
+      name, FactKind::kModel, read_list_lens, write_list_lens, {.list_lenses = lenses, .other = camera_model, .list = list}};
 }
 
 /// [fx, fy, cx, cy], and the lens's coefficients; both after the row of its names.

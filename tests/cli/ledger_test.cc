@@ -126,7 +126,9 @@ void convert_into(const Input& input, const Format& from, const Format& to, cons
     if (to.pair_poses && from.many_cameras && contains(what, "_cam2")) classes.dropped.insert(kButForAStereoPair);
   }
   // Of cameras that are posed by way of the IMU, their poses to each other go with it.
-  if (contains(lost, "imu0_cam0") && contains(lost, "imu0_cam1"))
+  constexpr std::string_view kInImu = "T_imu0_";
+  const std::size_t first = lost.find(kInImu);
+  if (first != std::string::npos && lost.find(kInImu, first + 1) != std::string::npos)
     classes.dropped.insert("poses" + (to.id == "opencv" ? kButForAPair : ""));
   for (const rapidjson::Value& value : json["defaults"].GetArray())
     classes.defaulted.insert(value_of(value["key"].GetString(), to));

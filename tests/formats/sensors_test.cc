@@ -112,7 +112,7 @@ TEST(Euroc, EveryModelComesBack) {
     const Calibration back = joined(written);
     ASSERT_EQ(back.rig.cameras.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
-      if (stored.model != "pinhole") EXPECT_EQ(back.rig.cameras[i].model, rig.cameras[i].model);
+      EXPECT_TRUE(stored.model == "pinhole" || back.rig.cameras[i].model == rig.cameras[i].model);
       EXPECT_EQ(back.rig.cameras[i].image_size, rig.cameras[i].image_size);
     }
     const std::optional<Transform> pose = back.rig.resolve("cam1", "cam0");

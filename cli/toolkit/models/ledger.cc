@@ -114,8 +114,8 @@ void list_lost_to_pairs(const Format& from, const Format& to, std::vector<Messag
 std::vector<Message> dropped(const Format& from, const Format& to) {
   std::vector<Message> result;
   for (const Fact& fact : kFacts) {
-    // A file of one camera states no pose but that in its frame.
-    const bool states_it = from.*fact.held && (fact.held != &Format::extrinsics || from.many_cameras);
+    // A file of one camera states no pose but that in its frame; where that is the IMU, those between cameras follow.
+    const bool states_it = from.*fact.held && (fact.held != &Format::extrinsics || from.many_cameras || from.imu);
     if (states_it && !(to.*fact.held)) result.push_back({fact.name});
   }
   // Files of one camera each are as many as one likes: they can be joined.
