@@ -2,7 +2,7 @@
 // PyCuVSLAM's EuRoC example (NVlabs/PyCuVSLAM@f1fb2b8, examples/euroc) as a consumer of sensor.yaml, through PyYAML. The first
 // key that begins with T_ is the pose (T_BS or T_Cam0, 16 numbers below data). distortion_model is never read: the coefficients
 // of a sensor.yaml are k1 k2 p1 p2 of cuVSLAM's Brown model, those of a sensor_recalibrated.yaml of its Fisheye model. Bytes
-// have no name: a file with camera_model fisheye, as that example's, is taken for one of the latter.
+// have no name: a file with camera_model fisheye, as that example's, or with equidistant numbers is taken for the latter.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -123,17 +123,15 @@ ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& /*options*/
   const auto coefficients = sensor.numbers("distortion_coefficients", 4);
   const auto size = sensor.numbers("resolution", 2);
   if (!view.loads() || !pose || !intrinsics || !coefficients || !size) return view;
-  const bool is_fisheye = text_at(*root, "camera_model") == "fisheye";
+  const std::string distortion = text_at(*root, "distortion_model");
+  const bool is_fisheye = text_at(*root, "camera_model") == "fisheye" || distortion == "equidistant";
+  if (distortion == "equidistant") {
+    const std::string key = "distortion_model";
+    view.warnings.emplace_back(Code::kCuvslamSaysTakenForBrown, key, std::vector<Argument>{key, distortion});
+  }
   ConsumerCamera camera = camera_of(*intrinsics, *coefficients, is_fisheye);
   camera.width = static_cast<int>((*size)[0]);
   camera.height = static_cast<int>((*size)[1]);
-  const std::string distortion = text_at(*root, "distortion_model");
-  if (!is_fisheye && (distortion == "equidistant" || distortion == "none")) {
-    camera.misread = distortion == "equidistant";
-    const std::string key = "distortion_model";
-    if (camera.misread)
-      view.warnings.emplace_back(Code::kCuvslamSaysTakenForBrown, key, std::vector<Argument>{key, distortion});
-  }
   view.cameras.push_back(std::move(camera));
   pose->b = "cam0";
   if (!pose->a.empty()) view.poses.push_back(*std::move(pose));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace fca::schema {
 
@@ -84,10 +85,12 @@ bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
   const std::size_t count = coefficients != nullptr ? coefficients->items.size() : 0;
   const auto lens = std::ranges::find_if(lenses, [&](const ListLens& each) { return named(each) && length_of(each) == count; });
   if (lens == lenses.end() && coefficients != nullptr && !std::ranges::find_if(lenses, named)->any_length) {
-    std::vector<std::string> wanted;
+    std::set<std::size_t> lengths;
     for (const ListLens& each : lenses) {
-      if (named(each)) wanted.push_back(std::to_string(length_of(each)));
+      if (named(each)) lengths.insert(length_of(each));
     }
+    std::vector<std::string> wanted;
+    for (const std::size_t length : lengths) wanted.push_back(std::to_string(length));
     reading.reader.say(*coefficients, reading.schema.codes.coefficient_count,
                        {reading.owner + " " + std::string(key.with.list), count, wanted, shown(node)});
     return false;

@@ -135,12 +135,6 @@ std::string camera_place(const Rig& rig, std::size_t camera, const text::Documen
   return "mav0/" + (all ? rig.cameras[camera].name : "cam" + std::to_string(camera)) + "/sensor.yaml";
 }
 
-/// cuVSLAM's example takes the numbers of every sensor.yaml for k1 k2 p1 p2: other files are not for it.
-std::vector<std::string> camera_programs(const Camera& camera) {
-  if (model_info(camera.model).id == "kb4") return {};
-  return {"cuvslam"};
-}
-
 const sensors::Files& files() {
   static const sensors::Files kFiles = {.format = kFormat,
                                         .camera = kCameraTable,
@@ -153,7 +147,7 @@ const sensors::Files& files() {
                                         .imu_name = imu_name,
                                         .camera_place = camera_place,
                                         .imu_place = "mav0/imu0/sensor.yaml",
-                                        .camera_programs = camera_programs,
+                                        .camera_program = "cuvslam",
                                         .imu_program = "cuvslam-imu",
                                         .imu_demands = Code::kEurocImuDemands};
   return kFiles;
@@ -189,7 +183,7 @@ ProbeResult probe(const text::Document& document) {
 
 constexpr std::array kModels = {
     StoredModel{"radtan", "pinhole, radial-tangential", true, "cuVSLAM", sensors::kNoK3Range, Code::kEurocNoK3},
-    StoredModel{"kb4", "pinhole, equidistant", true, "readers of distortion_model (not cuVSLAM's example)", {}},
+    StoredModel{"kb4", "pinhole, equidistant", true, "cuVSLAM (named sensor_recalibrated.yaml)", {}},
     StoredModel{"pinhole", "pinhole, radial-tangential with zeros", true, "cuVSLAM", {}},
 };
 constexpr std::array kOwnFacts = {OwnFact{"keys of its own (comment)"}};

@@ -155,7 +155,7 @@ std::optional<Written> write(const Files& files, const text::Document* base, con
       document = schema::composed_yaml(subject, std::string(kHeader), place, diagnostics);
     }
     if (!document) return std::nullopt;
-    written.files.push_back({*std::move(document), {camera.name}, files.camera_programs(camera)});
+    written.files.push_back({*std::move(document), {camera.name}, {std::string(files.camera_program)}});
     written.files.back().place = place;
   }
   if (of_imu && !rig.imus.empty()) {

@@ -26,7 +26,7 @@ struct Files {
   /// Where a file lies in a folder of the program's own: "mav0/cam0/sensor.yaml". `base`: null where it is fresh.
   std::string (*camera_place)(const Rig& rig, std::size_t camera, const text::Document* base);
   std::string_view imu_place;
-  std::vector<std::string> (*camera_programs)(const Camera& camera);
+  std::string_view camera_program;  ///< Ids of the consumers that read them.
   std::string_view imu_program;
   bool demands_imu = false;  ///< Fresh files have that of an IMU, whether the input states one or not.
   Code imu_demands = {};     ///< Else: why an IMU has no file that lacks numbers. {0} which

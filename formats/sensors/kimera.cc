@@ -161,8 +161,6 @@ std::string camera_place(const Rig& rig, std::size_t camera, const text::Documen
   return as_file_name(rig.cameras[camera].name) + "CameraParams.yaml";
 }
 
-std::vector<std::string> camera_programs(const Camera& /*camera*/) { return {"kimera"}; }
-
 const sensors::Files& files() {
   static const sensors::Files kFiles = {.format = kFormat,
                                         .camera = kCameraTable,
@@ -175,7 +173,7 @@ const sensors::Files& files() {
                                         .imu_name = imu_name,
                                         .camera_place = camera_place,
                                         .imu_place = "ImuParams.yaml",
-                                        .camera_programs = camera_programs,
+                                        .camera_program = "kimera",
                                         .imu_program = "kimera-imu",
                                         .demands_imu = true};
   return kFiles;

@@ -34,7 +34,9 @@ std::span<const CodeInfo> sensor_program_codes() {
       named_refusal(Code::kCuvslamSaysNumberCount, "{0} is no list of {1} numbers; cuVSLAM's EuRoC example stops"),
       named_refusal(Code::kCuvslamSaysNoNumber, "{0} is {1}, not a number; cuVSLAM's EuRoC example stops"),
       named_misreading(Code::kCuvslamSaysTakenForBrown,
-                       "{0} is {1}; cuVSLAM's EuRoC example takes the coefficients of every sensor.yaml for k1 k2 p1 p2"),
+                       "{0} is {1}: cuVSLAM's EuRoC example reads it so in a sensor_recalibrated.yaml, and takes the "
+                       "coefficients of a sensor.yaml for k1 k2 p1 p2",
+                       "for cuVSLAM, rename the file sensor_recalibrated.yaml"),
   };
   return kRows;
 }
