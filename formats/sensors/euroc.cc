@@ -159,7 +159,11 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  return sensors::write(files(), base, rig, options, diagnostics);
+  std::optional<Written> written = sensors::write(files(), base, rig, options, diagnostics);
+  const auto is_equidistant = [](const Camera& camera) { return model_info(camera.model).id == "kb4"; };
+  if (written && std::ranges::any_of(rig.cameras, is_equidistant))
+    diagnostics.add(Code::kCuvslamSaysTakenForBrown, {"distortion_model", "equidistant"});
+  return written;
 }
 
 ProbeResult probe(const text::Document& document) {

@@ -33,7 +33,7 @@ constexpr Refused kRefused[] = {
     {"opencv/ZJUZQ__camera_calib_opencv__omni_camera_params.xml", "skew", "K(0, 1) = 21.2"},
     {"opencv/ZJUZQ__camera_calib_opencv__out_camera_params.xml", "skew", "K(0, 1) = 21.3"},
     {"opencv/SupernovaIndustries__unlook-standalone__calib-matlab-complete-export.yaml", "skew", "K(0, 1) = -1.02 and -1.53"},
-    {"kimera/MIT-SPARK__Kimera-VIO__scripts__kalibr__templates__camera.yaml", "yaml-syntax",
+    {"kimera/MIT-SPARK__Kimera-VIO__scripts__kalibr__templates__camera.yaml", "yaml-key",
      "a template: {{ camera_id }} stands where a value belongs"},
 };
 
