@@ -51,6 +51,9 @@ constexpr Judged kJudged[] = {
      "ROVIO's: neither rectification_matrix nor projection_matrix, which ROS's parser wants"},
     {"rovio__cfg__domi_cam", "program-refuses", "the same"},
     {"rovio__cfg__euroc_cam", "program-refuses", "the same"},
+    {"MicroEurocDataset__mav0", "opencv-header", "Kimera's copies of EuRoC's files, for OpenCV: PyYAML refuses the first line"},
+    {"D455__ImuParams.yaml", "program-refuses", "no imu_bias_init_sigma"},
+    {"kalibr__templates__camera.yaml", "yaml-key", "a template with {{ }}"},
     {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };
 

@@ -21,7 +21,7 @@ std::span<const CodeInfo> sensor_codes() {
             "{0} is not the identity, and the poses of such files are those in this sensor",
             "multiply the poses of all sensors by its inverse from the left, and write the identity here"),
       error(Code::kSensorNothing, "missing-key", "the file holds neither a camera's keys nor an IMU's"),
-      warning(Code::kEurocFisheye, "model-contradicts",
+      warning(Code::kEurocFisheye, "program-ignores",
               "{0}: camera_model {1} says that the coefficients are equidistant, whatever distortion_model ({2}) says",
               "write camera_model: pinhole and distortion_model: equidistant, which every other reader understands"),
       warning(Code::kKimeraMissingKeys, "missing-key", "the file has no {0:or}: Kimera-VIO stops"),
