@@ -67,6 +67,7 @@ constexpr std::array kCameraKeys = {
     schema::frame_rate("rate_hz"),
     schema::object(kBody, sensors::kPose),
     only_edited(schema::object(kFirstCamera, kCam0)),
+    schema::unread("camera_id"),  // Kimera's, misspelt
 };
 constexpr std::array<std::string_view, 8> kCameraOrder = {
     "sensor_type", kBody, "rate_hz", "resolution", "camera_model", "intrinsics", "distortion_model", "distortion_coefficients"};

@@ -9,6 +9,7 @@
 #include <fca/formats/text/read_document.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace fca::sensors {
 
@@ -60,6 +61,13 @@ std::optional<text::Document> edited_camera(const Files& files, const text::Docu
   return back && back->cameras.front().model == model ? std::optional(std::move(document)) : std::nullopt;
 }
 
+/// A name without folders: "cam0.yaml" of "mav0/cam0/sensor.yaml".
+std::string name_at(std::string_view place) {
+  const std::filesystem::path path = place;
+  if (!path.has_parent_path()) return path.string();
+  return path.parent_path().filename().string() + path.extension().string();
+}
+
 /// Numbers that the IMU lacks.
 std::vector<std::string> missing_in(const Files& files, const Imu& imu) {
   std::vector<std::string> missing;
@@ -80,19 +88,19 @@ void add_imu_file(const Files& files, const Rig& rig, Written& written, Diagnost
   Written made_up;
   const Subject subject{.schema = files.imu, .rig = rig, .fresh = &made_up};
   std::optional<text::Document> document =
-      schema::composed_yaml(subject, std::string(kHeader), std::string(files.imu_place), diagnostics);
+      schema::composed_yaml(subject, std::string(kHeader), name_at(files.imu_place), diagnostics);
   if (!document) return;
   // What tunes the program is one default.
   std::vector<std::string> tuning;
   for (DefaultedValue& value : made_up.defaults) {
     if (!value.invented) tuning.push_back(value.key);
     value.key = "IMU " + value.key;
-    value.file = files.imu_place;
+    value.file = document->source().name;
     if (value.invented) written.defaults.push_back(std::move(value));
   }
   if (!tuning.empty()) {
     written.defaults.push_back({"tuning (" + text::enumerated(tuning) + ")", Message{Code::kKimeraStockTuning}, false, false,
-                                std::string(files.imu_place)});
+                                document->source().name});
   }
   written.files.push_back({*std::move(document), {}, {std::string(files.imu_program)}});
   written.files.back().place = files.imu_place;
@@ -152,7 +160,7 @@ std::optional<Written> write(const Files& files, const text::Document* base, con
     const std::string place = files.camera_place(rig, i, own);
     if (!document) {
       const Subject subject{.schema = files.camera, .rig = rig, .camera = i, .fresh = &written};
-      document = schema::composed_yaml(subject, std::string(kHeader), place, diagnostics);
+      document = schema::composed_yaml(subject, std::string(kHeader), name_at(place), diagnostics);
     }
     if (!document) return std::nullopt;
     written.files.push_back({*std::move(document), {camera.name}, {std::string(files.camera_program)}});
