@@ -73,13 +73,15 @@ TEST(SensorFolders, KimeraHasItsStockNames) {
 TEST(SensorFolders, WrittenBackTheyAreTheSame) {
   const TemporaryFolder kimera;
   const TemporaryFolder euroc;
-  for (const auto& [format, input] : {std::pair(std::string("kimera"), kimera_folder(kimera)), {"euroc", euroc_folder(euroc)}}) {
+  for (const auto& [format, input] :
+       {std::pair(std::string("kimera"), kimera_folder(kimera)), {"euroc", euroc_folder(euroc)}}) {
     SCOPED_TRACE(format);
     const TemporaryFolder out;
     const RunResult run = run_program({"convert", input, "--to", format, "-o", out.path().string()});
     EXPECT_EQ(run.code, 0) << run.out << run.err;
     EXPECT_EQ(files_below(out.path()), files_below(input));
-    for (const std::string& file : files_below(input)) EXPECT_EQ(read_file(out / file), read_file(fs::path(input) / file)) << file;
+    for (const std::string& file : files_below(input))
+      EXPECT_EQ(read_file(out / file), read_file(fs::path(input) / file)) << file;
   }
 }
 
