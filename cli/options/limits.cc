@@ -19,7 +19,7 @@ void add_strict_option(Options& options, const std::string& help, bool& strict) 
 
 void add_every_pixel_option(Options& options, bool& every_pixel) {
   options.group(OptionGroup::kProof);
-  options.flag("--every-pixel", "Judge by every pixel, not by a lattice of about 5,000 points", every_pixel);
+  options.flag("--every-pixel", "Evaluate every pixel, not a lattice of about 5,000 points", every_pixel);
 }
 
 }  // namespace fca::cli

@@ -37,7 +37,7 @@ constexpr std::array kHints = {
                "say how the reference's images become the other's: --crop X,Y,W,H, --binning N, --resize {3}x{4}"},
     // Fields.
     OptionHint{Code::kPoseMirrors, text::Part::kFix,
-               "mend the sign or the order of its rows first; fca-io check shows the place"},
+               "correct the sign or the order of its rows first; fca-io check shows the place"},
 
     // Files and formats, whichever, and what they cannot hold.
     OptionHint{Code::kFormatUnknown, text::Part::kFix, kListedFormats},
@@ -215,11 +215,11 @@ constexpr std::array kHints = {
     OptionHint{Code::kOneCameraPerFile, text::Part::kFix,
                "-o FOLDER/, a pattern such as -o '{{stem}}.{{camera}}{2}', or --camera to choose one"},
     OptionHint{Code::kPartHasNoRoom, text::Part::kFix, "-o FOLDER/"},
-    OptionHint{Code::kImuFileDropped, text::Part::kFix, "-o FOLDER/ writes it beside the camchain"},
+    OptionHint{Code::kImuFileDropped, text::Part::kFix, "-o FOLDER/ writes it beside the cameras' files"},
     OptionHint{Code::kProvenanceHasNoRoom, text::Part::kText,
                "--provenance: the comment at the beginning of the file has no room for it"},
     OptionHint{Code::kProvenanceInJson, text::Part::kText, "--provenance: JSON has no comments that could hold it"},
-    OptionHint{Code::kInputRefused, text::Part::kFix, "fca-io check {0:shell} says where, and how to mend it"},
+    OptionHint{Code::kInputRefused, text::Part::kFix, "fca-io check {0:shell} says where, and how to fix it"},
     OptionHint{Code::kInputNotUnderstood, text::Part::kFix, "--anew writes it as {0} reads it"},
     OptionHint{Code::kEditNotProven, text::Part::kFix, "--anew writes it as {0} reads it"},
     OptionHint{Code::kProofOfBaseFailed, text::Part::kFix,

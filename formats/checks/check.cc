@@ -112,9 +112,9 @@ std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& sou
 }
 
 /// What the reader said. A pose that is only roughly a rotation is a topic's affair, a grossly wrong one the reader's.
-void take_over(const Diagnostics& diagnostics, const text::Source& source, Findings& findings) {
+void take_over(const Diagnostics& diagnostics, const text::Source& source, bool topics_follow, Findings& findings) {
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (same_id(code_of(entry), kSaidByTopics)) continue;
+    if (topics_follow && same_id(code_of(entry), kSaidByTopics)) continue;
     if (entry.facts.code == Code::kRotationRough || entry.facts.code == Code::kRotationMirrors) continue;
     const Severity severity = same_id(code_of(entry), kBeyondUs) ? Severity::kWarning : entry.severity;
     findings.add({.severity = severity,
@@ -223,7 +223,7 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options, s
   Diagnostics diagnostics;
   std::optional<text::Document> document = text::parse_document(source, diagnostics);
   if (!document) {
-    checks::take_over(diagnostics, source, findings);
+    checks::take_over(diagnostics, source, false, findings);
     report.is_calibration = options.from != nullptr || checks::mentions_calibration(source.bytes);
     return report;
   }
@@ -234,14 +234,14 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options, s
     detected = detect_format(*document, diagnostics);
   }
   if (!detected) {
-    checks::take_over(diagnostics, source, findings);
+    checks::take_over(diagnostics, source, false, findings);
     report.is_calibration = checks::is_ambiguous(diagnostics);
     return report;
   }
   report.format = detected->format;
   report.why = detected->why;
   calibration = read_calibration({*document}, detected->format, options.reading, diagnostics);
-  checks::take_over(diagnostics, source, findings);
+  checks::take_over(diagnostics, source, calibration.has_value(), findings);
   report.holds_no_camera = calibration && calibration->rig.cameras.empty();
   // What the reader refuses for a fault of the file is said; programs would stumble over the same place.
   if (calibration || !report.has(Severity::kError)) {
@@ -293,7 +293,7 @@ std::vector<Finding> findings_about_meaning(const text::Document& document, cons
   CheckReport report;
   report.format = calibration.format;
   checks::Findings findings(report);
-  checks::take_over(diagnostics, document.source(), findings);
+  checks::take_over(diagnostics, document.source(), true, findings);
   checks::run_topics(document, calibration, options, &to, report);
   checks::tell_once(report);
   return std::move(report.findings);

@@ -155,11 +155,20 @@ Rig without_slip(const Rig& rig, const Explanation& explanation) {
   return meant;
 }
 
-/// The explanations after which the second camera stands to the right of the first; all where that tells none from another.
-std::vector<Explanation> in_stereo_order(const Rig& rig, std::vector<Explanation> explanations) {
-  std::vector<Explanation> ordered = explanations;
-  std::erase_if(ordered, [&rig](const Explanation& each) { return second_left_of_first(without_slip(rig, each)).has_value(); });
-  return ordered.empty() ? explanations : ordered;
+/// Those of the explanations that are `likely`; all where that is none of them.
+template <class Likely>
+std::vector<Explanation> preferred(const std::vector<Explanation>& explanations, const Likely& likely) {
+  std::vector<Explanation> left;
+  std::ranges::copy_if(explanations, std::back_inserter(left), likely);
+  return left.empty() ? explanations : left;
+}
+
+/// Does it leave cameras as far from each other as those of a rig are?
+bool leaves_a_rig(const Explanation& each) {
+  constexpr double kNarrowest = 1e-3;  // m
+  constexpr double kWidest = 5.0;
+  const double metres = distance_of(each.suspect.around);
+  return metres > kNarrowest && metres < kWidest;
 }
 
 void tell_slip(const Subject& subject, const Explanation& explanation, Findings& findings) {
@@ -179,7 +188,9 @@ bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig
     if (meant.poses[suspect.index] != stated[suspect.index]) continue;  // told before
     if (const auto explanation = explained(stated[suspect.index], suspect)) explanations.push_back(*explanation);
   }
-  explanations = in_stereo_order(meant, std::move(explanations));
+  explanations = preferred(explanations, leaves_a_rig);
+  explanations = preferred(
+      explanations, [&meant](const Explanation& each) { return !second_left_of_first(without_slip(meant, each)).has_value(); });
   if (explanations.size() > 1) {
     std::vector<std::string> names;
     for (const Explanation& each : explanations) names.push_back(name_of(stated[each.suspect.index]));
@@ -189,6 +200,18 @@ bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig
   tell_slip(subject, explanations.front(), findings);
   meant = without_slip(meant, explanations.front());
   return true;
+}
+
+/// Millimetres that were read as metres and scaled once more. Two cameras behind one lens are at 0, but for rounding.
+void check_too_close(const Subject& subject, std::size_t index, Findings& findings) {
+  constexpr double kRounding = 1e-6;   // m
+  constexpr double kNarrowest = 1e-3;  // m; telephones' lenses are 8 mm apart
+  const PoseEdge& edge = subject.rig().poses[index];
+  const double metres = distance_of(edge.T_a_b);
+  const auto is_camera = [&](const std::string& frame) { return subject.rig().find_camera(frame) != nullptr; };
+  if (metres <= kRounding || metres >= kNarrowest || !is_camera(edge.a) || !is_camera(edge.b)) return;
+  findings.add(Code::kCamerasTooClose, {name_of(edge), 1000.0 * metres},
+               subject.places.pose(index, longest_row(edge.T_a_b), 3));
 }
 
 constexpr double kLargestRig = 50.0;  // m
@@ -270,6 +293,7 @@ bool check_rotations(const Subject& subject, Findings& findings) {
 
 bool check_distances(const Subject& subject, Findings& findings) {
   const Rig& rig = subject.rig();
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) check_too_close(subject, i, findings);
   for (std::size_t i = 0; i < rig.poses.size(); ++i) {
     const Transform& T = rig.poses[i].T_a_b;
     if (!too_far(subject, distance_of(T), rig.poses[i].a)) continue;

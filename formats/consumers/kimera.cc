@@ -176,8 +176,10 @@ void read_imu(const cv::FileStorage& storage, ConsumerView& view) {
   Parameters file(storage, view);
   file.number("imu_preintegration_type");
   if (const std::optional<Numbers> pose = file.numbers("T_BS/data", 16)) {
+    constexpr double kRounding = 1e-9;  // of gtsam::Pose3::equals
     bool is_identity = true;
-    for (std::size_t i = 0; i < pose->size(); ++i) is_identity = is_identity && (*pose)[i] == (i % 5 == 0 ? 1.0 : 0.0);
+    for (std::size_t i = 0; i < pose->size(); ++i)
+      is_identity = is_identity && std::abs((*pose)[i] - (i % 5 == 0 ? 1.0 : 0.0)) <= kRounding;
     if (!is_identity) file.refuse(Code::kKimeraSaysNoIdentity, "T_BS/data");
   }
   ConsumerImu& imu = view.imu.emplace();

@@ -34,6 +34,9 @@ bool read_identity(Reading& reading, const Key& key, const text::Node& node);
 bool read_imu_matrix(Reading& reading, const Key& key, const text::Node& node);
 bool read_fixed(Reading& reading, const Key& key, const text::Node& node);
 bool read_tuning(Reading& reading, const Key& key, const text::Node& node);
+/// What the rig keeps of such a key from a file that had it; null if nothing, or if it is no number nor a list of numbers,
+/// which a fresh file cannot be trusted with.
+const ExtraField* kept_tuning(const Rig& rig, const Key& key);
 bool keep(Reading& reading, const Key& key, const text::Node& node);
 bool keep_numbers(Reading& reading, const Key& key, const text::Node& node);
 

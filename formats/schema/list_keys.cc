@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace fca::schema {
@@ -157,13 +158,20 @@ std::vector<Statement> write_side_of_four(const Subject& subject, const Key& key
   return states(fields::integer(key.text(), 4));
 }
 
+/// But for what readers take for rounding (gtsam's tolerance).
+bool is_identity(const Transform& T) {
+  constexpr double kRounding = 1e-9;
+  const Transform identity;
+  return std::ranges::equal(T.values, identity.values, [](double a, double b) { return std::abs(a - b) <= kRounding; });
+}
+
 bool read_matrix(Reading& reading, const Key& key, const Node& node) {
   const PoseLayout& layout = *key.with.pose;
   const std::optional<Transform> T = reading.reader.transform(node, reading.label(key));
   if (!T) return false;
-  if (reading.camera->name == layout.frame) {
-    if (!(*T == Transform{})) reading.reader.say(node, reading.schema.codes.no_identity, {reading.label(key)});
-    return *T == Transform{};
+  if (layout.kind != FrameKind::kImu && reading.camera->name == layout.frame) {
+    if (!is_identity(*T)) reading.reader.say(node, reading.schema.codes.no_identity, {reading.label(key)});
+    return is_identity(*T);
   }
   reading.rig.poses.push_back({std::string(layout.frame), reading.camera->name, *T});
   reading.rig.add_frame(layout.frame, layout.kind);
@@ -182,8 +190,8 @@ std::vector<Statement> write_matrix(const Subject& subject, const Key& key) {
 
 bool read_identity(Reading& reading, const Key& key, const Node& node) {
   const std::optional<Transform> T = reading.reader.transform(node, reading.label(key));
-  if (T && !(*T == Transform{})) reading.reader.say(node, reading.schema.codes.no_identity, {reading.label(key)});
-  return T == Transform{};
+  if (T && !is_identity(*T)) reading.reader.say(node, reading.schema.codes.no_identity, {reading.label(key)});
+  return T && is_identity(*T);
 }
 
 std::vector<Statement> write_identity(const Subject& subject, const Key& key) {
@@ -216,10 +224,20 @@ std::vector<Statement> write_fixed(const Subject& subject, const Key& key) {
   return states(fields::scalar(key.text(), std::string(key.with.token)));
 }
 
+const ExtraField* kept_tuning(const Rig& rig, const Key& key) {
+  const ExtraField* kept = rig.find_extra_field("", std::string(key.with.other) + key.text());
+  if (kept == nullptr) return nullptr;
+  std::string_view value = kept->value;
+  if (value.size() > 1 && value.starts_with('[') && value.ends_with(']')) value = value.substr(1, value.size() - 2);
+  const bool is_numbers = value.find_first_not_of("0123456789+-.eE, ") == std::string_view::npos &&
+                          value.find_first_of("0123456789") != std::string_view::npos;
+  return is_numbers ? kept : nullptr;
+}
+
 /// As the rig keeps it from a file with such a key, else what the program's own file has.
 std::vector<Statement> write_tuning(const Subject& subject, const Key& key) {
   if (subject.fresh == nullptr) return {};
-  const ExtraField* kept = subject.rig.find_extra_field("", std::string(key.with.other) + key.text());
+  const ExtraField* kept = kept_tuning(subject.rig, key);
   const std::string token = kept != nullptr ? kept->value : std::string(key.with.token);
   if (kept == nullptr) subject.fresh->defaults.push_back({key.text(), token, false, false});
   return states(fields::scalar(key.text(), token));

@@ -93,7 +93,9 @@ std::string indexed_name(std::string_view text, std::string_view prefix) {
     const std::size_t digits = at + prefix.size();
     const std::size_t end = std::min(text.find_first_not_of(kDigits, digits), text.size());
     constexpr std::size_t kMostDigits = 4;
-    if (end > digits && end - digits <= kMostDigits) return std::string(text.substr(at, end - at));
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const bool in_a_word = (at > 0 && is_letter(text[at - 1])) || (end < text.size() && is_letter(text[end]));
+    if (end > digits && end - digits <= kMostDigits && !in_a_word) return std::string(text.substr(at, end - at));
   }
   return "";
 }

@@ -77,6 +77,16 @@ std::vector<std::string> missing_in(const Files& files, const Imu& imu) {
   return missing;
 }
 
+/// Does the rig state what stands in the IMU's file and is no IMU's: a time offset, tuning?
+bool states_for_imu_file(const Files& files, const Rig& rig) {
+  const auto is_kept = [&rig](const schema::Key& key) {
+    return !key.with.token.empty() && !key.with.other.empty() &&
+           rig.find_extra_field("", std::string(key.with.other) + key.text()) != nullptr;
+  };
+  return std::ranges::any_of(rig.cameras, [](const Camera& camera) { return camera.time_offset_s.value_or(0.0) != 0.0; }) ||
+         std::ranges::any_of(files.imu.root.keys, is_kept);
+}
+
 /// A fresh file of the first IMU, or of none.
 void add_imu_file(const Files& files, const Rig& rig, Written& written, Diagnostics& diagnostics) {
   if (!rig.imus.empty() && !files.demands_imu) {
@@ -104,16 +114,14 @@ void add_imu_file(const Files& files, const Rig& rig, Written& written, Diagnost
   }
   written.files.push_back({*std::move(document), {}, {std::string(files.imu_program)}});
   written.files.back().place = files.imu_place;
-  written.files.back().of_defaults = rig.imus.empty();
+  written.files.back().of_defaults = rig.imus.empty() && !states_for_imu_file(files, rig);
 }
 
 /// What of the rig's extra fields the files say.
 std::vector<ExtraField> said_in(const Files& files, const std::optional<Rig>& old, const Rig& rig, bool imu_file) {
   std::vector<ExtraField> said = old ? old->extra_fields : std::vector<ExtraField>();
   for (const schema::Key& key : files.imu.root.keys) {
-    const ExtraField* kept = key.with.token.empty() || key.with.other.empty()
-                                 ? nullptr
-                                 : rig.find_extra_field("", std::string(key.with.other) + key.text());
+    const ExtraField* kept = key.with.token.empty() || key.with.other.empty() ? nullptr : schema::kept_tuning(rig, key);
     if (imu_file && kept != nullptr) said.push_back(*kept);
   }
   return said;

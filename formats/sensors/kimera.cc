@@ -57,8 +57,8 @@ constexpr auto kLenses = [] {
   return lenses;
 }();
 
-/// As FileNode's conversion to int: the nearest.
-int whole_rate(double rate_hz) { return static_cast<int>(std::lround(std::min(rate_hz, 1e6))); }
+/// As FileNode's conversion to int: the nearest, of two the even one.
+int whole_rate(double rate_hz) { return static_cast<int>(std::lrint(std::min(rate_hz, 1e6))); }
 
 bool read_rate(schema::Reading& reading, const Key& key, const Node& node) {
   if (!schema::read_frame_rate(reading, key, node)) return false;
@@ -183,13 +183,16 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   return sensors::read(files(), documents, options, diagnostics);
 }
 
-/// The time shift of ImuParams.yaml is that of all cameras.
+/// The time shift of ImuParams.yaml is that of all cameras. Beside a camera that states another one it stays a field of its
+/// own, which is listed where it is not written.
 void complete(Rig& rig) {
-  const ExtraField* shift = find_shift(rig);
-  if (shift == nullptr || rig.cameras.empty()) return;
+  const ExtraField* field = find_shift(rig);
+  if (field == nullptr || rig.cameras.empty()) return;
+  const std::optional<double> shift = text::parse_real(field->value);
   for (Camera& camera : rig.cameras) {
-    if (!camera.time_offset_s) camera.time_offset_s = text::parse_real(shift->value);
+    if (!camera.time_offset_s) camera.time_offset_s = shift;
   }
+  if (std::ranges::any_of(rig.cameras, [&shift](const Camera& camera) { return camera.time_offset_s != shift; })) return;
   std::erase_if(rig.extra_fields, [](const ExtraField& extra) { return extra.key == kShift; });
 }
 

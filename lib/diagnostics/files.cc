@@ -35,10 +35,10 @@ std::span<const CodeInfo> file_codes() {
       error(Code::kFileEmpty, "empty-file", "the file is empty"),
       error(Code::kFileBinary, "binary-file", "a zero byte: this is no text file", "save it as UTF-8 text"),
       error(Code::kFileUtf16, "utf-16", "the file is UTF-16 text; programs read calibrations as UTF-8",
-            "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE"),
+            "save it as UTF-8: iconv -f UTF-16 -t UTF-8 FILE > NEW"),
       error(Code::kFileCrOnly, "cr-line-ends",
             "its lines end in CR alone: to OpenCV's reader and OCamCalib's the file is one line",
-            "end them in LF: tr '\\r' '\\n' < FILE"),
+            "end them in LF: tr '\\r' '\\n' < FILE > NEW"),
 
       error(Code::kFormatUnknown, kUnknown, "none of the formats fca-io reads: no key of it stands here", kSayWhichFormat),
       // {0}: a clause, {1} and {2}: keys.

@@ -83,16 +83,18 @@ const std::string kPinholePair =
     "  intrinsics: [458.654, 457.296, 367.215, 248.375]\n"
     "  resolution: [752, 480]\n";
 
-// That style is for rectified pairs. With --sensor mono, or as V1.0, the same rig is written.
+// That style is for rectified pairs: without a mode asked for it is the first camera alone.
 TEST(Refusals, AnUnrectifiedPairInTheOldStyle) {
-  for (const char* layout : {"old", "orbslam2"}) {
-    expect_refused(kPinholePair, {"--to", "orbslam3", "--orbslam3-layout", layout}, "pose-not-storable");
-  }
   const TemporaryFolder folder;
   const std::string pair = folder.write("pair.yaml", kPinholePair);
   EXPECT_EQ(run_program({"convert", pair, "--to", "orbslam3", "--dry-run"}).code, 0);
-  EXPECT_EQ(
-      run_program({"convert", pair, "--to", "orbslam3", "--orbslam3-layout", "old", "--sensor", "mono", "--dry-run"}).code, 0);
+  for (const char* layout : {"old", "orbslam2"}) {
+    expect_refused(kPinholePair, {"--to", "orbslam3", "--orbslam3-layout", layout, "--sensor", "stereo"}, "pose-not-storable");
+    const Told mono({"convert", pair, "--to", "orbslam3", "--orbslam3-layout", layout});
+    EXPECT_EQ(mono.code(), 0) << mono.text();
+    EXPECT_EQ(mono.json()["cameras"].Size(), 1U) << mono.text();
+    EXPECT_TRUE(mono.lost("camera-dropped")) << mono.text();
+  }
 }
 
 TEST(Refusals, NotARectifiedPairInTheOldStyle) {

@@ -3,6 +3,7 @@
 // them.
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
+#include "cli/told.h"
 
 namespace fca::test {
 namespace {
@@ -59,6 +60,40 @@ TEST(SensorFolders, AFolderMav0IsNotNested) {
   const TemporaryFolder folder;
   EXPECT_EQ(run_program({"convert", kChain, "--to", "euroc", "-o", (folder / "mav0") + "/"}).code, 0);
   EXPECT_EQ(files_below(folder.path()), (std::set<std::string>{"mav0/cam0/sensor.yaml", "mav0/cam1/sensor.yaml"}));
+}
+
+TEST(SensorFolders, OneFileOfAFolderIsEdited) {
+  const TemporaryFolder base;
+  const TemporaryFolder out;
+  const RunResult run = run_program({"convert", kChain, "--to", "kimera", "--into", kimera_folder(base), "-o", out / "o/"});
+  EXPECT_EQ(run.code, 4) << run.out << run.err;
+  EXPECT_TRUE(files_below(out.path()).empty());
+}
+
+// Whose file is left out, and whose tuning would be written as text.
+TEST(SensorFolders, WhatKimerasImuFileStatesIsNotLostInSilence) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("chain.yaml", with_replaced(read_file(kChain), "  camera_model: pinhole\n",
+                                                                     "  camera_model: pinhole\n  timeshift_cam_imu: 0.005\n"));
+  const Told alone({"convert", chain, "--camera", "cam0", "--to", "kimera"});
+  EXPECT_TRUE(alone.lost("second-file-dropped")) << alone.text();
+  const std::string imu = read_file(testdata("formats/kimera/good/imu.yaml"));
+  const std::size_t at = imu.find("imu_preintegration_type: ");
+  ASSERT_NE(at, std::string::npos);
+  const std::string line = imu.substr(at, imu.find('\n', at) - at);
+  const std::string hostile =
+      folder.write("ImuParams.yaml", with_replaced(imu, line, "imu_preintegration_type: \"1\\nimu_time_shift: 5.0\\nx: 1\""));
+  const RunResult fresh = run_program({"convert", hostile, "--to", "kimera", "--anew", "-o", "-"});
+  EXPECT_FALSE(contains(fresh.out, "imu_time_shift: 5.0")) << fresh.out;
+}
+
+TEST(SensorFolders, AnImuThatIsNotTheBodyIsAnErrorToCheck) {
+  for (const char* file : {"formats/kimera/bad/imu-moved.yaml", "formats/euroc/bad/imu-moved.yaml"}) {
+    const RunResult run = run_program({"check", testdata(file)});
+    EXPECT_EQ(run.code, 1) << run.out;
+    EXPECT_TRUE(says(run.out, "poses-contradict")) << run.out;
+    EXPECT_FALSE(says(run.out, "missing-key")) << run.out;
+  }
 }
 
 TEST(SensorFolders, KimeraHasItsStockNames) {

@@ -51,7 +51,7 @@ std::optional<std::string> usage_error(const CheckArguments& arguments) {
 ExitCode fix(text::Source& source, const CheckArguments& arguments, Console& console) {
   const std::optional<text::Source> better = with_fixes(arguments.request, source);
   if (!better) return ExitCode::kGood;
-  console.say(source.name + ": " + (arguments.write ? "mended" : "would be mended (--write does it)") + "\n" +
+  console.say(source.name + ": " + (arguments.write ? "fixed" : "would be fixed (--write does it)") + "\n" +
               line_diff(source.bytes, better->bytes));
   source = *better;
   if (!arguments.write) return ExitCode::kGood;
@@ -183,8 +183,8 @@ void add_options(Options& options, CheckArguments& arguments) {
                 });
   options.group(OptionGroup::kTarget);
   options.flag("--fix",
-               "Show the mends that are certain (a decimal point, quotes, a header, blanks for TABs) as a diff, and check "
-               "the mended file",
+               "Show the fixes that are certain (a decimal point, quotes, a header, blanks for TABs) as a diff, and check "
+               "the fixed file",
                arguments.fix);
   options.flag("--write", "With --fix: write them into the file", arguments.write);
   options.group(OptionGroup::kOutput);
@@ -198,7 +198,7 @@ void add_options(Options& options, CheckArguments& arguments) {
 }  // namespace
 
 void add_check_command(Application& application) {
-  application.add("check", "What is wrong with a file, what happens if it is used, and how to mend it",
+  application.add("check", "What is wrong with a file, what happens if it is used, and how to fix it",
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<CheckArguments>();
                     add_options(options, *arguments);

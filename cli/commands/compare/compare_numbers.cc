@@ -87,8 +87,12 @@ std::string parameters_text(const CameraComparison& camera) {
   const std::string only_in_reference = only_in(camera.parameters, true);
   const std::string only_in_other = only_in(camera.parameters, false);
   if (same > 0) text += "  " + counted(same, "other parameter") + ": the same\n";
-  if (!only_in_reference.empty()) text += "  only in REF: " + only_in_reference + "\n";
-  if (!only_in_other.empty()) text += "  only in FILE: " + only_in_other + "\n";
+  const bool same_model = camera.reference_model == camera.other_model;
+  const auto of = [&](const char* file, const std::string& model) {
+    return same_model ? "  only in " + std::string(file) + ": " : "  " + std::string(file) + "'s, of " + model + ": ";
+  };
+  if (!only_in_reference.empty()) text += of("REF", camera.reference_model) + only_in_reference + "\n";
+  if (!only_in_other.empty()) text += of("FILE", camera.other_model) + only_in_other + "\n";
   return text;
 }
 

@@ -57,14 +57,14 @@ std::string models(const ConvertOutcome& outcome) {
   return enumerated(said);
 }
 
-/// The largest of a figure over the cameras that were judged.
-std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure) {
-  std::optional<double> most;
+/// The largest of a figure over the cameras, of the fit or as the program sees them.
+std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure, double as_program_sees) {
+  double most = as_program_sees;
   for (const ConvertedCamera& camera : outcome.cameras) {
-    if (!camera.report || camera.report->exact) continue;
-    most = std::max(most.value_or(0.0), camera.report->judgement.error.*figure);
+    if (camera.report && !camera.report->exact) most = std::max(most, camera.report->judgement.error.*figure);
   }
-  return most ? pixels(*most) : "0";
+  constexpr double kNothingPx = 1e-4;
+  return most < kNothingPx ? "0" : pixels(most);
 }
 
 std::string result(const ConvertOutcome& outcome) {
@@ -156,8 +156,9 @@ std::string batch_text(const Batch& batch, bool written) {
   const std::size_t reached = batch.outcomes.size() - batch.unwritten;
   for (std::size_t i = 0; i < batch.outcomes.size(); ++i) {
     const ConvertOutcome& outcome = batch.outcomes[i];
-    lines.push_back({outcome.input, models(outcome), outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::rms),
-                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::max),
+    lines.push_back({outcome.input, models(outcome),
+                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::rms, outcome.rms_px),
+                     outcome.cameras.empty() ? "" : largest(outcome, &ErrorSummary::max, outcome.max_px),
                      i < reached ? result(outcome) : "not written"});
     if (outcome.code != ExitCode::kGood) continue;
     ++good;

@@ -72,6 +72,14 @@ void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) 
   if (!text.empty()) lines.push_back({"limit", text});
 }
 
+/// What the request does not allow: --strict, --max-error.
+void add_refusals(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
+    if (entry.severity == Severity::kError && outcome.status == Status::kRejected)
+      lines.push_back({"refused", text::text_of(entry.facts, with_options)});
+  }
+}
+
 void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> settings;
   for (const DefaultedValue& value : outcome.defaults) {
@@ -96,16 +104,21 @@ void add_nearer_fit(const ConvertOutcome& outcome, std::vector<SummaryLine>& lin
   }
 }
 
-std::string in_words(const OtherWriting& writing) {
-  return (writing.layout.empty() ? "the usual" : writing.layout) + ", " + writing.model;
+/// The options that write it so.
+std::string options_of(const OtherWriting& writing, const ConvertOutcome& outcome) {
+  const std::string layout = writing.layout.empty() ? std::string(outcome.to->layouts.front()) : writing.layout;
+  const std::string options = "--" + std::string(outcome.to->id) + "-layout " + layout;
+  const bool same_model = std::ranges::all_of(outcome.cameras, [&writing](const ConvertedCamera& camera) {
+    return model_info(camera.target.model).id == writing.model;
+  });
+  return same_model ? options : options + " --model " + writing.model;
 }
 
 void add_other_writings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   if (outcome.others.empty()) return;
-  std::string text = (outcome.layout.empty() ? "the usual: " : outcome.layout + ": ") + pixels(outcome.rms_px) + " px rms";
-  for (const OtherWriting& other : outcome.others)
-    text += "; " + in_words(other) + ": " + pixels(other.rms_px) + " px rms, worst " + pixels(other.max_px);
-  lines.push_back({"layouts", text});
+  std::string text = "this one " + pixels(outcome.rms_px);
+  for (const OtherWriting& other : outcome.others) text += "; " + options_of(other, outcome) + ": " + pixels(other.rms_px);
+  lines.push_back({"layouts", text + " px rms"});
 }
 
 /// What is left for -v.
@@ -135,6 +148,7 @@ std::string convert_summary(const ConvertOutcome& outcome, bool written, bool wi
   std::vector<SummaryLine> lines;
   for (const ConvertedCamera& camera : outcome.cameras) lines.push_back(line_of(outcome, camera));
   for (SummaryLine& line : lines_of(outcome.verdict, false)) lines.push_back(std::move(line));
+  add_refusals(outcome, lines);
   add_limits(outcome, lines);
   add_other_writings(outcome, lines);
   add_nearer_fit(outcome, lines);

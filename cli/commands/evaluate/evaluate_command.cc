@@ -47,7 +47,7 @@ void add_options(Options& options, EvaluateArguments& arguments) {
 
 void add_evaluate_command(Application& application) {
   application.add("evaluate",
-                  "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and judged on every pixel",
+                  "Tables 1-3 of Lee, Fisheye-Calib-Adapter (2024), recomputed on its cameras and evaluated at every pixel",
                   [](Options& options) -> RunCommand {
                     const auto arguments = std::make_shared<EvaluateArguments>();
                     add_options(options, *arguments);

@@ -4,12 +4,18 @@
 #include "into.h"
 
 #include <fca/code.h>
+#include <fca/toolkit/inputs.h>
 
 #include <algorithm>
 
 namespace fca {
 
 std::optional<Calibration> read_into(const ConvertRequest& request, Files& files, ConvertResult& result) {
+  if (!rig_files_in(request.into).empty()) {  // one file is edited, and no folder of them
+    result.diagnostics.add(Code::kFileUnreadable, {Message{Code::kFileIsDirectory}}, {request.into, 0, 0});
+    result.status = Status::kBadRequest;
+    return std::nullopt;
+  }
   Inputs inputs;  // The input's size and changes are not the base's.
   inputs.files = {request.into};
   inputs.opencv_model = request.inputs.opencv_model;

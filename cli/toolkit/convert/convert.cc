@@ -87,6 +87,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
     try_nearer_fit(request, start, before, result);
   }
   result.rms_px = worst_rms_px(result);
+  result.max_px = worst_max_px(result);
   for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);
   warn_of_poor_fits(request, result);
   apply_limits(request, result);

@@ -51,7 +51,7 @@ double largest(const ConvertResult& result, double PixelDistance::*figure) {
 
 OtherWriting named(const ConvertResult& result, std::string layout) {
   const std::string_view model = result.cameras.empty() ? "" : model_info(result.cameras.front().target.model).id;
-  return {std::move(layout), std::string(model), worst_rms_px(result), largest(result, &PixelDistance::max)};
+  return {std::move(layout), std::string(model), worst_rms_px(result), worst_max_px(result)};
 }
 
 bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
@@ -128,6 +128,7 @@ class Choice {
 }  // namespace
 
 double worst_rms_px(const ConvertResult& result) { return largest(result, &PixelDistance::rms); }
+double worst_max_px(const ConvertResult& result) { return largest(result, &PixelDistance::max); }
 
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
   const ProofResult* proof = first_proof(result);

@@ -8,6 +8,8 @@ namespace fca {
 
 /// How far, in pixels rms, the program that the files are written for understands the worst camera; 0 where nothing is known.
 [[nodiscard]] double worst_rms_px(const ConvertResult& result);
+/// At the worst pixel of all.
+[[nodiscard]] double worst_max_px(const ConvertResult& result);
 
 /// Where the program misreads a camera, writes the other layouts, too, each in the cameras' own models or, where it does not
 /// hold those, in the best that it holds. The best for that program becomes the result, unless the request asks for a layout or

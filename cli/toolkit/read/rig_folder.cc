@@ -58,7 +58,9 @@ std::vector<std::string> rig_files_in(const std::string& folder) {
   for (const std::string_view name : kOfKimera) {
     if (const fs::path file = fs::path(folder) / name; is_file(file)) files.push_back(file.string());
   }
-  return files;
+  // An IMU's file alone makes no rig of what else is in the folder.
+  const bool has_camera = !files.empty() && !files.front().ends_with(kOfKimera.back());
+  return has_camera ? files : std::vector<std::string>();
 }
 
 }  // namespace fca

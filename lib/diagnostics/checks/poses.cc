@@ -26,6 +26,8 @@ std::span<const CodeInfo> pose_check_codes() {
           "{2:.2} in an element",
           "copy it from the calibration's result; the nearest rotation is [{3:.7}, {4:.7}, {5:.7}], [{6:.7}, {7:.7}, {8:.7}], "
           "[{9:.7}, {10:.7}, {11:.7}]"),
+      warning(Code::kCamerasTooClose, kMillimetres, "{0} is {1:.3} mm long: no two lenses are so close to each other",
+              "give the unit in which the numbers are; or compare the translation with the rig"),
       warning(Code::kTranslationInMillimetres, kMillimetres,
               "the translation of {1} is {0:.4} m long; probably millimetres stand there", kDivideIfSo),
       warning(Code::kBaselineTooLong, kMillimetres, "the baseline is {0:.4} m long; probably millimetres stand there",
@@ -56,7 +58,7 @@ std::span<const CodeInfo> pose_check_codes() {
       question(Code::kDirectionUndecided, "pose-inverted", "direction of {0}{1}",
                "each is stated once, and a pose and its inverse are equally long"),
       question(Code::kWrongPoseUndecided, "pose-inverted", "which of {0} is wrong",
-               "each of them, stated the other way, would agree with the others"),
+               "a slip in any one of them would explain why they contradict each other"),
       clause(Code::kAndTheOthers, " and the other poses"),
       error(Code::kPosesContradict, "poses-contradict",
             "{0} as stated and as it follows from the other poses differ by {1:.3} deg and {2}",

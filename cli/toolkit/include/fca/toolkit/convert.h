@@ -127,6 +127,7 @@ struct ConvertResult {
   std::string layout;   ///< That was chosen because the program understands it best; empty: asked for, or the usual one.
   Verdict verdict;      ///< Whether to use the files.
   double rms_px = 0.0;  ///< Of the camera that the program understands worst.
+  double max_px = 0.0;  ///< At the worst pixel of all.
   std::optional<NearerFit> nearer;   ///< Nobody asked for it.
   std::vector<OtherWriting> others;  ///< Ways that were tried and are worse or, if one is asked for, better.
   std::vector<Loss> losses;
