@@ -193,6 +193,7 @@ bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig
       explanations, [&meant](const Explanation& each) { return !second_left_of_first(without_slip(meant, each)).has_value(); });
   if (explanations.size() > 1) {
     std::vector<std::string> names;
+    names.reserve(explanations.size());
     for (const Explanation& each : explanations) names.push_back(name_of(stated[each.suspect.index]));
     findings.undecided(Code::kWrongPoseUndecided, {names});
   }

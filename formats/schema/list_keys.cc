@@ -91,6 +91,7 @@ bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
       if (named(each)) lengths.insert(length_of(each));
     }
     std::vector<std::string> wanted;
+    wanted.reserve(lengths.size());
     for (const std::size_t length : lengths) wanted.push_back(std::to_string(length));
     reading.reader.say(*coefficients, reading.schema.codes.coefficient_count,
                        {reading.owner + " " + std::string(key.with.list), count, wanted, shown(node)});

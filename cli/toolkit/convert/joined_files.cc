@@ -125,6 +125,7 @@ Rig of_imus(const Part& part, const Rig& rig) {
 /// Files of which two would have one place have none.
 void forget_shared_places(std::vector<Written::File>& files) {
   std::vector<std::string> places;
+  places.reserve(files.size());
   for (const Written::File& file : files) places.push_back(file.place);
   for (Written::File& file : files) {
     if (std::ranges::count(places, file.place) > 1) file.place.clear();
