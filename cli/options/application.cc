@@ -41,9 +41,7 @@ Application::Application() : parser_(std::make_unique<Parser>()) {
       "options.\n\n"
       "Example:\n"
       "  fca-io convert camchain.yaml --with imu.yaml --to orbslam3 -o settings.yaml\n\n"
-      "Exit codes: 0 good; 1 done, but do not use it: nothing written; 2 bad input; 3 usage; 4 input/output; 5 written, but "
-      "the "
-      "report\n"
+      "Exit codes: 0 good; 1 do not use it, nothing written; 2 bad input; 3 usage; 4 input/output; 5 written, but the report\n"
       "could not be printed; 70 a bug.");
 }
 

@@ -37,9 +37,8 @@ std::optional<ImageSize> parse_size(std::string_view text) {
 /// A program that fca-io knows and has no format for.
 std::string not_served(const ProgramName& program, std::string_view option) {
   const std::string what = std::string(program.title) + " reads " + std::string(program.reads);
-  if (option == "--from")
-    return what + ", which fca-io does not read; the nearest is " + std::string(option) + " " + std::string(program.format);
-  return what + ", which fca-io does not write; the nearest is " + std::string(option) + " " + std::string(program.format);
+  return what + ", which fca-io does not " + (option == "--from" ? "read" : "write") + "; the nearest is " +
+         std::string(option) + " " + std::string(program.format);
 }
 
 }  // namespace

@@ -171,7 +171,7 @@ bool leaves_a_rig(const Explanation& each) {
   return metres > kNarrowest && metres < kWidest;
 }
 
-void tell_slip(const Subject& subject, const Explanation& explanation, Findings& findings) {
+void report_slip(const Subject& subject, const Explanation& explanation, Findings& findings) {
   const std::size_t index = explanation.suspect.index;
   const PoseEdge& edge = subject.rig().poses[index];
   const bool of_translation = explanation.slip == Code::kPoseInMillimetres || explanation.slip == Code::kPoseInKilometres;
@@ -179,13 +179,13 @@ void tell_slip(const Subject& subject, const Explanation& explanation, Findings&
                of_translation ? subject.places.pose(index, longest_row(edge.T_a_b), 3) : subject.places.pose(index, 0, 0));
 }
 
-/// If a slip of one pose explains contradictions, it is told, and the pose that follows from the others stands in `meant`.
+/// Reports the slip of one pose that explains contradictions; `meant` gets the pose that follows from the others.
 /// Where slips of several would, and the order of a stereo pair does not decide, that is an open question.
 bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig& meant, Findings& findings) {
   const std::vector<PoseEdge>& stated = subject.rig().poses;
   std::vector<Explanation> explanations;
   for (const Suspect& suspect : suspects_in(meant, loops)) {
-    if (meant.poses[suspect.index] != stated[suspect.index]) continue;  // told before
+    if (meant.poses[suspect.index] != stated[suspect.index]) continue;  // reported before
     if (const auto explanation = explained(stated[suspect.index], suspect)) explanations.push_back(*explanation);
   }
   explanations = preferred(explanations, leaves_a_rig);
@@ -198,7 +198,7 @@ bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig
     findings.undecided(Code::kWrongPoseUndecided, {names});
   }
   if (explanations.size() != 1) return false;
-  tell_slip(subject, explanations.front(), findings);
+  report_slip(subject, explanations.front(), findings);
   meant = without_slip(meant, explanations.front());
   return true;
 }

@@ -40,7 +40,7 @@ class Parameters {
     view_.warnings.push_back(complaint(code, key, std::move(arguments)));
   }
 
-  /// A path of keys; an empty node where one is missing, which is said.
+  /// A path of keys; an empty node where one is missing, which is reported.
   cv::FileNode require(const std::string& path) {
     const std::size_t slash = path.find('/');
     cv::FileNode node = storage_[path.substr(0, slash)];

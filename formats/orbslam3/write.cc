@@ -54,18 +54,6 @@ Sensor richest_sensor(const Rig& rig, Style style, std::vector<Message>& next) {
   return best;
 }
 
-}  // namespace
-
-std::size_t cameras_held(const Rig& rig, const std::string& mode) {
-  if (rig.cameras.empty()) return 0;
-  std::vector<Message> next;
-  const Sensor* asked = find_sensor(mode);
-  const Sensor sensor = asked != nullptr ? *asked : richest_sensor(rig, Style::kV1, next);
-  return sensor.two_cameras ? 2 : 1;
-}
-
-namespace {
-
 /// Rates that the style stores as ints.
 void list_rounded_rates(const Rig& rig, const Target& target, Written& written) {
   const auto add = [&written](Code code, const std::string& owner, std::string_view key, double rate) {
@@ -317,6 +305,14 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
 }
 
 }  // namespace
+
+std::size_t cameras_held(const Rig& rig, const std::string& mode) {
+  if (rig.cameras.empty()) return 0;
+  std::vector<Message> next;
+  const Sensor* asked = find_sensor(mode);
+  const Sensor sensor = asked != nullptr ? *asked : richest_sensor(rig, Style::kV1, next);
+  return sensor.two_cameras ? 2 : 1;
+}
 
 std::optional<Written> write(const text::Document* base_document, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {

@@ -173,11 +173,11 @@ constexpr Key imu_matrix(std::string_view name, const PoseLayout& layout) {
 }
 constexpr Key identity(std::string_view name) { return {name, FactKind::kOther, read_identity, write_identity}; }
 
-/// A word that says nothing, and what a fresh file has there.
+/// A key without a fact, and the word that a fresh file has there.
 constexpr Key fixed(std::string_view name, std::string_view token) {
   return {name, FactKind::kOther, read_fixed, write_fixed, {.token = token}};
 }
-/// A word that says nothing.
+/// A key without a fact, which a fresh file does not have.
 constexpr Key unread(std::string_view name) { return {name, FactKind::kOther, read_fixed}; }
 
 /// What tunes the program: an extra field of the file ("kimera.n_gravity" with the prefix "kimera."), which a fresh file says

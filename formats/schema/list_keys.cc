@@ -29,7 +29,7 @@ bool has_names(const ListLens& lens, const Node& camera_model, const Node& disto
 }
 
 const ListLens* lens_of(const CameraModel& model, const Key& key) {
-  // What has more numbers than a shorter row of the same model has parameters for is of the longer one.
+  // A model may have a short row and a long one: the short one is for cameras whose further parameters are 0.
   const auto holds = [&model](const ListLens& lens) {
     if (lens.model != model_info(model).id) return false;
     return std::ranges::all_of(lens.absent, [&model](ParameterId id) { return parameter(model, id) == 0.0; });
@@ -73,7 +73,7 @@ std::vector<Statement> states_pose(const Key& key, const Transform& T, const Pos
 bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
   const Node* other = reading.reader.find(*reading.mapping, key.with.other);
   const Node* coefficients = reading.reader.find(*reading.mapping, key.with.list);
-  if (other == nullptr) return false;  // which is said of its own row
+  if (other == nullptr) return false;  // its own row reports it
   const auto named = [&](const ListLens& lens) { return has_names(lens, *other, node); };
   const std::span<const ListLens> lenses = key.with.list_lenses;
   if (std::ranges::none_of(lenses, named)) {
@@ -100,7 +100,7 @@ bool read_list_lens(Reading& reading, const Key& key, const Node& node) {
   const ListLens& taken = lens != lenses.end() ? *lens : *std::ranges::find_if(lenses, named);
   reading.camera->model = make_model(taken.model).value();
   reading.list_lens = &taken;
-  if (taken.told != Code{}) reading.reader.say(node, taken.told, {reading.camera->name, shown(*other), shown(node)});
+  if (taken.found != Code{}) reading.reader.say(node, taken.found, {reading.camera->name, shown(*other), shown(node)});
   return !reading.reader.diagnostics().has_errors();
 }
 

@@ -70,10 +70,10 @@ struct ListLens {
   std::string_view camera_model;      ///< "pinhole"
   std::string_view distortion_model;  ///< "radial-tangential"
   std::span<const ParameterId> coefficients = {};
-  std::size_t zeros = 0;                     ///< Numbers after these that are none.
+  std::size_t zeros = 0;                     ///< That follow the coefficients.
   std::span<const ParameterId> absent = {};  ///< Parameters that have no number here and must be 0.
   bool any_length = false;                   ///< The program reads no coefficients.
-  Code told = {};                            ///< Said of a file with these names. {0} camera, {1} and {2} the names
+  Code found = {};                           ///< A finding about these names. {0} camera, {1} and {2} the names
 };
 
 /// Numbers of a pose T_frame_camera as a translation [m] and a quaternion x y z w: seven keys, or two lists.

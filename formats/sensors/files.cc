@@ -117,8 +117,8 @@ void add_imu_file(const Files& files, const Rig& rig, Written& written, Diagnost
   written.files.back().of_defaults = rig.imus.empty() && !states_for_imu_file(files, rig);
 }
 
-/// What of the rig's extra fields the files say.
-std::vector<ExtraField> said_in(const Files& files, const std::optional<Rig>& old, const Rig& rig, bool imu_file) {
+/// The rig's extra fields that the files contain.
+std::vector<ExtraField> contained_in(const Files& files, const std::optional<Rig>& old, const Rig& rig, bool imu_file) {
   std::vector<ExtraField> said = old ? old->extra_fields : std::vector<ExtraField>();
   for (const schema::Key& key : files.imu.root.keys) {
     const ExtraField* kept = key.with.token.empty() || key.with.other.empty() ? nullptr : schema::kept_tuning(rig, key);
@@ -189,7 +189,7 @@ std::optional<Written> write(const Files& files, const text::Document* base, con
 
   const Message no_place{Code::kFilesHaveNoPlace, {files.file_of}};
   const bool imu_file = written.files.back().cameras.empty();
-  const std::vector<ExtraField> said = said_in(files, edits ? old : std::nullopt, rig, imu_file && !of_imu);
+  const std::vector<ExtraField> said = contained_in(files, edits ? old : std::nullopt, rig, imu_file && !of_imu);
   add_beyond_base(rig.extra_fields, said, no_place, written.losses);
   if (there && !edits) {
     add_not_carried(extras_beyond(extras_beyond(there->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},

@@ -74,18 +74,6 @@ std::vector<std::string> models_for(const ConvertRequest& request, const Base& b
   return models;
 }
 
-std::vector<std::string> models_of_layout(const Format& to, const std::string& layout) {
-  std::vector<std::string> stock;
-  std::vector<std::string> all;
-  if (to.layout_stores == nullptr) return all;
-  for (const StoredModel& stored : to.models) {
-    if (!to.layout_stores(layout, stored.model)) continue;
-    all.emplace_back(stored.model);
-    if (stored.stock) stock.emplace_back(stored.model);
-  }
-  return stock.empty() ? all : stock;
-}
-
 bool holds_model(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to,
                  Diagnostics& diagnostics) {
   const ModelInfo* asked = request.model;

@@ -31,10 +31,6 @@ struct Base {
 [[nodiscard]] std::vector<std::string> models_for(const ConvertRequest& request, const Base& base, const Rig& input,
                                                   const Format& to);
 
-/// The models to choose from for a fresh file in that layout: the stock program's of those that it stores, else all of those;
-/// empty: the format's layouts all store the same.
-[[nodiscard]] std::vector<std::string> models_of_layout(const Format& to, const std::string& layout);
-
 /// False with an error where the request's model is one for which the base has no place.
 [[nodiscard]] bool holds_model(const ConvertRequest& request, const Base& base, const Rig& input, const Format& to,
                                Diagnostics& diagnostics);

@@ -15,6 +15,21 @@
 
 namespace fca {
 
+bool layout_stores(const Format& to, std::string_view layout, std::string_view model) {
+  return to.layout_stores == nullptr || to.layout_stores(layout, model);
+}
+
+std::vector<std::string> models_of_layout(const Format& to, std::string_view layout) {
+  std::vector<std::string> stock;
+  std::vector<std::string> all;
+  for (const StoredModel& stored : to.models) {
+    if (!layout_stores(to, layout, stored.model)) continue;
+    all.emplace_back(stored.model);
+    if (stored.stock) stock.emplace_back(stored.model);
+  }
+  return stock.empty() ? all : stock;
+}
+
 ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice) {
   ConvertOptions options;
   options.model = stored.model;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fca {
@@ -23,6 +24,12 @@ struct ModelChoice {
   std::size_t jobs = 0;                 ///< Cameras fitted at the same time; 0: as many as there are processors.
   bool same_format = false;             ///< The cameras come from a file of the format they are written to.
 };
+
+/// Does a fresh file in that layout, one of the format's, hold the model?
+[[nodiscard]] bool layout_stores(const Format& to, std::string_view layout, std::string_view model);
+
+/// What may be chosen for such a file: the stock program's of the models that the layout holds, else all of those.
+[[nodiscard]] std::vector<std::string> models_of_layout(const Format& to, std::string_view layout);
 
 /// What lib/convert is to be asked for, to fit a camera to what `stored` can hold.
 [[nodiscard]] ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice);

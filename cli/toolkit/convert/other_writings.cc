@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "other_writings.h"
 
+#include "choose_model.h"
 #include "models/model_advice.h"
 #include "writing.h"
 
@@ -62,9 +63,9 @@ bool has_same_models(const ConvertResult& a, const ConvertResult& b) {
 
 /// Does the layout store the models that the cameras have?
 bool stores_models(const Format& to, std::string_view layout, const ConvertResult& result) {
-  return to.layout_stores == nullptr || std::ranges::all_of(result.cameras, [&](const ConvertedCamera& camera) {
-           return to.layout_stores(layout, model_info(camera.target.model).id);
-         });
+  return std::ranges::all_of(result.cameras, [&](const ConvertedCamera& camera) {
+    return layout_stores(to, layout, model_info(camera.target.model).id);
+  });
 }
 
 bool is_good(const ProofResult& proof) {
@@ -149,7 +150,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
     for (const std::string_view layout : choice.layouts_left()) {
       for (const StoredModel& stored : result.to->models) {
         if (!stored.stock || (is_wide && sees_ahead_only(stored.model))) continue;
-        if (result.to->layout_stores != nullptr && !result.to->layout_stores(layout, stored.model)) continue;
+        if (!layout_stores(*result.to, layout, stored.model)) continue;
         other.layout = {result.to, std::string(layout)};
         other.model = find_model(stored.model);
         choice.consider(written_as(other, start, before, result), layout);

@@ -58,13 +58,6 @@ std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) 
   return formula;
 }
 
-std::vector<Pose> relative_poses(const std::vector<std::string>& files) {
-  std::vector<Pose> poses;
-  for (const std::string& bytes : files) {
-    if (const std::optional<Pose> pose = pose_in_body(bytes)) poses.push_back(*pose);
-  }
-  if (poses.size() < 2) return {};
-  return {inverse(poses[1]) * poses[0]};
-}
+std::vector<Pose> relative_poses(const std::vector<std::string>& files) { return second_in_first(files, &pose_in_body); }
 
 }  // namespace fca::matrix::euroc

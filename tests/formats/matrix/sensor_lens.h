@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lenses of EuRoC's and Kimera's files: OpenCV's formulas, those of equidistant ones past 90 deg, too.
+// What the judges of EuRoC's and Kimera's files share: lenses in OpenCV's formulas, those of equidistant ones past 90 deg, too.
 #pragma once
 
 #include "geometry.h"
@@ -26,6 +26,17 @@ inline RayToPixel sensor_lens(const std::vector<double>& k, std::vector<double> 
     return Pixel{k[0] * (x * up / down + 2.0 * d[2] * x * y + d[3] * (s + 2.0 * x * x)) + k[2],
                  k[1] * (y * up / down + d[2] * (s + 2.0 * y * y) + 2.0 * d[3] * x * y) + k[3]};
   };
+}
+
+/// T_second_first of the first two files that state a camera in the body.
+inline std::vector<Pose> second_in_first(const std::vector<std::string>& files,
+                                         std::optional<Pose> (*pose_in_body)(const std::string& bytes)) {
+  std::vector<Pose> poses;
+  for (const std::string& bytes : files) {
+    if (const std::optional<Pose> pose = pose_in_body(bytes)) poses.push_back(*pose);
+  }
+  if (poses.size() < 2) return {};
+  return {inverse(poses[1]) * poses[0]};
 }
 
 }  // namespace fca::matrix

@@ -297,7 +297,8 @@ another one. Milliseconds (5.3) look so, and clocks that were never set.)"},
     Story{
         "translation-in-mm",
         R"(Kalibr, ORB-SLAM3 and WoodScape state metres. Parts of a rig more than 5 m apart are a warning, 50 m an error: 110 mm
-read as metres are 110 m. Two cameras less than a millimetre apart are a warning, too. OpenCV's stereo calibration has the unit of the board.)"},
+read as metres are 110 m. Two cameras less than a millimetre apart are a warning, too. OpenCV's stereo calibration has the
+unit of the board.)"},
     Story{"undistortion-inexact", R"(cv::undistortPoints inverts the lens by
 
   x <- (x0 - tangential(x)) / radial(x)
