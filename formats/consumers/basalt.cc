@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "about_key.h"
 #include "fca/code.h"
 #include "programs.h"
 
@@ -163,8 +164,7 @@ class Archive {
   void refuse(Code code) { view_.refusals.emplace_back(code, ""); }
   /// Of sentences that begin with the key.
   void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    arguments.insert(arguments.begin(), key);
-    view_.refusals.emplace_back(code, key, std::move(arguments));
+    view_.refusals.push_back(about_key(code, key, std::move(arguments)));
   }
 
   const Json* root() {

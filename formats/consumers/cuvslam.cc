@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "about_key.h"
 #include "fca/code.h"
 #include "opencv_formulas.h"
 #include "programs.h"
@@ -25,8 +26,7 @@ class Sensor {
   Sensor(const Value& root, ConsumerView& view) : root_(root), view_(view) {}
 
   void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    arguments.insert(arguments.begin(), key);
-    view_.refusals.emplace_back(code, key, std::move(arguments));
+    view_.refusals.push_back(about_key(code, key, std::move(arguments)));
   }
 
   const Value* require(const std::string& key) {

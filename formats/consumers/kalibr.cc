@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "about_key.h"
 #include "fca/code.h"
 #include "kalibr_formulas.h"
 #include "programs.h"
@@ -70,16 +71,11 @@ class CameraReader {
   }
 
  private:
-  /// The key is the sentence's first argument.
-  static Complaint complaint(Code code, const std::string& key, std::vector<Argument> arguments) {
-    arguments.insert(arguments.begin(), key);
-    return {code, key, std::move(arguments)};
-  }
   void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    view_.refusals.push_back(complaint(code, key, std::move(arguments)));
+    view_.refusals.push_back(about_key(code, key, std::move(arguments)));
   }
   void warn(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    view_.warnings.push_back(complaint(code, key, std::move(arguments)));
+    view_.warnings.push_back(about_key(code, key, std::move(arguments)));
   }
 
   const Value* require(std::string_view key) {

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 
+#include "about_key.h"
 #include "fca/code.h"
 #include "opencv_formulas.h"
 #include "programs.h"
@@ -34,10 +35,10 @@ class Parameters {
   Parameters(const cv::FileStorage& storage, ConsumerView& view) : storage_(storage), view_(view) {}
 
   void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    view_.refusals.push_back(complaint(code, key, std::move(arguments)));
+    view_.refusals.push_back(about_key(code, key, std::move(arguments)));
   }
   void warn(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    view_.warnings.push_back(complaint(code, key, std::move(arguments)));
+    view_.warnings.push_back(about_key(code, key, std::move(arguments)));
   }
 
   /// A path of keys; an empty node where one is missing, which is reported.
@@ -82,11 +83,6 @@ class Parameters {
   }
 
  private:
-  static Complaint complaint(Code code, const std::string& key, std::vector<Argument> arguments) {
-    arguments.insert(arguments.begin(), key);
-    return {code, key, std::move(arguments)};
-  }
-
   const cv::FileStorage& storage_;
   ConsumerView& view_;
 };

@@ -10,6 +10,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 
+#include "about_key.h"
 #include "fca/code.h"
 #include "programs.h"
 #include "storage.h"
@@ -81,10 +82,10 @@ class Sensor {
     return found.isString() ? found.string() : std::string();
   }
   void refuse(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    view_.refusals.push_back(complaint(code, key, std::move(arguments)));
+    view_.refusals.push_back(about_key(code, path(key), std::move(arguments)));
   }
   void warn(Code code, const std::string& key, std::vector<Argument> arguments = {}) {
-    view_.warnings.push_back(complaint(code, key, std::move(arguments)));
+    view_.warnings.push_back(about_key(code, path(key), std::move(arguments)));
   }
 
   bool require(const std::string& key) {
@@ -113,12 +114,7 @@ class Sensor {
   }
 
  private:
-  /// The path of the key is the sentence's first argument.
-  [[nodiscard]] Complaint complaint(Code code, const std::string& key, std::vector<Argument> arguments) const {
-    std::string path = name_ + "/" + key;
-    arguments.insert(arguments.begin(), path);
-    return {code, std::move(path), std::move(arguments)};
-  }
+  [[nodiscard]] std::string path(const std::string& key) const { return name_ + "/" + key; }
 
   cv::FileNode node_;
   std::string name_;

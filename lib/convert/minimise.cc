@@ -116,12 +116,12 @@ Minimum minimise(const Evaluate& evaluate, const Effort& effort, std::span<doubl
   NormalEquations sums;
   if (!evaluate(parameters.data(), sums) || !std::isfinite(sums.cost)) return {};
   // One instance per size would take long to compile.
-  constexpr int kTiny = 2;
+  constexpr int kSmallest = 2;
   constexpr int kSmall = 6;
   constexpr int kMiddle = 9;
   constexpr int kLarge = 14;
   assert(parameters.size() <= kLarge);
-  if (parameters.size() <= kTiny) return minimise_padded<kTiny>(evaluate, effort, sums.cost, parameters);
+  if (parameters.size() <= kSmallest) return minimise_padded<kSmallest>(evaluate, effort, sums.cost, parameters);
   if (parameters.size() <= kSmall) return minimise_padded<kSmall>(evaluate, effort, sums.cost, parameters);
   if (parameters.size() <= kMiddle) return minimise_padded<kMiddle>(evaluate, effort, sums.cost, parameters);
   return minimise_padded<kLarge>(evaluate, effort, sums.cost, parameters);

@@ -3,6 +3,7 @@
 #include "cli/read_rig.h"
 #include "cli/run_program.h"
 #include "cli/told.h"
+#include "transforms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,12 +54,6 @@ const std::string kBareDs =
     "  distortion_model: none\n"
     "  intrinsics: [-0.17213086034353243, 0.5931177593944744, 158.28600034966977, 158.2743455478755, 254.9611657819, 256.88]\n"
     "  resolution: [512, 512]\n";
-
-double largest_difference(const Transform& a, const Transform& b) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) worst = std::max(worst, std::abs(a.values.at(i) - b.values.at(i)));
-  return worst;
-}
 
 // Thresholds are tuned for images of one size.
 TEST(Into, ABaseForOtherImagesIsRefused) {
@@ -156,7 +151,7 @@ TEST(Into, ARedundantPoseFollowsTheOneThatMoved) {
   const Rig after = rig_in(run.out);
   EXPECT_EQ(after.stated("cam0", "imu0")->operator()(0, 3), 0.5);
   EXPECT_EQ(*after.stated("cam1", "cam0"), *before.stated("cam1", "cam0"));
-  EXPECT_LE(largest_difference(*after.stated("cam1", "imu0"), *before.stated("cam1", "cam0") * *after.stated("cam0", "imu0")),
+  EXPECT_LE(element_difference(*after.stated("cam1", "imu0"), *before.stated("cam1", "cam0") * *after.stated("cam0", "imu0")),
             1e-12);
   for (const std::string& line : lines_that_differ(tumvi, run.out)) EXPECT_TRUE(line.starts_with("  T_cam_imu |")) << line;
 }
@@ -188,7 +183,7 @@ TEST(Into, AFileOfAnotherProgramKeepsItsLayout) {
   const Rig input = rig_in(read_file(kTumvi));
   const Rig after = rig_in(run.out);
   EXPECT_EQ(after.cameras.at(0).model, input.cameras.at(0).model);
-  EXPECT_LE(largest_difference(after.resolve("cam0", "imu0").value(), input.resolve("cam0", "imu0").value()), 1e-12);
+  EXPECT_LE(element_difference(after.resolve("cam0", "imu0").value(), input.resolve("cam0", "imu0").value()), 1e-12);
 }
 
 TEST(Into, WhatIsComposedAnewListsWhatGoes) {
@@ -292,7 +287,7 @@ TEST(Into, AFileOfThePoseAloneIsEditedInPlace) {
   const std::string after = read_file(base);
   EXPECT_TRUE(after.ends_with(bytes.substr(bytes.find("Q:")))) << after;
   EXPECT_FALSE(contains(after, "M1")) << after;
-  EXPECT_LE(largest_difference(rig_in(after).resolve("cam1", "cam0").value(),
+  EXPECT_LE(element_difference(rig_in(after).resolve("cam1", "cam0").value(),
                                rig_in(read_file(kTumvi)).resolve("cam1", "cam0").value()),
             1e-12);
 }

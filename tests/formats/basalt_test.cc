@@ -74,7 +74,7 @@ TEST(Basalt, EveryModelComesBackAndTheProgramComputesTheSame) {
     const Rig back = read_back(written);
     ASSERT_EQ(back.cameras.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(back.cameras[i].model, rig.cameras[i].model);
-    EXPECT_LE(test::largest_difference(*back.resolve("cam1", "imu0"), *rig.resolve("cam1", "imu0")), 1e-12);
+    EXPECT_LE(test::element_difference(*back.resolve("cam1", "imu0"), *rig.resolve("cam1", "imu0")), 1e-12);
     const ProofResult proof = prove(program(), written.files.front().document.bytes(), {}, rig);
     EXPECT_TRUE(proof.agrees()) << (proof.refusals.empty() ? "" : sentence_of(proof.refusals.front()));
     EXPECT_LE(proof.max_diff_px, 1e-9);
@@ -110,7 +110,7 @@ TEST(Basalt, FactsComeBack) {
     const Rig back = read_back(written);
     EXPECT_EQ(back.cameras, rig.cameras);
     EXPECT_EQ(back.imus, rig.imus);
-    for (const PoseEdge& edge : rig.poses) EXPECT_LE(test::largest_difference(*back.stated(edge.a, edge.b), edge.T_a_b), 4e-15);
+    for (const PoseEdge& edge : rig.poses) EXPECT_LE(test::element_difference(*back.stated(edge.a, edge.b), edge.T_a_b), 4e-15);
   }
 }
 
@@ -138,7 +138,7 @@ TEST(Basalt, APoseThatIsNoRotationIsRestatedAndSaid) {
   EXPECT_TRUE(loses(written, "pose-recomputed"));
   ASSERT_EQ(written.restated.size(), 1U);
   EXPECT_LE(rotation_defect(written.restated.front().T_a_b), 1e-15);
-  EXPECT_LE(test::largest_difference(*read_back(written).stated("imu0", "cam0"), written.restated.front().T_a_b), 1e-15);
+  EXPECT_LE(test::element_difference(*read_back(written).stated("imu0", "cam0"), written.restated.front().T_a_b), 1e-15);
 }
 
 // What the program demands and nobody stated is said, every value of it.
@@ -153,7 +153,7 @@ TEST(Basalt, WhatIsMadeUpIsListed) {
   EXPECT_EQ(keys, (std::set<std::string>{"cam0 T_imu_cam", "cam1 T_imu_cam", "imu_update_rate", "accel_noise_std",
                                          "gyro_noise_std", "accel_bias_std", "gyro_bias_std"}));
   EXPECT_TRUE(program().load(written.files.front().document.bytes(), {}).loads());
-  EXPECT_LE(test::largest_difference(*read_back(written).resolve("cam1", "cam0"), T_cam1_cam0()), 1e-12)
+  EXPECT_LE(test::element_difference(*read_back(written).resolve("cam1", "cam0"), T_cam1_cam0()), 1e-12)
       << "the cameras' pose to each other is known and kept";
 }
 

@@ -77,7 +77,7 @@ TEST(Base, OneCameraOfTwoKeepsTheTuning) {
   const Rig back = calibration_of(bytes).rig;
   ASSERT_EQ(back.cameras.size(), 1U);
   EXPECT_EQ(back.cameras[0].model, base.rig.cameras[1].model);
-  EXPECT_LE(largest_difference(back.resolve("cam0", "imu0").value(), base.rig.resolve("cam1", "imu0").value()), 1e-12);
+  EXPECT_LE(element_difference(back.resolve("cam0", "imu0").value(), base.rig.resolve("cam1", "imu0").value()), 1e-12);
   EXPECT_TRUE(consumers::find_consumer("orbslam3")->load(bytes, {"mono-inertial"}).loads());
 }
 
@@ -300,7 +300,7 @@ TEST(Base, AChainInAnotherOrderMeansTheSame) {
   ASSERT_EQ(back.cameras.size(), 2U);
   EXPECT_EQ(back.cameras[0].model, base.rig.cameras[1].model);
   EXPECT_EQ(back.cameras[1].model, base.rig.cameras[0].model);
-  EXPECT_LE(largest_difference(back.resolve("cam1", "cam0").value(), base.rig.resolve("cam0", "cam1").value()), 1e-15);
+  EXPECT_LE(element_difference(back.resolve("cam1", "cam0").value(), base.rig.resolve("cam0", "cam1").value()), 1e-15);
   EXPECT_NE(bytes.find("# right"), std::string::npos);
   EXPECT_TRUE(consumers::find_consumer("kalibr")->load(bytes, {}).loads()) << bytes;
 }
@@ -362,7 +362,7 @@ TEST(Base, ACameraLeftOutLeavesNoPoses) {
   const std::optional<Written> written = find_format("kalibr")->write(nullptr, rig, {}, diagnostics);
   ASSERT_TRUE(written);
   const Rig back = calibration_of(bytes_of(*written)).rig;
-  EXPECT_LE(largest_difference(back.resolve("cam0", "imu0").value(), T_cam1_imu), 1e-12);
+  EXPECT_LE(element_difference(back.resolve("cam0", "imu0").value(), T_cam1_imu), 1e-12);
 }
 
 TEST(Base, AnImuWithoutATopicGetsOneToLookAt) {

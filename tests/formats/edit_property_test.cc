@@ -132,7 +132,7 @@ double largest_pose_difference(const Rig& a, const Rig& b) {
   for (const PoseEdge& edge : a.poses) {
     const Transform* stated = b.stated(edge.a, edge.b);
     const std::optional<Transform> there = stated != nullptr ? *stated : b.resolve(edge.a, edge.b);
-    worst = std::max(worst, there ? largest_difference(edge.T_a_b, *there) : HUGE_VAL);
+    worst = std::max(worst, there ? element_difference(edge.T_a_b, *there) : HUGE_VAL);
   }
   return worst;
 }

@@ -155,7 +155,7 @@ TEST(Edit, PosesOfAKalibrFile) {
     for (const Camera& camera : rig.cameras) {
       if (!rig.resolve(camera.name, "imu0")) continue;
       ASSERT_TRUE(back.resolve(camera.name, "imu0"));
-      EXPECT_LE(largest_difference(*back.resolve(camera.name, "imu0"), *rig.resolve(camera.name, "imu0")), 1e-12)
+      EXPECT_LE(element_difference(*back.resolve(camera.name, "imu0"), *rig.resolve(camera.name, "imu0")), 1e-12)
           << camera.name;
     }
   }

@@ -146,7 +146,7 @@ TEST(KalibrWrite, PosesOfAllCamerasAgree) {
   ASSERT_NE(back.stated("cam0", "imu0"), nullptr);
   ASSERT_NE(back.stated("cam1", "imu0"), nullptr);
   ASSERT_NE(back.stated("cam1", "cam0"), nullptr);
-  EXPECT_LE(largest_difference(*back.stated("cam1", "imu0"), T_cam1_cam0() * T_cam0_imu()), 1e-15);
+  EXPECT_LE(element_difference(*back.stated("cam1", "imu0"), T_cam1_cam0() * T_cam0_imu()), 1e-15);
 }
 
 TEST(KalibrWrite, PosesStatedTheOtherWayRoundAreInverted) {
@@ -156,8 +156,8 @@ TEST(KalibrWrite, PosesStatedTheOtherWayRoundAreInverted) {
     edge.T_a_b = inverse(edge.T_a_b).value();
   }
   const Rig back = calibration_of(chain_of(write(rig))).rig;
-  EXPECT_LE(largest_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
-  EXPECT_LE(largest_difference(back.resolve("cam0", "imu0").value(), T_cam0_imu()), 1e-12);
+  EXPECT_LE(element_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
+  EXPECT_LE(element_difference(back.resolve("cam0", "imu0").value(), T_cam0_imu()), 1e-12);
 }
 
 TEST(KalibrWrite, TheImuGoesToItsOwnFile) {

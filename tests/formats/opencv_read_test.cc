@@ -161,7 +161,7 @@ TEST(OpenCvRead, XiIsOmnidir) {
   ASSERT_TRUE(both.calibration) << both.parsed.rendered();
   EXPECT_EQ(parameter(both.calibration->rig.cameras.at(1).model, "xi"), 1.25);
   const Transform expected_pose = {{0, -1, 0, 1, 1, 0, 0, 2, 0, 0, 1, 3, 0, 0, 0, 1}};
-  EXPECT_LE(largest_difference(both.calibration->rig.poses.at(0).T_a_b, expected_pose), 1e-15);
+  EXPECT_LE(element_difference(both.calibration->rig.poses.at(0).T_a_b, expected_pose), 1e-15);
 }
 
 TEST(OpenCvRead, NamesInManySpellings) {

@@ -344,9 +344,9 @@ TEST(OpenCvWrite, PosesThatPassThroughTheImu) {
   Rig rig = sample_rig("kb4", {true, true});
   rig.poses = {{"cam0", "imu0", T_cam0_imu()}, {"cam1", "imu0", T_cam1_cam0() * T_cam0_imu()}};
   const Rig back = read_back(bytes_of(write(rig)), "x.yml");
-  EXPECT_LE(largest_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
+  EXPECT_LE(element_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
   const Rig maps = read_back(bytes_of(write(rig, "cameras")), "x.yml");
-  EXPECT_LE(largest_difference(maps.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
+  EXPECT_LE(element_difference(maps.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
 }
 
 TEST(OpenCvWrite, LossesAreListed) {

@@ -99,7 +99,7 @@ TEST(OpenVinsFormat, WithoutAnImuThePosesAreInTheFirstCamera) {
   ASSERT_EQ(written.defaults.size(), 2U);
   for (const DefaultedValue& value : written.defaults) EXPECT_TRUE(value.look_at_it);
   const Rig back = calibration_of(written.files.front().document.bytes()).rig;
-  EXPECT_LE(test::largest_difference(*back.resolve("cam1", "cam0"), T_cam1_cam0()), 1e-12);
+  EXPECT_LE(test::element_difference(*back.resolve("cam1", "cam0"), T_cam1_cam0()), 1e-12);
 }
 
 TEST(OpenVinsFormat, AnEditKeepsTheFilesText) {

@@ -231,8 +231,8 @@ TEST(OrbSlam3Write, PosesPointTheRightWay) {
     EXPECT_NEAR(T_b_c1.at<float>(i / 4, i % 4), imu[i], 1e-7F) << i;
   }
   const Rig back = calibration_of(bytes_of(write(sample_rig("kb4", {true, true})))).rig;
-  EXPECT_LE(largest_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
-  EXPECT_LE(largest_difference(back.resolve("cam0", "imu0").value(), T_cam0_imu()), 1e-12);
+  EXPECT_LE(element_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
+  EXPECT_LE(element_difference(back.resolve("cam0", "imu0").value(), T_cam0_imu()), 1e-12);
 }
 
 TEST(OrbSlam3Write, WithoutASensorTheRichestServedModeIsWritten) {
@@ -347,7 +347,7 @@ TEST(OrbSlam3Write, DialectsAreReadByTheirForkAndNotByStock) {
       ASSERT_EQ(back.cameras.size(), rig.cameras.size());
       for (std::size_t i = 0; i < rig.cameras.size(); ++i) EXPECT_EQ(back.cameras[i].model, rig.cameras[i].model);
       if (two) {
-        EXPECT_LE(largest_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
+        EXPECT_LE(element_difference(back.resolve("cam1", "cam0").value(), T_cam1_cam0()), 1e-12);
       }
     }
   }

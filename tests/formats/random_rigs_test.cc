@@ -195,7 +195,7 @@ void same_poses(const Rig& a, const Rig& b, double tolerance) {
   for (const PoseEdge& edge : a.poses) {
     const std::optional<Transform> T = b.resolve(edge.a, edge.b);
     RC_ASSERT(T.has_value());
-    RC_ASSERT(largest_difference(*T, edge.T_a_b) <= tolerance);
+    RC_ASSERT(element_difference(*T, edge.T_a_b) <= tolerance);
   }
 }
 
@@ -261,7 +261,7 @@ RC_GTEST_PROP(RandomRigs, WoodScapeToOpenCvAndBack, ()) {
     const std::optional<Transform> before = rig.resolve(rig.cameras[i].name, rig.cameras[0].name);
     const std::optional<Transform> after = back.resolve(back.cameras[i].name, back.cameras[0].name);
     RC_ASSERT(before && after);
-    RC_ASSERT(largest_difference(*after, *before) <= 1e-12);
+    RC_ASSERT(element_difference(*after, *before) <= 1e-12);
   }
 }
 

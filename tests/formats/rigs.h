@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include "transforms.h"
+
 namespace fca::test {
 
 inline CameraModel model_of(const std::string& id, std::initializer_list<double> values) {
@@ -146,12 +148,6 @@ inline Rig sample_rig(const std::string& id, RigShape shape) {
     rig.imus.push_back(tumvi_imu());
   }
   return rig;
-}
-
-inline double largest_difference(const Transform& a, const Transform& b) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) worst = std::max(worst, std::abs(a.values[i] - b.values[i]));
-  return worst;
 }
 
 }  // namespace fca::test

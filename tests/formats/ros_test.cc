@@ -115,7 +115,7 @@ TEST(Ros, AChosenRectificationMakesRowsMeet) {
     ASSERT_EQ(written.files.size(), 2U);
     const Rig back = read_back(written);
     ASSERT_TRUE(back.resolve("cam1", "cam0"));
-    EXPECT_LE(test::largest_difference(*back.resolve("cam1", "cam0"), pair.T_second_first), 1e-13);
+    EXPECT_LE(test::element_difference(*back.resolve("cam1", "cam0"), pair.T_second_first), 1e-13);
     const std::string first = written.files[0].document.bytes();
     const std::string second = written.files[1].document.bytes();
     const std::vector<double> P = numbers(first, "projection_matrix");

@@ -114,7 +114,7 @@ double largest_pose_difference(const Rig& a, const Rig& b) {
   double worst = 0.0;
   for (const PoseEdge& edge : a.poses) {
     const Transform* stated = b.stated(edge.a, edge.b);
-    worst = std::max(worst, stated != nullptr ? test::largest_difference(edge.T_a_b, *stated) : HUGE_VAL);
+    worst = std::max(worst, stated != nullptr ? test::element_difference(edge.T_a_b, *stated) : HUGE_VAL);
   }
   return worst;
 }

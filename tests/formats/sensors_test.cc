@@ -117,7 +117,7 @@ TEST(Euroc, EveryModelComesBack) {
     }
     const std::optional<Transform> pose = back.rig.resolve("cam1", "cam0");
     ASSERT_TRUE(pose);
-    EXPECT_LT(largest_difference(*pose, T_cam1_cam0()), 1e-12);
+    EXPECT_LT(element_difference(*pose, T_cam1_cam0()), 1e-12);
     Imu imu = rig.imus.front();
     imu.topic.clear();
     EXPECT_EQ(back.rig.imus, std::vector{imu});
@@ -182,7 +182,7 @@ TEST(Kimera, ThreeFilesUnderTheirStockNames) {
     }
     const std::optional<Transform> pose = back.rig.resolve("cam1", "cam0");
     ASSERT_TRUE(pose);
-    EXPECT_LT(largest_difference(*pose, T_cam1_cam0()), 1e-12);
+    EXPECT_LT(element_difference(*pose, T_cam1_cam0()), 1e-12);
     expect_proven(written, rig);
   }
 }

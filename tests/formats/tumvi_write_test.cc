@@ -65,7 +65,7 @@ TEST(TumViChain, ReadsBackBitEqualAndKalibrAgrees) {
     EXPECT_EQ(back.resolve("cam1", "cam0"), rig.resolve("cam1", "cam0"));
     EXPECT_EQ(back.resolve("cam0", "imu0"), rig.resolve("cam0", "imu0"));
     ASSERT_NE(back.stated("cam1", "imu0"), nullptr) << "of both cameras";
-    EXPECT_LE(largest_difference(*back.stated("cam1", "imu0"), T_cam1_cam0() * T_cam0_imu()), 1e-15);
+    EXPECT_LE(element_difference(*back.stated("cam1", "imu0"), T_cam1_cam0() * T_cam0_imu()), 1e-15);
     const ProofResult proof = prove(*consumers::find_consumer("kalibr"), bytes_of(written), {}, rig);
     EXPECT_TRUE(proof.agrees()) << proof.max_diff_px;
     ASSERT_EQ(written.files.size(), 2U);
@@ -102,7 +102,7 @@ TEST(TumViChain, ContradictingPosesAreMadeOne) {
   const Written written = written_by(tumvi_format(), nullptr, rig);
   EXPECT_EQ(codes_of(written), std::vector<std::string>{"pose-recomputed"});
   const Rig back = read_as_tumvi(bytes_of(written));
-  EXPECT_LE(largest_difference(*back.stated("cam1", "imu0"), *back.stated("cam1", "cam0") * *back.stated("cam0", "imu0")),
+  EXPECT_LE(element_difference(*back.stated("cam1", "imu0"), *back.stated("cam1", "cam0") * *back.stated("cam0", "imu0")),
             1e-15);
 }
 

@@ -64,7 +64,7 @@ RC_GTEST_PROP(WoodScapeWrite, ReadsBackBitEqualAndProjectionPyAgrees, ()) {
   // A quaternion is not a matrix: the pose survives to rounding, its translation to the bit.
   const Transform* pose = back.rig.stated("vehicle", "FV");
   RC_ASSERT(pose != nullptr);
-  RC_ASSERT(test::largest_difference(*pose, rig.poses.front().T_a_b) <= 2e-15);
+  RC_ASSERT(test::element_difference(*pose, rig.poses.front().T_a_b) <= 2e-15);
   RC_ASSERT(translation_of(*pose) == translation_of(rig.poses.front().T_a_b));
   const ProofResult proof = prove(projection_py(), bytes, {}, rig);
   RC_ASSERT(proof.agrees());
@@ -87,7 +87,7 @@ RC_GTEST_PROP(WoodScapeWrite, QuaternionsAreOfUnitLengthWithPositiveW, ()) {
   const Quaternion q = quaternion_of(T);
   RC_ASSERT(q[3] >= 0.0);
   RC_ASSERT(std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0) <= 1e-15);
-  RC_ASSERT(test::largest_difference(pose_of(q, {0.0, 0.0, 0.0}), T) <= 2e-15);
+  RC_ASSERT(test::element_difference(pose_of(q, {0.0, 0.0, 0.0}), T) <= 2e-15);
 }
 
 // Rotations by 180 degrees, where w is 0 and each of the others is the largest once.
@@ -160,7 +160,7 @@ TEST(WoodScapeWrite, ThePoseIsResolved) {
   rig.poses.push_back({"FV", "imu0", T_cam0_imu()});
   rig.poses.push_back({"vehicle", "imu0", T_vehicle_imu});
   const Calibration back = calibration_of(bytes_of(written_by(woodscape_format(), nullptr, rig)), "FV.json");
-  EXPECT_LE(test::largest_difference(*back.rig.stated("vehicle", "FV"), T_vehicle_imu * inverse(T_cam0_imu()).value()), 1e-12);
+  EXPECT_LE(test::element_difference(*back.rig.stated("vehicle", "FV"), T_vehicle_imu * inverse(T_cam0_imu()).value()), 1e-12);
 }
 
 struct Case {

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "transforms.h"
+
 namespace fca::test {
 namespace {
 
@@ -15,12 +17,6 @@ constexpr Transform kTumVi{{-0.9995250378696743, 0.029615343885863205, -0.008522
                             0.0075019185074052044, -0.03439736061393144, -0.9993800792498829, -0.047443232143367084,
                             -0.02989013031643309, -0.998969345370175, 0.03415885127385616, -0.0681999605066297, 0.0, 0.0, 0.0,
                             1.0}};
-
-double largest_difference(const Transform& a, const Transform& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.values.size(); ++i) largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
-  return largest;
-}
 
 /// A rotation (by a random unit quaternion) and a translation of up to `metres`.
 Transform random_pose(std::mt19937_64& generator, double metres) {
@@ -56,14 +52,14 @@ TEST(Transform, IsStoredByRowsAndTakesPointsFromTheRight) {
 }
 
 TEST(Transform, InvertedTwiceIsItselfWithin1e12) {
-  EXPECT_LE(largest_difference(*inverse(*inverse(kTumVi)), kTumVi), 1e-12);
+  EXPECT_LE(element_difference(*inverse(*inverse(kTumVi)), kTumVi), 1e-12);
   std::mt19937_64 generator(5);
   for (int i = 0; i < 200; ++i) {
     Transform pose = random_pose(generator, 10.0);
     pose(0, 0) += 1e-4;  // as after printing with few digits: not quite a rotation
-    EXPECT_LE(largest_difference(*inverse(*inverse(pose)), pose), 1e-12);
-    EXPECT_LE(largest_difference(pose * *inverse(pose), Transform{}), 1e-12);
-    EXPECT_LE(largest_difference(*inverse(pose) * pose, Transform{}), 1e-12);
+    EXPECT_LE(element_difference(*inverse(*inverse(pose)), pose), 1e-12);
+    EXPECT_LE(element_difference(pose * *inverse(pose), Transform{}), 1e-12);
+    EXPECT_LE(element_difference(*inverse(pose) * pose, Transform{}), 1e-12);
   }
 }
 
@@ -92,7 +88,7 @@ TEST(Transform, SmallScalesAreNotSingular) {
   Transform T = kTumVi;
   for (std::size_t i = 0; i < 12; ++i) T.values[i] *= 1e-9;
   ASSERT_TRUE(inverse(T));
-  EXPECT_LE(largest_difference(T * *inverse(T), Transform{}), 1e-12);
+  EXPECT_LE(element_difference(T * *inverse(T), Transform{}), 1e-12);
 }
 
 TEST(Transform, DefectAndDeterminant) {
