@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "calibration_files.h"
 
+#include <fca/toolkit/inputs.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -30,8 +32,10 @@ std::vector<std::string> matches(const std::string& pattern) {
   return files;
 }
 
+bool is_rig(const fs::path& folder) { return !rig_files_in(folder.string()).empty(); }
+
 /// Errors of single entries (no permission, gone meanwhile) leave those out.
-void walk_folder(const fs::path& folder, WantedExtension wanted, std::vector<std::string>& files) {
+void walk_folder(const fs::path& folder, WantedExtension wanted, bool whole_rigs, std::vector<std::string>& files) {
   std::error_code error;
   fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
   for (; !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
@@ -40,20 +44,15 @@ void walk_folder(const fs::path& folder, WantedExtension wanted, std::vector<std
       continue;
     }
     std::error_code ignored;
+    if (whole_rigs && at->is_directory(ignored) && is_rig(at->path())) {
+      files.push_back(at->path().string());
+      at.disable_recursion_pending();
+    }
     if (at->is_regular_file(ignored) && wanted(at->path().extension().string())) files.push_back(at->path().string());
   }
 }
 
-}  // namespace
-
-std::optional<std::string> problem_with_patterns(const std::vector<std::string>& paths) {
-  const auto found =
-      std::ranges::find_if(paths, [](const std::string& path) { return is_pattern(path) && matches(path).empty(); });
-  if (found == paths.end()) return std::nullopt;
-  return "no file fits the pattern '" + *found + "'";
-}
-
-std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtension wanted) {
+std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtension wanted, bool whole_rigs) {
   std::vector<FoundFile> resolved;
   for (const std::string& path : paths) {
     if (!is_pattern(path)) {
@@ -71,16 +70,31 @@ std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtensi
   };
   for (const FoundFile& each : resolved) {
     std::error_code error;
-    if (each.path == "-" || !fs::is_directory(each.path, error)) {
+    if (each.path == "-" || !fs::is_directory(each.path, error) || (whole_rigs && is_rig(each.path))) {
       add(each);
       continue;
     }
     std::vector<std::string> files;
-    walk_folder(each.path, wanted, files);
+    walk_folder(each.path, wanted, whole_rigs, files);
     std::ranges::sort(files);
     for (std::string& file : files) add({std::move(file), false});
   }
   return found;
 }
+
+}  // namespace
+
+std::optional<std::string> problem_with_patterns(const std::vector<std::string>& paths) {
+  const auto found =
+      std::ranges::find_if(paths, [](const std::string& path) { return is_pattern(path) && matches(path).empty(); });
+  if (found == paths.end()) return std::nullopt;
+  return "no file fits the pattern '" + *found + "'";
+}
+
+std::vector<FoundFile> walk(const std::vector<std::string>& paths, WantedExtension wanted) {
+  return walk(paths, wanted, false);
+}
+
+std::vector<FoundFile> walk_rigs(const std::vector<std::string>& paths) { return walk(paths, &is_calibration_extension, true); }
 
 }  // namespace fca::cli

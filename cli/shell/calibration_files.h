@@ -27,5 +27,7 @@ using WantedExtension = bool (*)(std::string_view extension);
 /// .xml .json .txt .ini).
 [[nodiscard]] std::vector<FoundFile> walk(const std::vector<std::string>& paths,
                                           WantedExtension wanted = &is_calibration_extension);
+/// The same for calibrations, but a folder that is one rig (rig_files_in) is one of them, whole.
+[[nodiscard]] std::vector<FoundFile> walk_rigs(const std::vector<std::string>& paths);
 
 }  // namespace fca::cli

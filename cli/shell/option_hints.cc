@@ -25,6 +25,9 @@ constexpr std::string_view kIntoConfiguration = "--into CONFIG.yaml -o FOLDER/ w
 
 constexpr std::array kHints = {
     OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
+    OptionHint{Code::kSizeUnlikeCentre, text::Part::kFix,
+               "give the size of the images that were calibrated (--size, where the file states none); for images that were "
+               "scaled since, --resize {3}x{4} behind it"},
     // Conversion.
     OptionHint{Code::kImageSizeNotKnown, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kNoPixelInTheLens, text::Part::kFix, "a larger --max-angle"},

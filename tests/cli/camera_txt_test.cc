@@ -8,8 +8,6 @@ namespace {
 
 const std::string kEquidistant = testdata("formats/tumvi/good/equidistant.txt");
 const std::string kFov = testdata("formats/tumvi/good/fov-bare.txt");
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 
 TEST(CameraTxt, AnotherModelIsAnotherLineOfDsos) {
   const TemporaryFolder folder;

@@ -13,9 +13,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kOrbslam3 = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
 
 rapidjson::Document document_of(const RunResult& run) {

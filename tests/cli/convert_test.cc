@@ -23,10 +23,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
-const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
 const std::string kNoOpt = "ns15417/slam_no_opt";
 const std::string kFisheyeOrbSlam = "lsyads/fisheye-ORB-SLAM";
 

@@ -6,9 +6,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
 const std::vector<std::string> kSubcommands = {"convert",   "show",    "check",  "compare",  "project",
                                                "unproject", "formats", "models", "programs", "evaluate"};
 

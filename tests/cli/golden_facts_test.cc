@@ -12,8 +12,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-
 /// The numbers between the brackets behind a key.
 std::vector<double> numbers_behind(const std::string& text, const std::string& key) {
   const std::size_t at = text.find("[", text.find(key + ":"));

@@ -13,8 +13,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-
 /// Both cameras' pixels of rays over the lens, the first's mapped.
 void expect_mapped(const Camera& before, const PixelMap& map, const Camera& after) {
   constexpr double kTolerancePx = 1e-9;

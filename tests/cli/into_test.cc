@@ -12,8 +12,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
 const std::string kOpenVins = testdata("formats/openvins/good/mono.yaml");
 const std::string kFork = testdata("formats/orbslam3/good/slam-no-opt-eucm.yaml");

@@ -7,8 +7,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kFront = testdata("formats/woodscape/good/front.json");
 const std::string kToolbox = testdata("formats/ocamcalib/good/toolbox.txt");
 

@@ -14,10 +14,8 @@
 namespace fca::test {
 namespace {
 
-const std::string kChain = testdata("formats/kalibr/good/tumvi.yaml");
-
 std::vector<std::string> conversion_to(const std::string& output) {
-  return {"convert", kChain, "--to", "orbslam3", "--max-angle", "97.5", "-o", output, "--force"};
+  return {"convert", kTumvi, "--to", "orbslam3", "--max-angle", "97.5", "-o", output, "--force"};
 }
 
 /// Names in the folder that a killed command left.
@@ -68,7 +66,7 @@ TEST(Killed, ABatchThatIsAskedToEndLeavesWholeFilesAlone) {
   const TemporaryFolder folder;
   constexpr int kInputs = 40;
   fs::create_directory(folder.path() / "in");
-  for (int i = 0; i < kInputs; ++i) fs::copy_file(kChain, folder.path() / "in" / ("chain" + std::to_string(100 + i) + ".yaml"));
+  for (int i = 0; i < kInputs; ++i) fs::copy_file(kTumvi, folder.path() / "in" / ("chain" + std::to_string(100 + i) + ".yaml"));
   const auto command = [&folder](const std::string& how, const std::string& output) {
     return how + " " + executable() + " convert " + folder / "in" + " --to orbslam3 --max-angle 97.5 --no-provenance -o " +
            folder / output + "/ >" + folder / "log" + " 2>&1";

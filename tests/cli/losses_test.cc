@@ -8,8 +8,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-
 // Facts of the calibration and the images are named, whatever they begin with; tuning comes as one.
 TEST(Losses, FactsAreNamedAndTuningIsGrouped) {
   const TemporaryFolder folder;

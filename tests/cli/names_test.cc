@@ -12,9 +12,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-
 // A name either is a format's or is answered with one that works.
 TEST(Names, EveryProgramIsServedOrAnswered) {
   for (const ProgramName& program : all_program_names()) {
@@ -67,6 +64,11 @@ TEST(Names, AnImuBesideAChainIsAPartOfIt) {
     EXPECT_EQ(beside.code(), 0) << beside.text();
     EXPECT_EQ(beside.bytes(), with.bytes());
   }
+  // Also where several inputs have room.
+  const TemporaryFolder out;
+  const RunResult run = run_program({"convert", kTumvi, kImu, "--to", "orbslam3", "--no-provenance", "-o", (out / "o") + "/"});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(read_file(out / "o/tumvi.orbslam3.yaml"), with.bytes());
   // Two with cameras stay two calibrations.
   EXPECT_EQ(run_program({"convert", kTumvi, testdata("formats/kalibr/good/ds.yaml"), "--to", "opencv"}).code, 3);
 }

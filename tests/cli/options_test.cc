@@ -8,9 +8,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-
 void expect_usage(const std::vector<std::string>& words, const std::string& word) {
   const RunResult run = run_program(words);
   EXPECT_EQ(run.code, 3) << run.err;

@@ -9,9 +9,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
 const std::string kOld = "an old file\n";
 
 RunResult convert(const std::vector<std::string>& more, const std::string& input = kTumvi) {

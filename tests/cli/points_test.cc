@@ -12,9 +12,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
-
 std::vector<std::vector<double>> rows_of(const std::string& text) {
   std::vector<std::vector<double>> rows;
   std::istringstream lines(text);

@@ -18,7 +18,6 @@ const std::string kBom = "\xEF\xBB\xBF";
 const std::string kCalibration = testdata("formats/opencv/good/calibration.yml");
 const std::string kCameras = testdata("formats/opencv/good/cameras.yml");
 const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
 
 bool opens(const std::string& path) {
   try {

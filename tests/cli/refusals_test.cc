@@ -8,7 +8,7 @@ namespace fca::test {
 namespace {
 
 const std::string kChain = std::string(FCA_EXAMPLES_DIR) + "/tumvi/camchain.yaml";
-const std::string kImu = std::string(FCA_EXAMPLES_DIR) + "/tumvi/imu.yaml";
+const std::string kExampleImu = std::string(FCA_EXAMPLES_DIR) + "/tumvi/imu.yaml";
 const std::string kRectified = testdata("formats/orbslam3/good/v1-rectified.yaml");
 
 /// Runs `words` on `bytes` (the first word stands for their file): nothing may come of it but an explanation.
@@ -48,8 +48,8 @@ TEST(Refusals, AHugePose) {
 
 TEST(Refusals, AHugePoseOfSettings) {
   const TemporaryFolder folder;
-  const RunResult run =
-      run_program({"convert", kChain, "--with", kImu, "--to", "orbslam3", "--orbslam3-layout", "v1", "-o", folder / "s.yaml"});
+  const RunResult run = run_program(
+      {"convert", kChain, "--with", kExampleImu, "--to", "orbslam3", "--orbslam3-layout", "v1", "-o", folder / "s.yaml"});
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string settings = read_file(folder / "s.yaml");
   expect_refused(with_replaced(settings, "0.10106342741419427", "1e308"), {"--to", "kalibr"}, "out-of-range",

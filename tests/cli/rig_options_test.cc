@@ -12,8 +12,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
 const std::string kSettings = testdata("formats/orbslam3/good/v1-stereo-inertial.yaml");
 
 /// The value of a top-level key, as spelled; "" if there is none.

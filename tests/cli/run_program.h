@@ -150,4 +150,11 @@ inline std::string with_replaced(std::string text, const std::string& from, cons
 /// A file of testdata.
 inline std::string testdata(const std::string& name) { return std::string(FCA_TESTDATA_DIR) + "/" + name; }
 
+/// Calibrations of Kalibr's that most tests convert: TUM-VI's pair of fisheyes and its IMU, and a camera of the models ds,
+/// eucm.
+inline const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
+inline const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
+inline const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
+inline const std::string kEucm = testdata("formats/kalibr/good/eucm.yaml");
+
 }  // namespace fca::test

@@ -8,9 +8,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kChain = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-
 /// The regular files below a folder, by their paths in it.
 std::set<std::string> files_below(const fs::path& folder) {
   std::set<std::string> files;
@@ -41,7 +38,7 @@ std::string euroc_folder(const TemporaryFolder& folder) {
 
 TEST(SensorFolders, EurocIsWrittenAsADataset) {
   const TemporaryFolder folder;
-  const RunResult run = run_program({"convert", kChain, "--with", kImu, "--to", "euroc", "-o", folder.path().string()});
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "euroc", "-o", folder.path().string()});
   EXPECT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_EQ(files_below(folder.path()),
             (std::set<std::string>{"mav0/cam0/sensor.yaml", "mav0/cam1/sensor.yaml", "mav0/imu0/sensor.yaml"}));
@@ -58,14 +55,14 @@ TEST(SensorFolders, EurocIsWrittenAsADataset) {
 
 TEST(SensorFolders, AFolderMav0IsNotNested) {
   const TemporaryFolder folder;
-  EXPECT_EQ(run_program({"convert", kChain, "--to", "euroc", "-o", (folder / "mav0") + "/"}).code, 0);
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "euroc", "-o", (folder / "mav0") + "/"}).code, 0);
   EXPECT_EQ(files_below(folder.path()), (std::set<std::string>{"mav0/cam0/sensor.yaml", "mav0/cam1/sensor.yaml"}));
 }
 
 TEST(SensorFolders, OneFileOfAFolderIsEdited) {
   const TemporaryFolder base;
   const TemporaryFolder out;
-  const RunResult run = run_program({"convert", kChain, "--to", "kimera", "--into", kimera_folder(base), "-o", out / "o/"});
+  const RunResult run = run_program({"convert", kTumvi, "--to", "kimera", "--into", kimera_folder(base), "-o", out / "o/"});
   EXPECT_EQ(run.code, 4) << run.out << run.err;
   EXPECT_TRUE(files_below(out.path()).empty());
 }
@@ -73,7 +70,7 @@ TEST(SensorFolders, OneFileOfAFolderIsEdited) {
 // Whose file is left out, and whose tuning would be written as text.
 TEST(SensorFolders, WhatKimerasImuFileStatesIsNotLostInSilence) {
   const TemporaryFolder folder;
-  const std::string chain = folder.write("chain.yaml", with_replaced(read_file(kChain), "  camera_model: pinhole\n",
+  const std::string chain = folder.write("chain.yaml", with_replaced(read_file(kTumvi), "  camera_model: pinhole\n",
                                                                      "  camera_model: pinhole\n  timeshift_cam_imu: 0.005\n"));
   const Told alone({"convert", chain, "--camera", "cam0", "--to", "kimera"});
   EXPECT_TRUE(alone.lost("second-file-dropped")) << alone.text();
@@ -98,10 +95,29 @@ TEST(SensorFolders, AnImuThatIsNotTheBodyIsAnErrorToCheck) {
 
 TEST(SensorFolders, KimeraHasItsStockNames) {
   const TemporaryFolder folder;
-  const RunResult run = run_program({"convert", kChain, "--with", kImu, "--to", "kimera", "-o", folder.path().string()});
+  const RunResult run = run_program({"convert", kTumvi, "--with", kImu, "--to", "kimera", "-o", folder.path().string()});
   EXPECT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_EQ(files_below(folder.path()),
             (std::set<std::string>{"ImuParams.yaml", "LeftCameraParams.yaml", "RightCameraParams.yaml"}));
+}
+
+// Each is an input of its own, called by its folder, whether it is named, met in a folder or said twice.
+TEST(SensorFolders, SeveralAreABatch) {
+  const TemporaryFolder folder;
+  for (const char* name : {"MH_01", "MH_02"}) {
+    const TemporaryFolder euroc;
+    fs::copy(euroc_folder(euroc), folder.path() / name, fs::copy_options::recursive);
+  }
+  for (const std::vector<std::string>& inputs :
+       {std::vector<std::string>{folder.path().string()}, {folder / "MH_01", folder / "MH_02/mav0/"}}) {
+    const TemporaryFolder out;
+    std::vector<std::string> words = {"convert", "--to", "orbslam3", "-o", (out / "") + "/"};
+    words.insert(words.begin() + 1, inputs.begin(), inputs.end());
+    const RunResult run = run_program(words);
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+    EXPECT_EQ(files_below(out.path()), (std::set<std::string>{"MH_01.orbslam3.yaml", "MH_02.orbslam3.yaml"})) << run.out;
+    EXPECT_EQ(rig_in(read_file(out / "MH_02.orbslam3.yaml")).cameras.size(), 2U);
+  }
 }
 
 // What is read and written back keeps every byte, in each of the files.

@@ -18,9 +18,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-
 /// A pinhole of 200 x 100 px and 100 px focal length with its centre at (`cx`, 49.5).
 std::string pinhole_chain(double cx) {
   std::ostringstream text;

@@ -14,10 +14,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kDs = testdata("formats/kalibr/good/ds.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-
 bool has(const Diagnostics& diagnostics, std::string_view code) {
   return std::ranges::any_of(diagnostics.entries(), [code](const Diagnostic& entry) { return id_of(entry) == code; });
 }

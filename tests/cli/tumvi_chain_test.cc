@@ -6,8 +6,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-
 // The dataset's own chain is detected as Kalibr's and nothing in it needs to change, keys that only Kalibr's tools read
 // included.
 TEST(TumViChainByCommand, AChainOfTheDatasetKeepsItsBytes) {

@@ -15,9 +15,6 @@
 namespace fca::test {
 namespace {
 
-const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
-
 /// A file of the corpus; empty where it is not there.
 std::string corpus(const std::string& name) {
   const fs::path path = fs::path(FCA_SHARED_DIR) / "corpus" / name;

@@ -7,9 +7,11 @@
 #include "toolkit/parallel_for.h"
 
 #include <fca/code.h>
+#include <fca/toolkit/inputs.h>
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -17,17 +19,33 @@ namespace fca::cli {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Inputs that are converted together.
 struct Group {
+  std::string name;  ///< The first file; of a folder that is one rig the folder.
   std::vector<std::string> files;
   bool named = true;  ///< By the user; false: met in a folder or by a pattern.
+  bool join = false;  ///< Its files are one rig.
 };
+
+/// The folder of a dataset is called "mav0" in each.
+std::string name_of(const FoundFile& file) {
+  const fs::path path = fs::path(file.path + "/").lexically_normal().parent_path();  // without a slash at the end
+  const bool has_parent = path.filename() == "mav0" && path.has_parent_path();
+  return rig_files_in(file.path).empty() ? file.path : (has_parent ? path.parent_path() : path).string();
+}
 
 std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const ConvertArguments& arguments) {
   std::vector<Group> groups;
   for (const FoundFile& file : inputs) {
-    if (groups.empty() || !arguments.request.inputs.join) groups.push_back({{}, file.named});
-    groups.back().files.push_back(file.path);
+    const bool join = arguments.request.inputs.join;
+    if (groups.empty() || !join) groups.push_back({name_of(file), {}, file.named, join});
+    Group& group = groups.back();
+    const std::vector<std::string> files = rig_files_in(file.path);
+    group.join = group.join || !files.empty();
+    group.files.insert(group.files.end(), files.begin(), files.end());
+    if (files.empty()) group.files.push_back(file.path);
   }
   return groups;
 }
@@ -126,8 +144,9 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     ConvertArguments each = arguments;
     if (groups.size() > 1) each.request.jobs = 1;
     each.request.inputs.files = groups[i].files;
+    each.request.inputs.join = groups[i].join;
     CommandFiles files(console.streams());
-    jobs[i].outcome = convert_input(each, typed, files);
+    jobs[i].outcome = convert_input(groups[i].name, each, typed, files);
     const Diagnostics& said = jobs[i].outcome->diagnostics;
     if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = files.sources();
     if (groups.size() > 1 && !in_full) forget(*jobs[i].outcome);

@@ -46,10 +46,10 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments, const 
   return problem_with_pattern(arguments.output);
 }
 
-/// Reading anything else may wait for ever.
-bool is_regular(const FoundFile& file) {
+/// Reading anything but files, and folders of them, may wait for ever.
+bool is_at_hand(const FoundFile& file) {
   std::error_code ignored;
-  return fs::is_regular_file(file.path, ignored);
+  return fs::is_regular_file(file.path, ignored) || fs::is_directory(file.path, ignored);
 }
 
 /// --opencv-model without a file that it could be about.
@@ -74,8 +74,7 @@ void warn_of_unused(const std::vector<Acceptance>& accepted, const Verdict& verd
 ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector<FoundFile>& files, Streams& streams) {
   constexpr std::size_t kMost = 4;
   if (arguments.request.inputs.join || files.size() < 2 || files.size() > kMost) return arguments;
-  if (arguments.output.holds_many()) return arguments;
-  if (!std::ranges::all_of(files, [](const FoundFile& file) { return file.named && is_regular(file); })) return arguments;
+  if (!std::ranges::all_of(files, [](const FoundFile& file) { return file.named && is_at_hand(file); })) return arguments;
   ConvertArguments result = arguments;
   result.inputs.clear();
   for (const FoundFile& file : files) {
@@ -91,17 +90,6 @@ ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector
   return result.inputs.size() == 1 ? result : arguments;
 }
 
-/// Of a folder that is one rig (EuRoC's mav0) the files are the input, as with --join.
-ConvertArguments with_rig_files(const ConvertArguments& arguments) {
-  ConvertArguments result = arguments;
-  if (arguments.inputs.size() != 1) return result;
-  std::vector<std::string> files = rig_files_in(arguments.inputs.front());
-  if (files.empty()) return result;
-  result.inputs = std::move(files);
-  result.request.inputs.join = true;
-  return result;
-}
-
 /// What is found but for what the verdict says.
 Diagnostics not_in_summary(const ConvertOutcome& outcome) {
   Diagnostics rest;
@@ -112,14 +100,13 @@ Diagnostics not_in_summary(const ConvertOutcome& outcome) {
   return rest;
 }
 
-ExitCode run_convert(const ConvertArguments& typed_in, const TypedOptions& typed, Console& console) {
-  const ConvertArguments given = with_rig_files(typed_in);
+ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
-  const ConvertArguments arguments = with_parts(given, walk(given.inputs), console.streams());
-  const std::vector<FoundFile> files = walk(arguments.inputs);
+  const ConvertArguments arguments = with_parts(given, walk_rigs(given.inputs), console.streams());
+  const std::vector<FoundFile> files = walk_rigs(arguments.inputs);
   if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
-  const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_regular), console);
+  const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_at_hand), console);
   Batch batch = convert_batch(files, arguments, typed, interrupt, console);
   std::vector<ConvertOutcome>& outcomes = batch.outcomes;
   if (outcomes.empty() && batch.left == 0) {

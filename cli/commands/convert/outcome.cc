@@ -70,9 +70,9 @@ void keep_images(const Inputs& inputs, ConvertOutcome& outcome) {
 
 }  // namespace
 
-ConvertOutcome convert_input(const ConvertArguments& arguments, const TypedOptions& typed, Files& files) {
+ConvertOutcome convert_input(const std::string& input, const ConvertArguments& arguments, const TypedOptions& typed,
+                             Files& files) {
   ConvertRequest request = arguments.request;
-  const std::string& input = request.inputs.files.front();
   const OutputPlace place = arguments.in_place ? OutputPlace{OutputPlace::Kind::kFile, request.into} : arguments.output;
   request.made_by = made_by(typed);
   request.room = room(arguments);

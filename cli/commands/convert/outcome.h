@@ -33,8 +33,9 @@ struct ConvertOutcome : ConvertResult {
   ExitCode code = ExitCode::kGood;
 };
 
-/// One conversion, of one input or several that are one rig (request.inputs.files). `typed`: what was asked for,
-/// as it was typed.
-[[nodiscard]] ConvertOutcome convert_input(const ConvertArguments& arguments, const TypedOptions& typed, Files& files);
+/// One conversion, of one input or several that are one rig (request.inputs.files), called `input`. `typed`: what was asked
+/// for, as it was typed.
+[[nodiscard]] ConvertOutcome convert_input(const std::string& input, const ConvertArguments& arguments,
+                                           const TypedOptions& typed, Files& files);
 
 }  // namespace fca::cli

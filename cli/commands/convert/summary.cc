@@ -121,6 +121,15 @@ void add_other_writings(const ConvertOutcome& outcome, std::vector<SummaryLine>&
   lines.push_back({"layouts", text + " px rms"});
 }
 
+/// Of a file that is not to be used, what would only ask for care is a detail.
+Verdict decisive(const Verdict& verdict) {
+  Verdict result = verdict;
+  if (verdict.word == VerdictWord::kDoNotUse)
+    std::erase_if(result.reasons,
+                  [](const Reason& reason) { return reason.word != VerdictWord::kDoNotUse && !reason.is_accepted; });
+  return result;
+}
+
 /// What is left for -v.
 std::size_t details(const ConvertOutcome& outcome) {
   const auto not_to_set = std::ranges::count(outcome.defaults, false, &DefaultedValue::look_at_it);
@@ -147,7 +156,8 @@ std::string tables_text(const ConvertOutcome& outcome) {
 std::string convert_summary(const ConvertOutcome& outcome, bool written, bool with_tables) {
   std::vector<SummaryLine> lines;
   for (const ConvertedCamera& camera : outcome.cameras) lines.push_back(line_of(outcome, camera));
-  for (SummaryLine& line : lines_of(outcome.verdict, false)) lines.push_back(std::move(line));
+  const Verdict verdict = with_tables ? decisive(outcome.verdict) : outcome.verdict;
+  for (SummaryLine& line : lines_of(verdict, false)) lines.push_back(std::move(line));
   add_refusals(outcome, lines);
   add_limits(outcome, lines);
   add_other_writings(outcome, lines);
@@ -156,7 +166,8 @@ std::string convert_summary(const ConvertOutcome& outcome, bool written, bool wi
   add_settings(outcome, lines);
   std::string text = first_line(outcome, written) + summary_text(lines);
   if (with_tables) text += tables_text(outcome);
-  if (const std::size_t count = details(outcome); count > 0 && with_tables) text += "  " + counted(count, "detail") + ": -v\n";
+  const std::size_t count = details(outcome) + (outcome.verdict.reasons.size() - verdict.reasons.size());
+  if (count > 0 && with_tables) text += "  " + counted(count, "detail") + ": -v\n";
   return text;
 }
 

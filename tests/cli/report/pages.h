@@ -12,8 +12,6 @@
 
 namespace fca::test {
 
-inline const std::string kTumvi = testdata("formats/kalibr/good/tumvi.yaml");
-inline const std::string kImu = testdata("formats/kalibr/good/imu.yaml");
 inline const std::string kEquidistant = R"(cam0:
   camera_model: pinhole
   intrinsics: [100.0, 100.0, 199.5, 149.5]
