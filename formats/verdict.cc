@@ -169,11 +169,17 @@ void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
   const bool needs_imu = facts.mode.ends_with("inertial");
   std::vector<std::string> invented;
+  Message remedy;
   for (const DefaultedValue& value : facts.defaults) {
-    if (value.invented) invented.push_back(value.key);
+    if (!value.invented) continue;
+    invented.push_back(value.key);
+    const auto* clauses = std::get_if<std::vector<Message>>(&value.value.value);
+    if (clauses != nullptr && clauses->front().code == Code::kTakenAsMetres) remedy = {Code::kGiveLengthUnit};
   }
   if (invented.empty()) return;
-  reasons.push_back({needs_imu ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare, {Code::kVerdictInvented, {invented}}});
+  reasons.push_back({.word = needs_imu ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare,
+                     .facts = {Code::kVerdictInvented, {invented}},
+                     .remedy = remedy});
 }
 
 /// Is the same defect of the same camera, which messages name first, among the reasons?
@@ -185,26 +191,55 @@ bool is_among(const std::vector<Reason>& reasons, const Finding& finding) {
   });
 }
 
+/// Does what is written say where the cameras stand?
+bool states_poses(const VerdictFacts& facts) { return facts.to->extrinsics && facts.mode != "mono" && facts.mode != "rgbd"; }
+
+/// The camera that a finding is about: messages name it first. Empty: none of the rig.
+std::string camera_of(const Finding& finding, const Rig* rig) {
+  if (rig == nullptr || finding.facts.arguments.empty()) return "";
+  const auto* name = std::get_if<std::string>(&finding.facts.arguments.front().value);
+  return name != nullptr && rig->find_camera(*name) != nullptr ? *name : "";
+}
+
+/// On which side the second camera stands follows from its pose: where that is wrong, it is no finding.
+void remove_side_of_wrong_pose(std::vector<Reason>& reasons) {
+  const auto is_wrong_pose = [](const Reason& reason) {
+    return reason.word == VerdictWord::kDoNotUse && info(reason.kind).about == About::kPoses;
+  };
+  if (std::ranges::none_of(reasons, is_wrong_pose)) return;
+  std::erase_if(reasons, [](const Reason& reason) { return same_id(reason.kind, Code::kSecondIsLeft); });
+}
+
 void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   for (const Finding& finding : facts.findings) {
     const Code kind = code_of(finding);
     if (finding.severity == Severity::kNote) continue;
     // What programs refuse and misread, their proofs say, in numbers.
     const bool cannot_be_asked = !facts.is_read || kind == Code::kProgramOtherFormat;
-    const bool counts = info(kind).about == About::kMeaning || (cannot_be_asked && finding.severity == Severity::kError);
+    const About about = info(kind).about;
+    const bool counts = about == About::kMeaning || (about == About::kPoses && states_poses(facts)) ||
+                        (cannot_be_asked && finding.severity == Severity::kError);
     if (!counts) continue;
     if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
     // Lengths that are no metres become wrong ones in a format of metres.
+    if (kind == Code::kOpencvUnitsNotStated && facts.cameras.size() == 1) continue;  // of the second one's distance
     const bool is_of_unit = kind == Code::kOpencvUnitsNotStated && facts.to->extrinsics && !facts.to->any_length_unit;
-    if (is_among(reasons, finding)) continue;
-    reasons.push_back(
-        {.word = is_of_unit ? VerdictWord::kDoNotUse : word, .facts = finding.facts, .remedy = finding.remedy, .kind = kind});
+    const std::string camera = camera_of(finding, facts.rig);
+    const bool is_written =
+        camera.empty() || facts.cameras.empty() || std::ranges::find(facts.cameras, camera) != facts.cameras.end();
+    if (is_among(reasons, finding) || !is_written) continue;
+    reasons.push_back({.word = is_of_unit ? VerdictWord::kDoNotUse : word,
+                       .facts = finding.facts,
+                       .camera = camera,
+                       .remedy = finding.remedy,
+                       .kind = kind});
   }
+  remove_side_of_wrong_pose(reasons);
 }
 
 void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons) {
-  if (facts.rig == nullptr || !facts.to->extrinsics) return;
+  if (facts.rig == nullptr || !states_poses(facts)) return;
   for (const PoseLoop& loop : contradictions(*facts.rig)) {
     const PoseEdge& edge = facts.rig->poses[loop.edge];
     const PoseDifference& difference = loop.difference;
@@ -266,6 +301,8 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
     case Code::kPoseDropped:
       return loss.key == "T_cam_cam" ? to.extrinsics : uses_imu && loss.key == "T_cam_imu";
     case Code::kBaselineDropped:
+    case Code::kCamchainBaselineDropped:
+    case Code::kOpenvinsChainBaselineDropped:
       return to.extrinsics;
     case Code::kStaleOfImagesLost:
     case Code::kStaleOfLensesLost:

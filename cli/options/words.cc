@@ -36,9 +36,9 @@ std::optional<ImageSize> parse_size(std::string_view text) {
 
 /// A program that fca-io knows and has no format for.
 std::string not_served(const ProgramName& program, std::string_view option) {
-  const std::string what = std::string(program.title) + " reads " + std::string(program.reads);
-  return what + ", which fca-io does not " + (option == "--from" ? "read" : "write") + "; the nearest is " +
-         std::string(option) + " " + std::string(program.format);
+  const std::string what = std::string(program.title) + " reads " + std::string(program.reads) + ", which fca-io does not ";
+  if (option == "--from") return what + "read";
+  return what + "write; the nearest is " + std::string(option) + " " + std::string(program.format);
 }
 
 }  // namespace
@@ -46,7 +46,9 @@ std::string not_served(const ProgramName& program, std::string_view option) {
 std::string unknown_word(std::string_view kind, std::string_view typed, std::span<const std::string> names,
                          std::string_view otherwise) {
   const std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'; ";
-  const std::vector<std::string> near = text::nearest(typed, names);
+  std::vector<std::string> near = text::nearest(typed, names);
+  std::ranges::sort(near);
+  near.erase(std::ranges::unique(near).begin(), near.end());
   if (!near.empty()) return text + "did you mean " + text::enumerated(near, "or") + "?";
   return text + (otherwise.empty() ? "there are " + text::enumerated(names) : std::string(otherwise));
 }

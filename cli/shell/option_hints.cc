@@ -29,6 +29,7 @@ constexpr std::array kHints = {
                "give the size of the images that were calibrated (--size, where the file states none); for images that were "
                "scaled since, --resize {3}x{4} behind it"},
     // Conversion.
+    OptionHint{Code::kGiveLengthUnit, text::Part::kText, "say in which unit they are: --unit m, --unit cm or --unit mm"},
     OptionHint{Code::kImageSizeNotKnown, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kNoPixelInTheLens, text::Part::kFix, "a larger --max-angle"},
     OptionHint{Code::kTargetCannotReach, text::Part::kFix,
@@ -173,7 +174,8 @@ constexpr std::array kHints = {
     OptionHint{Code::kRateWithoutUse, text::Part::kText, "--fps is for --to {0:or}, not {1}"},
     OptionHint{Code::kBaselineWithoutUse, text::Part::kText, "--baseline is for --to {0:or}, not {1}"},
     OptionHint{Code::kLayoutWithoutUse, text::Part::kText, "--{0}-layout is for --to {0}, not {1}"},
-    OptionHint{Code::kNothingToConvert, text::Part::kFix, "did you mean: fca-io convert {1:shell} --with {2:shell} {3}"},
+    OptionHint{Code::kNothingToConvert, text::Part::kFix,
+               "it belongs to a file with cameras, for example: fca-io convert {1:shell} --with {2:shell} {3}"},
     OptionHint{Code::kAsFormat, text::Part::kText, "--to {0}"},
     OptionHint{Code::kIntoFile, text::Part::kText, "--into {0}"},
     OptionHint{

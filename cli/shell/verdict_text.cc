@@ -48,10 +48,19 @@ std::vector<Message> causes_of(const Reason& reason) {
   return causes;
 }
 
-/// Of a loss.
+/// Whose loss or defect it is: messages name it first.
 std::string owner_of(const Reason& reason) {
-  const auto& losses = std::get<std::vector<Message>>(reason.facts.arguments.front().value);
-  return std::get<std::string>(losses.front().arguments.front().value);
+  if (reason.facts.arguments.empty()) return "";
+  const Argument& first = reason.facts.arguments.front();
+  if (const auto* name = std::get_if<std::string>(&first.value)) return *name;
+  const auto* losses = std::get_if<std::vector<Message>>(&first.value);
+  return losses != nullptr && !losses->empty() ? owner_of({.facts = losses->front()}) : "";
+}
+
+/// The same loss or defect of another camera.
+bool is_likewise(const Reason& a, const Reason& b) {
+  const bool has_owner = a.facts.code == Code::kVerdictLost || a.kind == a.facts.code;
+  return has_owner && a.facts.code == b.facts.code && a.kind == b.kind && a.word == b.word && owner_of(a) != owner_of(b);
 }
 
 std::string sentence_of(const Reason& reason) {
@@ -151,10 +160,7 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
       for (const Message& cause : causes_of(reason)) lines.push_back({"misread", text::text_of(cause, with_options)});
       continue;
     }
-    // The same loss of several cameras is one line.
-    const auto is_like = [&reason](const Reason& other) {
-      return reason.facts.code == Code::kVerdictLost && other.kind == reason.kind && other.camera != reason.camera;
-    };
+    const auto is_like = [&](const Reason& other) { return !with_distances && is_likewise(reason, other); };
     if (std::any_of(verdict.reasons.begin(), at, is_like)) continue;
     std::vector<std::string> likewise;
     for (auto other = at + 1; other != verdict.reasons.end(); ++other) {

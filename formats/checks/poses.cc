@@ -203,14 +203,16 @@ bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig
   return true;
 }
 
-/// Millimetres that were read as metres and scaled once more. Two cameras behind one lens are at 0, but for rounding.
+/// Millimetres that were read as metres and scaled once more, or an identity that nobody has filled in. Two cameras behind one
+/// lens are at 0, but for rounding, and turned.
 void check_too_close(const Subject& subject, std::size_t index, Findings& findings) {
   constexpr double kRounding = 1e-6;   // m
   constexpr double kNarrowest = 1e-3;  // m; telephones' lenses are 8 mm apart
   const PoseEdge& edge = subject.rig().poses[index];
   const double metres = distance_of(edge.T_a_b);
   const auto is_camera = [&](const std::string& frame) { return subject.rig().find_camera(frame) != nullptr; };
-  if (metres <= kRounding || metres >= kNarrowest || !is_camera(edge.a) || !is_camera(edge.b)) return;
+  const bool is_behind_one_lens = metres <= kRounding && edge.T_a_b != Transform();
+  if (is_behind_one_lens || metres >= kNarrowest || !is_camera(edge.a) || !is_camera(edge.b)) return;
   findings.add(Code::kCamerasTooClose, {name_of(edge), 1000.0 * metres},
                subject.places.pose(index, longest_row(edge.T_a_b), 3));
 }

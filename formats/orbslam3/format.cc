@@ -70,8 +70,8 @@ bool layout_holds(const text::Document& document, std::string_view model) {
 }
 
 bool layout_stores(std::string_view layout, std::string_view model) {
-  const auto* const named = std::ranges::find(kStyleNames, layout, &StyleName::name);
-  return named != kStyleNames.end() && find_layout(named->style, model) != nullptr;
+  const std::optional<Style> named = style_named(layout);
+  return named && find_layout(*named, model) != nullptr;
 }
 
 }  // namespace

@@ -29,6 +29,12 @@ struct StyleName {
 inline constexpr std::array kStyleNames = {StyleName{"v1", Style::kV1}, StyleName{"old", Style::kOld},
                                            StyleName{"orbslam2", Style::kOrbSlam2},
                                            StyleName{"slam_no_opt", Style::kSlamNoOpt}};
+[[nodiscard]] constexpr std::optional<Style> style_named(std::string_view name) {
+  for (const StyleName& each : kStyleNames) {
+    if (each.name == name) return each.style;
+  }
+  return std::nullopt;
+}
 
 /// One key of a camera, behind its prefix "Camera1.", and the parameter of our model it holds (or the constant it must be).
 struct Slot {

@@ -11,8 +11,8 @@ extern const Format kFormat;
 
 [[nodiscard]] std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options,
                                       Diagnostics& diagnostics);
-/// In a fresh file: two in the modes with two cameras. Mode "": the richest that the rig serves.
-[[nodiscard]] std::size_t cameras_held(const Rig& rig, const std::string& mode);
+/// In a fresh file: two in the modes with two cameras. Mode "": the richest that the rig serves; layout "": V1.0's.
+[[nodiscard]] std::size_t cameras_held(const Rig& rig, std::string_view mode, std::string_view layout);
 [[nodiscard]] std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                                            Diagnostics& diagnostics);
 

@@ -249,8 +249,7 @@ std::optional<Style> choose_style(const Rig& rig, const Base* base, const WriteO
   const std::string_view model = model_info(rig.cameras.front().model).id;
   const std::string& asked = options.layout;
   if (!asked.empty()) {
-    const auto* const named = std::ranges::find(kStyleNames, asked, &StyleName::name);
-    if (named != kStyleNames.end()) return named->style;
+    if (const std::optional<Style> named = style_named(asked)) return *named;
     diagnostics.add(Code::kOrbslam3UnknownLayout, {asked});
     return std::nullopt;
   }
@@ -306,11 +305,13 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
 
 }  // namespace
 
-std::size_t cameras_held(const Rig& rig, const std::string& mode) {
+std::size_t cameras_held(const Rig& rig, std::string_view mode, std::string_view layout) {
   if (rig.cameras.empty()) return 0;
   std::vector<Message> next;
   const Sensor* asked = find_sensor(mode);
-  const Sensor sensor = asked != nullptr ? *asked : richest_sensor(rig, Style::kV1, next);
+  // Whether other layouts hold a pair depends on the model that is still to be chosen.
+  const Style style = style_named(layout) == Style::kOrbSlam2 ? Style::kOrbSlam2 : Style::kV1;
+  const Sensor sensor = asked != nullptr ? *asked : richest_sensor(rig, style, next);
   return sensor.two_cameras ? 2 : 1;
 }
 

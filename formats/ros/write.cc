@@ -193,10 +193,8 @@ class BaseFile {
   [[nodiscard]] const text::Document& document() const { return document_; }
   [[nodiscard]] const std::vector<std::string>& cameras() const { return cameras_; }
 
-  /// ROVIO's files, for one, have neither R nor P: nothing is made up to please the parser.
   [[nodiscard]] std::vector<std::string> programs() const {
-    const bool for_ros = std::ranges::all_of(infos_, [](const CameraInfo& info) { return info.R && info.P; });
-    return for_ros && infos_.size() == 1 ? std::vector<std::string>{"ros"} : std::vector<std::string>();
+    return infos_.size() == 1 ? std::vector<std::string>{"ros"} : std::vector<std::string>();
   }
 
  private:

@@ -65,6 +65,12 @@ constexpr CodeInfo about_reader(CodeInfo row) {
   return row;
 }
 
+/// The same of where cameras stand: no matter to a file that states no poses.
+constexpr CodeInfo about_poses(CodeInfo row) {
+  row.about = About::kPoses;
+  return row;
+}
+
 constexpr CodeInfo reader_warning(Code code, std::string_view id, std::string_view text, std::string_view fix = {}) {
   return about_reader(warning(code, id, text, fix));
 }

@@ -116,9 +116,14 @@ std::string options_of(const OtherWriting& writing, const ConvertOutcome& outcom
 
 void add_other_writings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
   if (outcome.others.empty()) return;
-  std::string text = "this one " + pixels(outcome.rms_px);
-  for (const OtherWriting& other : outcome.others) text += "; " + options_of(other, outcome) + ": " + pixels(other.rms_px);
-  lines.push_back({"layouts", text + " px rms"});
+  const auto distance = [](double rms_px, double max_px) {
+    constexpr double kNothingPx = 0.001;
+    return max_px < kNothingPx ? "exact" : pixels(rms_px) + " px rms, worst " + pixels(max_px);
+  };
+  std::string text = "this one " + distance(outcome.rms_px, outcome.max_px);
+  for (const OtherWriting& other : outcome.others)
+    text += "; " + options_of(other, outcome) + ": " + distance(other.rms_px, other.max_px);
+  lines.push_back({"layouts", text});
 }
 
 /// Of a file that is not to be used, what would only ask for care is a detail.
@@ -139,14 +144,15 @@ std::size_t details(const ConvertOutcome& outcome) {
   return static_cast<std::size_t>(std::ranges::count(outcome.losses, false, &Loss::matters) + not_to_set + not_errors);
 }
 
-/// The errors over the angle of fits that are far off somewhere.
-std::string tables_text(const ConvertOutcome& outcome) {
-  constexpr double kFarOffPx = 1.0;
+/// The errors over the angle of the worst fit, where that is far off somewhere.
+std::string table_text(const ConvertOutcome& outcome) {
+  double worst_px = 1.0;
   std::string text;
   for (const ConvertedCamera& camera : outcome.cameras) {
-    if (!camera.report || camera.report->exact || camera.report->judgement.error.p99 <= kFarOffPx) continue;
-    text += "  " + name_in_words(camera) + ": the fit's errors by the angle from the axis\n" +
-            band_table(camera.report->judgement.bands);
+    if (!camera.report || camera.report->exact || camera.report->judgement.error.p99 <= worst_px) continue;
+    worst_px = camera.report->judgement.error.p99;
+    text = "  " + name_in_words(camera) + ": the fit's errors by the angle from the axis\n" +
+           band_table(camera.report->judgement.bands);
   }
   return text;
 }
@@ -165,7 +171,7 @@ std::string convert_summary(const ConvertOutcome& outcome, bool written, bool wi
   add_left_out(outcome, lines);
   add_settings(outcome, lines);
   std::string text = first_line(outcome, written) + summary_text(lines);
-  if (with_tables) text += tables_text(outcome);
+  if (with_tables) text += table_text(outcome);
   const std::size_t count = details(outcome) + (outcome.verdict.reasons.size() - verdict.reasons.size());
   if (count > 0 && with_tables) text += "  " + counted(count, "detail") + ": -v\n";
   return text;

@@ -13,7 +13,9 @@ void list_assumed_units(const Calibration& calibration, const Format& to, Writte
   const bool posed = std::ranges::any_of(rig.cameras, [&rig](const Camera& camera) {
     return camera.name != rig.cameras.front().name && rig.resolve(camera.name, rig.cameras.front().name);
   });
-  if (posed && !calibration.poses_without_unit.empty())
+  std::size_t held = 0;
+  for (const Written::File& file : written.files) held += file.cameras.size();
+  if (posed && held > 1 && !calibration.poses_without_unit.empty())
     written.defaults.push_back({"translation unit", Message{Code::kTakenAsMetres}, true, true});
 }
 

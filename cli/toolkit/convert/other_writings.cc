@@ -20,7 +20,9 @@ namespace fca {
 
 namespace {
 
-constexpr double kNoticeable = 0.25;  // px, at worst
+// px, at worst:
+constexpr double kNoticeable = 0.25;
+constexpr double kRounding = 0.02;
 
 const ProofResult* first_proof(const ConvertResult& result) {
   const auto proof = std::ranges::find_if(result.proofs, [](const ProofResult& each) { return each.is_first; });
@@ -41,12 +43,19 @@ std::optional<ConvertResult> written_as(const ConvertRequest& request, const Sta
   return other;
 }
 
-/// The largest of a figure over the cameras, as the program that the files are written for sees them.
+/// The cameras of all files, as the program that they are written for sees them.
+std::vector<CameraProof> seen_cameras(const ConvertResult& result) {
+  std::vector<CameraProof> cameras;
+  for (const ProofResult& proof : result.proofs) {
+    if (proof.is_first) cameras.insert(cameras.end(), proof.cameras.begin(), proof.cameras.end());
+  }
+  return cameras;
+}
+
+/// The largest of a figure over the cameras.
 double largest(const ConvertResult& result, double PixelDistance::*figure) {
-  const ProofResult* proof = first_proof(result);
   double worst = 0.0;
-  if (proof == nullptr) return worst;
-  for (const CameraProof& camera : proof->cameras) worst = std::max(worst, camera.distance.decisive().*figure);
+  for (const CameraProof& camera : seen_cameras(result)) worst = std::max(worst, camera.distance.decisive().*figure);
   return worst;
 }
 
@@ -68,16 +77,17 @@ bool stores_models(const Format& to, std::string_view layout, const ConvertResul
   });
 }
 
-bool is_good(const ProofResult& proof) {
-  return std::ranges::all_of(
-      proof.cameras, [](const CameraProof& camera) { return word_of(camera.distance.decisive()) == VerdictWord::kReady; });
+bool is_good(const ConvertResult& result) {
+  return std::ranges::all_of(seen_cameras(result), [](const CameraProof& camera) {
+    return word_of(camera.distance.decisive()) == VerdictWord::kReady;
+  });
 }
 
 /// Is the other one to be written instead? Another model costs all programs something that the exact one does not: it has to be
 /// worth it.
 bool is_better(const ConvertResult& other, const ConvertResult& best) {
   if (!(worst_rms_px(other) < worst_rms_px(best))) return false;
-  return !is_good(*first_proof(best)) || has_same_models(other, best);
+  return !is_good(best) || has_same_models(other, best);
 }
 
 /// The best way to write the files so far, and those beside it.
@@ -102,6 +112,9 @@ class Choice {
       others_.push_back(named(*other, std::string(layout)));
     }
   }
+
+  /// Is nothing to be gained by another layout?
+  [[nodiscard]] bool is_right() const { return largest(best_, &PixelDistance::max) <= kRounding; }
 
   /// Is nothing to be gained by another model?
   [[nodiscard]] bool is_good() const {
@@ -134,14 +147,14 @@ double worst_max_px(const ConvertResult& result) { return largest(result, &Pixel
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
   const ProofResult* proof = first_proof(result);
   if (proof == nullptr || !proof->loads || start.base.document != nullptr) return;
-  const auto is_off = [](const CameraProof& camera) { return camera.misread && camera.distance.decisive().max > kNoticeable; };
+  const auto is_off = [](const CameraProof& camera) { return camera.misread && camera.distance.decisive().max > kRounding; };
   if (std::ranges::none_of(proof->cameras, is_off)) return;
   const bool is_wide = std::ranges::any_of(proof->cameras, [](const CameraProof& camera) { return camera.distance.is_wide; });
   Choice choice(request, result);
   ConvertRequest other = request;
   // First in the models that the cameras have: nothing is fitted for that.
   for (const std::string_view layout : result.to->layouts) {
-    if (choice.is_good()) break;
+    if (choice.is_right()) break;
     if (layout == request.layout.name || !stores_models(*result.to, layout, result)) continue;
     other.layout = {result.to, std::string(layout)};
     choice.consider(written_as(other, start, before, result), layout);
@@ -162,11 +175,12 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
 
 void try_nearer_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
   const ProofResult* proof = first_proof(result);
-  if (proof == nullptr || !proof->loads || result.lens_given || is_good(*proof)) return;
+  if (proof == nullptr || !proof->loads || result.lens_given || is_good(result)) return;
+  const std::vector<CameraProof> cameras = seen_cameras(result);
   double degrees = 0.0;
   for (const ConvertedCamera& camera : result.cameras) {
-    const auto seen = std::ranges::find(proof->cameras, camera.source.name, &CameraProof::name);
-    if (seen == proof->cameras.end() || !seen->distance.is_wide || !camera.report || camera.report->exact) continue;
+    const auto seen = std::ranges::find(cameras, camera.source.name, &CameraProof::name);
+    if (seen == cameras.end() || !seen->distance.is_wide || !camera.report || camera.report->exact) continue;
     degrees = std::max(degrees, degrees_in_circle(camera.source).value_or(0.0));
   }
   if (degrees == 0.0) return;

@@ -144,9 +144,10 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
       result.diagnostics.add(Code::kEditNotProven, {program, proof.refusals.front().facts, request.into});
     } else if (!proof.agrees()) {
       const bool of_base = !request.into.empty() && !proof.loads;
-      const bool is_accepted = std::ranges::any_of(request.accepted, [&proof](const Acceptance& acceptance) {
-        return !proof.loads && acceptance.id == info(Code::kVerdictRefused).id;
-      });
+      const Code reason = proof.loads ? Code::kVerdictNumbersDiffer : Code::kVerdictRefused;
+      const bool is_accepted =
+          !proof.read_by.empty() ||
+          std::ranges::any_of(request.accepted, [reason](const Acceptance& each) { return each.id == info(reason).id; });
       result.diagnostics.add(is_accepted ? Severity::kWarning : Severity::kError,
                              of_base ? Code::kProofOfBaseFailed : Code::kProofFailed,
                              {program, disagreement(proof), request.into});

@@ -4,13 +4,16 @@
 #include "input_checks.h"
 #include "proving.h"
 
+#include <fca/code.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
+#include <variant>
 
 namespace fca {
 
@@ -49,6 +52,18 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
   return findings;
 }
 
+/// Nothing is written of a camera that the request leaves out, nor where a camera stands that is alone.
+void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, std::vector<Finding>& findings) {
+  const bool is_alone = rig.cameras.size() == 1 && rig.imus.empty();
+  std::erase_if(findings, [&](const Finding& finding) {
+    const auto* owner =
+        finding.facts.arguments.empty() ? nullptr : std::get_if<std::string>(&finding.facts.arguments.front().value);
+    const bool is_of_camera = owner != nullptr && std::ranges::find(read, *owner, &Camera::name) != read.end();
+    const bool is_left_out = is_of_camera && rig.find_camera(*owner) == nullptr;
+    return is_left_out || (is_alone && info(code_of(finding)).about == About::kPoses);
+  });
+}
+
 /// Of more cameras than the target's program uses it takes the stereo pair. A choice of the user's stays, and a file of the
 /// target's own format says itself which cameras come first.
 void put_pair_first(const ConvertRequest& request, const Format& to, Calibration& input) {
@@ -82,7 +97,9 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   for (const Diagnostic& entry : found.entries()) result.diagnostics.add(entry);
   if (!input) return false;
   start.findings = findings_of(*input, request, *result.to, found);
+  const std::vector<Camera> read = input->rig.cameras;
   if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
+  if (request.inputs.cameras && input->documents.size() == 1) drop_findings_of_others(read, input->rig, start.findings);
   put_pair_first(request, *result.to, *input);
   start.input = *std::move(input);
   result.from = start.input.format;

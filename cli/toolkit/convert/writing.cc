@@ -111,7 +111,8 @@ ModelChoice Writing::choice() const {
   choice.among = request_.layout.name.empty() ? models_for(request_, base_, input_.rig, *result_.to)
                                               : models_of_layout(*result_.to, request_.layout.name);
   const bool is_fresh = base_.document == nullptr && result_.to->cameras_held != nullptr;
-  choice.most_cameras = is_fresh ? result_.to->cameras_held(input_.rig, request_.mode) : result_.to->most_cameras;
+  choice.most_cameras =
+      is_fresh ? result_.to->cameras_held(input_.rig, request_.mode, request_.layout.name) : result_.to->most_cameras;
   choice.same_format = input_.format == result_.to && input_.one_format;
   return choice;
 }

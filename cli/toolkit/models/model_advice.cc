@@ -95,7 +95,8 @@ Message better_models(const Camera& camera, const ConversionReport& report, cons
   for (const ModelInfo& model : all_models()) {
     const StoredModel* stored = find_stored_model(format, model.id, true);
     if (model.id == report.to_model) continue;
-    if (stored != nullptr) {
+    const bool may_be_chosen = choice.among.empty() || std::ranges::find(choice.among, model.id) != choice.among.end();
+    if (stored != nullptr && may_be_chosen) {
       read.push_back(*stored);
     } else if (!sees_ahead_only(model.id)) {
       elsewhere.emplace_back().model = model.id;

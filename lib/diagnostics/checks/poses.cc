@@ -17,19 +17,20 @@ constexpr std::string_view kThreshold = "depth-threshold";
 
 std::span<const CodeInfo> pose_check_codes() {
   static constexpr std::array kRows = {
-
-      error(Code::kPoseLeftHanded, "left-handed", "{0}: its 3 x 3 part mirrors (determinant -1), it does not rotate",
-            "the sign of one row or column is wrong, or two of them are exchanged"),
-      error(
+      about_poses(error(Code::kPoseLeftHanded, "left-handed",
+                        "{0}: its 3 x 3 part mirrors (determinant -1), it does not rotate",
+                        "the sign of one row or column is wrong, or two of them are exchanged")),
+      about_poses(error(
           Code::kPoseNotARotation, "not-a-rotation",
           "{0}: its 3 x 3 part is not a rotation: R^T R is {1:.3} from the identity, and the nearest rotation differs by up to "
           "{2:.2} in an element",
           "copy it from the calibration's result; the nearest rotation is [{3:.7}, {4:.7}, {5:.7}], [{6:.7}, {7:.7}, {8:.7}], "
-          "[{9:.7}, {10:.7}, {11:.7}]"),
-      warning(Code::kCamerasTooClose, kMillimetres, "{0} is {1:.3} mm long: no two lenses are so close to each other",
-              "give the unit in which the numbers are; or compare the translation with the rig"),
-      warning(Code::kTranslationInMillimetres, kMillimetres,
-              "the translation of {1} is {0:.4} m long; probably millimetres stand there", kDivideIfSo),
+          "[{9:.7}, {10:.7}, {11:.7}]")),
+      about_poses(warning(Code::kCamerasTooClose, kMillimetres,
+                          "{0} is {1:.3} mm long: no two lenses are so close to each other",
+                          "give the unit in which the numbers are; or compare the translation with the rig")),
+      about_poses(warning(Code::kTranslationInMillimetres, kMillimetres,
+                          "the translation of {1} is {0:.4} m long; probably millimetres stand there", kDivideIfSo)),
       warning(Code::kBaselineTooLong, kMillimetres, "the baseline is {0:.4} m long; probably millimetres stand there",
               kDivideIfSo),
       warning(Code::kBaselineIsBf, "baseline-is-bf",
@@ -40,16 +41,18 @@ std::span<const CodeInfo> pose_check_codes() {
               "Stereo.b = {0:.5} is no baseline in metres; it may be Camera.bf's number (baseline times fx), of a baseline of "
               "{1:.4} m, or millimetres",
               "write {1:.4}, or {2:.4} for millimetres: how far the two lenses are apart"),
-      warning(Code::kSecondCameraIsLeft, "stereo-order",
-              "the second camera stands {0} to the left of the first: the pose holds the other direction, or the cameras are "
-              "exchanged",
-              "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)"),
-      warning(Code::kCameraUnderGround, "pose-inverted",
-              "{0} stands {1} of the vehicle's frame; the inverse pose would put it {2}",
-              "the file states camera -> vehicle: invert the pose"),
-      warning(Code::kCameraNotOfACar, "pose-implausible",
-              "{0} stands {1} of the vehicle's frame; the inverse pose would put it {2}, where no car has a camera, either",
-              "compare the translation with where the camera sits: metres from the ground under the rear axle"),
+      about_poses(warning(
+          Code::kSecondCameraIsLeft, "stereo-order",
+          "the second camera stands {0} to the left of the first: the pose holds the other direction, or the cameras are "
+          "exchanged",
+          "if the second camera is the right one, invert the pose (it takes points of camera 2 to camera 1)")),
+      about_poses(warning(Code::kCameraUnderGround, "pose-inverted",
+                          "{0} stands {1} of the vehicle's frame; the inverse pose would put it {2}",
+                          "the file states camera -> vehicle: invert the pose")),
+      about_poses(
+          warning(Code::kCameraNotOfACar, "pose-implausible",
+                  "{0} stands {1} of the vehicle's frame; the inverse pose would put it {2}, where no car has a camera, either",
+                  "compare the translation with where the camera sits: metres from the ground under the rear axle")),
       clause(Code::kAboveGround, "{0} above the ground"),
       clause(Code::kBelowGround, "{0} below the ground"),
       clause(Code::kInMetres, "{0:.3} m"),
@@ -60,9 +63,9 @@ std::span<const CodeInfo> pose_check_codes() {
       question(Code::kWrongPoseUndecided, "pose-inverted", "which of {0} is wrong",
                "a slip in any one of them would explain why they contradict each other"),
       clause(Code::kAndTheOthers, " and the other poses"),
-      error(Code::kPosesContradict, "poses-contradict",
-            "{0} as stated and as it follows from the other poses differ by {1:.3} deg and {2}",
-            "decide which one is right, and write the other from it"),
+      about_poses(error(Code::kPosesContradict, "poses-contradict",
+                        "{0} as stated and as it follows from the other poses differ by {1:.3} deg and {2}",
+                        "decide which one is right, and write the other from it")),
       warning(Code::kBaselineContradicts, "baseline-contradicts", "Camera.bf is {0:.5}, and {1} makes it {2:.5}",
               "Camera.bf is the baseline in metres times Camera.fx"),
       clause(Code::kBaselineOfP, "RIGHT.P(0, 3) = {0:.5}"),

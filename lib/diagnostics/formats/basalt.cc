@@ -16,7 +16,7 @@ std::span<const CodeInfo> basalt_codes() {
       error(Code::kBasaltWrongSyntax, "wrong-syntax", "a Basalt calibration is one JSON object"),
       error(Code::kBasaltNoObject, "not-a-mapping", "{0} is no object of keys and values"),
       error(Code::kBasaltNoCameraList, "not-a-list", "{0} is no list of cameras"),
-      warning(Code::kBasaltMissingKeys, "missing-key", "value0 has no {0:or}: Basalt stops"),
+      reader_warning(Code::kBasaltMissingKeys, "missing-key", "value0 has no {0:or}: Basalt stops"),
       error(Code::kBasaltItemCount, "wrong-length", "{0} has {1} items; one is wanted for each camera of intrinsics ({2})"),
       error(Code::kBasaltNoList, "not-a-list", "{0} is no list; one is wanted for each camera of intrinsics ({1})"),
       error(Code::kBasaltUnknownModel, "unknown-model",

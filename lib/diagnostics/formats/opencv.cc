@@ -28,7 +28,8 @@ std::span<const CodeInfo> opencv_codes() {
             "no 3 x 3 camera matrix under a usual key (camera_matrix, M1, K1, camera_0 ...) stands here",
             "OpenCV's calibration samples write camera_matrix and distortion_coefficients"),
       error(Code::kOpencvCameraTwice, "stated-twice", "a camera {0} stands here and in the file before"),
-      warning(Code::kOpencvCameraCount, "program-refuses", "{0} is {1}, but there are {2} cameras; MC-Calib's reader stops"),
+      reader_warning(Code::kOpencvCameraCount, "program-refuses",
+                     "{0} is {1}, but there are {2} cameras; MC-Calib's reader stops"),
 
       // Read: matrices.
       error(Code::kOpencvMatrixOfIntegers, "matrix-type",

@@ -39,7 +39,7 @@ std::span<const CodeInfo> orbslam3_codes() {
       error(Code::kOrbslam3TypeOfForks, "unknown-model", kUnknownType,
             "forks read this type from files with Camera.fx (not Camera1.fx) and without File.version"),
       error(Code::kOrbslam3KeyMissing, "missing-key", "there is no {0}"),
-      warning(Code::kOrbslam3StopsWithoutKeys, "missing-key", "there is no {0}: ORB-SLAM3 stops", kIsItComplete),
+      reader_warning(Code::kOrbslam3StopsWithoutKeys, "missing-key", "there is no {0}: ORB-SLAM3 stops", kIsItComplete),
       warning(Code::kOrbslam3KeysReadAsZero, "missing-key", "there is no {0}; read as 0, as ORB-SLAM2 does (ORB-SLAM3 stops)",
               kIsItComplete),
       warning(Code::kOrbslam3EucmWithoutType, "eucm-without-type",

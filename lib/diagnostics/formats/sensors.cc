@@ -23,7 +23,7 @@ std::span<const CodeInfo> sensor_codes() {
       warning(Code::kEurocFisheye, "program-ignores",
               "{0}: camera_model {1} says that the coefficients are equidistant, whatever distortion_model ({2}) says",
               "write camera_model: pinhole and distortion_model: equidistant, which every other reader understands"),
-      warning(Code::kKimeraMissingKeys, "missing-key", "the file has no {0:or}: Kimera-VIO stops"),
+      reader_warning(Code::kKimeraMissingKeys, "missing-key", "the file has no {0:or}: Kimera-VIO stops"),
       error(Code::kKimeraOmni, "unknown-model", "{0}: fca-io does not read cameras of camera_model {1}",
             "convert the calibration that it was made from"),
       warning(Code::kKimeraRateNotWhole, "program-misreads", "{0} is {1}, and Kimera-VIO reads it as the int {2}",

@@ -38,6 +38,7 @@ std::span<const CodeInfo> convert_codes() {
       bad_request(Code::kSettingContradictsRate, "set-contradicts",
                   "{0} = {1} and the frame rate of {2} Hz contradict each other"),
       clause(Code::kTakenAsMetres, "taken as metres"),
+      clause(Code::kGiveLengthUnit, "say in which unit the translations are"),
 
       // The file that is written into.
       bad_request(Code::kIntoWithoutCamera, "into-without-camera",

@@ -1431,6 +1431,7 @@ enum class Code : std::uint16_t {
   kModelNotStorable,
   kSettingContradictsRate,
   kTakenAsMetres,
+  kGiveLengthUnit,
   kIntoWithoutCamera,
   kIntoAnotherFormat,
   kIntoWithoutPose,
@@ -1560,6 +1561,7 @@ enum class Code : std::uint16_t {
 /// What a message is about.
 enum class About : std::uint8_t {
   kMeaning,  ///< What a file says of the cameras.
+  kPoses,    ///< The same, of where they stand.
   kReader,   ///< What a program makes of a file.
   kUse,      ///< What was asked for.
 };

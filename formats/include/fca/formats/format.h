@@ -197,9 +197,9 @@ struct Format {
 
   /// Can the document hold the model without another layout? Null: any model that the format stores.
   bool (*layout_holds)(const text::Document& document, std::string_view model) = nullptr;
-  /// How many of the rig's cameras, from the first, does a fresh file hold in that mode ("": the one chosen for the rig)? Null:
-  /// `most_cameras`.
-  std::size_t (*cameras_held)(const Rig& rig, const std::string& mode) = nullptr;
+  /// How many of the rig's cameras, from the first, does a fresh file hold in that mode and layout ("": those chosen for the
+  /// rig)? Null: `most_cameras`.
+  std::size_t (*cameras_held)(const Rig& rig, std::string_view mode, std::string_view layout) = nullptr;
   /// Does a fresh file in that layout, one of `layouts`, hold the model? Null: any model that the format stores.
   bool (*layout_stores)(std::string_view layout, std::string_view model) = nullptr;
 

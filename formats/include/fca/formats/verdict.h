@@ -24,8 +24,9 @@ struct VerdictFacts {
   bool has_reader = true;                    ///< False: of some file no program is known that reads it.
   std::span<const Loss> losses = {};
   std::span<const DefaultedValue> defaults = {};
-  std::span<const Finding> findings = {};  ///< About the meaning of what the file states (findings_about_meaning).
-  const Rig* rig = nullptr;                ///< As read, for its contradictions.
+  std::span<const Finding> findings = {};     ///< About the meaning of what the file states (findings_about_meaning).
+  const Rig* rig = nullptr;                   ///< As read, for its contradictions.
+  std::span<const std::string> cameras = {};  ///< Of the rig, that the files hold; empty: all.
   std::span<const Acceptance> accepted = {};
 };
 

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lowers a verdict and what does not: a defect counts where the written file has the fact, and for the program that reads
+// it.
+#include "cli/run_program.h"
+#include "cli/told.h"
+
+#include <algorithm>
+#include <set>
+
+namespace fca::test {
+namespace {
+
+std::string word_of(const Told& run) { return run.json()["verdict"]["word"].GetString(); }
+
+std::set<std::string> codes_of(const Told& run) {
+  std::set<std::string> codes;
+  for (const auto& reason : run.json()["verdict"]["reasons"].GetArray()) codes.insert(reason["code"].GetString());
+  return codes;
+}
+
+/// A camera_info without the matrices that ROS's parser wants.
+const std::string kWithoutMatrices =
+    "image_width: 752\n"
+    "image_height: 480\n"
+    "camera_name: cam0\n"
+    "camera_matrix:\n"
+    "  rows: 3\n"
+    "  cols: 3\n"
+    "  data: [458.1, 0.0, 367.2, 0.0, 457.3, 248.4, 0.0, 0.0, 1.0]\n"
+    "distortion_model: plumb_bob\n"
+    "distortion_coefficients:\n"
+    "  rows: 1\n"
+    "  cols: 5\n"
+    "  data: [-0.28, 0.07, 0.0002, 0.00002, 0.0]\n";
+
+/// Two cameras of 100 degrees, the second at `translation` of the first, turned by nothing.
+std::string pair_at(const std::string& translation) {
+  const std::string camera =
+      "  camera_model: pinhole\n"
+      "  distortion_coeffs: [0.01, -0.002, 0.001, -0.0003]\n"
+      "  distortion_model: equidistant\n"
+      "  intrinsics: [300.0, 300.0, 319.5, 239.5]\n"
+      "  resolution: [640, 480]\n";
+  return "cam0:\n" + camera + "  rostopic: /cam0/image_raw\ncam1:\n" + camera +
+         "  rostopic: /cam1/image_raw\n  T_cn_cnm1:\n  - [1.0, 0.0, 0.0, " + translation +
+         "]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+}
+
+TEST(VerdictReasons, WhatTheInputsOwnReaderWantsCountsForThatReaderAlone) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("cam0.yaml", kWithoutMatrices);
+  const Told to_kalibr({"convert", file, "--to", "kalibr"});
+  EXPECT_EQ(word_of(to_kalibr), "ready") << to_kalibr.text();
+  const Told kept({"convert", file, "--to", "ros"});
+  EXPECT_EQ(kept.code(), 1) << kept.text();
+  EXPECT_EQ(codes_of(kept).count("program-refuses"), 1U) << kept.text();
+  const Told anew({"convert", file, "--to", "ros", "--anew"});
+  EXPECT_EQ(word_of(anew), "ready") << anew.text();
+}
+
+TEST(VerdictReasons, AnIdentityBetweenTwoCamerasAsksForCare) {
+  const TemporaryFolder folder;
+  for (const auto& [translation, word] : {std::pair("0.0", "use-with-care"), {"-0.11", "ready"}}) {
+    const Told run({"convert", folder.write("pair.yaml", pair_at(translation)), "--to", "orbslam3"});
+    EXPECT_EQ(word_of(run), word) << run.text();
+  }
+}
+
+TEST(VerdictReasons, TheBaselineOfARectifiedPairIsAFact) {
+  const Told run({"convert", testdata("formats/orbslam3/good/v1-rectified.yaml"), "--to", "kalibr"});
+  EXPECT_TRUE(run.lost("baseline-dropped")) << run.text();
+  EXPECT_EQ(word_of(run), "use-with-care") << run.text();
+}
+
+TEST(VerdictReasons, PosesCountWhereTheyAreWritten) {
+  const std::string file = testdata("checks/pose-inverted-between-cameras.yaml");
+  const Told pair({"convert", file, "--to", "kalibr"});
+  EXPECT_EQ(word_of(pair), "do-not-use") << pair.text();
+  EXPECT_EQ(codes_of(pair).count("stereo-order"), 0U) << "it follows from the wrong pose: " << pair.text();
+  for (const char* format : {"vins", "orbslam3"}) {
+    const Told alone({"convert", file, "--camera", "cam0", "--to", format});
+    EXPECT_EQ(word_of(alone), "ready") << format << ": " << alone.text();
+  }
+}
+
+TEST(VerdictReasons, AUnitThatNobodySaidHasItsRemedy) {
+  const std::vector<std::string> words = {"convert", testdata("formats/opencv/good/stereo-14.yml"), "--size", "640x480", "--to",
+                                          "kalibr"};
+  const Told run(words);
+  const auto reasons = run.json()["verdict"]["reasons"].GetArray();
+  const auto invented = std::ranges::find_if(
+      reasons, [](const auto& reason) { return reason["code"].GetString() == std::string("invented-value"); });
+  ASSERT_NE(invented, reasons.end()) << run.text();
+  EXPECT_TRUE(contains((*invented)["fix"].GetString(), "--unit m")) << run.text();
+  std::vector<std::string> told = words;
+  told.insert(told.end(), {"--unit", "m"});
+  EXPECT_EQ(codes_of(Told(told)).count("invented-value"), 0U);
+}
+
+TEST(VerdictReasons, TheSameDefectOfTwoCamerasIsOneLine) {
+  const RunResult run = run_program({"convert", kTumvi, "--to", "opencv", "--model", "radtan"}, {.in_full = false});
+  const auto count = [&run](const std::string& part) {
+    std::size_t times = 0;
+    for (std::size_t at = run.err.find(part); at != std::string::npos; at = run.err.find(part, at + 1)) ++times;
+    return times;
+  };
+  EXPECT_EQ(count("cannot describe"), 1U) << run.err;
+  EXPECT_TRUE(contains(run.err, "cam1 likewise")) << run.err;
+}
+
+// ORB-SLAM2 has no fisheye: neither a model of ORB-SLAM3's nor a camera that is not written is spoken of.
+TEST(VerdictReasons, ALayoutIsAdvisedByItsOwnModels) {
+  const Told run({"convert", kTumvi, "--to", "orbslam2"});
+  for (const auto& entry : run.json()["diagnostics"].GetArray()) {
+    EXPECT_FALSE(contains(entry["message"].GetString(), "cam1: ")) << run.text();
+    EXPECT_FALSE(entry.HasMember("fix") && contains(entry["fix"].GetString(), "reads kb4")) << run.text();
+  }
+}
+
+}  // namespace
+}  // namespace fca::test
