@@ -156,7 +156,9 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
         std::ranges::find(codes, id_of(reason)) == codes.end())
       codes.push_back(id_of(reason));
     const bool is_distance = reason.facts.code == Code::kVerdictPixelsOff;
-    if (is_distance && !with_distances) {
+    // The camera's own line says how far.
+    const bool is_misread = reason.facts.code == Code::kVerdictMisread && !causes_of(reason).empty();
+    if ((is_distance || is_misread) && !with_distances) {
       for (const Message& cause : causes_of(reason)) lines.push_back({"misread", text::text_of(cause, with_options)});
       continue;
     }
