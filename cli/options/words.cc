@@ -48,7 +48,7 @@ std::string unknown_word(std::string_view kind, std::string_view typed, std::spa
   const std::string text = "unknown " + std::string(kind) + " '" + std::string(typed) + "'; ";
   std::vector<std::string> near = text::nearest(typed, names);
   std::ranges::sort(near);
-  near.erase(std::ranges::unique(near).begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
   if (!near.empty()) return text + "did you mean " + text::enumerated(near, "or") + "?";
   return text + (otherwise.empty() ? "there are " + text::enumerated(names) : std::string(otherwise));
 }

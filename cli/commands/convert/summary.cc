@@ -129,9 +129,10 @@ void add_other_writings(const ConvertOutcome& outcome, std::vector<SummaryLine>&
 /// Of a file that is not to be used, what would only ask for care is a detail.
 Verdict decisive(const Verdict& verdict) {
   Verdict result = verdict;
-  if (verdict.word == VerdictWord::kDoNotUse)
+  if (verdict.word == VerdictWord::kDoNotUse) {
     std::erase_if(result.reasons,
                   [](const Reason& reason) { return reason.word != VerdictWord::kDoNotUse && !reason.is_accepted; });
+  }
   return result;
 }
 
