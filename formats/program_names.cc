@@ -28,10 +28,7 @@ constexpr std::array kWoodscape = {Name("synwoodscape")};
 constexpr std::array kEuroc = {Name("asl"), Name("mav0")};
 constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam")};
 constexpr std::array kKimera = {Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
-
-// Not written: what they read.
-constexpr std::array kColmap = {Name("colmap"),
-                                Name("pycolmap"),
+constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("glomap"),
                                 Name("hloc"),
                                 Name("3dgs"),
@@ -45,6 +42,8 @@ constexpr std::array kColmap = {Name("colmap"),
                                 Name("opensplat"),
                                 Name("gaussian-splatting"),
                                 Name("realitycapture-colmap")};
+
+// Not written: what they read.
 constexpr std::array kNerfstudio = {Name("nerfstudio"), Name("splatfacto"), Name("nerfacto"),        Name("instant-ngp"),
                                     Name("ngp"),        Name("torch-ngp"),  Name("transforms.json"), Name("luma")};
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
@@ -96,7 +95,7 @@ constexpr std::array kNames = {
     ProgramName{kEuroc, "EuRoC", "euroc"},
     ProgramName{kCuvslam, "cuVSLAM", "euroc"},
     ProgramName{kKimera, "Kimera", "kimera"},
-    ProgramName{kColmap, "COLMAP", "opencv", "", "", "cameras.txt or cameras.bin of a model folder"},
+    ProgramName{kColmap, "COLMAP", "colmap"},
     ProgramName{kNerfstudio, "nerfstudio", "opencv", "", "", "transforms.json"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},

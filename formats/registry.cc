@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of formats. One row each; the order is that of `fca-io formats` and of detection.
 #include "basalt.h"
+#include "colmap/colmap.h"
 #include "kalibr/kalibr.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"
@@ -28,7 +29,8 @@ const auto& table() {
   static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),   guarded<ocamcalib::kFormat>(),
                                     guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),
                                     guarded<basalt::kFormat>(), guarded<openvins::kFormat>(), guarded<vins::kFormat>(),
-                                    guarded<ros::kFormat>(),    guarded<euroc::kFormat>(),    guarded<kimera::kFormat>()};
+                                    guarded<ros::kFormat>(),    guarded<euroc::kFormat>(),    guarded<kimera::kFormat>(),
+                                    guarded<colmap::kFormat>()};
   return kTable;
 }
 

@@ -135,6 +135,7 @@ constexpr std::array kConsumers{
              .load = &in_own_locale<&load_kimera_imu>,
              .cameras = false,
              .prepare = &prepare_storage_programs},
+    Consumer{"colmap", "COLMAP", "colmap", kDoublePrecisionPx, &in_own_locale<&load_colmap>},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 namespace fca::consumers {
 
 [[nodiscard]] ConsumerView load_basalt(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_colmap(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_cuvslam_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& options);

@@ -645,6 +645,27 @@ enum class Code : std::uint16_t {
   kKimeraWrote,
   kKimeraWroteImu,
 
+  // COLMAP's cameras.txt, as read and written.
+  kColmapNamedModel,
+  kColmapHeader,
+  kColmapWrongSyntax,
+  kColmapNoCamera,
+  kColmapShortLine,
+  kColmapNegativeId,
+  kColmapIdTwice,
+  kColmapUnknownModel,
+  kColmapModelNotRead,
+  kColmapThinPrism,
+  kColmapDivision,
+  kColmapEquirectangular,
+  kColmapParameterCount,
+  kColmapAfterParameters,
+  kColmapBlanks,
+  kColmapDemandsSize,
+  kColmapNoK3,
+  kColmapNoPlace,
+  kColmapHeadline,
+
   // ORB-SLAM3's settings, as read and written.
   kOrbslam3AlphaAboveHalf,
   kOrbslam3Upstreams,
@@ -1004,6 +1025,14 @@ enum class Code : std::uint16_t {
   kCuvslamSaysNumberCount,
   kCuvslamSaysNoNumber,
   kCuvslamSaysTakenForBrown,
+
+  // What COLMAP says to a file.
+  kColmapSaysNoCamera,
+  kColmapSaysLine,
+  kColmapSaysUnknownModel,
+  kColmapSaysParameterCount,
+  kColmapSaysIdTwice,
+  kColmapSaysNewModel,
 
   // What OpenCV's functions make of a file.
   kCvUnknownFunction,

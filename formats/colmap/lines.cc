@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lines.h"
+
+#include "../text/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fca::colmap {
+
+namespace {
+
+constexpr std::array<ParameterId, 1> kK1 = {"k1"};
+constexpr std::array<ParameterId, 2> kK1K2 = {"k1", "k2"};
+constexpr std::array<ParameterId, 4> kBrown = {"k1", "k2", "p1", "p2"};
+constexpr std::array<ParameterId, 8> kRational = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+constexpr std::array<ParameterId, 4> kFisheye = {"k1", "k2", "k3", "k4"};
+constexpr std::array<ParameterId, 1> kOmega = {"w"};
+constexpr std::array<ParameterId, 2> kAlphaBeta = {"alpha", "beta"};
+
+/// All models up to COLMAP 4.2. Of those that are one of ours the first is written.
+constexpr std::array kModels = {
+    Model{"PINHOLE", 4, "pinhole"},
+    Model{"SIMPLE_PINHOLE", 3, "pinhole", true},
+    Model{"OPENCV", 8, "radtan", false, kBrown},
+    Model{"SIMPLE_RADIAL", 4, "radtan", true, kK1},
+    Model{"RADIAL", 5, "radtan", true, kK1K2},
+    Model{"FULL_OPENCV", 12, "rational", false, kRational},
+    Model{"OPENCV_FISHEYE", 8, "kb4", false, kFisheye},
+    Model{"SIMPLE_RADIAL_FISHEYE", 4, "kb4", true, kK1},
+    Model{"RADIAL_FISHEYE", 5, "kb4", true, kK1K2},
+    Model{"FISHEYE", 4, "kb4"},
+    Model{"SIMPLE_FISHEYE", 3, "kb4", true},
+    Model{"FOV", 5, "fov", false, kOmega},
+    Model{"EUCM", 6, "eucm", false, kAlphaBeta},
+    Model{.name = "THIN_PRISM_FISHEYE", .parameters = 12, .why_not = Code::kColmapThinPrism},
+    Model{.name = "RAD_TAN_THIN_PRISM_FISHEYE", .parameters = 16, .why_not = Code::kColmapThinPrism},
+    Model{.name = "SIMPLE_DIVISION", .parameters = 4, .why_not = Code::kColmapDivision},
+    Model{.name = "DIVISION", .parameters = 5, .why_not = Code::kColmapDivision},
+    Model{.name = "EQUIRECTANGULAR", .parameters = 2, .why_not = Code::kColmapEquirectangular},
+};
+
+constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
+
+}  // namespace
+
+const Model* find_model(std::string_view name) {
+  const auto* const found = std::ranges::find(kModels, name, &Model::name);
+  return found == kModels.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> read_names() {
+  std::vector<std::string> names;
+  for (const Model& model : kModels) {
+    if (!model.model.empty()) names.emplace_back(model.name);
+  }
+  return names;
+}
+
+const Model* written_model(const CameraModel& model) {
+  const auto* const found = std::ranges::find(kModels, model_info(model).id, &Model::model);
+  return found == kModels.end() ? nullptr : &*found;
+}
+
+std::vector<ParameterId> set_by(const Model& model, std::size_t index) {
+  if (model.one_focal_length && index == 0) return {"fx", "fy"};
+  const std::size_t number = index + (model.one_focal_length ? 1 : 0);
+  if (number < kFocalAndCentre.size()) return {kFocalAndCentre.at(number)};
+  return {model.coefficients[number - kFocalAndCentre.size()]};
+}
+
+std::optional<std::vector<double>> parameters_in(const Model& model, const Camera& camera) {
+  if (model_info(camera.model).id != model.model) return std::nullopt;
+  std::vector<double> values;
+  std::vector<ParameterId> there;
+  for (std::size_t i = 0; i < model.parameters; ++i) {
+    const std::vector<ParameterId> ids = set_by(model, i);
+    const double value = parameter(camera.model, ids.front()).value();
+    for (const ParameterId id : ids) {
+      if (parameter(camera.model, id) != value) return std::nullopt;
+      there.push_back(id);
+    }
+    const bool centre = ids.front() == ParameterId("cx") || ids.front() == ParameterId("cy");
+    values.push_back(centre ? to_file(value) : value);
+  }
+  for (const Parameter& row : model_info(camera.model).parameters) {
+    const ParameterId id(row);
+    if (std::ranges::find(there, id) == there.end() && parameter(camera.model, id) != 0.0) return std::nullopt;
+  }
+  return values;
+}
+
+double from_file(double pixel) { return pixel - 0.5; }
+
+double to_file(double pixel) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double sum = pixel + 0.5;
+  for (const double near : {sum, std::nextafter(sum, kInfinity), std::nextafter(sum, -kInfinity)}) {
+    if (from_file(near) == pixel) return near;
+  }
+  return sum;
+}
+
+std::vector<const text::Node*> camera_lines(const text::Document& document) {
+  std::vector<const text::Node*> lines;
+  for (const text::Node& line : document.root().items) {
+    if (!line.items.empty() && line.tag != text::kCommentTag) lines.push_back(&line);
+  }
+  return lines;
+}
+
+}  // namespace fca::colmap

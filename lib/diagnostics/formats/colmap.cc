@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// COLMAP's cameras.txt, as read and written.
+#include "../rows.h"
+#include "../topics.h"
+
+#include <array>
+
+namespace fca::diagnostics {
+
+std::span<const CodeInfo> colmap_codes() {
+  static constexpr std::array kRows = {
+      // What speaks for the format.
+      clause(Code::kColmapNamedModel, "a line of a camera whose model is COLMAP's {0}"),
+      clause(Code::kColmapHeader, "a comment with CAMERA_ID, MODEL, WIDTH and PARAMS"),
+
+      error(Code::kColmapWrongSyntax, "wrong-syntax", "a cameras.txt is one file of lines; this is none"),
+      error(Code::kColmapNoCamera, "wrong-count", "no camera: a line CAMERA_ID MODEL WIDTH HEIGHT PARAMS[] is wanted for each"),
+      error(Code::kColmapShortLine, "wrong-count",
+            "{0} words: a camera is CAMERA_ID MODEL WIDTH HEIGHT and the parameters of its model"),
+      error(Code::kColmapNegativeId, "out-of-range", "CAMERA_ID {0} is negative", "images.txt names cameras by ids from 1"),
+      error(Code::kColmapIdTwice, "duplicate-key",
+            "a camera with CAMERA_ID {0} stands above: COLMAP 4 stops, and 3.8 keeps one of the two", "give it another id"),
+      error(Code::kColmapUnknownModel, "unknown-model", "COLMAP has no camera model {0}", "{1:or}"),
+      error(Code::kColmapModelNotRead, "unknown-model", "fca-io does not read cameras of COLMAP's model {0}: {1}",
+            "calibrate with OPENCV, FULL_OPENCV or OPENCV_FISHEYE"),
+      clause(Code::kColmapThinPrism, "it has no model with thin prism terms"),
+      clause(Code::kColmapDivision, "it has no division model"),
+      clause(Code::kColmapEquirectangular, "such an image shows all directions and has no lens"),
+      error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and {2} numbers stand here"),
+      about_reader(warning(Code::kColmapAfterParameters, "program-refuses",
+                           "'{0}' after the parameters: COLMAP 3.8 stops, and 4 ignores it", "remove it")),
+      about_reader(warning(Code::kColmapBlanks, "program-refuses",
+                           "more than one blank, or a tab, between two words: COLMAP 3.8 stops, and 4 reads it",
+                           "one blank between two words")),
+
+      clause(Code::kColmapDemandsSize, "the line of a camera states its image size"),
+      clause(Code::kColmapNoK3, "COLMAP's OPENCV has no k3"),
+      clause(Code::kColmapNoPlace, "a cameras.txt has no place for it"),
+      clause(Code::kColmapHeadline, "a cameras.txt for COLMAP"),
+  };
+  return kRows;
+}
+
+}  // namespace fca::diagnostics

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What COLMAP says to a cameras.txt.
+#include "../rows.h"
+#include "../topics.h"
+
+#include <array>
+
+namespace fca::diagnostics {
+
+std::span<const CodeInfo> colmap_program_codes() {
+  static constexpr std::array kRows = {
+      refusal(Code::kColmapSaysNoCamera, "no camera stands in the file"),
+      named_refusal(Code::kColmapSaysLine, "line {0} does not begin with an id, a model, a width and a height: COLMAP stops"),
+      named_refusal(Code::kColmapSaysUnknownModel, "line {0} names the model {1}, which COLMAP does not know: it stops"),
+      named_refusal(Code::kColmapSaysParameterCount, "line {0}: COLMAP reads {1} parameters of {2}, wants {3} and stops"),
+      named_refusal(Code::kColmapSaysIdTwice, "line {0}: the id {1} is that of another camera, and COLMAP stops"),
+      named_misreading(Code::kColmapSaysNewModel, "COLMAP before version {1} does not know {0}, and stops"),
+  };
+  return kRows;
+}
+
+}  // namespace fca::diagnostics
