@@ -54,6 +54,9 @@ constexpr Judged kJudged[] = {
     {"MicroEurocDataset__mav0", "opencv-header", "Kimera's copies of EuRoC's files, for OpenCV: PyYAML refuses the first line"},
     {"D455__ImuParams.yaml", "program-refuses", "no imu_bias_init_sigma"},
     {"kalibr__templates__camera.yaml", "yaml-key", "a template with {{ }}"},
+    {"__cameras.bin", "binary-file", "COLMAP's binary form"},
+    {"__rigs.bin", "binary-file", "the same"},
+    {"__rigs.txt", "unknown-format", "COLMAP's rigs, without a camera"},
     {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };
 

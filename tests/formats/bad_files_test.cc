@@ -27,7 +27,7 @@ bool is_stock(const std::string& program, const Calibration& calibration) {
     return program.starts_with("DSO");
   return program.starts_with("Kalibr") || program == "ORB-SLAM3 V1.0" || program.starts_with("OCamCalib") ||
          program == "WoodScape's projection.py" || program == "Basalt" || program == "VINS-Fusion" || program == "ROS" ||
-         program.starts_with("Kimera-VIO") || program.starts_with("cuVSLAM") ||
+         program == "COLMAP" || program.starts_with("Kimera-VIO") || program.starts_with("cuVSLAM") ||
          (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
 }
 

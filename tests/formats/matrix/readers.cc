@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pixels_basalt.h"
+#include "pixels_colmap.h"
 #include "pixels_euroc.h"
 #include "pixels_kalibr.h"
 #include "pixels_kimera.h"
@@ -28,6 +29,7 @@ const FormatReader* find_reader(const std::string& id) {
       {"ros", ros::camera, ros::relative_poses},
       {"euroc", euroc::camera, euroc::relative_poses},
       {"kimera", kimera::camera, kimera::relative_poses},
+      {"colmap", colmap::camera, colmap::relative_poses},
   };
   for (const FormatReader& reader : readers) {
     if (reader.id == id) return &reader;

@@ -103,6 +103,23 @@ TEST(MatrixReaders, OrbSlam3) {
   expect_pixel("orbslam3", fork_kb, 0, kBehind, {592.32757822833639, 381.95947856987661});
 }
 
+TEST(MatrixReaders, Colmap) {
+  const auto line = [](const std::string& words) { return "# 1 comment\n\n3 " + words + "\n"; };
+  const std::string fisheye = line("OPENCV_FISHEYE 640 480 200 210 321 239.75 0.01 -0.02 0.003 -0.0004");
+  expect_pixel("colmap", fisheye, 0, kAhead, {378.13842481427425, 198.90310263000802});
+  expect_pixel("colmap", fisheye, 0, kBehind, {592.32757822833639, 381.95947856987661});
+  EXPECT_FALSE(find_reader("colmap")->camera(fisheye, 1));
+  expect_pixel("colmap", fisheye + "5 PINHOLE 640 480 200 210 321 239.75\n", 1, kAhead, {380.5, 197.25});
+  expect_pixel("colmap", line("OPENCV 640 480 200 210 321 239.75 -0.28 0.07 0.0002 -0.0001"), 0, kAhead,
+               {378.37598, 198.740454});
+  expect_pixel("colmap", line("FULL_OPENCV 640 480 200 210 321 239.75 0.1 0.02 0.001 -0.002 0.003 0.05 0.01 0.002"), 0, kAhead,
+               {380.74961835604846, 197.06616715076608});
+  expect_pixel("colmap", line("FOV 640 480 200 210 321 239.75 0.9"), 0, kAhead, {382.47695086161522, 195.86613439686935});
+  const std::string eucm = line("EUCM 640 480 200 210 321 239.75 0.6 1.1");
+  expect_pixel("colmap", eucm, 0, kAhead, {378.11103909417765, 198.92227263407564});
+  expect_pixel("colmap", eucm, 0, kBehind, {620.74794275911034, 396.88016994853293});
+}
+
 std::string matrix_node(const std::string& name, int rows, int columns, const std::string& data) {
   return name + ": !!opencv-matrix\n   rows: " + std::to_string(rows) + "\n   cols: " + std::to_string(columns) +
          "\n   dt: d\n   data: [ " + data + " ]\n";

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// COLMAP's cameras.txt: words behind an id, a model and a size, in the order of MORE-FORMATS.md section 2, with the first
+// pixel's centre at (0.5, 0.5). COLMAP itself stops at 90 deg from the axis, where the formulas of its fisheyes go on.
+#include "pixels_colmap.h"
+
+#include "sensor_lens.h"
+
+#include <map>
+#include <sstream>
+
+namespace fca::matrix::colmap {
+
+namespace {
+
+struct Kind {
+  bool one_focal_length = false;
+  bool equidistant = false;
+  std::size_t coefficients = 0;
+};
+
+const std::map<std::string, Kind> kKinds = {
+    {"SIMPLE_PINHOLE", {true, false, 0}}, {"PINHOLE", {false, false, 0}},      {"SIMPLE_RADIAL", {true, false, 1}},
+    {"RADIAL", {true, false, 2}},         {"OPENCV", {false, false, 4}},       {"FULL_OPENCV", {false, false, 8}},
+    {"OPENCV_FISHEYE", {false, true, 4}}, {"FISHEYE", {false, true, 0}},       {"SIMPLE_RADIAL_FISHEYE", {true, true, 1}},
+    {"RADIAL_FISHEYE", {true, true, 2}},  {"SIMPLE_FISHEYE", {true, true, 0}}, {"FOV", {false, false, 1}},
+    {"EUCM", {false, false, 2}}};
+
+RayToPixel fov_lens(const std::vector<double>& k, double w) {
+  return [k, w](const Ray& ray) -> std::optional<Pixel> {
+    const double r = std::hypot(ray[0], ray[1]);
+    const double slope = 2.0 * std::tan(w / 2.0);
+    if (r == 0.0) return ray[2] > 0.0 ? std::optional(Pixel{k[2], k[3]}) : std::nullopt;
+    const double bent = std::atan2(slope * r, ray[2]) / w;
+    return Pixel{k[0] * bent * ray[0] / r + k[2], k[1] * bent * ray[1] / r + k[3]};
+  };
+}
+
+RayToPixel eucm_lens(const std::vector<double>& k, double alpha, double beta) {
+  return [k, alpha, beta](const Ray& ray) -> std::optional<Pixel> {
+    const double depth = std::sqrt(beta * (ray[0] * ray[0] + ray[1] * ray[1]) + ray[2] * ray[2]);
+    const double down = alpha * depth + (1.0 - alpha) * ray[2];
+    // Usenko, Demmel, Cremers 2018, eq. 15: z > -w d.
+    const double w = alpha <= 0.5 ? alpha / (1.0 - alpha) : (1.0 - alpha) / alpha;
+    if (!(ray[2] > -w * depth) || !(down > 0.0)) return std::nullopt;
+    return Pixel{k[0] * ray[0] / down + k[2], k[1] * ray[1] / down + k[3]};
+  };
+}
+
+RayToPixel lens(const std::string& model, const Kind& kind, const std::vector<double>& k, const std::vector<double>& d) {
+  if (model == "FOV") return fov_lens(k, d[0]);
+  if (model == "EUCM") return eucm_lens(k, d[0], d[1]);
+  return sensor_lens(k, d, kind.equidistant);
+}
+
+}  // namespace
+
+std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) {
+  std::istringstream lines(bytes);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#' || index-- > 0) continue;
+    std::istringstream words(line);
+    long id = 0;
+    std::string model;
+    Size size;
+    if (!(words >> id >> model >> size.width >> size.height) || !kKinds.contains(model)) return std::nullopt;
+    const Kind& kind = kKinds.at(model);
+    std::vector<double> numbers;
+    for (double number = 0.0; words >> number;) numbers.push_back(number);
+    if (kind.one_focal_length && !numbers.empty()) numbers.insert(numbers.begin(), numbers.front());
+    if (numbers.size() != 4 + kind.coefficients) return std::nullopt;
+    const std::vector<double> k = {numbers[0], numbers[1], numbers[2] - 0.5, numbers[3] - 0.5};
+    PixelFormula formula;
+    formula.size = size;
+    formula.pixel = lens(model, kind, k, {numbers.begin() + 4, numbers.end()});
+    return formula;
+  }
+  return std::nullopt;
+}
+
+std::vector<Pose> relative_poses(const std::vector<std::string>& /*files*/) { return {}; }
+
+}  // namespace fca::matrix::colmap
