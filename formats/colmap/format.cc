@@ -121,9 +121,13 @@ class CamerasReader {
     const std::span<const Node> words = std::span(line.items).subspan(kFirstParameter);
     const auto is_number = [](const Node& word) { return text::parse_real(word.value).has_value(); };
     const auto count = static_cast<std::size_t>(std::ranges::find_if_not(words, is_number) - words.begin());
+    if (count < std::min(words.size(), model.parameters)) {
+      static_cast<void>(reader_.real(words[count], set_by(model, count).front().name()));
+      return false;
+    }
     if (count != model.parameters) {
-      const Node& at = count > model.parameters ? words[model.parameters] : words[std::min(count, words.size() - 1)];
-      reader_.say(at, Code::kColmapParameterCount, {model.name, model.parameters, count});
+      const Node& at = words[std::min(count - 1, model.parameters)];
+      reader_.say(at, Code::kColmapParameterCount, {model.name, model.parameters, count, parameter_names(model)});
       return false;
     }
     if (count < words.size()) reader_.say(words[count], Code::kColmapAfterParameters, {words[count].value.substr(0, 40)});

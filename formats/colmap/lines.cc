@@ -71,6 +71,15 @@ std::vector<ParameterId> set_by(const Model& model, std::size_t index) {
   return {model.coefficients[number - kFocalAndCentre.size()]};
 }
 
+std::string parameter_names(const Model& model) {
+  std::string names;
+  for (std::size_t i = 0; i < model.parameters; ++i) {
+    const std::vector<ParameterId> ids = set_by(model, i);
+    names += (i > 0 ? " " : "") + (ids.size() > 1 ? "f" : std::string(ids.front().name()));
+  }
+  return names;
+}
+
 std::optional<std::vector<double>> parameters_in(const Model& model, const Camera& camera) {
   if (model_info(camera.model).id != model.model) return std::nullopt;
   std::vector<double> values;

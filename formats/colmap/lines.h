@@ -35,6 +35,9 @@ struct Model {
 /// The camera's parameters as that model's line has them; nothing if it cannot hold them.
 [[nodiscard]] std::optional<std::vector<double>> parameters_in(const Model& model, const Camera& camera);
 
+/// "f cx cy k1"
+[[nodiscard]] std::string parameter_names(const Model& model);
+
 /// Our parameters that the model's number `index` sets.
 [[nodiscard]] std::vector<ParameterId> set_by(const Model& model, std::size_t index);
 

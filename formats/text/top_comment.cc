@@ -9,7 +9,7 @@ namespace fca::text {
 
 namespace {
 
-/// The offset behind the leading lines of YAML that are directives ("%YAML:1.0"), "---" or comments.
+/// The offset behind the leading lines that are directives ("%YAML:1.0"), "---" or comments.
 std::size_t behind_head(const Source& source) {
   const std::string_view bytes = source.bytes;
   std::size_t at = source.byte_order_mark();
@@ -42,8 +42,13 @@ Span comment_of_words(const Document& document) {
   return {0, std::min(bytes.find_first_of("\r\n"), bytes.size())};
 }
 
-bool has_yaml_comments(const Document& document) {
-  return document.syntax() == Syntax::kYaml || document.syntax() == Syntax::kOpenCvYaml;
+/// Of lines of words only where two comments stand at the top (COLMAP's): OCamCalib's reader skips exactly one line.
+bool has_lines_of_comment(const Document& document) {
+  if (document.syntax() != Syntax::kWords)
+    return document.syntax() == Syntax::kYaml || document.syntax() == Syntax::kOpenCvYaml;
+  const std::string_view bytes = document.source().bytes;
+  const std::size_t end = bytes.find('\n');
+  return bytes.starts_with('#') && end != std::string_view::npos && bytes.substr(end + 1).starts_with('#');
 }
 
 /// A line of comment: its bytes with their line break, and what it says.
@@ -52,7 +57,7 @@ struct CommentLine {
   std::string_view text;
 };
 
-std::vector<CommentLine> yaml_comments(const Source& source) {
+std::vector<CommentLine> lines_of_comment(const Source& source) {
   constexpr std::string_view kMark = "# ";
   const std::string_view bytes = source.bytes;
   std::vector<CommentLine> lines;
@@ -100,7 +105,7 @@ std::vector<CommentLine> words_comments(const Document& document) {
 }
 
 std::vector<CommentLine> comments_at_top(const Document& document) {
-  if (has_yaml_comments(document)) return yaml_comments(document.source());
+  if (has_lines_of_comment(document)) return lines_of_comment(document.source());
   return document.syntax() == Syntax::kXml ? xml_comments(document.source()) : words_comments(document);
 }
 
@@ -140,7 +145,7 @@ bool add_top_comment(Document& document, std::span<const std::string> lines) {
   const Source& source = document.source();
   const std::string line_break(source.line_break());
   std::string text;
-  if (has_yaml_comments(document)) {
+  if (has_lines_of_comment(document)) {
     for (const std::string& line : lines) text += "# " + printable(line) + line_break;
     document.insert(behind_head(source), text);
     return true;

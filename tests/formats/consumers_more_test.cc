@@ -504,12 +504,14 @@ TEST(Consumers, TumViFilesAreReadByKalibrAndDso) {
 
 // None throws or crashes, whatever the bytes are; and what loads can be asked.
 TEST(Consumers, SurviveMutatedFiles) {
-  const std::vector<std::pair<const char*, std::string>> files = {{"opencv", mono(kD5, 5, "xi: 1.2\n")},
-                                                                  {"opencv", mc_calib(2)},
-                                                                  {"ocamcalib", kOcam},
-                                                                  {"woodscape", kWoodScape},
-                                                                  {"woodscape-omnidet", kWoodScape},
-                                                                  {"dso", camera_txt("FOV 400 410 320 240 0.9")}};
+  const std::vector<std::pair<const char*, std::string>> files = {
+      {"opencv", mono(kD5, 5, "xi: 1.2\n")},
+      {"opencv", mc_calib(2)},
+      {"ocamcalib", kOcam},
+      {"woodscape", kWoodScape},
+      {"woodscape-omnidet", kWoodScape},
+      {"dso", camera_txt("FOV 400 410 320 240 0.9")},
+      {"colmap", "1 EUCM 640 480 400 410 320 240 0.6 1.1\n2 FOV 640 480 400 410 320 240 0.9\n"}};
   constexpr std::string_view kPieces = "0123456789.-+e[]{}:,\"\n \t#<>nai%/\\\xEF";
   std::mt19937 random(7);
   int loaded = 0;

@@ -7,6 +7,13 @@
 
 namespace fca::diagnostics {
 
+namespace {
+
+constexpr std::string_view kStops = "COLMAP stops here, and reads no camera.";
+constexpr std::string_view kNoCamera = "COLMAP has no camera for its images.";
+
+}  // namespace
+
 std::span<const CodeInfo> colmap_codes() {
   static constexpr std::array kRows = {
       // What speaks for the format.
@@ -14,19 +21,27 @@ std::span<const CodeInfo> colmap_codes() {
       clause(Code::kColmapHeader, "a comment with CAMERA_ID, MODEL, WIDTH and PARAMS"),
 
       error(Code::kColmapWrongSyntax, "wrong-syntax", "a cameras.txt is one file of lines; this is none"),
-      error(Code::kColmapNoCamera, "wrong-count", "no camera: a line CAMERA_ID MODEL WIDTH HEIGHT PARAMS[] is wanted for each"),
-      error(Code::kColmapShortLine, "wrong-count",
-            "{0} words: a camera is CAMERA_ID MODEL WIDTH HEIGHT and the parameters of its model"),
-      error(Code::kColmapNegativeId, "out-of-range", "CAMERA_ID {0} is negative", "images.txt names cameras by ids from 1"),
-      error(Code::kColmapIdTwice, "duplicate-key",
-            "a camera with CAMERA_ID {0} stands above: COLMAP 4 stops, and 3.8 keeps one of the two", "give it another id"),
+      with_consequence(error(Code::kColmapNoCamera, "wrong-count", "no line of the file is a camera",
+                             "write  CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]  for each camera"),
+                       kNoCamera),
+      with_consequence(error(Code::kColmapShortLine, "wrong-count", "{0} words, and a camera has more than four",
+                             "write  CAMERA_ID MODEL WIDTH HEIGHT  and the model's parameters"),
+                       kStops),
+      with_consequence(
+          error(Code::kColmapNegativeId, "out-of-range", "CAMERA_ID {0} is negative", "images.txt names cameras by ids from 1"),
+          "No image has this camera."),
+      with_consequence(
+          error(Code::kColmapIdTwice, "duplicate-key", "a camera with CAMERA_ID {0} stands above", "give it another id"),
+          "COLMAP 4 stops, and 3.8 keeps one of the two."),
       error(Code::kColmapUnknownModel, "unknown-model", "COLMAP has no camera model {0}", "{1:or}"),
       error(Code::kColmapModelNotRead, "unknown-model", "fca-io does not read cameras of COLMAP's model {0}: {1}",
             "calibrate with OPENCV, FULL_OPENCV or OPENCV_FISHEYE"),
       clause(Code::kColmapThinPrism, "it has no model with thin prism terms"),
       clause(Code::kColmapDivision, "it has no division model"),
       clause(Code::kColmapEquirectangular, "such an image shows all directions and has no lens"),
-      error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and {2} numbers stand here"),
+      with_consequence(error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and {2} numbers stand here",
+                             "they are  {3}"),
+                       kStops),
       about_reader(warning(Code::kColmapAfterParameters, "program-refuses",
                            "'{0}' after the parameters: COLMAP 3.8 stops, and 4 ignores it", "remove it")),
       about_reader(warning(Code::kColmapBlanks, "program-refuses",
