@@ -25,6 +25,13 @@ const text::Node* number_reading(const text::Node& node, double value) {
   return nullptr;
 }
 
+std::size_t count_reading(const text::Node& node, double value) {
+  std::size_t count = node.is_scalar() && text::parse_real(node.value) == value ? 1 : 0;
+  for (const text::Node& item : node.items) count += count_reading(item, value);
+  for (const text::Entry& entry : node.entries) count += count_reading(entry.value, value);
+  return count;
+}
+
 bool holds(const text::Span& span, std::size_t offset) { return offset >= span.offset && offset < span.end(); }
 
 }  // namespace
@@ -54,7 +61,7 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
   const SourceRange nowhere = {document_->source().name, 0, 0};
   Rig changed = calibration_->rig;
   change(changed);
-  // A rig of hundreds of cameras with as many findings would take minutes; no real one comes near.
+  // A rig of hundreds of cameras with as many findings would take minutes; the largest real one has 80.
   constexpr std::size_t kMostCameras = 32;
   constexpr int kMostAsked = 100;
   const bool ask = changed.cameras.size() <= kMostCameras && asked_++ < kMostAsked;
@@ -70,6 +77,8 @@ SourceRange Places::of(const std::function<void(Rig&)>& change, std::optional<do
     if (value && text::parse_real(node->value) == value) return document_->range(*node);
     if (first == nullptr) first = node;
   }
+  // Two cameras may have the same number.
+  if (!ask && value && count_reading(document_->root(), *value) > 1) return nowhere;
   const text::Node* same = value ? number_reading(document_->root(), *value) : nullptr;
   if (first == nullptr || (same != nullptr && !text::parse_real(first->value))) first = same;
   return first != nullptr ? document_->range(*first) : nowhere;

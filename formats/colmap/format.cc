@@ -260,6 +260,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   written.files.push_back({*std::move(document), {}, {"colmap"}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   add_beyond_base(rig.extra_fields, said, Message{Code::kColmapNoPlace}, written.losses);
+  if (old && !edits) {
+    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
+                    written.losses);
+  }
   list_camera_losses(rig, "COLMAP", written.losses);
   written.headline = {Code::kColmapHeadline};
   return written;

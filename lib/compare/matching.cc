@@ -35,6 +35,11 @@ std::vector<PoseEdge> renamed_poses(const Rig& reference, const Rig& other, cons
     if (std::ranges::find(reference.imus, imu.name, &Imu::name) != reference.imus.end()) names[imu.name] = "\n" + imu.name;
   }
   for (const Match& match : matching.cameras) names[other.cameras[match.other].name] = reference.cameras[match.reference].name;
+  // A frame of the other's that is none of its cameras (EuRoC's file of cam1 states T_Cam0) may have the name that one got.
+  for (const Match& match : matching.cameras) {
+    const std::string& taken = reference.cameras[match.reference].name;
+    names.emplace(taken, "\n" + taken);
+  }
   for (const Match& match : matching.imus) names[other.imus[match.other].name] = reference.imus[match.reference].name;
   const auto renamed = [&names](const std::string& name) {
     const auto found = names.find(name);

@@ -49,6 +49,13 @@ std::vector<Defect> defects() {
       return true;
     };
   };
+  // The variance of an inflated noise is still a noise.
+  const auto variance = [imu](std::optional<double> Imu::*member) {
+    return [member, of = imu(member, 1e-4)](Rig& rig) {
+      constexpr double kInflated = 0.02;
+      return !rig.imus.empty() && (rig.imus.front().*member).value_or(1.0) < kInflated && of(rig);
+    };
+  };
   return {
       {"focal length in millimetres",
        {"focal-length-not-in-pixels"},
@@ -140,7 +147,7 @@ std::vector<Defect> defects() {
        20,
        nullptr,
        "\"qw\""},  // a quaternion
-      {"gyroscope noise as a variance", {"imu-noise-too-small"}, imu(&Imu::gyroscope_noise_density, 1e-4)},
+      {"gyroscope noise as a variance", {"imu-noise-too-small"}, variance(&Imu::gyroscope_noise_density)},
       {"gyroscope noise in degrees and discrete",
        {"imu-noise-too-large", "imu-sensors-swapped"},
        imu(&Imu::gyroscope_noise_density, 810.0)},
@@ -152,7 +159,7 @@ std::vector<Defect> defects() {
          std::swap(rig.imus.front().gyroscope_noise_density, rig.imus.front().gyroscope_random_walk);
          return true;
        }},
-      {"accelerometer noise as a variance", {"imu-noise-too-small"}, imu(&Imu::accelerometer_noise_density, 1e-4)},
+      {"accelerometer noise as a variance", {"imu-noise-too-small"}, variance(&Imu::accelerometer_noise_density)},
       {"one of two statements of a pose inverted",
        {"pose-inverted", "poses-contradict"},
        [](Rig& rig) {

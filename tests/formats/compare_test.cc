@@ -247,6 +247,9 @@ bool leave_out_lens(Rig& rig) {
     if (!model_info(camera.model).focal_lengths_first || model_info(camera.model).parameters.size() == 4) continue;
     CameraModel straight = *make_model("pinhole");
     std::ranges::copy(std::span(parameter_values(std::as_const(camera.model))).first(4), parameter_values(straight).begin());
+    const std::optional<Pixel> bent = project(camera.model, {0.5, 0.3, 1.0});
+    const std::optional<Pixel> flat = project(straight, {0.5, 0.3, 1.0});
+    if (!bent || !flat || std::hypot((*bent)[0] - (*flat)[0], (*bent)[1] - (*flat)[1]) < 3.0) return false;  // hardly a lens
     camera.model = straight;
     return true;
   }

@@ -144,6 +144,12 @@ bool others_follow(const Base& base, const ModelInfo& model, const Parameter& pa
   return base.calibration.format->id == "ocamcalib" && parameter.name.starts_with('a');
 }
 
+/// COLMAP's simpler models have one focal length and fewer coefficients: the line gets another model.
+bool gets_another_model(const Base& base, const text::Document& after) {
+  return base.calibration.format->id == "colmap" &&
+         pieces_of(base.calibration.documents.front()).scalars.size() != pieces_of(after).scalars.size();
+}
+
 /// A matrix of floats cannot hold every double: then it becomes one of doubles, which is another edit.
 double storable(const Base& base, double value) {
   return base.calibration.format->id == "opencv" ? static_cast<double>(static_cast<float>(value)) : value;
@@ -172,8 +178,9 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
         const std::optional<Calibration> back = read_back(base, bytes);
         if (!back) continue;
         EXPECT_TRUE(same_cameras(base, back->rig, rig));
-        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front()), "");
         ++edits;
+        if (gets_another_model(base, back->documents.front())) continue;
+        EXPECT_EQ(unexplained(base.calibration.documents.front(), back->documents.front()), "");
       }
     }
   }
