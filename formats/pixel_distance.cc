@@ -19,7 +19,7 @@ struct Lattice {
   int to_next_ray;
 };
 constexpr Lattice kCoarse = {24, 2};
-constexpr Lattice kFine = {48, 1};  ///< Where shares of the image are to be told.
+constexpr Lattice kFine = {40, 1};  ///< Where shares of the image are to be told.
 /// A pixel or ray that is further off than this, where programs are known to go wrong, is none.
 constexpr double kWrongPx = 1.0;
 
@@ -166,9 +166,11 @@ class Comparison {
 }  // namespace
 
 CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
-                           double max_angle_rad) {
-  CameraDistance coarse = Comparison(camera, written, reader, max_angle_rad, kCoarse).run();
-  if (coarse.in_image.no_rays == 0.0) return coarse;
+                           double max_angle_rad, bool has_gaps) {
+  if (!has_gaps) {
+    CameraDistance coarse = Comparison(camera, written, reader, max_angle_rad, kCoarse).run();
+    if (coarse.in_image.no_rays == 0.0) return coarse;
+  }
   return Comparison(camera, written, reader, max_angle_rad, kFine).run();
 }
 

@@ -270,7 +270,9 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
     const Camera& camera = rig.cameras[i];
     comparisons[i] = compare_camera(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
     const auto before = std::ranges::find(calibrated, camera.name, &Camera::name);
-    distances[i] = distance_of(before != calibrated.end() ? *before : camera, camera.model, view.cameras[i], max_angle_rad);
+    const bool has_gaps = comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0;
+    distances[i] =
+        distance_of(before != calibrated.end() ? *before : camera, camera.model, view.cameras[i], max_angle_rad, has_gaps);
   });
   Comparison comparison;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 
 namespace fca {
@@ -192,7 +193,48 @@ bool is_among(const std::vector<Reason>& reasons, const Finding& finding) {
 }
 
 /// Does what is written say where the cameras stand?
-bool states_poses(const VerdictFacts& facts) { return facts.to->extrinsics && facts.mode != "mono" && facts.mode != "rgbd"; }
+bool states_poses(const VerdictFacts& facts) {
+  constexpr std::array<std::string_view, 3> kWithout = {"mono", "rgbd", kLensAlone};
+  return facts.to->extrinsics && std::ranges::find(kWithout, facts.mode) == kWithout.end();
+}
+
+/// The first two cameras of a file, that nothing relates to each other.
+std::optional<std::array<std::string, 2>> unrelated(const Rig& rig, std::span<const std::string> cameras) {
+  if (rig.baseline_m) return std::nullopt;
+  for (std::size_t i = 1; i < cameras.size(); ++i) {
+    const bool of_rig = rig.find_camera(cameras[0]) != nullptr && rig.find_camera(cameras[i]) != nullptr;
+    if (of_rig && !rig.resolve(cameras[0], cameras[i])) return {{cameras[0], cameras[i]}};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> names_of(std::span<const Camera> cameras) {
+  std::vector<std::string> names;
+  for (const Camera& camera : cameras) names.push_back(camera.name);
+  return names;
+}
+
+/// Several cameras in a file that should say where they stand. Where the program cannot do without, poses were invented.
+void add_missing_poses(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  if (facts.rig == nullptr || !states_poses(facts)) return;
+  const std::vector<std::vector<std::string>> all = {names_of(facts.rig->cameras)};
+  const bool is_invented = std::ranges::any_of(facts.defaults, &DefaultedValue::invented);
+  for (const std::vector<std::string>& cameras : facts.files.empty() ? std::span(all) : facts.files) {
+    const auto pair = unrelated(*facts.rig, cameras);
+    if (!pair) continue;
+    reasons.push_back({.word = is_invented ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare,
+                       .facts = {Code::kVerdictNoPose, {pair->front(), pair->back()}}});
+  }
+}
+
+/// Does one of the written files hold the camera?
+bool is_written(const std::string& camera, const VerdictFacts& facts) {
+  return facts.files.empty() || std::ranges::any_of(facts.files, [&camera](const std::vector<std::string>& cameras) {
+           return std::ranges::find(cameras, camera) != cameras.end();
+         });
+}
+
+bool is_of_one_camera(const VerdictFacts& facts) { return facts.files.size() == 1 && facts.files.front().size() == 1; }
 
 /// The camera that a finding is about: messages name it first. Empty: none of the rig.
 std::string camera_of(const Finding& finding, const Rig* rig) {
@@ -223,12 +265,10 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
     // Lengths that are no metres become wrong ones in a format of metres.
-    if (kind == Code::kOpencvUnitsNotStated && facts.cameras.size() == 1) continue;  // of the second one's distance
+    if (kind == Code::kOpencvUnitsNotStated && is_of_one_camera(facts)) continue;  // of the second one's distance
     const bool is_of_unit = kind == Code::kOpencvUnitsNotStated && facts.to->extrinsics && !facts.to->any_length_unit;
     const std::string camera = camera_of(finding, facts.rig);
-    const bool is_written =
-        camera.empty() || facts.cameras.empty() || std::ranges::find(facts.cameras, camera) != facts.cameras.end();
-    if (is_among(reasons, finding) || !is_written) continue;
+    if (is_among(reasons, finding) || (!camera.empty() && !is_written(camera, facts))) continue;
     reasons.push_back({.word = is_of_unit ? VerdictWord::kDoNotUse : word,
                        .facts = finding.facts,
                        .camera = camera,
@@ -282,7 +322,8 @@ bool Acceptance::covers(const Reason& reason) const {
 }
 
 bool matters(const Loss& loss, const Format& to, std::string_view mode) {
-  const bool uses_imu = to.imu && (to.modes.empty() || mode.ends_with("inertial"));
+  const bool uses_imu = to.imu && mode != kLensAlone && (to.modes.empty() || mode.ends_with("inertial"));
+  const bool uses_poses = to.extrinsics && mode != kLensAlone;
   switch (loss.kind) {
     case Code::kTimeOffsetDropped: {
       const double* seconds = number_in(loss, 0);
@@ -299,11 +340,11 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
     case Code::kCamchainImuDropped:
       return uses_imu;
     case Code::kPoseDropped:
-      return loss.key == "T_cam_cam" ? to.extrinsics : uses_imu && loss.key == "T_cam_imu";
+      return loss.key == "T_cam_cam" ? uses_poses : uses_imu && loss.key == "T_cam_imu";
     case Code::kBaselineDropped:
     case Code::kCamchainBaselineDropped:
     case Code::kOpenvinsChainBaselineDropped:
-      return to.extrinsics;
+      return uses_poses;
     case Code::kStaleOfImagesLost:
     case Code::kStaleOfLensesLost:
     case Code::kOpencvStaleKept:
@@ -323,6 +364,7 @@ Verdict decide(const VerdictFacts& facts) {
   Verdict verdict;
   add_programs(facts, verdict.reasons);
   add_contradictions(facts, verdict.reasons);
+  add_missing_poses(facts, verdict.reasons);
   add_findings(facts, verdict.reasons);
   add_facts(facts, verdict.reasons);
   for (Reason& reason : verdict.reasons) {

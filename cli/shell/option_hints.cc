@@ -106,6 +106,7 @@ constexpr std::array kHints = {
                "a second camera (--join CAM0 CAM1): one camera and a baseline are a pair only where the images are rectified, "
                "without distortion, and {0} is {1} with distortion (rectify with cv::stereoRectify, or --sensor rgbd for a "
                "depth sensor)"},
+    OptionHint{Code::kVerdictNoPose, text::Part::kFix, "give a file that states it, too (--with extrinsics.yml)"},
     OptionHint{Code::kOrbslam3LacksPose, text::Part::kText, "the pose of {0} to {1} (--with extrinsics.yml)"},
     OptionHint{Code::kOrbslam3LacksOneSize, text::Part::kText, "one image size for both cameras (--resize WxH)"},
     OptionHint{Code::kOrbslam3LacksBaseline, text::Part::kText, "the baseline (--baseline METRES)"},

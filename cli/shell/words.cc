@@ -23,14 +23,15 @@ std::string percent(double share) { return fixed(100.0 * share, 1) + " %"; }
 
 namespace {
 
-/// Parts in lines of at most 100 characters, each line behind `indent`.
+constexpr std::size_t kColumns = 80;
+
+/// Parts in lines of at most 80 columns, each line behind `indent`.
 std::string in_lines(std::span<const std::string> parts, std::string_view indent, std::string_view separator) {
-  constexpr std::size_t kLineLength = 100;
   std::string text;
   std::string line(indent);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::string item = parts[i] + (i + 1 < parts.size() ? std::string(separator) : "");
-    if (line.size() > indent.size() && line.size() + item.find_last_not_of(' ') + 1 > kLineLength) {
+    if (line.size() > indent.size() && line.size() + item.find_last_not_of(' ') + 1 > kColumns) {
       text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
       line = indent;
     }
@@ -71,7 +72,6 @@ std::string parameters_in_words(const CameraModel& model, std::string_view inden
 }
 
 std::string in_columns(std::string_view text, std::size_t used, std::size_t indent) {
-  constexpr std::size_t kColumns = 80;
   std::istringstream words{std::string(text)};
   std::string result;
   std::size_t column = used;

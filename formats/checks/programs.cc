@@ -113,7 +113,7 @@ class ProgramsCheck {
     report_.mode = mode;
     report_.proof = prove(program, document_.source().bytes, load_options(mode), rig_in_stated_unit(),
                           options_.max_angle_rad.value_or(std::numbers::pi));
-    if (report_.proof->loads) return;
+    if (report_.proof->loads || options_.program != nullptr) return;  // whoever asks for a program has that one
     for (const Readers::Program& other : report_.readers.programs) {
       if (other.loads && other.program != program.program) report_.proof->read_by.push_back(other.program);
     }

@@ -126,6 +126,7 @@ std::optional<Written> write_camera_txt(const text::Document* base, const std::o
     written.defaults.push_back({"rectification (line 3)", "crop", false});
     written.defaults.push_back({"size of DSO's images (line 4)", Message{Code::kCameraTxtSizeOfCamera}, false});
   }
+  written.sensor = kLensAlone;
   list_camera_losses(rig, "DSO", written.losses);
   const std::vector<ExtraField> there = edits ? old->extra_fields : std::vector<ExtraField>();
   add_beyond_base(rig.extra_fields, there, Message{Code::kCameraTxtNoPlace}, written.losses);

@@ -25,6 +25,8 @@ std::span<const CodeInfo> verdict_codes() {
                      "write it anew, with the keys that {0} reads"),
       warning(Code::kVerdictLost, "lost", "{0}"),
       warning(Code::kVerdictInvented, "invented-value", "{0:and}: no input states it, and it matters"),
+      warning(Code::kVerdictNoPose, "pose-missing", "nothing states how {0} and {1} sit to each other",
+              "give a file that states it, too"),
       reader_warning(Code::kVerdictNeedsVersion, "needs-version",
                      "{0} reads {2} since {1}; its readers before refuse the file"),
       clause(Code::kOlderVersionsRead, "for those the model {0}: {1:px} px rms off, worst {2:px}"),

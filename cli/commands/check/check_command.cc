@@ -139,7 +139,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     all.files.push_back(std::move(result));
     if (!for_people) continue;
     // A file that is no calibration has no result.
-    const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back());
+    const std::string text = (all.files.size() > 1 ? "\n" : "") + check_text(all.files.back(), arguments.verbose);
     all.files.back().report.is_calibration ? console.say(text, all.files.back().report.verdict.word) : console.say_aside(text);
   }
   if (all.files.empty()) {
@@ -189,6 +189,7 @@ void add_options(Options& options, CheckArguments& arguments) {
   options.flag("--write", "With --fix: write them into the file", arguments.write);
   options.group(OptionGroup::kOutput);
   add_json_option(options, arguments.json);
+  options.flag("-v,--verbose", "And what was looked at, and what cannot be decided", arguments.verbose);
   options.flag("--sarif", "SARIF 2.1.0 on standard output, for CI services", arguments.sarif);
   options.footer(
       "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"

@@ -22,6 +22,7 @@ struct CheckArguments {
   bool write = false;
   bool json = false;
   bool sarif = false;
+  bool verbose = false;
 };
 
 /// Everything that was checked.
@@ -32,7 +33,8 @@ struct CheckedFiles {
 
 void add_check_command(Application& application);
 
-[[nodiscard]] std::string check_text(const CheckResult& file);
+/// `in_detail`: and what was looked at, and what cannot be decided.
+[[nodiscard]] std::string check_text(const CheckResult& file, bool in_detail);
 /// One line for all, where there are several.
 [[nodiscard]] std::string check_summary(const CheckedFiles& checked);
 [[nodiscard]] std::string check_json(const CheckedFiles& checked, const Console& console);

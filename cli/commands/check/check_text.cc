@@ -42,12 +42,16 @@ std::string finding_text(const Finding& finding, const text::Source& source) {
   return text;
 }
 
-/// The reasons of a verdict that is worse than every finding.
+/// The reasons of the verdict that findings do not tell: distances in pixels, and where it is worse than every finding all.
 std::string reasons_text(const CheckReport& report) {
   const bool has_error = report.has(Severity::kError);
   const bool is_explained = has_error || (report.verdict.word != VerdictWord::kDoNotUse && report.has(Severity::kWarning));
-  if (is_explained) return "";
-  std::vector<SummaryLine> lines = lines_of(report.verdict);
+  Verdict rest = report.verdict;
+  std::erase_if(rest.reasons, [&](const Reason& reason) {
+    const auto tells_it = [&reason](const Finding& finding) { return id_of(finding) == id_of(reason); };
+    return (is_explained && !reason.distance) || std::ranges::any_of(report.findings, tells_it);
+  });
+  std::vector<SummaryLine> lines = lines_of(rest);
   std::erase_if(lines, [](const SummaryLine& line) { return line.about == kAnyway; });  // nothing is written here
   return summary_text(lines);
 }
@@ -63,7 +67,7 @@ std::string readers_line(const Readers& readers) {
 
 }  // namespace
 
-std::string check_text(const CheckResult& file) {
+std::string check_text(const CheckResult& file, bool in_detail) {
   const CheckReport& report = file.report;
   std::string text = text::printable(file.source.name) + ": " + std::string(in_words(report.verdict.word)) + "; ";
   text += report.format == nullptr ? ""
@@ -73,8 +77,12 @@ std::string check_text(const CheckResult& file) {
   text += reasons_text(report);
   for (const Finding& finding : report.findings) text += finding_text(finding, file.source);
   if (report.format == nullptr) return text;
-  if (file.instead) text += preview_text(*file.instead, "  ");
+  if (file.instead) text += preview_text(*file.instead);
   text += readers_line(report.readers);
+  if (!in_detail) {
+    if (!report.undecided.empty()) text += "  " + counted(report.undecided.size(), "question") + " left open: -v\n";
+    return text;
+  }
   if (!report.checked.empty()) text += paragraph("checked: " + enumerated(text::texts_of(report.checked, with_options)), "  ");
   for (const Undecided& undecided : report.undecided)
     text += paragraph("not decidable: " + question_of(undecided, with_options) + "; " + why_of(undecided, with_options), "  ");

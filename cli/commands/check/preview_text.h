@@ -7,7 +7,7 @@
 
 namespace fca::cli {
 
-/// What converting would give: cameras with what they cost in pixels, losses and defaults, each line behind `indent`.
-[[nodiscard]] std::string preview_text(const ConvertResult& outcome, const std::string& indent);
+/// What converting would give: its verdict, and what a user must act on.
+[[nodiscard]] std::string preview_text(const ConvertResult& outcome);
 
 }  // namespace fca::cli

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 
 /// Inputs that are converted together.
 struct Group {
+  std::string path;  ///< As it was found: a file, or the folder of a rig.
   std::string name;  ///< The first file; of a folder that is one rig the folder.
   std::vector<std::string> files;
   bool named = true;  ///< By the user; false: met in a folder or by a pattern.
@@ -40,7 +42,7 @@ std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const Convert
   std::vector<Group> groups;
   for (const FoundFile& file : inputs) {
     const bool join = arguments.request.inputs.join;
-    if (groups.empty() || !join) groups.push_back({name_of(file), {}, file.named, join});
+    if (groups.empty() || !join) groups.push_back({file.path, name_of(file), {}, file.named, join});
     Group& group = groups.back();
     const std::vector<std::string> files = rig_files_in(file.path);
     group.join = group.join || !files.empty();
@@ -48,6 +50,13 @@ std::vector<Group> groups_of(const std::vector<FoundFile>& inputs, const Convert
     if (files.empty()) group.files.push_back(file.path);
   }
   return groups;
+}
+
+/// The command that converts that group alone.
+TypedOptions command_for(const Group& group, const TypedOptions& typed) {
+  TypedOptions own = {{.name = "INPUT", .value = group.path, .positional = true}};
+  std::ranges::copy_if(typed, std::back_inserter(own), [](const TypedOption& option) { return !option.positional; });
+  return own;
 }
 
 bool holds_no_camera(const ConvertOutcome& outcome) {
@@ -75,11 +84,11 @@ std::string models(const ConvertOutcome& outcome) {
   return enumerated(said);
 }
 
-/// The largest of a figure over the cameras, of the fit or as the program sees them.
+/// The largest of a figure over the cameras, as the program sees them, else of the fit.
 std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure, double as_program_sees) {
   double most = as_program_sees;
   for (const ConvertedCamera& camera : outcome.cameras) {
-    if (camera.report && !camera.report->exact) most = std::max(most, camera.report->judgement.error.*figure);
+    if (as_program_sees == 0.0 && camera.report && !camera.report->exact) most = std::max(most, camera.report->judgement.error.*figure);
   }
   constexpr double kNothingPx = 1e-4;
   return most < kNothingPx ? "0" : pixels(most);
@@ -146,7 +155,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     each.request.inputs.files = groups[i].files;
     each.request.inputs.join = groups[i].join;
     CommandFiles files(console.streams());
-    jobs[i].outcome = convert_input(groups[i].name, each, typed, files);
+    jobs[i].outcome = convert_input(groups[i].name, each, groups.size() > 1 ? command_for(groups[i], typed) : typed, files);
     const Diagnostics& said = jobs[i].outcome->diagnostics;
     if (in_full ? !said.entries().empty() : said.has_errors()) jobs[i].sources = files.sources();
     if (groups.size() > 1 && !in_full) forget(*jobs[i].outcome);

@@ -90,16 +90,6 @@ ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector
   return result.inputs.size() == 1 ? result : arguments;
 }
 
-/// What is found but for what the verdict says.
-Diagnostics not_in_summary(const ConvertOutcome& outcome) {
-  Diagnostics rest;
-  for (const Diagnostic& entry : outcome.diagnostics.entries()) {
-    const auto says_it = [&entry](const Reason& reason) { return may_be_accepted(reason) && id_of(reason) == id_of(entry); };
-    if (std::ranges::none_of(outcome.verdict.reasons, says_it)) rest.add(entry);
-  }
-  return rest;
-}
-
 ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
@@ -135,15 +125,19 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
       const bool has_result = outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo;
       // That a file is not to be used is an error, also for those who want to see errors only.
       const bool is_wanted = !arguments.quiet || outcome.code != ExitCode::kGood;
-      if (has_result && in_full && is_wanted && !outcome.files.empty()) {
+      const bool has_summary = has_result && in_full && is_wanted && !outcome.files.empty();
+      if (has_summary) {
         const bool written = !arguments.dry_run;
         std::string report = convert_summary(outcome, written, !arguments.verbose);
         if (arguments.verbose) report += "\n" + convert_text(outcome, written);
         const VerdictWord word = outcome.verdict.word;
         (file_on_stdout && written) || arguments.quiet ? console.say_aside(report, word) : console.say(report, word);
       }
-      const bool shows_all = in_full && !arguments.quiet && (arguments.verbose || !has_result);
-      shows_all ? console.show(outcome.diagnostics) : console.show_errors(not_in_summary(outcome));
+      if (in_full && !arguments.quiet && (arguments.verbose || !has_result)) {
+        console.show(outcome.diagnostics);
+      } else if (!has_summary) {
+        console.show_errors(outcome.diagnostics);
+      }
       if (has_result) warn_of_unused(arguments.request.accepted, outcome.verdict, console);
     }
     code = worse(code, outcome.code);

@@ -24,6 +24,8 @@ struct ProofWords {
 /// The verdict and what a user must act on, in some ten lines (summary.cc). `with_tables`: and the errors over the angle of
 /// fits that are far off.
 [[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written, bool with_tables);
+/// The same without its first line, and no tables: "-v" has them.
+[[nodiscard]] std::string summary_lines(const ConvertResult& outcome, bool with_tables);
 /// The full report for people (convert_text.cc) and for scripts (convert_json.cc).
 [[nodiscard]] std::string convert_text(const ConvertOutcome& outcome, bool written);
 [[nodiscard]] std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console);

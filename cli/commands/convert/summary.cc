@@ -33,7 +33,7 @@ std::string first_line(const ConvertOutcome& outcome, bool written) {
   return wrapped_line(text + "; " + text::text_of(outcome.headline, with_options));
 }
 
-const CameraDistance* distance_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
+const CameraDistance* distance_of(const ConvertResult& outcome, const ConvertedCamera& camera) {
   for (const ProofResult& proof : outcome.proofs) {
     if (!proof.is_first) continue;
     const auto seen = std::ranges::find(proof.cameras, camera.source.name, &CameraProof::name);
@@ -52,13 +52,13 @@ std::string in_both_regions(const CameraDistance& distance) {
   return decisive + " inside the image's circle, " + pixels(distance.in_image.rms) + " px rms over all of it";
 }
 
-SummaryLine line_of(const ConvertOutcome& outcome, const ConvertedCamera& camera) {
+SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera) {
   const CameraDistance* distance = distance_of(outcome, camera);
   return {name_in_words(camera), camera_line(camera) + (distance != nullptr ? "; " + in_both_regions(*distance) : "")};
 }
 
 /// Parts of the image beyond the region that decides, of the camera that has most of them.
-void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+void add_limits(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   double most = 0.01;  // less is nothing to speak of
   std::string text;
   for (const ProofResult& proof : outcome.proofs) {
@@ -72,15 +72,19 @@ void add_limits(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) 
   if (!text.empty()) lines.push_back({"limit", text});
 }
 
-/// What the request does not allow: --strict, --max-error.
-void add_refusals(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+/// What the request does not allow (--strict, --max-error), and else speaks against writing.
+void add_refusals(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   for (const Diagnostic& entry : outcome.diagnostics.entries()) {
-    if (entry.severity == Severity::kError && outcome.status == Status::kRejected)
-      lines.push_back({"refused", text::text_of(entry.facts, with_options)});
+    if (entry.severity != Severity::kError) continue;
+    const auto says_it = [&entry](const Reason& reason) { return may_be_accepted(reason) && id_of(reason) == id_of(entry); };
+    if (std::ranges::any_of(outcome.verdict.reasons, says_it)) continue;
+    const std::string fix = fix_of(entry, with_options);
+    lines.push_back(
+        {"refused", message_of(entry, with_options) + (fix.empty() ? "" : "; fix: " + fix) + " [" + id_of(entry) + "]"});
   }
 }
 
-void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+void add_settings(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> settings;
   for (const DefaultedValue& value : outcome.defaults) {
     if (value.look_at_it && !value.invented) settings.push_back(text_of(value, with_options));
@@ -88,7 +92,7 @@ void add_settings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines
   if (!settings.empty()) lines.push_back({"set", enumerated(settings) + ": no input states it"});
 }
 
-void add_left_out(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+void add_left_out(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   std::vector<std::string> cameras;
   for (const Loss& loss : outcome.losses) {
     if (same_id(loss.kind, Code::kOrbslam3ThirdCameraDropped)) cameras.push_back(loss.owner);
@@ -96,7 +100,7 @@ void add_left_out(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras)});
 }
 
-void add_nearer_fit(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+void add_nearer_fit(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   for (const Reason& reason : outcome.verdict.reasons) {
     if (reason.remedy.code != Code::kFitInsideAngle) continue;
     lines.push_back({"better", text::text_of(reason.remedy, with_options)});
@@ -105,16 +109,15 @@ void add_nearer_fit(const ConvertOutcome& outcome, std::vector<SummaryLine>& lin
 }
 
 /// The options that write it so.
-std::string options_of(const OtherWriting& writing, const ConvertOutcome& outcome) {
-  const std::string layout = writing.layout.empty() ? std::string(outcome.to->layouts.front()) : writing.layout;
-  const std::string options = "--" + std::string(outcome.to->id) + "-layout " + layout;
+std::string options_of(const OtherWriting& writing, const ConvertResult& outcome) {
+  const std::string options = "--" + std::string(outcome.to->id) + "-layout " + writing.layout;
   const bool same_model = std::ranges::all_of(outcome.cameras, [&writing](const ConvertedCamera& camera) {
     return model_info(camera.target.model).id == writing.model;
   });
   return same_model ? options : options + " --model " + writing.model;
 }
 
-void add_other_writings(const ConvertOutcome& outcome, std::vector<SummaryLine>& lines) {
+void add_other_writings(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   if (outcome.others.empty()) return;
   const auto distance = [](double rms_px, double max_px) {
     constexpr double kNothingPx = 0.001;
@@ -137,7 +140,7 @@ Verdict decisive(const Verdict& verdict) {
 }
 
 /// What is left for -v.
-std::size_t details(const ConvertOutcome& outcome) {
+std::size_t details(const ConvertResult& outcome) {
   const auto not_to_set = std::ranges::count(outcome.defaults, false, &DefaultedValue::look_at_it);
   const auto& entries = outcome.diagnostics.entries();
   const auto not_errors =
@@ -146,7 +149,7 @@ std::size_t details(const ConvertOutcome& outcome) {
 }
 
 /// The errors over the angle of the worst fit, where that is far off somewhere.
-std::string table_text(const ConvertOutcome& outcome) {
+std::string table_text(const ConvertResult& outcome) {
   double worst_px = 1.0;
   std::string text;
   for (const ConvertedCamera& camera : outcome.cameras) {
@@ -161,6 +164,10 @@ std::string table_text(const ConvertOutcome& outcome) {
 }  // namespace
 
 std::string convert_summary(const ConvertOutcome& outcome, bool written, bool with_tables) {
+  return first_line(outcome, written) + summary_lines(outcome, with_tables);
+}
+
+std::string summary_lines(const ConvertResult& outcome, bool with_tables) {
   std::vector<SummaryLine> lines;
   for (const ConvertedCamera& camera : outcome.cameras) lines.push_back(line_of(outcome, camera));
   const Verdict verdict = with_tables ? decisive(outcome.verdict) : outcome.verdict;
@@ -171,7 +178,7 @@ std::string convert_summary(const ConvertOutcome& outcome, bool written, bool wi
   add_nearer_fit(outcome, lines);
   add_left_out(outcome, lines);
   add_settings(outcome, lines);
-  std::string text = first_line(outcome, written) + summary_text(lines);
+  std::string text = summary_text(lines);
   if (with_tables) text += table_text(outcome);
   const std::size_t count = details(outcome) + (outcome.verdict.reasons.size() - verdict.reasons.size());
   if (count > 0 && with_tables) text += "  " + counted(count, "detail") + ": -v\n";

@@ -87,8 +87,9 @@ ExitCode list_formats(const ListArguments& arguments, Console& console) {
   for (const Format& format : all_formats()) {
     console.out(padded(format.id, 12) + std::string(format.title) + " (" + std::string(format.syntaxes) + ")\n");
     for (const StoredModel& row : format.models) {
-      console.out("  " + padded(row.model, 10) + padded("as " + std::string(row.file_name), 34) + "read by " +
-                  std::string(row.read_by) + (row.stock ? "" : "; only with --model") + "\n");
+      const std::string head = "  " + padded(row.model, 10) + padded("as " + std::string(row.file_name), 31);
+      const std::string readers = "read by " + std::string(row.read_by) + (row.stock ? "" : "; only with --model");
+      console.out(head + in_columns(readers, head.size(), head.size()) + "\n");
     }
   }
   return ExitCode::kGood;

@@ -2,6 +2,7 @@
 #include "shell/option_hints.h"
 #include "shell/pose_words.h"
 #include "shell/program_words.h"
+#include "shell/verdict_text.h"
 #include "shell/words.h"
 #include "show_command.h"
 
@@ -140,6 +141,14 @@ std::string parts_in_words(const Rig& rig) {
   return rig.imus.empty() ? ", a pose without cameras" : ", an IMU without cameras";
 }
 
+/// "ready, for Kalibr; ": in the mode that fits it best.
+std::string verdict_in_words(const ShownFile& shown) {
+  if (!shown.asked) return "";
+  VerdictWord word = VerdictWord::kDoNotUse;
+  for (const ProgramReading::Mode& mode : shown.asked->modes) word = std::min(word, mode.verdict.word);
+  return std::string(cli::in_words(word)) + ", for " + std::string(shown.asked->program->program) + "; ";
+}
+
 /// A file whose four coefficients may be those of two lenses: its cameras as either.
 std::string readings_text(const ShownFile& shown) {
   std::string text = text::printable(shown.file) + ": " + std::string(shown.readings.front().calibration.format->title) +
@@ -157,8 +166,10 @@ std::string readings_text(const ShownFile& shown) {
 std::string show_text(const ShownFile& shown) {
   if (!shown.readings.empty()) return readings_text(shown);
   const Calibration& calibration = *shown.calibration;
-  std::string text = text::printable(shown.file) + ": " + std::string(calibration.format->title) +
+  std::string text = text::printable(shown.file) + ": " + verdict_in_words(shown) + std::string(calibration.format->title) +
                      parts_in_words(calibration.rig) + " (" + text::text_of(calibration.why, with_options) + ")\n";
+  constexpr double kWholeSphere = 180.0;
+  if (shown.asked) text += program_reading_text(*shown.asked, calibration, shown.file, shown.limit_deg < kWholeSphere);
   for (const Camera& camera : calibration.rig.cameras)
     text += camera_text(camera, calibration.rig.extra_fields, shown.limit_deg);
   for (const Imu& imu : calibration.rig.imus) text += imu_text(imu);
@@ -170,10 +181,7 @@ std::string show_text(const ShownFile& shown) {
     if (std::find(calibration.rig.poses.begin(), edge, *edge) == edge) text += pose_text(*edge, calibration);
   }
   text += others_text(calibration.rig);
-  text += readers_text(shown.readers);
-  constexpr double kWholeSphere = 180.0;
-  if (shown.asked) text += program_reading_text(*shown.asked, calibration, shown.file, shown.limit_deg < kWholeSphere);
-  return text;
+  return text + readers_text(shown.readers);
 }
 
 }  // namespace fca::cli

@@ -3,6 +3,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/read_document.h>
+#include <fca/formats/verdict.h>
 #include <fca/formats/wording.h>
 #include <fca/toolkit/check.h>
 #include <fca/toolkit/programs.h>
@@ -32,6 +33,22 @@ bool is_for_another_format(const CheckReport& report) {
                              [](const Finding& finding) { return finding.facts.code == Code::kProgramOtherFormat; });
 }
 
+/// The writing of the same format that its program understands better; nothing if there is none.
+std::optional<ConvertResult> better_writing(const CheckResult& checked, const CheckRequest& request, Files& files) {
+  const CheckReport& report = checked.report;
+  if (!report.proof || !report.proof->loads || report.format->layouts.empty() || checked.source.name == text::kStandardInput)
+    return std::nullopt;
+  const auto is_off = [](const CameraProof& camera) {
+    return camera.misread && word_of(camera.distance.decisive()) != VerdictWord::kReady;
+  };
+  if (std::ranges::none_of(report.proof->cameras, is_off)) return std::nullopt;
+  const auto all = consumers::all_consumers();
+  const auto program = std::ranges::find(all, report.proof->program, &consumers::Consumer::program);
+  if (program == all.end()) return std::nullopt;
+  ConvertResult other = preview_conversion(checked.source.name, request.inputs, *program, files);
+  return other.verdict.word < report.verdict.word ? std::optional(std::move(other)) : std::nullopt;
+}
+
 }  // namespace
 
 CheckResult check(const CheckRequest& request, const text::Source& source, Files& files) {
@@ -40,6 +57,7 @@ CheckResult check(const CheckRequest& request, const text::Source& source, Files
     result.report = check_file(source, options_for(request, false));
   if (request.program != nullptr && source.name != text::kStandardInput && is_for_another_format(result.report))
     result.instead = preview_conversion(source.name, request.inputs, *request.program, files);
+  if (request.program == nullptr) result.instead = better_writing(result, request, files);
   return result;
 }
 

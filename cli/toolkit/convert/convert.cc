@@ -51,9 +51,9 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.defaults = result.defaults;
   facts.findings = findings;
   facts.rig = &start.input.rig;
-  std::vector<std::string> written;
-  for (const ConvertedFile& file : result.files) written.insert(written.end(), file.cameras.begin(), file.cameras.end());
-  facts.cameras = written;
+  std::vector<std::vector<std::string>> files;
+  for (const ConvertedFile& file : result.files) files.push_back(file.cameras);
+  facts.files = files;
   facts.accepted = request.accepted;
   Verdict verdict = decide(facts);
   // What is refused as it was before the edit has its fix with that diagnostic.

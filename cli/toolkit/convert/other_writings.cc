@@ -61,6 +61,7 @@ double largest(const ConvertResult& result, double PixelDistance::*figure) {
 
 OtherWriting named(const ConvertResult& result, std::string layout) {
   const std::string_view model = result.cameras.empty() ? "" : model_info(result.cameras.front().target.model).id;
+  if (layout.empty() && !result.to->layouts.empty()) layout = result.to->layouts.front();
   return {std::move(layout), std::string(model), worst_rms_px(result), worst_max_px(result)};
 }
 

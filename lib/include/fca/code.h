@@ -78,6 +78,7 @@ enum class Code : std::uint16_t {
   kVerdictNoReader,
   kVerdictLost,
   kVerdictInvented,
+  kVerdictNoPose,
   kVerdictNeedsVersion,
   kOlderVersionsRead,
   kFitInsideAngle,

@@ -26,6 +26,9 @@ struct ReadOptions {
   std::optional<double> imu_rate_hz = {};    ///< Of the IMU, where a file does not state it.
 };
 
+/// Written::sensor of a file for a program of lenses in a format of rigs (DSO's camera.txt): it uses no pose and no IMU.
+inline constexpr std::string_view kLensAlone = "lens-alone";
+
 /// A way in which a format stores a camera model, and who reads it.
 struct StoredModel {
   std::string_view model;                  ///< Our id.
@@ -112,7 +115,7 @@ struct Written {
   };
   std::vector<File> files;
   Message headline;          ///< First line for people: mode, who reads it, who does not.
-  std::string sensor;        ///< orbslam3: the mode written for.
+  std::string sensor;        ///< orbslam3: the mode written for; or kLensAlone.
   std::string opencv_model;  ///< opencv: what a reader must be told ("fisheye") where the file does not say it; else empty.
   Message first_is_left;     ///< Why the first of two cameras is to be the left one, for people; none: nothing asks for it.
   Message pose_remedy;       ///< What to do about poses that the files do not say; may be none.

@@ -41,9 +41,9 @@ struct CameraDistance {
 
 /// `camera`: as it was calibrated; of a known image size. `written`: the same camera in the model of the file. `reader`: what
 /// the program holds of it. Rays further than `max_angle_rad` from the axis, or outside the camera's image circle, are not
-/// asked for.
+/// asked for. `has_gaps`: it is known that the program has no right ray for a part of the image.
 [[nodiscard]] CameraDistance distance_of(const Camera& camera, const CameraModel& written,
-                                         const consumers::ConsumerCamera& reader, double max_angle_rad);
+                                         const consumers::ConsumerCamera& reader, double max_angle_rad, bool has_gaps = false);
 
 /// How far from the axis, in whole degrees, the camera sees in the largest circle about the middle of its image: the smallest
 /// angle that holds all of it. Nothing where the image size is unknown, or the model ends inside the circle.

@@ -25,8 +25,9 @@ struct VerdictFacts {
   std::span<const Loss> losses = {};
   std::span<const DefaultedValue> defaults = {};
   std::span<const Finding> findings = {};     ///< About the meaning of what the file states (findings_about_meaning).
-  const Rig* rig = nullptr;                   ///< As read, for its contradictions.
-  std::span<const std::string> cameras = {};  ///< Of the rig, that the files hold; empty: all.
+  const Rig* rig = nullptr;                ///< As read, for its contradictions.
+  /// Of each written file the cameras of the rig that it holds; empty: one file holds all.
+  std::span<const std::vector<std::string>> files = {};
   std::span<const Acceptance> accepted = {};
 };
 

@@ -22,7 +22,8 @@ struct CheckRequest {
 struct CheckResult {
   text::Source source;
   CheckReport report;
-  std::optional<ConvertResult> instead;  ///< What converting it gives, for a program that does not read its format.
+  /// What converting it gives: for a program that does not read its format, or where its own understands that better.
+  std::optional<ConvertResult> instead;
 };
 
 /// Checks one file. Files that it names as parts of it (CheckReport::parts) are checked by requests of their own.
