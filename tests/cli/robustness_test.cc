@@ -16,7 +16,8 @@
 namespace fca::test {
 namespace {
 
-constexpr double kLimitSeconds = 5.0;
+/// A report on the 80 cameras of one file takes 5 s on a slow machine.
+constexpr double kLimitSeconds = 30.0;
 
 const std::vector<std::vector<std::string>> kCommands = {{"show"},
                                                          {"show", "--json"},
