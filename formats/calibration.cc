@@ -98,11 +98,12 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
   bool good = true;
   const SourceRange where = {document.source().name, 0, 0};
   for (const Camera& camera : part.cameras) {
-    if (rig.find_camera(camera.name) != nullptr) {
+    const Camera* there = rig.find_camera(camera.name);
+    if (there == nullptr) {
+      rig.cameras.push_back(camera);
+    } else if (there->model != camera.model || camera.image_size) {  // COLMAP's rig_config.json says the lenses again
       diagnostics.add(Code::kCameraInMainFile, {camera.name}, where);
       good = false;
-    } else {
-      rig.cameras.push_back(camera);
     }
   }
   for (const Imu& imu : part.imus) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "colmap.h"
 #include "lines.h"
+#include "rig_config.h"
 
 #include "../fields.h"
 #include "../kalibr/demands.h"
@@ -23,6 +24,7 @@ using text::Node;
 namespace {
 
 constexpr std::string_view kId = "CAMERA_ID";
+constexpr std::string_view kCamerasFile = "cameras.txt";
 constexpr std::string_view kReadBy = "COLMAP (rays inside 90 deg)";
 
 constexpr std::array kModels = {
@@ -45,6 +47,7 @@ bool is_header(const Node& line) {
 }
 
 ProbeResult probe(const text::Document& document) {
+  if (document.syntax() == text::Syntax::kJson) return probe_rig_config(document);
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<const Node*> lines = camera_lines(document);
   if (!lines.empty() && lines.front()->items.size() > kFirstParameter) {
@@ -85,7 +88,7 @@ class CamerasReader {
     Camera camera;
     camera.name = "cam" + std::to_string(rig.cameras.size());
     const std::optional<int> id = read_id(words[0]);
-    const Model* model = read_model(words[1]);
+    const Model* model = read_model(words[1], reader_);
     camera.image_size = reader_.image_size(words[2], words[3], "image ");
     if (!id || model == nullptr || !camera.image_size || !read_parameters(line, *model, camera)) return false;
     if (*id != static_cast<int>(rig.cameras.size()) + 1)
@@ -104,19 +107,6 @@ class CamerasReader {
     return id;
   }
 
-  const Model* read_model(const Node& word) {
-    const Model* model = find_model(word.value);
-    if (model == nullptr) {
-      const std::vector<std::string> all = read_names();
-      const std::vector<std::string> alike = text::nearest(word.value, all);
-      reader_.say(word, Code::kColmapUnknownModel, {word.value.substr(0, 40), alike.empty() ? all : alike});
-    } else if (model->model.empty()) {
-      reader_.say(word, Code::kColmapModelNotRead, {word.value, Message{model->why_not}});
-      return nullptr;
-    }
-    return model;
-  }
-
   bool read_parameters(const Node& line, const Model& model, Camera& camera) {
     const std::span<const Node> words = std::span(line.items).subspan(kFirstParameter);
     const auto is_number = [](const Node& word) { return text::parse_real(word.value).has_value(); };
@@ -131,23 +121,7 @@ class CamerasReader {
       return false;
     }
     if (count < words.size()) reader_.say(words[count], Code::kColmapAfterParameters, {words[count].value.substr(0, 40)});
-    // A lens of angle 0 bends nothing.
-    const bool straight = model.model == "fov" && text::parse_real(words.back().value) == 0.0;
-    camera.model = *make_model(straight ? "pinhole" : model.model);
-    bool good = true;
-    for (std::size_t i = 0; i < count - (straight ? 1 : 0); ++i) good = read_parameter(words[i], model, i, camera) && good;
-    return good;
-  }
-
-  bool read_parameter(const Node& word, const Model& model, std::size_t index, Camera& camera) {
-    bool good = true;
-    for (const ParameterId id : set_by(model, index)) {
-      const std::optional<double> value = reader_.real(word, id.name());
-      if (!value) return false;
-      const bool centre = id == ParameterId("cx") || id == ParameterId("cy");
-      good = good && reader_.parameter(word, camera.name, id, centre ? from_file(*value) : *value, camera.model);
-    }
-    return good;
+    return read_lens(words.first(count), model, camera, reader_);
   }
 
   /// COLMAP 3.8 takes what stands between two blanks for a word, even nothing. Said once.
@@ -168,9 +142,10 @@ class CamerasReader {
   std::set<int> ids_;
 };
 
-std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& /*options*/, Diagnostics& diagnostics) {
-  if (documents.size() == 1 && documents.front().syntax() == text::Syntax::kWords)
-    return CamerasReader(documents.front(), diagnostics).run();
+std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
+  const text::Syntax syntax = documents.front().syntax();
+  if (syntax == text::Syntax::kWords) return CamerasReader(documents.front(), diagnostics).run();
+  if (syntax == text::Syntax::kJson) return read_rig_config(documents.front(), options, diagnostics);
   diagnostics.add(Code::kColmapWrongSyntax, {}, {documents.front().source().name, 0, 0});
   return std::nullopt;
 }
@@ -237,27 +212,44 @@ void edit_line(text::Document& document, const Node& line, const Camera& old, co
   }
 }
 
+/// The base, of the same cameras, with what the rig says otherwise.
+text::Document edited(const text::Document& base, const Rig& old, const Rig& rig) {
+  if (base.syntax() == text::Syntax::kJson) return edited_rig_config(base, old, rig);
+  text::Document document = base;
+  const std::vector<const Node*> lines = camera_lines(base);
+  for (std::size_t i = 0; i < lines.size(); ++i) edit_line(document, *lines[i], old.cameras[i], rig.cameras[i]);
+  return document;
+}
+
+/// How the cameras sit to each other, in a file beside cameras.txt.
+void add_rig_config(const Rig& rig, Written& written, Diagnostics& diagnostics) {
+  const std::optional<std::string> bytes = composed_rig_config(rig);
+  std::optional<text::Document> document =
+      bytes ? text::parse_document({"rig_config.json", *bytes}, diagnostics) : std::nullopt;
+  if (!document) return;
+  written.files.push_back({*std::move(document), {}, {"colmap-rig"}});
+  for (Written::File& file : written.files) file.place = file.document.source().name;
+  written.headline = {Code::kColmapBothHeadline};
+}
+
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  if (!writable_alone(kFormat, rig, Message{Code::kColmapDemandsSize}, diagnostics)) return std::nullopt;
   Diagnostics ignored;
   const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool edits = old && !options.anew && schema::same_cameras(*old, rig);
+  const bool edits = old && !old->cameras.empty() && !options.anew && schema::same_cameras(*old, rig);
+  if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
+            : !writable_alone(kFormat, rig, Message{Code::kColmapDemandsSize}, diagnostics))
+    return std::nullopt;
   const std::vector<int> ids = camera_ids(rig);
   std::optional<text::Document> document =
-      edits ? *base : text::parse_document({"cameras.txt", composed(rig, ids)}, diagnostics);
+      edits ? edited(*base, *old, rig) : text::parse_document({std::string(kCamerasFile), composed(rig, ids)}, diagnostics);
   if (!document) return std::nullopt;
   Written written;
-  std::vector<ExtraField> said;
-  if (edits) {
-    const std::vector<const Node*> lines = camera_lines(*base);
-    for (std::size_t i = 0; i < lines.size(); ++i) edit_line(*document, *lines[i], old->cameras[i], rig.cameras[i]);
-    said = old->extra_fields;
-  } else {
-    for (std::size_t i = 0; i < ids.size(); ++i)
-      said.push_back({rig.cameras[i].name, std::string(kId), std::to_string(ids[i])});
-  }
-  written.files.push_back({*std::move(document), {}, {"colmap"}});
+  const bool is_rig_config = document->syntax() == text::Syntax::kJson;
+  std::vector<ExtraField> said = edits ? old->extra_fields : std::vector<ExtraField>();
+  for (std::size_t i = 0; !edits && i < ids.size(); ++i)
+    said.push_back({rig.cameras[i].name, std::string(kId), std::to_string(ids[i])});
+  written.files.push_back({*std::move(document), {}, {is_rig_config ? "colmap-rig" : "colmap"}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   add_beyond_base(rig.extra_fields, said, Message{Code::kColmapNoPlace}, written.losses);
   if (old && !edits) {
@@ -265,7 +257,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                     written.losses);
   }
   list_camera_losses(rig, "COLMAP", written.losses);
-  written.headline = {Code::kColmapHeadline};
+  written.headline = {is_rig_config ? Code::kColmapRigHeadline : Code::kColmapHeadline};
+  if (!edits) add_rig_config(rig, written, diagnostics);
   return written;
 }
 
@@ -273,14 +266,14 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
 
 const Format kFormat = {
     .id = "colmap",
-    .title = "COLMAP cameras.txt",
-    .syntaxes = "text",
+    .title = "COLMAP cameras.txt, rig_config.json",
+    .syntaxes = "text, JSON",
     .extension = ".txt",
     .program = "COLMAP",
-    .main_file = "cameras.txt",
+    .main_file = kCamerasFile,
     .reader_warns = true,
     .many_cameras = true,
-    .extrinsics = false,
+    .extrinsics = true,
     .imu = false,
     .image_size = true,
     .own_facts = kOwnFacts,

@@ -3,6 +3,9 @@
 
 #include "../text/words.h"
 
+#include <fca/formats/text/numbers.h>
+#include <fca/formats/text/prose.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -99,6 +102,35 @@ std::optional<std::vector<double>> parameters_in(const Model& model, const Camer
     if (std::ranges::find(there, id) == there.end() && parameter(camera.model, id) != 0.0) return std::nullopt;
   }
   return values;
+}
+
+const Model* read_model(const text::Node& word, fields::Reader& reader) {
+  const Model* model = find_model(word.value);
+  if (model == nullptr) {
+    const std::vector<std::string> all = read_names();
+    const std::vector<std::string> alike = text::nearest(word.value, all);
+    reader.say(word, Code::kColmapUnknownModel, {word.value.substr(0, 40), alike.empty() ? all : alike});
+  } else if (model->model.empty()) {
+    reader.say(word, Code::kColmapModelNotRead, {word.value, Message{model->why_not}});
+    return nullptr;
+  }
+  return model;
+}
+
+bool read_lens(std::span<const text::Node> numbers, const Model& model, Camera& camera, fields::Reader& reader) {
+  // A lens of angle 0 bends nothing.
+  const bool straight = model.model == "fov" && text::parse_real(numbers.back().value) == 0.0;
+  camera.model = *make_model(straight ? "pinhole" : model.model);
+  bool good = true;
+  for (std::size_t i = 0; i < numbers.size() - (straight ? 1 : 0); ++i) {
+    for (const ParameterId id : set_by(model, i)) {
+      const std::optional<double> value = reader.real(numbers[i], id.name());
+      if (!value) return false;
+      const bool centre = id == ParameterId("cx") || id == ParameterId("cy");
+      good = good && reader.parameter(numbers[i], camera.name, id, centre ? from_file(*value) : *value, camera.model);
+    }
+  }
+  return good;
 }
 
 double from_file(double pixel) { return pixel - 0.5; }

@@ -2,6 +2,8 @@
 // The lines of a cameras.txt and the camera models that they name.
 #pragma once
 
+#include "../fields.h"
+
 #include <fca/code.h>
 #include <fca/formats/text/document.h>
 #include <fca/rig/rig.h>
@@ -40,6 +42,11 @@ struct Model {
 
 /// Our parameters that the model's number `index` sets.
 [[nodiscard]] std::vector<ParameterId> set_by(const Model& model, std::size_t index);
+
+/// The model that the word names. Null, with an error there, if COLMAP has none or fca-io does not read it.
+[[nodiscard]] const Model* read_model(const text::Node& word, fields::Reader& reader);
+/// Sets the camera's lens from as many numbers as the model has. False with errors at those that cannot be.
+[[nodiscard]] bool read_lens(std::span<const text::Node> numbers, const Model& model, Camera& camera, fields::Reader& reader);
 
 /// From a pixel of COLMAP's to ours, and back: the number that is read as exactly that pixel where there is one.
 [[nodiscard]] double from_file(double pixel);

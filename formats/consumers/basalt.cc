@@ -18,6 +18,7 @@
 #include "about_key.h"
 #include "fca/code.h"
 #include "programs.h"
+#include "quaternion_pose.h"
 
 namespace fca::consumers {
 namespace {
@@ -265,22 +266,14 @@ class Calibration {
 
   /// Eigen's Quaternion::toRotationMatrix, which takes its length for 1: cereal writes past Sophus' normalising constructor.
   void add_pose(const std::array<double, 7>& p, rapidjson::SizeType index) {
-    const double tx = 2.0 * p[3];
-    const double ty = 2.0 * p[4];
-    const double tz = 2.0 * p[5];
-    const double w = p[6];
-    const double length = std::sqrt(p[3] * p[3] + p[4] * p[4] + p[5] * p[5] + w * w);
+    const double length = std::sqrt(p[3] * p[3] + p[4] * p[4] + p[5] * p[5] + p[6] * p[6]);
     constexpr double kPrinted = 1e-6;
     if (!(std::abs(length - 1.0) <= kPrinted)) {
       const std::string name = "T_imu_cam/" + std::to_string(index);
       view_.warnings.emplace_back(Code::kBasaltSaysQuaternionLength, name, std::vector<Argument>{name});
     }
-    view_.poses.push_back({"imu0",
-                           "cam" + std::to_string(index),
-                           {1.0 - (ty * p[4] + tz * p[5]), tx * p[4] - tz * w, tx * p[5] + ty * w, p[0],  //
-                            tx * p[4] + tz * w, 1.0 - (tx * p[3] + tz * p[5]), ty * p[5] - tx * w, p[1],  //
-                            tx * p[5] - ty * w, ty * p[5] + tx * w, 1.0 - (tx * p[3] + ty * p[4]), p[2],  //
-                            0.0, 0.0, 0.0, 1.0}});
+    view_.poses.push_back(
+        {"imu0", "cam" + std::to_string(index), pose_as_if_unit(p[6], {p[3], p[4], p[5]}, {p[0], p[1], p[2]})});
   }
 
   void read_cameras(const Json& value) {

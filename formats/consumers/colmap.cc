@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// COLMAP: cameras.txt of a model folder. From colmap/colmap@5d968cf (4.2.0.dev0, 2026-08-08), src/colmap/scene/
-// reconstruction_io_text.cc (ReadCamerasText) and sensor/models.h (ImgFromCam with check_cheirality of each model). Version 3.8
-// splits at single blanks and knows the models up to THIN_PRISM_FISHEYE. The centre of COLMAP's first pixel is (0.5, 0.5).
+// COLMAP: cameras.txt of a model folder, and rig_config.json for its rig_configurator. From colmap/colmap@5d968cf (4.2.0.dev0,
+// 2026-08-08), src/colmap/scene/ reconstruction_io_text.cc (ReadCamerasText), scene/rig.cc (ReadRigConfig) and sensor/models.h
+// (ImgFromCam with check_cheirality of each model). Version 3.8 splits at single blanks and knows the models up to
+// THIN_PRISM_FISHEYE. The centre of COLMAP's first pixel is (0.5, 0.5).
+#include <rapidjson/document.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +20,7 @@
 
 #include "fca/code.h"
 #include "programs.h"
+#include "quaternion_pose.h"
 
 namespace fca::consumers {
 namespace {
@@ -146,6 +150,17 @@ std::optional<Pixel> img_from_cam(const ColmapCamera& camera, const Ray& ray) {
   return Pixel{p[0] * point[0] + p[focal] - kCentre, p[focal - 1] * point[1] + p[focal + 1] - kCentre};
 }
 
+/// A camera with that lens, as it projects.
+ConsumerCamera seen_camera(std::string name, const ColmapCamera& camera) {
+  ConsumerCamera seen;
+  seen.name = std::move(name);
+  seen.model = camera.model->name;
+  if (seen.model == "FOV")
+    seen.approximation_px = std::max(camera.params[0], camera.params[1]) * fov_series_error(camera.params[4]);
+  seen.project = [camera](const Ray& ray) { return img_from_cam(camera, ray); };
+  return seen;
+}
+
 class Reader {
  public:
   explicit Reader(ConsumerView& view) : view_(view) {}
@@ -188,20 +203,108 @@ class Reader {
     if (!ids_.insert(id).second) return refuse(Code::kColmapSaysIdTwice, {number, id});
     if (!model->since.empty() && told_.insert(model->name).second)
       view_.warnings.emplace_back(Code::kColmapSaysNewModel, "", std::vector<Argument>{model->name, model->since});
-    ConsumerCamera seen;
-    seen.name = "cam" + std::to_string(view_.cameras.size());
+    ConsumerCamera seen = seen_camera("cam" + std::to_string(view_.cameras.size()), camera);
     seen.width = static_cast<int>(width);
     seen.height = static_cast<int>(height);
-    seen.model = name;
-    if (name == "FOV")
-      seen.approximation_px = std::max(camera.params[0], camera.params[1]) * fov_series_error(camera.params[4]);
-    seen.project = [camera](const Ray& ray) { return img_from_cam(camera, ray); };
     view_.cameras.push_back(std::move(seen));
   }
 
   ConsumerView& view_;
   std::set<std::uint32_t> ids_;
   std::set<std::string_view> told_;
+};
+
+/// ReadRigConfig through boost::property_tree: keys in any order, further ones ignored.
+class RigConfig {
+ public:
+  explicit RigConfig(ConsumerView& view) : view_(view) {}
+
+  void run(std::string_view bytes) {
+    rapidjson::Document document;
+    document.Parse<rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag>(bytes.data(), bytes.size());
+    if (document.HasParseError() || !document.IsArray()) return refuse(Code::kColmapSaysNoRig);
+    for (const Json& rig : document.GetArray()) {
+      const Json* cameras = rig.IsObject() ? member(rig, "cameras") : nullptr;
+      if (cameras == nullptr || !cameras->IsArray()) return refuse(Code::kColmapSaysNoRig);
+      read_rig(*cameras);
+    }
+  }
+
+ private:
+  using Json = rapidjson::Value;
+
+  static const Json* member(const Json& object, const char* key) {
+    const auto found = object.FindMember(key);
+    return found == object.MemberEnd() ? nullptr : &found->value;
+  }
+
+  static Numbers numbers_in(const Json* list) {
+    Numbers numbers;
+    if (list == nullptr || !list->IsArray()) return numbers;
+    for (const Json& item : list->GetArray()) {
+      if (item.IsNumber()) numbers.push_back(item.GetDouble());
+    }
+    return numbers;
+  }
+
+  /// "cam0" of the prefix "rig/cam0/"
+  static std::string name_of(std::string prefix) {
+    while (prefix.ends_with('/')) prefix.pop_back();
+    return prefix.substr(prefix.rfind('/') + 1);
+  }
+
+  void refuse(Code code, std::vector<Argument> arguments = {}) {
+    view_.refusals.emplace_back(code, "", std::move(arguments));
+    view_.cameras.clear();
+    view_.poses.clear();
+  }
+
+  /// The values under two keys that count together; nulls, with a warning where one alone is there.
+  std::array<const Json*, 2> both(const Json& camera, const char* first, const char* second) {
+    const std::array<const Json*, 2> found = {member(camera, first), member(camera, second)};
+    if (found[0] != nullptr && found[1] != nullptr) return found;
+    if (found[0] != found[1]) {
+      const std::vector<Argument> which =
+          found[0] != nullptr ? std::vector<Argument>{first, second} : std::vector<Argument>{second, first};
+      view_.warnings.emplace_back(Code::kColmapSaysHalf, "", which);
+    }
+    return {nullptr, nullptr};
+  }
+
+  void read_rig(const Json& cameras) {
+    std::size_t references = 0;
+    std::string reference;
+    for (const Json& camera : cameras.GetArray()) {
+      const Json* prefix = camera.IsObject() ? member(camera, "image_prefix") : nullptr;
+      if (prefix == nullptr || !prefix->IsString()) return refuse(Code::kColmapSaysNoPrefix);
+      const Json* is_reference = member(camera, "ref_sensor");
+      if (is_reference == nullptr || !is_reference->IsBool() || !is_reference->GetBool()) continue;
+      ++references;
+      reference = name_of(prefix->GetString());
+    }
+    if (references != 1) return refuse(Code::kColmapSaysReferences, {references});
+    for (const Json& camera : cameras.GetArray()) {
+      const std::string name = name_of(member(camera, "image_prefix")->GetString());
+      const auto [rotation, translation] = both(camera, "cam_from_rig_rotation", "cam_from_rig_translation");
+      const Numbers q = numbers_in(rotation);
+      const Numbers t = numbers_in(translation);
+      if (rotation != nullptr && name == reference) return refuse(Code::kColmapSaysReferencePose);
+      if (q.size() == 4 && t.size() == 3)
+        view_.poses.push_back({name, reference, pose_as_if_unit(q[0], {q[1], q[2], q[3]}, {t[0], t[1], t[2]})});
+      read_lens(camera, name);
+    }
+  }
+
+  void read_lens(const Json& camera, const std::string& name) {
+    const auto [model_name, params] = both(camera, "camera_model_name", "camera_params");
+    if (model_name == nullptr || !model_name->IsString()) return;
+    const auto model = std::ranges::find(kRows, std::string_view(model_name->GetString()), &ModelRow::name);
+    if (model == kRows.end()) return refuse(Code::kColmapSaysUnknownModel, {0, model_name->GetString()});
+    const ColmapCamera lens{&*model, numbers_in(params)};
+    if (lens.params.size() == model->focal_lengths + 2 + model->coefficients) view_.cameras.push_back(seen_camera(name, lens));
+  }
+
+  ConsumerView& view_;
 };
 
 }  // namespace
@@ -212,7 +315,12 @@ ConsumerView load_colmap(std::string_view bytes, const LoadOptions& /*options*/)
     view.refusals.emplace_back(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge, "");
     return view;
   }
-  Reader(view).run(bytes);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && bytes[first] == '[') {
+    RigConfig(view).run(bytes);
+  } else {
+    Reader(view).run(bytes);
+  }
   return view;
 }
 

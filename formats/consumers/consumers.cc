@@ -136,6 +136,12 @@ constexpr std::array kConsumers{
              .cameras = false,
              .prepare = &prepare_storage_programs},
     Consumer{"colmap", "COLMAP", "colmap", kDoublePrecisionPx, &in_own_locale<&load_colmap>},
+    Consumer{.id = "colmap-rig",
+             .program = "COLMAP (rig_config.json)",
+             .format = "colmap",
+             .tolerance_px = kDoublePrecisionPx,
+             .load = &in_own_locale<&load_colmap>,
+             .cameras = false},
 };
 
 }  // namespace

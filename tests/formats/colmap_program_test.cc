@@ -92,6 +92,7 @@ std::string fresh(const Rig& rig) {
 TEST(ColmapProgram, SeesOurPixels) {
   if (!is_there()) GTEST_SKIP() << "no colmap on the PATH";
   for (const fs::path& path : files_in(testdata_dir() / "colmap" / "good")) {
+    if (path.extension() != ".txt") continue;
     const std::string bytes = read_file(path);
     // 3.8 knows neither.
     if (bytes.find("EUCM") != std::string::npos || path.stem() == "equidistant") continue;

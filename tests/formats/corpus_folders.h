@@ -28,7 +28,7 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"ros", "extra/ros_camera_info", "ros_camera_info"},
     SharedFolders{"euroc", "extra/euroc_sensor", ""},
     SharedFolders{"kimera", "extra/kimera", ""},
-    SharedFolders{"colmap", "extra/colmap", ""},
+    SharedFolders{"colmap", "extra/colmap", "", "extra/colmap_rig"},
 };
 
 /// Those of a format that are there: OpenVINS' files lie among Kalibr's.

@@ -10,6 +10,7 @@ namespace fca::diagnostics {
 namespace {
 
 constexpr std::string_view kStops = "COLMAP stops here, and reads no camera.";
+constexpr std::string_view kNoRig = "COLMAP's rig_configurator stops here.";
 constexpr std::string_view kNoCamera = "COLMAP has no camera for its images.";
 
 }  // namespace
@@ -52,6 +53,25 @@ std::span<const CodeInfo> colmap_codes() {
       clause(Code::kColmapNoK3, "COLMAP's OPENCV has no k3"),
       clause(Code::kColmapNoPlace, "a cameras.txt has no place for it"),
       clause(Code::kColmapHeadline, "a cameras.txt for COLMAP"),
+
+      // rig_config.json
+      clause(Code::kColmapRigs, "a list of rigs whose cameras have an image_prefix"),
+      with_consequence(error(Code::kColmapNoRig, "wrong-syntax", "no list of rigs, each an object with its cameras"), kNoRig),
+      error(Code::kColmapSeveralRigs, "wrong-count", "{0} rigs stand here, and fca-io reads files of one",
+            "write each rig into a file of its own"),
+      error(Code::kColmapNoFolder, "out-of-range", "image_prefix is no folder of images: '{0}'", "the folder with a '/' behind it"),
+      error(Code::kColmapPrefixTwice, "duplicate-key", "a camera whose images are in a folder of that name stands above: {0}"),
+      with_consequence(error(Code::kColmapReferenceCount, "wrong-count",
+                             "{0} cameras have ref_sensor: true, and a rig has one reference"),
+                       kNoRig),
+      with_consequence(error(Code::kColmapReferencePose, "wrong-count",
+                             "{0} is the reference, from which poses are counted, and has a pose of its own", "remove it"),
+                       kNoRig),
+      warning(Code::kColmapHalf, "missing-key", "{0} without {1}: COLMAP ignores it", "give both, or none"),
+      warning(Code::kColmapQuaternionLength, "not-a-rotation", "{0} has length {1:.4}, not 1, and COLMAP does not normalise it"),
+      error(Code::kColmapNoRotation, "not-a-rotation", "{0} has length {1:.4} and is no rotation"),
+      clause(Code::kColmapRigHeadline, "a rig_config.json for COLMAP's rig_configurator"),
+      clause(Code::kColmapBothHeadline, "a cameras.txt for COLMAP, and a rig_config.json for its rig_configurator"),
   };
   return kRows;
 }

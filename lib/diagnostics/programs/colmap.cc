@@ -15,6 +15,11 @@ std::span<const CodeInfo> colmap_program_codes() {
       named_refusal(Code::kColmapSaysParameterCount, "line {0}: COLMAP reads {1} parameters of {2}, wants {3} and stops"),
       named_refusal(Code::kColmapSaysIdTwice, "line {0}: the id {1} is that of another camera, and COLMAP stops"),
       named_misreading(Code::kColmapSaysNewModel, "COLMAP before version {1} does not know {0}, and stops"),
+      refusal(Code::kColmapSaysNoRig, "no list of rigs with cameras stands in the file"),
+      refusal(Code::kColmapSaysNoPrefix, "a camera has no image_prefix"),
+      refusal(Code::kColmapSaysReferences, "{0} cameras of a rig have ref_sensor: true, and one must"),
+      refusal(Code::kColmapSaysReferencePose, "the reference sensor has a pose"),
+      named_misreading(Code::kColmapSaysHalf, "COLMAP ignores {0} without {1}"),
   };
   return kRows;
 }

@@ -666,6 +666,18 @@ enum class Code : std::uint16_t {
   kColmapNoK3,
   kColmapNoPlace,
   kColmapHeadline,
+  kColmapRigs,
+  kColmapNoRig,
+  kColmapSeveralRigs,
+  kColmapNoFolder,
+  kColmapPrefixTwice,
+  kColmapReferenceCount,
+  kColmapReferencePose,
+  kColmapHalf,
+  kColmapQuaternionLength,
+  kColmapNoRotation,
+  kColmapRigHeadline,
+  kColmapBothHeadline,
 
   // ORB-SLAM3's settings, as read and written.
   kOrbslam3AlphaAboveHalf,
@@ -1034,6 +1046,11 @@ enum class Code : std::uint16_t {
   kColmapSaysParameterCount,
   kColmapSaysIdTwice,
   kColmapSaysNewModel,
+  kColmapSaysNoRig,
+  kColmapSaysNoPrefix,
+  kColmapSaysReferences,
+  kColmapSaysReferencePose,
+  kColmapSaysHalf,
 
   // What OpenCV's functions make of a file.
   kCvUnknownFunction,

@@ -78,6 +78,29 @@ std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) 
   return std::nullopt;
 }
 
-std::vector<Pose> relative_poses(const std::vector<std::string>& /*files*/) { return {}; }
+/// The second camera's pose in rig_config.json takes points of the first, its reference. The columns are the images of the
+/// axes: q e q*.
+std::vector<Pose> relative_poses(const std::vector<std::string>& files) {
+  const auto file = std::ranges::find_if(files, [](const std::string& bytes) { return bytes.starts_with('['); });
+  if (file == files.end()) return {};
+  rapidjson::Document rigs;
+  rigs.Parse<rapidjson::kParseFullPrecisionFlag>(file->c_str());
+  const rapidjson::Value& camera = rigs[0]["cameras"][1];
+  const auto number = [&camera](const char* key, std::size_t i) {
+    return camera[key][static_cast<rapidjson::SizeType>(i)].GetDouble();
+  };
+  const double w = number("cam_from_rig_rotation", 0);
+  Pose pose{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t b = (axis + 1) % 3;
+    const std::size_t c = (axis + 2) % 3;
+    const auto q = [&number](std::size_t i) { return number("cam_from_rig_rotation", i + 1); };
+    pose[axis][axis] = w * w + q(axis) * q(axis) - q(b) * q(b) - q(c) * q(c);
+    pose[b][axis] = 2.0 * (q(axis) * q(b) + w * q(c));
+    pose[c][axis] = 2.0 * (q(axis) * q(c) - w * q(b));
+    pose[axis][3] = number("cam_from_rig_translation", axis);
+  }
+  return {pose};
+}
 
 }  // namespace fca::matrix::colmap

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "rig_config.h"
+
+#include "../fields.h"
+#include "lines.h"
+
+#include <fca/code.h>
+#include <fca/formats/file_name.h>
+#include <fca/formats/text/numbers.h>
+#include <fca/rig/rotation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace fca::colmap {
+
+using fields::Field;
+using text::Node;
+
+namespace {
+
+constexpr std::string_view kCameras = "cameras";
+constexpr std::string_view kPrefix = "image_prefix";
+constexpr std::string_view kReference = "ref_sensor";
+constexpr std::string_view kRotation = "cam_from_rig_rotation";
+constexpr std::string_view kTranslation = "cam_from_rig_translation";
+constexpr std::string_view kModelName = "camera_model_name";
+constexpr std::string_view kParameters = "camera_params";
+/// boost::property_tree finds the first of equal keys.
+constexpr text::Dialect kDialect = text::Dialect::kOpenCv;
+
+const Node* find(const Node& mapping, std::string_view key) { return text::find(mapping, key, kDialect); }
+
+bool is_true(const Node* node) { return node != nullptr && (node->value == "true" || node->value == "1"); }
+
+/// The list of the first rig's cameras; null if there is none.
+const Node* cameras_of(const Node& root) {
+  if (!root.is_sequence() || root.items.empty() || !root.items.front().is_mapping()) return nullptr;
+  const Node* cameras = find(root.items.front(), kCameras);
+  return cameras != nullptr && cameras->is_sequence() && !cameras->items.empty() ? cameras : nullptr;
+}
+
+/// "cam0" of "rig/cam0/"
+std::string last_folder(std::string_view prefix) {
+  while (prefix.ends_with('/')) prefix.remove_suffix(1);
+  return std::string(prefix.substr(prefix.rfind('/') + 1));  // npos + 1 is 0
+}
+
+/// w x y z
+std::array<double, 4> as_stated(const Quaternion& q) { return {q[3], q[0], q[1], q[2]}; }
+Quaternion from_stated(const std::vector<double>& q) { return {q[1], q[2], q[3], q[0]}; }
+
+/// The rotation that stands there; the identity where none does.
+Quaternion stated_rotation(const Node& camera) {
+  Quaternion q = {0.0, 0.0, 0.0, 1.0};
+  const Node* node = find(camera, kRotation);
+  if (node == nullptr || node->items.size() != q.size()) return q;
+  std::vector<double> numbers;
+  for (const Node& item : node->items) numbers.push_back(text::parse_real(item.value).value_or(0.0));
+  return from_stated(numbers);
+}
+
+class RigConfigReader {
+ public:
+  RigConfigReader(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics)
+      : reader_(document, kDialect, diagnostics), options_(options) {}
+
+  std::optional<Rig> run() {
+    const Node& root = reader_.document().root();
+    const Node* cameras = cameras_of(root);
+    if (cameras == nullptr || !std::ranges::all_of(cameras->items, &Node::is_mapping)) {
+      reader_.say(root, Code::kColmapNoRig);
+      return std::nullopt;
+    }
+    if (root.items.size() > 1) {
+      reader_.say(root.items[1], Code::kColmapSeveralRigs, {root.items.size()});
+      return std::nullopt;
+    }
+    const std::optional<std::string> reference = read_names(cameras->items);
+    if (!reference) return std::nullopt;
+    bool good = true;
+    for (std::size_t i = 0; i < cameras->items.size(); ++i) {
+      const Node& camera = cameras->items[i];
+      good = read_pose(camera, names_[i], *reference) && good;
+      good = read_lens_of(camera, names_[i]) && good;
+    }
+    reader_.warn_of_misspelt();
+    return good ? std::optional(std::move(rig_)) : std::nullopt;
+  }
+
+ private:
+  /// Of all cameras; nothing, with errors, where COLMAP would stop. The result is the reference's.
+  std::optional<std::string> read_names(const std::vector<Node>& cameras) {
+    std::vector<const Node*> references;
+    std::string reference;
+    for (const Node& camera : cameras) {
+      const Node* prefix = reader_.require(camera, kPrefix, "a camera");
+      if (prefix == nullptr) return std::nullopt;
+      const std::string name = last_folder(reader_.name(*prefix, kPrefix));
+      if (name.empty() || std::ranges::find(names_, name) != names_.end()) {
+        reader_.say(*prefix, name.empty() ? Code::kColmapNoFolder : Code::kColmapPrefixTwice, {prefix->value.substr(0, 40)});
+        return std::nullopt;
+      }
+      names_.push_back(name);
+      if (prefix->value != name + "/") rig_.extra_fields.push_back({name, std::string(kPrefix), prefix->value});
+      if (!is_true(reader_.find(camera, kReference))) continue;
+      references.push_back(&camera);
+      reference = name;
+    }
+    if (references.size() == 1) return reference;
+    reader_.say(references.empty() ? cameras.front() : *references.back(), Code::kColmapReferenceCount, {references.size()});
+    return std::nullopt;
+  }
+
+  /// Warns of one key of two that count together. Are both there?
+  bool both(const Node& camera, std::string_view first, std::string_view second) {
+    const Node* a = reader_.find(camera, first);
+    const Node* b = reader_.find(camera, second);
+    if (a != nullptr && b != nullptr) return true;
+    if (a != nullptr) reader_.say(*a, Code::kColmapHalf, {first, second});
+    if (b != nullptr) reader_.say(*b, Code::kColmapHalf, {second, first});
+    return false;
+  }
+
+  bool read_pose(const Node& camera, const std::string& name, const std::string& reference) {
+    if (!both(camera, kRotation, kTranslation)) return true;
+    const Node& rotation = *find(camera, kRotation);
+    const Node& translation = *find(camera, kTranslation);
+    if (name == reference) {
+      reader_.say(rotation, Code::kColmapReferencePose, {name});
+      return false;
+    }
+    const std::string what = name + " " + std::string(kRotation);
+    const std::optional<std::vector<double>> q = reader_.reals(rotation, 4, what);
+    const std::optional<std::vector<double>> t = reader_.reals(translation, 3, name + " " + std::string(kTranslation));
+    if (!q || !t) return false;
+    const double length = std::hypot(std::hypot((*q)[0], (*q)[1]), std::hypot((*q)[2], (*q)[3]));
+    constexpr double kPrinted = 1e-3;
+    constexpr double kShortest = 0.5;
+    if (length < kShortest) {
+      reader_.say(rotation, Code::kColmapNoRotation, {what, length});
+      return false;
+    }
+    if (std::abs(length - 1.0) > kPrinted) reader_.say(rotation, Code::kColmapQuaternionLength, {what, length});
+    const Transform T = pose_of(normalised(from_stated(*q)), {(*t)[0], (*t)[1], (*t)[2]});
+    const std::optional<Transform> checked = reader_.checked(T, {rotation, what}, {translation, name});
+    if (checked) rig_.poses.push_back({name, reference, *checked});
+    return checked.has_value();
+  }
+
+  bool read_lens_of(const Node& node, const std::string& name) {
+    if (!both(node, kModelName, kParameters)) return true;
+    const Node& parameters = *find(node, kParameters);
+    const Model* model = read_model(*find(node, kModelName), reader_);
+    if (model == nullptr) return false;
+    if (parameters.items.size() != model->parameters) {
+      reader_.say(parameters, Code::kColmapParameterCount,
+                  {model->name, model->parameters, parameters.items.size(), parameter_names(*model)});
+      return false;
+    }
+    Camera camera;
+    camera.name = name;
+    camera.image_size = options_.image_size;
+    if (!read_lens(parameters.items, *model, camera, reader_)) return false;
+    rig_.cameras.push_back(std::move(camera));
+    return true;
+  }
+
+  fields::Reader reader_;
+  const ReadOptions& options_;
+  Rig rig_;
+  std::vector<std::string> names_;
+};
+
+std::string prefix_of(const Rig& rig, const Camera& camera) {
+  const ExtraField* had = rig.find_extra_field(camera.name, std::string(kPrefix));
+  return had != nullptr ? had->value : as_file_name(camera.name) + "/";
+}
+
+/// What stands of a camera in its object, but for its prefix. `alike`: of q and -q, the nearer to this.
+std::vector<Field> fields_of(const Rig& rig, const Camera& camera, const std::string& reference, const Model& model,
+                             const Quaternion& alike = {0.0, 0.0, 0.0, 1.0}) {
+  std::vector<Field> fields;
+  const std::optional<Transform> T = camera.name == reference ? std::nullopt : rig.resolve(camera.name, reference);
+  if (T) {
+    fields.push_back(fields::list(std::string(kRotation), as_stated(signed_as(quaternion_of(*T), alike))));
+    fields.push_back(fields::list(std::string(kTranslation), translation_of(*T)));
+  }
+  fields.push_back(fields::quoted(std::string(kModelName), model.name));
+  fields.push_back(fields::list(std::string(kParameters), parameters_in(model, camera).value()));
+  return fields;
+}
+
+/// The model that the file names where it holds the lens, else that of a fresh file.
+const Model& model_for(const Node& camera, const CameraModel& lens, const Camera& of) {
+  const Node* name = find(camera, kModelName);
+  const Model* named = name != nullptr ? find_model(name->value) : nullptr;
+  return named != nullptr && parameters_in(*named, of) ? *named : *written_model(lens);
+}
+
+}  // namespace
+
+ProbeResult probe_rig_config(const text::Document& document) {
+  const Node* cameras = cameras_of(document.root());
+  if (cameras == nullptr || !cameras->items.front().is_mapping()) return {};
+  const bool named = find(cameras->items.front(), kPrefix) != nullptr;
+  return named ? ProbeResult{evidence::kCamera, Message{Code::kColmapRigs}} : ProbeResult{};
+}
+
+std::optional<Rig> read_rig_config(const text::Document& document, const ReadOptions& options, Diagnostics& diagnostics) {
+  return RigConfigReader(document, options, diagnostics).run();
+}
+
+std::optional<std::string> composed_rig_config(const Rig& rig) {
+  if (rig.cameras.size() < 2) return std::nullopt;
+  const std::string& reference = rig.cameras.front().name;
+  std::string objects;
+  for (const Camera& camera : rig.cameras) {
+    if (!rig.resolve(camera.name, reference)) return std::nullopt;
+    std::vector<Field> fields = {fields::quoted(std::string(kPrefix), prefix_of(rig, camera))};
+    if (camera.name == reference) fields.push_back(fields::scalar(std::string(kReference), "true"));
+    std::ranges::move(fields_of(rig, camera, reference, *written_model(camera.model)), std::back_inserter(fields));
+    constexpr std::size_t kInObject = 8;
+    std::string lines;
+    for (const Field& field : fields)
+      lines += (lines.empty() ? "" : ",\n") + fields::spell(field, kInObject, text::Syntax::kJson);
+    objects += (objects.empty() ? "      {\n" : ",\n      {\n") + lines + "\n      }";
+  }
+  return "[\n  {\n    \"cameras\": [\n" + objects + "\n    ]\n  }\n]\n";
+}
+
+text::Document edited_rig_config(const text::Document& base, const Rig& old, const Rig& rig) {
+  text::Document document = base;
+  const Node& cameras = *cameras_of(base.root());
+  std::string reference;
+  for (const Node& node : cameras.items) {
+    if (is_true(find(node, kReference))) reference = last_folder(find(node, kPrefix)->value);
+  }
+  for (const Node& node : cameras.items) {
+    const std::string name = last_folder(find(node, kPrefix)->value);
+    const Camera* before = old.find_camera(name);
+    const Camera* after = rig.find_camera(name);
+    if (before == nullptr || after == nullptr) continue;
+    const Quaternion alike = stated_rotation(node);
+    fields::apply(document, node, kDialect, fields_of(old, *before, reference, model_for(node, before->model, *before), alike),
+                  fields_of(rig, *after, reference, model_for(node, after->model, *after), alike));
+  }
+  return document;
+}
+
+}  // namespace fca::colmap

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// rig_config.json, which COLMAP's rig_configurator reads (colmap@5d968cf, scene/rig.cc, ReadRigConfig): a list of rigs, each a
+// list "cameras". A camera has an image_prefix (the folder of its images), and one of each rig ref_sensor: true. The others may
+// have a pose T_camera_reference as cam_from_rig_rotation [w, x, y, z] and cam_from_rig_translation [m], and all a lens:
+// camera_model_name with camera_params. It states no image sizes.
+#pragma once
+
+#include <fca/diagnostics.h>
+#include <fca/formats/format.h>
+
+#include <optional>
+#include <string>
+
+namespace fca::colmap {
+
+[[nodiscard]] ProbeResult probe_rig_config(const text::Document& document);
+/// Cameras are named by the last folder of their prefix. Those without a lens are in poses only.
+[[nodiscard]] std::optional<Rig> read_rig_config(const text::Document& document, const ReadOptions& options,
+                                                 Diagnostics& diagnostics);
+/// A fresh one, whose reference is the first camera. Nothing for one camera, or where a pose to the first is not known.
+[[nodiscard]] std::optional<std::string> composed_rig_config(const Rig& rig);
+/// The base, which states `old`, with what `rig` says of the same cameras.
+[[nodiscard]] text::Document edited_rig_config(const text::Document& base, const Rig& old, const Rig& rig);
+
+}  // namespace fca::colmap
