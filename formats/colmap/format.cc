@@ -262,6 +262,15 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   return written;
 }
 
+/// For COLMAP's feature_extractor, which takes sizes from the images (controllers/image_reader.cc).
+std::string arguments(const Camera& camera) {
+  const Model& model = *written_model(camera.model);
+  std::string numbers;
+  for (const double number : parameters_in(model, camera).value())
+    numbers += (numbers.empty() ? "" : ",") + text::format_real(number);
+  return "--ImageReader.camera_model " + std::string(model.name) + " --ImageReader.camera_params " + numbers;
+}
+
 }  // namespace
 
 const Format kFormat = {
@@ -279,6 +288,7 @@ const Format kFormat = {
     .own_facts = kOwnFacts,
     .models = kModels,
     .probe = probe,
+    .arguments = arguments,
     .read = read,
     .write = write,
 };

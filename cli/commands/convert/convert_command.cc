@@ -36,6 +36,10 @@ std::optional<std::string> usage_error(const ConvertArguments& arguments, const 
   if (request.into.empty() && request.to == nullptr) return "--to FORMAT is missing: " + format_names();
   if (const std::optional<std::string> error = problem_with(request)) return error;
   if (arguments.in_place && arguments.output.is_said()) return "--in-place writes BASE itself; leave out -o";
+  if (arguments.print && (request.to == nullptr || request.to->arguments == nullptr))
+    return "--print is for programs that take a camera on their command line: --to colmap";
+  if (arguments.print && (arguments.output.is_said() || !request.into.empty()))
+    return "--print writes no file: leave out -o and --into";
   const bool many = !request.inputs.join && (files.size() > 1 || (files.size() == 1 && !files.front().named));
   if (many && !request.into.empty()) return "--into wants one input, or several that are one rig (--join)";
   constexpr std::string_view kOneRig = "; parts of one calibration go behind --with, cameras of one rig want --join";
@@ -172,6 +176,8 @@ void add_options(Options& options, ConvertArguments& arguments) {
   add_imu_option(options, request.inputs);
   add_target_options(options, request);
   options.flag("--in-place", "With --into: change BASE itself", arguments.in_place);
+  options.flag("--print", "Print the cameras as arguments of the program's command line (COLMAP), write no file",
+               arguments.print);
   options.group(OptionGroup::kOutput);
   options.exclusive_flags(
       {{"--provenance", "Say in a comment where the file comes from even in an edited file (fresh ones say it anyway)",

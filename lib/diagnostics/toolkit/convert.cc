@@ -121,6 +121,7 @@ std::span<const CodeInfo> convert_codes() {
                   "name a folder for both"),
       clause(Code::kOfHeadlineOne, "{0}: one"),
       clause(Code::kHoldsOne, "{0} holds one"),
+      clause(Code::kArgumentsHeadline, "arguments for {0}'s command line"),
       loss(Code::kImuFileDropped, "second-file-dropped", "{0} with all that it holds",
            "there is one output, which has no place for it", "write into a folder: it lies beside the others"),
       note(Code::kMisnamed, "extension", "{0} holds {1}, whatever its name says: its readers go by the content"),

@@ -1521,6 +1521,7 @@ enum class Code : std::uint16_t {
   kOfHeadlineOne,
   kHoldsOne,
   kImuFileDropped,
+  kArgumentsHeadline,
   kMisnamed,
   kLayoutNotKept,
   kProvenanceHasNoRoom,

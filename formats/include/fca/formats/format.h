@@ -213,6 +213,9 @@ struct Format {
   /// numbers say it. Nothing of any other document. Null: the numbers are the camera's.
   std::optional<Camera> (*as_stated)(const text::Document& document, const Camera& camera) = nullptr;
 
+  /// A camera as arguments of its program's command line: "--ImageReader.camera_model OPENCV ...". Null: it takes none.
+  std::string (*arguments)(const Camera& camera) = nullptr;
+
   /// Gives the cameras of a rig, once all of its files are read, what a file without cameras says of them (Kimera's
   /// imu_time_shift). Null: none does.
   void (*complete)(Rig& rig) = nullptr;
