@@ -43,9 +43,10 @@ constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("gaussian-splatting"),
                                 Name("realitycapture-colmap")};
 
+constexpr std::array kNerfstudio = {Name("splatfacto"), Name("nerfacto"),        Name("instant-ngp"), Name("ngp"),
+                                    Name("torch-ngp"),  Name("transforms.json"), Name("luma")};
+
 // Not written: what they read.
-constexpr std::array kNerfstudio = {Name("nerfstudio"), Name("splatfacto"), Name("nerfacto"),        Name("instant-ngp"),
-                                    Name("ngp"),        Name("torch-ngp"),  Name("transforms.json"), Name("luma")};
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
 constexpr std::array kSvo = {Name("svo"),     Name("svo-pro"), Name("vikit"),        Name("maplab"),
                              Name("rovioli"), Name("rpg"),     Name("ultimate-slam")};
@@ -96,7 +97,7 @@ constexpr std::array kNames = {
     ProgramName{kCuvslam, "cuVSLAM", "euroc"},
     ProgramName{kKimera, "Kimera", "kimera"},
     ProgramName{kColmap, "COLMAP", "colmap"},
-    ProgramName{kNerfstudio, "nerfstudio", "opencv", "", "", "transforms.json"},
+    ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},

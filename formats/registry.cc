@@ -3,6 +3,7 @@
 #include "basalt.h"
 #include "colmap/colmap.h"
 #include "kalibr/kalibr.h"
+#include "nerfstudio/nerfstudio.h"
 #include "ocamcalib/ocamcalib.h"
 #include "opencv/opencv.h"
 #include "openvins/openvins.h"
@@ -26,11 +27,11 @@ namespace fca {
 namespace {
 
 const auto& table() {
-  static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),   guarded<ocamcalib::kFormat>(),
-                                    guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(), guarded<woodscape::kFormat>(),
-                                    guarded<basalt::kFormat>(), guarded<openvins::kFormat>(), guarded<vins::kFormat>(),
-                                    guarded<ros::kFormat>(),    guarded<euroc::kFormat>(),    guarded<kimera::kFormat>(),
-                                    guarded<colmap::kFormat>()};
+  static const std::array kTable = {guarded<kalibr::kFormat>(), guarded<opencv::kFormat>(),    guarded<ocamcalib::kFormat>(),
+                                    guarded<tumvi::kFormat>(),  guarded<orbslam3::kFormat>(),  guarded<woodscape::kFormat>(),
+                                    guarded<basalt::kFormat>(), guarded<openvins::kFormat>(),  guarded<vins::kFormat>(),
+                                    guarded<ros::kFormat>(),    guarded<euroc::kFormat>(),     guarded<kimera::kFormat>(),
+                                    guarded<colmap::kFormat>(), guarded<nerfstudio::kFormat>()};
   return kTable;
 }
 

@@ -142,6 +142,21 @@ constexpr std::array kConsumers{
              .tolerance_px = kDoublePrecisionPx,
              .load = &in_own_locale<&load_colmap>,
              .cameras = false},
+    Consumer{"nerfstudio", "nerfstudio", "nerfstudio", kFloatPrecisionPx, &in_own_locale<&load_nerfstudio>},
+    Consumer{"instant-ngp", "instant-ngp", "nerfstudio", kFloatPrecisionPx, &in_own_locale<&load_instant_ngp>},
+    Consumer{"gsplat", "gsplat's examples", "colmap", kFloatPrecisionPx, &in_own_locale<&load_gsplat>},
+    Consumer{.id = "3dgrut",
+             .program = "3dgrut",
+             .format = "colmap",
+             .tolerance_px = kFloatPrecisionPx,
+             .load = &in_own_locale<&load_3dgrut>,
+             .second_format = "nerfstudio"},
+    Consumer{.id = "lichtfeld",
+             .program = "LichtFeld Studio",
+             .format = "colmap",
+             .tolerance_px = kFloatPrecisionPx,
+             .load = &in_own_locale<&load_lichtfeld>,
+             .second_format = "nerfstudio"},
 };
 
 }  // namespace

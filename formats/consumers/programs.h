@@ -10,12 +10,19 @@ namespace fca::consumers {
 
 [[nodiscard]] ConsumerView load_basalt(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_colmap(std::string_view bytes, const LoadOptions& options);
+/// COLMAP's file and transforms.json.
+[[nodiscard]] ConsumerView load_3dgrut(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_cuvslam_imu(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kalibr_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kimera(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_kimera_imu(std::string_view bytes, const LoadOptions& options);
+/// COLMAP's file and transforms.json.
+[[nodiscard]] ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options);
+[[nodiscard]] ConsumerView load_nerfstudio(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_openvins_imu(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_orbslam3(std::string_view bytes, const LoadOptions& options);

@@ -20,6 +20,8 @@ std::span<const CodeInfo> colmap_program_codes() {
       refusal(Code::kColmapSaysReferences, "{0} cameras of a rig have ref_sensor: true, and one must"),
       refusal(Code::kColmapSaysReferencePose, "the reference sensor has a pose"),
       named_misreading(Code::kColmapSaysHalf, "COLMAP ignores {0} without {1}"),
+      named_refusal(Code::kColmapSaysModelNotTaken, "{0} does not take cameras of {1}, but {2:and}",
+                    "write one of these, or undistort the images (colmap image_undistorter)"),
   };
   return kRows;
 }

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// instant-ngp: transforms.json. From NVlabs/instant-ngp@abe236e (2026-02-02): src/nerf_loader.cu (read_lens, read_focal_length,
+// load_nerf) and common_device.cuh (the lenses' distortion, and rays at pixel + 0.5). It computes in float32.
+#include "nerf_file.h"
+
+#include "programs.h"
+
+#include <fca/code.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace fca::consumers {
+namespace {
+
+using Pixel = std::array<double, 2>;
+using Ray = std::array<double, 3>;
+using Json = NerfFile::Json;
+
+enum class LensMode { kPerspective, kOpenCv, kOpenCvFisheye, kOther };
+
+struct Lens {
+  LensMode mode = LensMode::kPerspective;
+  std::array<float, 4> params{};  ///< k1 k2 p1 p2, or k1 k2 k3 k4.
+};
+
+struct Image {
+  Lens lens;
+  std::array<float, 2> principal_point = {0.5F, 0.5F};  ///< Over the size.
+  std::array<float, 2> focal_length{};
+  std::array<float, 2> resolution{};
+};
+
+float fov_to_focal_length(float resolution, float degrees) {
+  return 0.5F * resolution / std::tan(0.5F * degrees * std::numbers::pi_v<float> / 180.0F);
+}
+
+std::optional<Pixel> project(const Image& image, const Ray& ray) {
+  const std::optional<Pixel> plane = nerf_plane(ray);
+  if (!plane || image.lens.mode == LensMode::kOther) return std::nullopt;
+  auto [u, v] = *plane;
+  const auto [a, b, c, d] = image.lens.params;
+  const double r2 = u * u + v * v;
+  if (image.lens.mode == LensMode::kOpenCv) {
+    const double radial = a * r2 + b * r2 * r2;
+    const double du = u * radial + 2.0 * c * u * v + d * (r2 + 2.0 * u * u);
+    const double dv = v * radial + 2.0 * d * u * v + c * (r2 + 2.0 * v * v);
+    u += du;
+    v += dv;
+  } else if (image.lens.mode == LensMode::kOpenCvFisheye && r2 > 0.0) {
+    const double r = std::sqrt(r2);
+    const double theta = std::atan(r);
+    const double t2 = theta * theta;
+    const double scale = theta * (1.0 + t2 * (a + t2 * (b + t2 * (c + t2 * d)))) / r;
+    u *= scale;
+    v *= scale;
+  }
+  const auto pixel = [&image](double point, std::size_t axis) {
+    return image.focal_length.at(axis) * point +
+           static_cast<double>(image.principal_point.at(axis)) * image.resolution.at(axis);
+  };
+  return Pixel{pixel(u, 0), pixel(v, 1)};
+}
+
+class Loader {
+ public:
+  Loader(NerfFile& file, ConsumerView& view) : file_(file), view_(view) {}
+
+  void run() {
+    file_.check_frames(3);
+    if (!file_.loads()) return;
+    Image base;
+    read_lens(file_.root(), base);
+    for (const NerfCamera& camera : file_.cameras()) {
+      Image image = base;
+      read_size(camera, image);
+      const bool at_top = read_focal_length(file_.root(), image);
+      const bool in_frame = read_focal_length(*camera.frame, image);
+      if (!at_top && !in_frame) file_.refuse(Code::kNerfSaysNoFieldOfView, {camera.index}, "frames");
+      read_lens(*camera.frame, image);
+      if (!file_.loads()) return;
+      ConsumerCamera seen = nerf_camera(camera, image.resolution[0], image.resolution[1],
+                                        image.lens.mode == LensMode::kOpenCvFisheye ? "OpenCVFisheye" : "OpenCV",
+                                        [image](const Ray& ray) { return project(image, ray); });
+      seen.misread = warn_of_lens(camera, image);
+      view_.cameras.push_back(std::move(seen));
+    }
+  }
+
+ private:
+  static bool has(const Json& object, std::string_view key) { return NerfFile::find(object, key) != nullptr; }
+  float real(const Json& object, std::string_view key) { return static_cast<float>(file_.number(object, key).value_or(0.0)); }
+
+  /// The lens of an object on top of that which is known. k3 and p1 share a place, and k4 and p2.
+  void read_lens(const Json& json, Image& image) {
+    LensMode mode = LensMode::kPerspective;
+    const LensMode opencv = file_.flag(json, "is_fisheye") ? LensMode::kOpenCvFisheye : LensMode::kOpenCv;
+    constexpr std::array<std::pair<std::string_view, std::size_t>, 6> kPlaces = {
+        {{"k1", 0}, {"k2", 1}, {"k3", 2}, {"k4", 3}, {"p1", 2}, {"p2", 3}}};
+    for (const auto& [key, place] : kPlaces) {
+      if (!has(json, key)) continue;
+      image.lens.params.at(place) = real(json, key);
+      if (image.lens.params.at(place) != 0.0F) mode = opencv;
+    }
+    read_centre(json, "cx", "w", image.principal_point[0]);
+    read_centre(json, "cy", "h", image.principal_point[1]);
+    for (const std::string_view key : {"ftheta_p0", "latlong", "equirectangular", "orthographic"}) {
+      if (has(json, key)) mode = LensMode::kOther;
+    }
+    if (mode != LensMode::kPerspective) image.lens.mode = mode;
+  }
+
+  void read_centre(const Json& json, std::string_view key, std::string_view side, float& share) {
+    if (!has(json, key)) return;
+    if (has(json, side)) {
+      share = real(json, key) / real(json, side);
+    } else {
+      file_.refuse(Code::kNerfSaysCentreAlone, {key, side}, std::string(key));
+    }
+  }
+
+  /// It takes the size of the image file, which is what w and h should say.
+  void read_size(const NerfCamera& camera, Image& image) {
+    constexpr std::array<std::string_view, 2> kSides = {"w", "h"};
+    for (std::size_t i = 0; i < kSides.size(); ++i) {
+      const Json& owner = has(*camera.frame, kSides.at(i)) ? *camera.frame : file_.root();
+      image.resolution.at(i) = real(owner, kSides.at(i));
+    }
+  }
+
+  float focal_length(const Json& json, const std::string& axis, float side) {
+    if (has(json, axis + "_fov")) return fov_to_focal_length(side, real(json, axis + "_fov"));
+    if (has(json, "fl_" + axis)) return real(json, "fl_" + axis);
+    if (!has(json, "camera_angle_" + axis)) return 0.0F;
+    return fov_to_focal_length(side, real(json, "camera_angle_" + axis) * 180.0F / std::numbers::pi_v<float>);
+  }
+
+  bool read_focal_length(const Json& json, Image& image) {
+    const float x = focal_length(json, "x", image.resolution[0]);
+    const float y = focal_length(json, "y", image.resolution[1]);
+    if (x == 0.0F && y == 0.0F) return false;
+    image.focal_length = {x != 0.0F ? x : y, y != 0.0F ? y : x};
+    return true;
+  }
+
+  /// Is the lens not what the file means?
+  bool warn_of_lens(const NerfCamera& camera, const Image& image) {
+    const Json* name = NerfFile::find(file_.root(), "camera_model");
+    const bool named = name != nullptr && name->IsString() && std::string_view(name->GetString()) == "OPENCV_FISHEYE";
+    const Json& lens = has(*camera.frame, "k1") ? *camera.frame : file_.root();
+    const bool flagged = file_.flag(lens, "is_fisheye");
+    if (named && !flagged) {
+      file_.warn(Code::kNerfSaysTakenForPerspective, {"camera_model", "is_fisheye true beside the coefficients"},
+                 "camera_model");
+      return true;
+    }
+    if (!flagged) return false;
+    const bool overwritten = (has(lens, "p1") && real(lens, "k3") != 0.0F) || (has(lens, "p2") && real(lens, "k4") != 0.0F);
+    const bool straight = image.lens.mode == LensMode::kPerspective;
+    if (overwritten) file_.warn(Code::kNerfSaysSlots, {}, has(lens, "p1") ? "p1" : "p2");
+    if (straight) file_.warn(Code::kNerfSaysNoLens, {}, "is_fisheye");
+    return overwritten || straight;
+  }
+
+  NerfFile& file_;
+  ConsumerView& view_;
+};
+
+}  // namespace
+
+ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& /*options*/) {
+  ConsumerView view;
+  NerfFile file(bytes, true, view);
+  if (view.loads()) Loader(file, view).run();
+  if (!view.loads()) view.cameras.clear();
+  return view;
+}
+
+}  // namespace fca::consumers

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Trainers of Gaussian splats: which of COLMAP's cameras they take, and what they read of a transforms.json.
+//
+//   gsplat     nerfstudio-project/gsplat (2026-08-20), examples/datasets/colmap.py
+//   3dgrut     nv-tlabs/3dgrut (2026-07-08), threedgrut/datasets/dataset_colmap.py and dataset_nerf.py
+//   LichtFeld  MrNeRF/LichtFeld-Studio: colmap.cpp (2025-10-17); src/io/formats/transforms.cpp at 0673fd46. Until 2025-10 it
+//              refused a transforms.json with coefficients above 0.
+//
+// That 3dgrut gives up rays whose rational factor is outside (0.8, 1.2) is not computed here.
+#include "nerf_file.h"
+
+#include "programs.h"
+
+#include <fca/code.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace fca::consumers {
+namespace {
+
+using Pixel = std::array<double, 2>;
+using Ray = std::array<double, 3>;
+using Json = NerfFile::Json;
+
+constexpr std::array<std::string_view, 6> kGsplat = {"SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL",
+                                                     "RADIAL",         "OPENCV",  "OPENCV_FISHEYE"};
+constexpr std::array<std::string_view, 7> k3dgrut = {"SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL", "RADIAL",
+                                                     "OPENCV",         "OPENCV_FISHEYE", "FULL_OPENCV"};
+constexpr std::array<std::string_view, 9> kLichtfeld = {
+    "SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL",         "RADIAL",        "OPENCV",
+    "FULL_OPENCV",    "OPENCV_FISHEYE", "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE"};
+
+/// What COLMAP reads, if all of its models are among those.
+ConsumerView load_some_of_colmap(std::string_view bytes, const LoadOptions& options, std::string_view program,
+                                 std::span<const std::string_view> models) {
+  ConsumerView view = load_colmap(bytes, options);
+  view.warnings.clear();
+  for (const ConsumerCamera& camera : view.cameras) {
+    if (std::ranges::find(models, camera.model) != models.end()) continue;
+    const std::vector<std::string> all(models.begin(), models.end());
+    view.refusals.emplace_back(Code::kColmapSaysModelNotTaken, "", std::vector<Argument>{program, camera.model, all});
+    break;
+  }
+  if (!view.loads()) view.cameras.clear();
+  return view;
+}
+
+bool is_json(std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == '{';
+}
+
+constexpr std::array<std::string_view, 12> kIntrinsics = {"fl_x", "fl_y", "cx", "cy", "k1", "k2",
+                                                          "k3",   "k4",   "p1", "p2", "w",  "h"};
+
+/// True, with a warning, if frames have numbers of their own: neither of the two looks there.
+bool warn_of_frames(NerfFile& file, const NerfCamera& camera) {
+  const auto* const own = std::ranges::find_if(
+      kIntrinsics, [&camera](std::string_view key) { return NerfFile::find(*camera.frame, key) != nullptr; });
+  if (own != kIntrinsics.end()) file.warn(Code::kNerfSaysTopOnly, {*own}, "frames");
+  return own != kIntrinsics.end();
+}
+
+bool is_fisheye(NerfFile& file, const NerfCamera& camera) {
+  const Json* name = NerfFile::find(file.root(), "camera_model");
+  const bool named = name != nullptr && name->IsString() && std::string_view(name->GetString()) == "OPENCV_FISHEYE";
+  return named || file.flag(file.root(), "is_fisheye") || file.flag(*camera.frame, "is_fisheye");
+}
+
+double from_angle(double side, double angle) { return 0.5 * side / std::tan(0.5 * angle); }
+
+/// What LichtFeld keeps for all images.
+struct TopCamera {
+  double w = 0.0, h = 0.0, fl_x = 0.0, fl_y = 0.0, cx = 0.0, cy = 0.0;
+  double k1 = 0.0, k2 = 0.0, k3 = 0.0, p1 = 0.0, p2 = 0.0;
+};
+
+std::optional<Pixel> project(const TopCamera& c, const Ray& ray) {
+  const std::optional<Pixel> plane = nerf_plane(ray);
+  if (!plane) return std::nullopt;
+  const auto [x, y] = *plane;
+  const double r2 = x * x + y * y;
+  const double radial = 1.0 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
+  return Pixel{c.fl_x * (x * radial + 2.0 * c.p1 * x * y + c.p2 * (r2 + 2.0 * x * x)) + c.cx,
+               c.fl_y * (y * radial + 2.0 * c.p2 * x * y + c.p1 * (r2 + 2.0 * y * y)) + c.cy};
+}
+
+TopCamera read_top(NerfFile& file) {
+  TopCamera c;
+  const auto real = [&file](std::string_view key) { return file.number(file.root(), key); };
+  c.w = real("w").value_or(0.0);
+  c.h = real("h").value_or(0.0);
+  const std::optional<double> angle_x = real("camera_angle_x");
+  const std::optional<double> angle_y = real("camera_angle_y");
+  const std::optional<double> fl_x = real("fl_x");
+  const std::optional<double> fl_y = real("fl_y");
+  if (!fl_x && !angle_x) file.refuse(Code::kNerfSaysLacks, {"fl_x", 0}, "frames");
+  c.fl_x = fl_x ? *fl_x : from_angle(c.w, angle_x.value_or(1.0));
+  c.fl_y = fl_y ? *fl_y : angle_y ? from_angle(c.h, *angle_y) : c.fl_x;
+  if (!fl_y && !angle_y && c.w != c.h) file.refuse(Code::kNerfSaysNotSquare, {}, "fl_x");
+  c.cx = real("cx").value_or(0.5 * c.w);
+  c.cy = real("cy").value_or(0.5 * c.h);
+  c.k1 = real("k1").value_or(0.0);
+  c.k2 = real("k2").value_or(0.0);
+  c.k3 = real("k3").value_or(0.0);
+  c.p1 = real("p1").value_or(0.0);
+  c.p2 = real("p2").value_or(0.0);
+  return c;
+}
+
+ConsumerView load_transforms_of_lichtfeld(std::string_view bytes) {
+  ConsumerView view;
+  NerfFile file(bytes, true, view);
+  if (view.loads()) file.check_frames(4);
+  if (!view.loads()) return view;
+  const TopCamera top = read_top(file);
+  for (const NerfCamera& camera : view.loads() ? file.cameras() : std::vector<NerfCamera>()) {
+    ConsumerCamera seen = nerf_camera(camera, top.w, top.h, "PINHOLE", [top](const Ray& ray) { return project(top, ray); });
+    const bool of_frames = warn_of_frames(file, camera);
+    const bool fisheye = is_fisheye(file, camera);
+    if (fisheye) file.warn(Code::kNerfSaysPinhole, {}, "camera_model");
+    seen.misread = of_frames || fisheye;
+    view.cameras.push_back(std::move(seen));
+  }
+  if (!view.loads()) view.cameras.clear();
+  return view;
+}
+
+ConsumerView load_transforms_of_3dgrut(std::string_view bytes) {
+  ConsumerView view;
+  NerfFile file(bytes, false, view);
+  if (view.loads()) file.check_frames(3);
+  if (!view.loads()) return view;
+  const std::optional<double> angle = file.number(file.root(), "camera_angle_x");
+  if (!angle) file.refuse(Code::kNerfSaysLacks, {"camera_angle_x", 0}, "frames");
+  for (const NerfCamera& camera : view.loads() ? file.cameras() : std::vector<NerfCamera>()) {
+    TopCamera c;
+    const auto side = [&](std::string_view key) {
+      const bool own = NerfFile::find(*camera.frame, key) != nullptr;
+      return file.number(own ? *camera.frame : file.root(), key).value_or(0.0);
+    };
+    c.w = side("w");
+    c.h = side("h");
+    c.fl_x = c.fl_y = from_angle(c.w, *angle);
+    c.cx = 0.5 * c.w;
+    c.cy = 0.5 * c.h;
+    ConsumerCamera seen = nerf_camera(camera, c.w, c.h, "pinhole", [c](const Ray& ray) { return project(c, ray); });
+    file.warn(Code::kNerfSaysAngleOnly, {}, "camera_angle_x");
+    seen.misread = true;
+    view.cameras.push_back(std::move(seen));
+  }
+  if (!view.loads()) view.cameras.clear();
+  return view;
+}
+
+}  // namespace
+
+ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options) {
+  return load_some_of_colmap(bytes, options, "gsplat", kGsplat);
+}
+
+ConsumerView load_3dgrut(std::string_view bytes, const LoadOptions& options) {
+  return is_json(bytes) ? load_transforms_of_3dgrut(bytes) : load_some_of_colmap(bytes, options, "3dgrut", k3dgrut);
+}
+
+ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options) {
+  return is_json(bytes) ? load_transforms_of_lichtfeld(bytes)
+                        : load_some_of_colmap(bytes, options, "LichtFeld Studio", kLichtfeld);
+}
+
+}  // namespace fca::consumers

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nerfstudio.h"
+
+#include "../losses.h"
+#include "../one_camera_files.h"
+#include "../schema/schema.h"
+#include "edit.h"
+#include "layout.h"
+#include "read.h"
+
+#include <fca/code.h>
+#include <fca/formats/text/read_document.h>
+
+#include <algorithm>
+#include <array>
+
+namespace fca::nerfstudio {
+
+using text::Node;
+
+namespace {
+
+ProbeResult probe(const text::Document& document) {
+  const Node& root = document.root();
+  if (!root.is_mapping()) return {};
+  const Node* frames = value_in(root, kFrames);
+  const bool has_frames = frames != nullptr && frames->is_sequence();
+  const Node& frame = has_frames && !frames->items.empty() ? frames->items.front() : root;
+  constexpr std::array<std::string_view, 3> kOfCamera = {"fl_x", "camera_angle_x", "x_fov"};
+  for (const std::string_view key : kOfCamera) {
+    if (value_in(root, key) != nullptr || value_in(frame, key) != nullptr)
+      return {has_frames ? evidence::kCamera : evidence::kPart, Message{Code::kNerfFound, {key}}};
+  }
+  if (has_frames && value_in(frame, kPose) != nullptr) return {evidence::kPart, Message{Code::kNerfFound, {kPose}}};
+  return {};
+}
+
+bool is_fisheye(const Camera& camera) { return model_info(camera.model).id == "kb4"; }
+
+/// False with an error if one is a fisheye and another is none.
+bool are_of_one_kind(const Rig& rig, Diagnostics& diagnostics) {
+  const auto fisheye = std::ranges::find_if(rig.cameras, is_fisheye);
+  const auto straight = std::ranges::find_if(rig.cameras, [](const Camera& camera) { return !is_fisheye(camera); });
+  if (fisheye == rig.cameras.end() || straight == rig.cameras.end()) return true;
+  diagnostics.add(Code::kNerfKindsDiffer, {fisheye->name, straight->name});
+  return false;
+}
+
+/// Lines of the camera's numbers. Where they are those of the model without coefficients, these are left out: instant-ngp takes
+/// k3 and k4 for p1 and p2, and p1 and p2 for k3 and k4.
+std::string lines_of(const Camera& camera, std::size_t depth) {
+  std::string text;
+  for (const fields::Field& field : numbers_of(camera)) {
+    if (field.key == "k3" && !is_fisheye(camera) && field.tokens.front() == "0.0") continue;
+    text += fields::spell(field, depth, text::Syntax::kJson) + ",\n";
+  }
+  return text;
+}
+
+/// One camera at the top, several in a frame each. These have no image yet.
+std::string composed(const Rig& rig) {
+  const bool one = rig.cameras.size() == 1;
+  const auto straight =
+      std::ranges::find_if(rig.cameras, [](const Camera& camera) { return model_info(camera.model).id != "pinhole"; });
+  const Camera& named = straight != rig.cameras.end() ? *straight : rig.cameras.front();
+  std::string text = "{\n  \"camera_model\": " + fields::quote(camera_model_for("", named.model)) + ",\n";
+  if (is_fisheye(named)) text += "  \"is_fisheye\": true,\n";
+  if (one) text += lines_of(rig.cameras.front(), 2);
+  text += "  \"frames\": [";
+  std::string separator = "\n";
+  for (const Camera& camera : rig.cameras) {
+    text += separator + "    {\n";
+    text += fields::spell(fields::quoted("file_path", "images/" + camera.name + ".png"), 6, text::Syntax::kJson) + ",\n";
+    if (!one) {
+      text += fields::spell(fields::quoted(std::string(kLabel), camera.name), 6, text::Syntax::kJson) + ",\n";
+      if (is_fisheye(camera)) text += "      \"is_fisheye\": true,\n";
+      text += lines_of(camera, 6);
+    }
+    text +=
+        "      \"transform_matrix\": [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], "
+        "[0.0, 0.0, 0.0, 1.0]]\n    }";
+    separator = ",\n";
+  }
+  return text + "\n  ]\n}\n";
+}
+
+std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
+                             Diagnostics& diagnostics) {
+  Diagnostics ignored;
+  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  const bool edits = old && !options.anew && schema::same_cameras(*old, rig);
+  if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
+            : !writable_alone(kFormat, rig, Message{Code::kNerfDemandsSize}, diagnostics))
+    return std::nullopt;
+  if (!are_of_one_kind(rig, diagnostics)) return std::nullopt;
+  Written written;
+  std::optional<text::Document> document =
+      edits ? edited(*base, *old, rig) : text::parse_document({"transforms.json", composed(rig)}, diagnostics);
+  if (!document) return std::nullopt;
+  written.files.push_back({*std::move(document), {}, {"nerfstudio"}});
+  for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
+  const std::vector<ExtraField> said = edits ? old->extra_fields : std::vector<ExtraField>();
+  add_beyond_base(rig.extra_fields, said, Message{Code::kNerfNoPlace}, written.losses);
+  if (old && !edits)
+    add_not_carried(extras_beyond(old->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+  if (!edits) {
+    written.defaults.push_back({.key = std::string(kFrames), .value = Message{Code::kNerfFramesToAdd}, .look_at_it = true});
+  }
+  list_camera_losses(rig, "nerfstudio", written.losses);
+  written.headline = {Code::kNerfHeadline};
+  return written;
+}
+
+constexpr std::array kModels = {
+    StoredModel{"radtan", "OPENCV", true, "nerfstudio; instant-ngp without k3", {}},
+    StoredModel{"kb4", "OPENCV_FISHEYE", true, "nerfstudio, instant-ngp", {}},
+    StoredModel{"pinhole", "PINHOLE", true, "nerfstudio, instant-ngp", {}},
+};
+constexpr std::array kOwnFacts = {OwnFact{"images and their poses (frames)"}};
+constexpr std::array kDemands = {Demand{"images and their poses", kFrames}};
+
+}  // namespace
+
+const Format kFormat = {
+    .id = "nerfstudio",
+    .title = "nerfstudio transforms.json",
+    .syntaxes = "JSON",
+    .extension = ".json",
+    .program = "nerfstudio",
+    .main_file = "transforms.json",
+    .many_cameras = true,
+    .one_model = true,
+    .extrinsics = false,
+    .imu = false,
+    .image_size = true,
+    .own_facts = kOwnFacts,
+    .demands = kDemands,
+    .models = kModels,
+    .probe = probe,
+    .read = read,
+    .write = write,
+};
+
+}  // namespace fca::nerfstudio

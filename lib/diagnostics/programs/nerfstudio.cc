@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What nerfstudio, instant-ngp and those who read a transforms.json like them say to one.
+#include "../rows.h"
+#include "../topics.h"
+
+#include <array>
+
+namespace fca::diagnostics {
+
+std::span<const CodeInfo> nerf_program_codes() {
+  static constexpr std::array kRows = {
+      refusal(Code::kNerfSaysNotParsed, "no JSON at byte {0}: {1}"),
+      refusal(Code::kNerfSaysNoObject, "the file is no JSON object"),
+      refusal(Code::kNerfSaysNoFrames, "there is no image: frames is missing, empty or no list",
+              "write an object with file_path and transform_matrix for each image"),
+      refusal(Code::kNerfSaysFrameLacks, "frame {1} has no {0}", kAddTheKey),
+      refusal(Code::kNerfSaysLacks, "{0} stands neither at the top nor in frame {1}", kAddTheKey),
+      refusal(Code::kNerfSaysNoNumber, "{0} is no number"),
+      refusal(Code::kNerfSaysNoMatrix, "transform_matrix of frame {0} is no matrix of 4 columns"),
+      refusal(Code::kNerfSaysUnknownModel, "camera_model is {0}, which is none of its models"),
+      misreading(Code::kNerfSaysTakenForPerspective, "{0} is not read: the lens is taken for none of a fisheye", "write {1}"),
+      refusal(Code::kNerfSaysNoFieldOfView, "no focal length stands at the top or in frame {0}", "write fl_x and fl_y"),
+      refusal(Code::kNerfSaysCentreAlone, "{0} stands without {1} in the same object", "repeat {1} beside it"),
+      misreading(Code::kNerfSaysSlots, "p1 and p2 take the places of k3 and k4, which are lost",
+                 "remove p1 and p2: a fisheye has none"),
+      misreading(Code::kNerfSaysNoLens, "a fisheye whose coefficients are all 0 becomes a pinhole", "write 1e-9 for k1"),
+      refusal(Code::kNerfSaysNotSquare, "there is no fl_y and no camera_angle_y, and the image is no square",
+              "write fl_x and fl_y"),
+      misreading(Code::kNerfSaysTopOnly, "{0} of frames is not read: only what stands at the top is"),
+      misreading(Code::kNerfSaysPinhole, "neither is_fisheye nor camera_model is read: the lens is none of a fisheye",
+                 "undistort the images"),
+      misreading(Code::kNerfSaysAngleOnly,
+                 "it reads camera_angle_x alone: fl_y is fl_x, the principal point is the middle, and nothing is distorted",
+                 "undistort the images to a pinhole with its centre in the middle"),
+  };
+  return kRows;
+}
+
+}  // namespace fca::diagnostics
