@@ -46,8 +46,10 @@ std::string own_numbers(const Json& root, const Json& frame) {
 }  // namespace
 
 NerfFile::NerfFile(std::string_view bytes, bool of_nlohmann, ConsumerView& view) : view_(view) {
-  if (bytes.empty() || bytes.size() > kMaxBytes)
-    return refuse(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge);
+  if (bytes.empty() || bytes.size() > kMaxBytes) {
+    refuse(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge);
+    return;
+  }
   constexpr unsigned kBoth =
       rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag;
   if (of_nlohmann) {
@@ -55,6 +57,10 @@ NerfFile::NerfFile(std::string_view bytes, bool of_nlohmann, ConsumerView& view)
   } else {
     document_.Parse<kBoth | rapidjson::kParseNanAndInfFlag>(bytes.data(), bytes.size());
   }
+  check_document();
+}
+
+void NerfFile::check_document() {
   if (document_.HasParseError()) {
     return refuse(Code::kNerfSaysNotParsed,
                   {document_.GetErrorOffset(), rapidjson::GetParseError_En(document_.GetParseError())});

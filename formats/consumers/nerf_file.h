@@ -47,6 +47,8 @@ class NerfFile {
   void check_frames(std::size_t rows);
 
  private:
+  void check_document();
+
   ConsumerView& view_;
   rapidjson::Document document_;
 };

@@ -27,8 +27,8 @@ bool is_stock(const std::string& program, const Calibration& calibration) {
     return program.starts_with("DSO");
   return program.starts_with("Kalibr") || program == "ORB-SLAM3 V1.0" || program.starts_with("OCamCalib") ||
          program == "WoodScape's projection.py" || program == "Basalt" || program == "VINS-Fusion" || program == "ROS" ||
-         program == "COLMAP" || program.starts_with("Kimera-VIO") || program.starts_with("cuVSLAM") ||
-         (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
+         program == "COLMAP" || program == "nerfstudio" || program.starts_with("Kimera-VIO") ||
+         program.starts_with("cuVSLAM") || (calibration.format->id == "openvins" && program.starts_with("OpenVINS"));
 }
 
 /// "3:11-15": where it begins and ends; "3:11" of one character, "-" of the whole file.

@@ -502,6 +502,12 @@ TEST(Consumers, TumViFilesAreReadByKalibrAndDso) {
   EXPECT_FALSE(find_consumer("opencv")->reads(""));
 }
 
+constexpr const char* kTransforms =
+    R"({"camera_model": "OPENCV", "camera_angle_x": 1.2, "fl_x": 400, "fl_y": 410, "cx": 320, "cy": 240, "w": 640, "h": 480,
+"k1": 0.1, "k2": 0.02, "p1": 0, "p2": 0, "is_fisheye": false,
+"frames": [{"file_path": "a.png", "transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]},
+           {"file_path": "b.png", "transform_matrix": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}]})";
+
 // None throws or crashes, whatever the bytes are; and what loads can be asked.
 TEST(Consumers, SurviveMutatedFiles) {
   const std::vector<std::pair<const char*, std::string>> files = {
@@ -511,7 +517,11 @@ TEST(Consumers, SurviveMutatedFiles) {
       {"woodscape", kWoodScape},
       {"woodscape-omnidet", kWoodScape},
       {"dso", camera_txt("FOV 400 410 320 240 0.9")},
-      {"colmap", "1 EUCM 640 480 400 410 320 240 0.6 1.1\n2 FOV 640 480 400 410 320 240 0.9\n"}};
+      {"colmap", "1 EUCM 640 480 400 410 320 240 0.6 1.1\n2 FOV 640 480 400 410 320 240 0.9\n"},
+      {"nerfstudio", kTransforms},
+      {"instant-ngp", kTransforms},
+      {"lichtfeld", kTransforms},
+      {"3dgrut", kTransforms}};
   constexpr std::string_view kPieces = "0123456789.-+e[]{}:,\"\n \t#<>nai%/\\\xEF";
   std::mt19937 random(7);
   int loaded = 0;

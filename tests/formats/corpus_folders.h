@@ -29,6 +29,7 @@ inline constexpr std::array kSharedFolders = {
     SharedFolders{"euroc", "extra/euroc_sensor", ""},
     SharedFolders{"kimera", "extra/kimera", ""},
     SharedFolders{"colmap", "extra/colmap", "", "extra/colmap_rig"},
+    SharedFolders{"nerfstudio", "extra/transforms_json", ""},
 };
 
 /// Those of a format that are there: OpenVINS' files lie among Kalibr's.

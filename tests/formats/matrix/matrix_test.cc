@@ -300,6 +300,8 @@ std::vector<Source> corpus_sources(const std::string& format) {
       {"basalt", "VladyslavUsenko__basalt-mirror__data__euroc_ds_calib.json"},
       {"colmap", "sangminkim-99__COLMAP_multicam__colmap_text__cameras.txt"},
       {"colmap", "HexGP__nerf-prep__colmap_text__cameras.txt"},
+      {"nerfstudio", "sangminkim-99__COLMAP_multicam__transforms.json"},
+      {"nerfstudio", "AspasZhang__NeRF__transforms_test.json"},
       {"vins", "HKUST-Aerial-Robotics__VINS-Fusion__config__euroc__cam0_mei.yaml"},
       {"ros", "ros-perception__image_common__camera_info_manager__tests__test_calibration__860e9b5.yaml"},
       {"ros", "ethz-asl__rovio__cfg__p22021_equidist.yaml"},

@@ -120,6 +120,19 @@ TEST(MatrixReaders, Colmap) {
   expect_pixel("colmap", eucm, 0, kBehind, {620.74794275911034, 396.88016994853293});
 }
 
+TEST(MatrixReaders, Nerfstudio) {
+  const std::string numbers = R"("fl_x": 200, "fl_y": 210, "cx": 321, "cy": 239.75, "w": 640, "h": 480)";
+  const std::string lens = R"(, "k1": 0.01, "k2": -0.02, "k3": 0.003, "k4": -0.0004)";
+  const std::string fisheye = R"({"camera_model": "OPENCV_FISHEYE", )" + numbers + lens + R"(, "frames": [{}, {}]})";
+  expect_pixel("nerfstudio", fisheye, 0, kAhead, {378.13842481427425, 198.90310263000802});
+  expect_pixel("nerfstudio", fisheye, 0, kBehind, {592.32757822833639, 381.95947856987661});
+  EXPECT_FALSE(find_reader("nerfstudio")->camera(fisheye, 1));
+  const std::string brown = R"(, "k1": -0.28, "k2": 0.07, "p1": 0.0002, "p2": -0.0001)";
+  const std::string frames = R"({"frames": [{)" + numbers + "}, {" + numbers + "}, {" + numbers + brown + "}]}";
+  expect_pixel("nerfstudio", frames, 0, kAhead, {380.5, 197.25});
+  expect_pixel("nerfstudio", frames, 1, kAhead, {378.37598, 198.740454});
+}
+
 std::string matrix_node(const std::string& name, int rows, int columns, const std::string& data) {
   return name + ": !!opencv-matrix\n   rows: " + std::to_string(rows) + "\n   cols: " + std::to_string(columns) +
          "\n   dt: d\n   data: [ " + data + " ]\n";
