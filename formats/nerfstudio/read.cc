@@ -41,6 +41,20 @@ constexpr std::array kOtherLenses = {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kWithDigitOne = {
     {{"f1_x", "fl_x"}, {"f1_y", "fl_y"}, {"c1_x", "cx"}, {"c1_y", "cy"}}};
 
+/// A number of a camera that all programs read from the key.
+bool is_number(std::string_view key) {
+  const auto is_among = [key](const auto& keys) { return std::ranges::find(keys, key) != keys.end(); };
+  return is_among(kFocalAndCentre) || is_among(kSize) || is_among(kCoefficients);
+}
+
+/// Once for all frames.
+void warn_of_digit_one(fields::Reader& reader, const Node& object) {
+  for (const auto& [written, meant] : kWithDigitOne) {
+    const text::Entry* entry = text::find_entry(object, written, kDialect);
+    if (entry != nullptr && value_in(object, meant) == nullptr) reader.say(entry->key, Code::kNerfDigitOne, {written, meant});
+  }
+}
+
 /// From the top and a camera's first frame.
 class CameraReader {
  public:
@@ -49,7 +63,7 @@ class CameraReader {
 
   std::optional<Camera> run() {
     camera_.name = group_.name;
-    warn_of_keys();
+    warn_of_two_values();
     const std::optional<bool> fisheye = read_kind();
     if (!fisheye || !read_size()) return std::nullopt;
     const bool bends = std::ranges::any_of(kCoefficients, [this](std::string_view key) { return find(key) != nullptr; });
@@ -69,18 +83,13 @@ class CameraReader {
     return where;
   }
 
-  void warn_of_keys() {
+  void warn_of_two_values() {
+    if (&frame() == &root_) return;
     for (const text::Entry& entry : frame().entries) {
-      const Node* top = &frame() != &root_ ? value_in(root_, entry.key.value) : nullptr;
-      const bool number = std::ranges::count(kFocalAndCentre, entry.key.value) + std::ranges::count(kSize, entry.key.value) +
-                              std::ranges::count(kCoefficients, entry.key.value) >
-                          0;
-      const auto value = [](const Node& node) { return text::parse_real(node.value); };
-      if (number && top != nullptr && value(*top) != value(entry.value))
+      const Node* top = value_in(root_, entry.key.value);
+      if (top == nullptr || !is_number(entry.key.value) || top->value == entry.value.value) continue;
+      if (text::parse_real(top->value) != text::parse_real(entry.value.value))
         reader_.say(entry.key, Code::kNerfTwoValues, {entry.key.value, entry.value.value, top->value});
-      const auto* const misspelt = std::ranges::find(kWithDigitOne, entry.key.value, [](const auto& row) { return row.first; });
-      if (misspelt != kWithDigitOne.end() && find(misspelt->second) == nullptr)
-        reader_.say(entry.key, Code::kNerfDigitOne, {misspelt->first, misspelt->second});
     }
   }
 
@@ -248,9 +257,7 @@ void keep_others(const Node& root, std::vector<ExtraField>& extras) {
   for (const text::Entry& entry : root.entries) {
     const std::string& key = entry.key.value;
     const auto is_key = [&key](const AngleKey& angle) { return angle.name == key; };
-    const bool known = key == kCameraModel || key == kIsFisheye || std::ranges::count(kFocalAndCentre, key) > 0 ||
-                       std::ranges::count(kSize, key) > 0 || std::ranges::count(kCoefficients, key) > 0 ||
-                       std::ranges::any_of(kAngles, is_key);
+    const bool known = key == kCameraModel || key == kIsFisheye || is_number(key) || std::ranges::any_of(kAngles, is_key);
     if (known || value_in(root, key) != &entry.value) continue;
     const bool frames = key == kFrames;
     extras.push_back({"", key, frames ? std::to_string(entry.value.items.size()) : fields::value_text(entry.value)});
@@ -270,6 +277,9 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
   const Node* frames = value_in(root, kFrames);
   if (frames != nullptr && !check_frames(reader, *frames)) return std::nullopt;
   Rig rig;
+  const bool has_frame = frames != nullptr && !frames->items.empty();
+  warn_of_digit_one(reader, root);
+  if (has_frame) warn_of_digit_one(reader, frames->items.front());
   for (const Group& group : groups_of(root)) {
     std::optional<Camera> camera = CameraReader(reader, options, group).run();
     if (!camera) return std::nullopt;

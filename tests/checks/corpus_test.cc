@@ -57,6 +57,7 @@ constexpr Judged kJudged[] = {
     {"__cameras.bin", "binary-file", "COLMAP's binary form"},
     {"__rigs.bin", "binary-file", "the same"},
     {"__rigs.txt", "unknown-format", "COLMAP's rigs, without a camera"},
+    {"hl-qiu__processData", "focal-length-not-in-pixels", "fl_x of 166504 px for 1024 columns"},
     {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };
 

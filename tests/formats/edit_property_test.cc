@@ -154,8 +154,8 @@ bool others_follow(const Base& base, const ModelInfo& model, const Parameter& pa
   return base.calibration.format->id == "ocamcalib" && parameter.name.starts_with('a');
 }
 
-/// COLMAP's simpler models have one focal length and fewer coefficients: the line gets another model. A transforms.json may lack
-/// the principal point, which then is the middle, and begins to state it.
+/// COLMAP's simpler models have one focal length and fewer coefficients: the line gets another model. A transforms.json may
+/// lack the principal point, which then is the middle, and begins to state it.
 bool states_more(const Base& base, const text::Document& after) {
   const std::string_view format = base.calibration.format->id;
   return (format == "colmap" || format == "nerfstudio") &&

@@ -8,6 +8,7 @@
 #include <fca/code.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/text/dialect.h>
+#include <fca/formats/text/numbers.h>
 
 #include <array>
 #include <cmath>

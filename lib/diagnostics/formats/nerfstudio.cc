@@ -56,7 +56,7 @@ std::span<const CodeInfo> nerf_codes() {
             "write one file for each, or choose one model"),
       clause(Code::kNerfDemandsSize, "a transforms.json states the size of its images"),
       clause(Code::kNerfNoPlace, "a transforms.json has no place for it"),
-      clause(Code::kNerfFramesToAdd, "one for each camera, without an image: add yours with their poses"),
+      clause(Code::kNerfFramesToAdd, "of your images with their poses, in place of one for each camera"),
       clause(Code::kNerfHeadline, "a transforms.json for nerfstudio and instant-ngp"),
   };
   return kRows;
