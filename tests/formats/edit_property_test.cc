@@ -121,11 +121,13 @@ std::optional<Calibration> read_back(const Base& base, const std::string& bytes)
   return back;
 }
 
-/// DSO's camera.txt may state its numbers relative to the image's size, and ROS's those of the sensor that is binned: they come
-/// back to rounding.
+/// DSO's camera.txt may state its numbers relative to the image's size, and ROS's those of the sensor that is binned; pixels
+/// that begin at 0.5 lose a bit at a power of two: they come back to rounding.
 bool same_cameras(const Base& base, const Rig& a, const Rig& b) {
   const bool binned = base.calibration.format->id == "ros" && base.bytes.find("binning_") != std::string::npos;
-  if (base.calibration.format->id != "tumvi" && !binned) return a.cameras == b.cameras;
+  const std::string_view format = base.calibration.format->id;
+  const bool rounds = format == "tumvi" || format == "colmap" || format == "nerfstudio" || binned;
+  if (!rounds) return a.cameras == b.cameras;
   return std::ranges::equal(a.cameras, b.cameras, [](const Camera& x, const Camera& y) {
     return x.model.index() == y.model.index() &&
            std::ranges::equal(parameter_values(x.model), parameter_values(y.model),
