@@ -84,6 +84,21 @@ std::string composed(const Rig& rig) {
   return text + "\n  ]\n}\n";
 }
 
+/// Whose file is it? nerfstudio stops where a number is not stated, and knows no is_fisheye.
+std::string program_of(const text::Document& document) {
+  const std::optional<text::Document> after = document.edited() ? text::as_edited(document) : std::nullopt;
+  const Node& root = after ? after->root() : document.root();
+  const auto states_all = [&root](const Group& group) {
+    const auto states = [&](std::string_view key) { return value_in(owner_of(root, group, key), key) != nullptr; };
+    return std::ranges::all_of(kFocalAndCentre, states) && std::ranges::all_of(kSize, states);
+  };
+  const std::vector<Group> groups = groups_of(root);
+  const Node& frame = groups.front().frames.empty() ? root : *groups.front().frames.front();
+  const Node* flag = value_in(frame, kIsFisheye) != nullptr ? value_in(frame, kIsFisheye) : value_in(root, kIsFisheye);
+  const bool other_word = value_in(root, kCameraModel) == nullptr && flag != nullptr && flag->value == "true";
+  return other_word || !std::ranges::all_of(groups, states_all) ? "instant-ngp" : "nerfstudio";
+}
+
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
@@ -97,7 +112,8 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   std::optional<text::Document> document =
       edits ? edited(*base, *old, rig) : text::parse_document({"transforms.json", composed(rig)}, diagnostics);
   if (!document) return std::nullopt;
-  written.files.push_back({*std::move(document), {}, {"nerfstudio"}});
+  const std::string program = program_of(*document);
+  written.files.push_back({*std::move(document), {}, {program}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   const std::vector<ExtraField> said = edits ? old->extra_fields : std::vector<ExtraField>();
   add_beyond_base(rig.extra_fields, said, Message{Code::kNerfNoPlace}, written.losses);

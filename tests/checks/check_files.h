@@ -44,10 +44,9 @@ inline bool is_of_no_file(std::string_view code) {
       "program-other-format",  // of the program asked for (--for)
       "no-calibration",
       "not-settings",
-      "wrong-syntax",  // of a format that was forced (--from)
-      "size-contradicts",
-      "model-contradicts",  // of --size and --opencv-model
-      "xml-place",          // of our XML parser's own mistakes: none is known
+      "wrong-syntax",      // of a format that was forced (--from)
+      "size-contradicts",  // of --size
+      "xml-place",         // of our XML parser's own mistakes: none is known
   };
   return std::ranges::find(kAskedFor, code) != std::end(kAskedFor);
 }

@@ -116,7 +116,7 @@ std::span<const CodeInfo> general_codes() {
       any(Code::kAnyModeRefused, "mode-refused", "ORB-SLAM3 starts, but not in the mode the keys are for",
           "Started in that mode ORB-SLAM3 exits; started in another, the keys are not used.",
           "add what the message names, or take out the keys of that mode"),
-      any(Code::kAnyModelContradicts, "model-contradicts", "told to be read as another lens than the file says", kWrongPixels,
+      any(Code::kAnyModelContradicts, "model-contradicts", "the file, or what is told of it, states two lenses", kWrongPixels,
           "tell the lens that the file states, or correct the file's own words"),
       any(Code::kAnyNameUnprintable, "name-unprintable", "a name that cannot be printed",
           "Terminals obey control characters; logs and file names break at line breaks.",

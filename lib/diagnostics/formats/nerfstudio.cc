@@ -31,7 +31,7 @@ std::span<const CodeInfo> nerf_codes() {
       clause(Code::kNerfStereo, "its rays do not meet in one point"),
       clause(Code::kNerfOrthographic, "its rays are parallel"),
       clause(Code::kNerfFtheta, "it has no model with the angle as a polynomial of pixels"),
-      error(Code::kNerfNoBool, "wrong-syntax", "is_fisheye is {0}; true or false is wanted"),
+      error(Code::kNerfNoBool, "out-of-range", "is_fisheye is {0}; true or false is wanted"),
       warning(Code::kNerfTwoLenses, "model-contradicts",
               "camera_model is {0}, and is_fisheye is {1}: nerfstudio goes by the former, instant-ngp by the latter",
               "make is_fisheye say what camera_model says"),
