@@ -265,10 +265,10 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
 /// For COLMAP's feature_extractor, which takes sizes from the images (controllers/image_reader.cc).
 std::string arguments(const Camera& camera) {
   const Model& model = *written_model(camera.model);
-  std::string numbers;
-  for (const double number : parameters_in(model, camera).value())
-    numbers += (numbers.empty() ? "" : ",") + text::format_real(number);
-  return "--ImageReader.camera_model " + std::string(model.name) + " --ImageReader.camera_params " + numbers;
+  const std::vector<double> numbers = parameters_in(model, camera).value();
+  std::string list;
+  for (const double number : numbers) list += (list.empty() ? "" : ",") + text::format_real(number);
+  return "--ImageReader.camera_model " + std::string(model.name) + " --ImageReader.camera_params " + list;
 }
 
 }  // namespace

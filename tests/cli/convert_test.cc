@@ -694,5 +694,25 @@ TEST(Convert, TheRateOfAnImuMakesDensities) {
   EXPECT_EQ(run_program({"convert", kTumvi, "--imu-rate", "0", "--to", "opencv"}).code, 3);
 }
 
+// What feature_extractor takes in place of a file: the numbers of the line that cameras.txt has.
+TEST(Convert, PrintsWhatColmapTakesOnItsCommandLine) {
+  const RunResult one = run_program({"convert", kTumvi, "--to", "colmap", "--camera", "cam0", "--print"});
+  EXPECT_EQ(one.code, 0) << one.err;
+  const RunResult file = run_program({"convert", kTumvi, "--to", "colmap", "--camera", "cam0"});
+  const std::string model = "OPENCV_FISHEYE 512 512 ";
+  std::string numbers = file.out.substr(file.out.find(model) + model.size());
+  numbers.pop_back();
+  std::ranges::replace(numbers, ' ', ',');
+  EXPECT_EQ(one.out, "--ImageReader.camera_model OPENCV_FISHEYE --ImageReader.camera_params " + numbers + "\n");
+  const RunResult both = run_program({"convert", kTumvi, "--to", "colmap", "--print"});
+  EXPECT_TRUE(both.out.starts_with("# cam0\n" + one.out + "# cam1\n")) << both.out;
+  for (const std::vector<std::string>& more : {{"--to", "kalibr"}, {"--to", "colmap", "-o", "out/"}}) {
+    std::vector<std::string> words = {"convert", kTumvi, "--print"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run_program(words).code, 3);
+  }
+  EXPECT_EQ(run_program({"convert", kDs, "--to", "colmap", "--model", "ds", "--print"}).out, "");
+}
+
 }  // namespace
 }  // namespace fca::test

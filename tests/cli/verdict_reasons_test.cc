@@ -66,6 +66,40 @@ TEST(VerdictReasons, AnIdentityBetweenTwoCamerasAsksForCare) {
   }
 }
 
+/// The pair without its pose.
+std::string unrelated_pair() {
+  const std::string pair = pair_at("-0.11");
+  return pair.substr(0, pair.find("  T_cn_cnm1"));
+}
+
+// Kalibr's chain may leave the pose out; OpenVINS wants one, and two cameras at one place are none.
+TEST(VerdictReasons, CamerasThatNothingRelatesAreNoRig) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("pair.yaml", unrelated_pair());
+  for (const auto& [format, word] :
+       {std::pair("kalibr", "use-with-care"), {"openvins", "do-not-use"}, {"basalt", "do-not-use"}}) {
+    const Told run({"convert", file, "--to", format});
+    EXPECT_EQ(word_of(run), word) << run.text();
+    EXPECT_EQ(codes_of(run).count("pose-missing"), 1U) << run.text();
+  }
+  // A file for each camera says nothing of the other.
+  const Told apart({"convert", file, "--to", "ros", "-o", folder / "out/"});
+  EXPECT_EQ(codes_of(apart).count("pose-missing"), 0U) << apart.text();
+}
+
+TEST(VerdictReasons, DsoUsesNeitherPosesNorAnImu) {
+  const Told run({"convert", kTumvi, "--with", kImu, "--to", "dso", "--camera", "cam0"});
+  EXPECT_EQ(codes_of(run).count("imu-dropped"), 0U) << run.text();
+  EXPECT_EQ(codes_of(run).count("pose-dropped"), 0U) << run.text();
+}
+
+TEST(VerdictReasons, WhoeverAsksForAProgramHasThatOne) {
+  const Told own({"check", kTumvi});
+  const Told other({"check", kTumvi, "--for", "openvins"});
+  EXPECT_STREQ(own.json()["files"][0]["verdict"]["word"].GetString(), "ready");
+  EXPECT_STREQ(other.json()["files"][0]["verdict"]["word"].GetString(), "do-not-use");
+}
+
 TEST(VerdictReasons, TheBaselineOfARectifiedPairIsAFact) {
   const Told run({"convert", testdata("formats/orbslam3/good/v1-rectified.yaml"), "--to", "kalibr"});
   EXPECT_TRUE(run.lost("baseline-dropped")) << run.text();
