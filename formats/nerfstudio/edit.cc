@@ -85,13 +85,12 @@ class Editor {
   }
 
  private:
-  /// Have all cameras the same number, or none?
+  /// Have all cameras the same number, or none; or each the one that it had?
   [[nodiscard]] bool same(std::string_view key) const {
-    return std::ranges::all_of(cameras_, [this, key](const EditedCamera& camera) {
-      const Field* first = cameras_.front().is(key);
-      const Field* here = camera.is(key);
-      return first == nullptr || here == nullptr ? first == here : *first == *here;
-    });
+    const auto equal = [](const Field* a, const Field* b) { return a == nullptr || b == nullptr ? a == b : *a == *b; };
+    const Field* first = cameras_.front().is(key);
+    return std::ranges::all_of(cameras_, [&](const EditedCamera& camera) { return equal(camera.is(key), first); }) ||
+           std::ranges::all_of(cameras_, [&](const EditedCamera& camera) { return equal(camera.is(key), camera.was(key)); });
   }
 
   [[nodiscard]] bool is_at_top(std::string_view key) const {
@@ -117,10 +116,10 @@ class Editor {
     const auto is_middle = [&camera](ParameterId id, int side) {
       return value_of(camera.now, id) == colmap::from_file(0.5 * side);
     };
-    for (const bool horizontal : {true, false}) {
-      if (key == (horizontal ? "fl_x" : "fl_y"))
-        return has_angle(horizontal) ? !camera.same_angle(horizontal)
-                                     : value_of(camera.now, "fx") != value_of(camera.now, "fy");
+    if (key == "fl_x" || key == "fl_y") {
+      const bool horizontal = key == "fl_x";
+      if (has_angle(horizontal)) return !camera.same_angle(horizontal);
+      return value_of(camera.now, "fx") != value_of(camera.now, "fy");
     }
     if (key == "cx") return !is_middle("cx", camera.now.image_size ? camera.now.image_size->width : 0);
     if (key == "cy") return !is_middle("cy", camera.now.image_size ? camera.now.image_size->height : 0);

@@ -57,9 +57,9 @@ std::string lines_of(const Camera& camera, std::size_t depth) {
   return text;
 }
 
-/// One camera at the top, several in a frame each. These have no image yet.
+/// One camera at the top, several (or one with a name) in a frame each. These have no image yet.
 std::string composed(const Rig& rig) {
-  const bool one = rig.cameras.size() == 1;
+  const bool one = rig.cameras.size() == 1 && rig.cameras.front().name == "cam0";
   const auto straight =
       std::ranges::find_if(rig.cameras, [](const Camera& camera) { return model_info(camera.model).id != "pinhole"; });
   const Camera& named = straight != rig.cameras.end() ? *straight : rig.cameras.front();

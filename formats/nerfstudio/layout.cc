@@ -134,6 +134,7 @@ std::optional<bool> is_fisheye_model(std::string_view camera_model) {
 
 std::vector<std::string> read_models() {
   std::vector<std::string> names;
+  names.reserve(kModelNames.size());
   for (const ModelName& model : kModelNames) names.emplace_back(model.name);
   return names;
 }
