@@ -27,10 +27,11 @@ ReadOptions options_for(const Rig& rig, const Written& written, const Written::F
 /// The poses that the files state, between cameras by the rig's names.
 std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Written& written) {
   std::vector<PoseEdge> poses;
+  std::map<std::string, std::string> names;  // formats may rename cameras; a file of poses has the names of that of cameras
   for (const Written::File& file : written.files) {
     const std::optional<Rig> part = read_back(format, file, options_for(rig, written, file));
     if (!part) continue;
-    std::map<std::string, std::string> names;  // formats may rename cameras
+    if (!file.cameras.empty()) names.clear();
     for (std::size_t i = 0; i < std::min(part->cameras.size(), file.cameras.size()); ++i)
       names.emplace(part->cameras[i].name, file.cameras[i]);
     const auto name_in_rig = [&names](const std::string& name) { return names.contains(name) ? names.at(name) : name; };

@@ -5,13 +5,13 @@
 #include "lines.h"
 
 #include <fca/code.h>
-#include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/rotation.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace fca::colmap {
@@ -174,30 +174,25 @@ class RigConfigReader {
   std::vector<std::string> names_;
 };
 
-std::string prefix_of(const Rig& rig, const Camera& camera) {
-  const ExtraField* had = rig.find_extra_field(camera.name, std::string(kPrefix));
-  return had != nullptr ? had->value : as_file_name(camera.name) + "/";
+/// Of q and -q, which are one rotation, the one that is nearer to `alike`.
+std::vector<Field> pose_fields(const Rig& rig, const std::string& camera, const std::string& reference,
+                               const Quaternion& alike = {0.0, 0.0, 0.0, 1.0}) {
+  const std::optional<Transform> T = camera == reference ? std::nullopt : rig.resolve(camera, reference);
+  if (!T) return {};
+  return {fields::list(std::string(kRotation), as_stated(signed_as(quaternion_of(*T), alike))),
+          fields::list(std::string(kTranslation), translation_of(*T))};
 }
 
-/// What stands of a camera in its object, but for its prefix. `alike`: of q and -q, the nearer to this.
-std::vector<Field> fields_of(const Rig& rig, const Camera& camera, const std::string& reference, const Model& model,
-                             const Quaternion& alike = {0.0, 0.0, 0.0, 1.0}) {
-  std::vector<Field> fields;
-  const std::optional<Transform> T = camera.name == reference ? std::nullopt : rig.resolve(camera.name, reference);
-  if (T) {
-    fields.push_back(fields::list(std::string(kRotation), as_stated(signed_as(quaternion_of(*T), alike))));
-    fields.push_back(fields::list(std::string(kTranslation), translation_of(*T)));
-  }
-  fields.push_back(fields::quoted(std::string(kModelName), model.name));
-  fields.push_back(fields::list(std::string(kParameters), parameters_in(model, camera).value()));
-  return fields;
+std::vector<Field> lens_fields(const Camera& camera, const Model& model) {
+  return {fields::quoted(std::string(kModelName), model.name),
+          fields::list(std::string(kParameters), parameters_in(model, camera).value())};
 }
 
 /// The model that the file names where it holds the lens, else that of a fresh file.
-const Model& model_for(const Node& camera, const CameraModel& lens, const Camera& of) {
-  const Node* name = find(camera, kModelName);
+const Model& model_for(const Node& node, const Camera& camera) {
+  const Node* name = find(node, kModelName);
   const Model* named = name != nullptr ? find_model(name->value) : nullptr;
-  return named != nullptr && parameters_in(*named, of) ? *named : *written_model(lens);
+  return named != nullptr && parameters_in(*named, camera) ? *named : *written_model(camera.model);
 }
 
 }  // namespace
@@ -217,11 +212,14 @@ std::optional<std::string> composed_rig_config(const Rig& rig) {
   if (rig.cameras.size() < 2) return std::nullopt;
   const std::string& reference = rig.cameras.front().name;
   std::string objects;
-  for (const Camera& camera : rig.cameras) {
+  for (std::size_t i = 0; i < rig.cameras.size(); ++i) {
+    const Camera& camera = rig.cameras[i];
     if (!rig.resolve(camera.name, reference)) return std::nullopt;
-    std::vector<Field> fields = {fields::quoted(std::string(kPrefix), prefix_of(rig, camera))};
+    // As cameras.txt, which has no names, is read.
+    std::vector<Field> fields = {fields::quoted(std::string(kPrefix), "cam" + std::to_string(i) + "/")};
     if (camera.name == reference) fields.push_back(fields::scalar(std::string(kReference), "true"));
-    std::ranges::move(fields_of(rig, camera, reference, *written_model(camera.model)), std::back_inserter(fields));
+    std::ranges::move(pose_fields(rig, camera.name, reference), std::back_inserter(fields));
+    std::ranges::move(lens_fields(camera, *written_model(camera.model)), std::back_inserter(fields));
     constexpr std::size_t kInObject = 8;
     std::string lines;
     for (const Field& field : fields)
@@ -240,12 +238,16 @@ text::Document edited_rig_config(const text::Document& base, const Rig& old, con
   }
   for (const Node& node : cameras.items) {
     const std::string name = last_folder(find(node, kPrefix)->value);
-    const Camera* before = old.find_camera(name);
-    const Camera* after = rig.find_camera(name);
-    if (before == nullptr || after == nullptr) continue;
     const Quaternion alike = stated_rotation(node);
-    fields::apply(document, node, kDialect, fields_of(old, *before, reference, model_for(node, before->model, *before), alike),
-                  fields_of(rig, *after, reference, model_for(node, after->model, *after), alike));
+    std::vector<Field> before = pose_fields(old, name, reference, alike);
+    std::vector<Field> after = pose_fields(rig, name, reference, alike);
+    const Camera* old_camera = old.find_camera(name);
+    const Camera* camera = rig.find_camera(name);
+    if (old_camera != nullptr && camera != nullptr) {
+      std::ranges::move(lens_fields(*old_camera, model_for(node, *old_camera)), std::back_inserter(before));
+      std::ranges::move(lens_fields(*camera, model_for(node, *camera)), std::back_inserter(after));
+    }
+    fields::apply(document, node, kDialect, before, after);
   }
   return document;
 }

@@ -70,7 +70,8 @@ std::string composed(const Rig& rig) {
   std::string separator = "\n";
   for (const Camera& camera : rig.cameras) {
     text += separator + "    {\n";
-    text += fields::spell(fields::quoted("file_path", "images/" + camera.name + ".png"), 6, text::Syntax::kJson) + ",\n";
+    text += fields::spell(fields::quoted(std::string(kImageFile), "images/" + camera.name + ".png"), 6, text::Syntax::kJson) +
+            ",\n";
     if (!one) {
       text += fields::spell(fields::quoted(std::string(kLabel), camera.name), 6, text::Syntax::kJson) + ",\n";
       if (is_fisheye(camera)) text += "      \"is_fisheye\": true,\n";

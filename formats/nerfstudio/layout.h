@@ -22,6 +22,7 @@ inline constexpr std::string_view kCameraModel = "camera_model";
 inline constexpr std::string_view kIsFisheye = "is_fisheye";
 inline constexpr std::string_view kFrames = "frames";
 inline constexpr std::string_view kPose = "transform_matrix";
+inline constexpr std::string_view kImageFile = "file_path";
 /// What fca-io calls a frame's camera: two of them may have the same numbers. No program reads it.
 inline constexpr std::string_view kLabel = "camera";
 

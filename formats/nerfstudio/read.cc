@@ -10,7 +10,9 @@
 #include <fca/formats/text/prose.h>
 
 #include <algorithm>
+#include <map>
 #include <numbers>
+#include <set>
 
 namespace fca::nerfstudio {
 
@@ -252,16 +254,52 @@ bool check_frames(fields::Reader& reader, const Node& frames) {
   return true;
 }
 
-/// What stands at the top beside cameras; of the frames how many there are.
-void keep_others(const Node& root, std::vector<ExtraField>& extras) {
+/// Is it a key of an image or of all, that says something of cameras or poses?
+bool is_known(std::string_view key) {
+  constexpr std::array kOthers = {kCameraModel, kIsFisheye, kFrames, kPose, kLabel, kImageFile};
+  return is_number(key) || std::ranges::find(kOthers, key) != kOthers.end() ||
+         std::ranges::find(kAngles, key, &AngleKey::name) != kAngles.end();
+}
+
+/// The key that is probably meant and does not stand in the object; empty: none.
+std::string_view meant_by(std::string_view key, const Node& object) {
+  // Shorter ones (k1, cx) have too many neighbours.
+  constexpr std::array<std::string_view, 14> kLong = {kCameraModel,     kIsFisheye,       kFrames, kPose,   kLabel,
+                                                      kImageFile,       "fl_x",           "fl_y",  "x_fov", "y_fov",
+                                                      "camera_angle_x", "camera_angle_y", "fovx",  "fovy"};
+  if (is_known(key)) return {};
+  const auto* const meant = std::ranges::find_if(
+      kLong, [&](std::string_view known) { return text::is_misspelling(key, known) && value_in(object, known) == nullptr; });
+  return meant == kLong.end() ? std::string_view() : *meant;
+}
+
+/// Each key once, however many images have it.
+void warn_of_misspelt(fields::Reader& reader, const Node& object, std::set<std::string>& told) {
+  for (const text::Entry& entry : object.entries) {
+    const std::string& key = entry.key.value;
+    const std::string_view meant = meant_by(key, object);
+    if (!meant.empty() && told.insert(key).second) reader.say(entry.key, Code::kKeyMisspelt, {key, meant});
+  }
+}
+
+/// What stands beside cameras: at the top with its value, of the images how many there are and how many have a key.
+std::vector<ExtraField> others(const Node& root) {
+  std::vector<ExtraField> extras;
+  std::map<std::string, std::size_t> in_frames;
   for (const text::Entry& entry : root.entries) {
     const std::string& key = entry.key.value;
-    const auto is_key = [&key](const AngleKey& angle) { return angle.name == key; };
-    const bool known = key == kCameraModel || key == kIsFisheye || is_number(key) || std::ranges::any_of(kAngles, is_key);
-    if (known || value_in(root, key) != &entry.value) continue;
     const bool frames = key == kFrames;
+    if ((is_known(key) && !frames) || value_in(root, key) != &entry.value) continue;
     extras.push_back({"", key, frames ? std::to_string(entry.value.items.size()) : fields::value_text(entry.value)});
+    if (!frames) continue;
+    for (const Node& frame : entry.value.items) {
+      for (const text::Entry& own : frame.entries) in_frames[own.key.value] += is_known(own.key.value) ? 0 : 1;
+    }
   }
+  for (const auto& [key, count] : in_frames) {
+    if (count > 0) extras.push_back({"", std::string(kFrames) + "/" + key, std::to_string(count)});
+  }
+  return extras;
 }
 
 }  // namespace
@@ -285,7 +323,10 @@ std::optional<Rig> read(std::span<const text::Document> documents, const ReadOpt
     if (!camera) return std::nullopt;
     rig.cameras.push_back(*std::move(camera));
   }
-  keep_others(root, rig.extra_fields);
+  rig.extra_fields = others(root);
+  std::set<std::string> told;
+  warn_of_misspelt(reader, root, told);
+  for (std::size_t i = 0; has_frame && i < frames->items.size(); ++i) warn_of_misspelt(reader, frames->items[i], told);
   return rig;
 }
 

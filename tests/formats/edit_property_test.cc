@@ -3,9 +3,12 @@
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
+#include <string_view>
 
 namespace fca::test {
 namespace {
@@ -203,7 +206,8 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
 
 /// A single element of a rotation has no number of its own there.
 bool stores_quaternions(const Base& base) {
-  return base.calibration.format->id == "woodscape" || base.calibration.format->id == "basalt";
+  constexpr std::array<std::string_view, 3> kFormats = {"woodscape", "basalt", "colmap"};
+  return std::ranges::find(kFormats, base.calibration.format->id) != kFormats.end();
 }
 
 /// P of a camera_info has a place in the rectified image's plane.

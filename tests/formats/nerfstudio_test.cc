@@ -277,8 +277,8 @@ TEST(Nerfstudio, ANumberThatIsNoLongerOfAllCamerasGoesToTheFrames) {
 
 // Found by mutation: half of a size at the top, the other half in one of the frames.
 TEST(Nerfstudio, ASizeInTwoPlacesStaysWhereItIs) {
-  const std::string bytes = file(R"("fl_x": 500.0, "fl_y": 500.0, "cx": 320.0, "cy": 240.0, "w": 640, "k1": 0.1)",
-                                 {frame(R"("h": 480)"), frame()});
+  const std::string bytes =
+      file(R"("fl_x": 500.0, "fl_y": 500.0, "cx": 320.0, "cy": 240.0, "w": 640, "k1": 0.1)", {frame(R"("h": 480)"), frame()});
   EXPECT_EQ(edited(bytes, [](Rig&) {}), bytes);
 }
 

@@ -151,7 +151,8 @@ std::optional<NamedFiles> written_as(const Format& format, const Rig& rig, const
     const std::optional<Rig> back = read_back(format, file);
     EXPECT_TRUE(back) << file.document.bytes();
     if (!back) continue;
-    EXPECT_EQ(back->cameras.size(), file.cameras.size());
+    // A file of poses may say the lenses again (COLMAP's rig_config.json).
+    EXPECT_TRUE(file.cameras.empty() || back->cameras.size() == file.cameras.size());
     for (const Camera& camera : back->cameras) {
       files.cameras.push_back(camera.name);
       files.topics.push_back(camera.topic);

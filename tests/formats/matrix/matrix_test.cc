@@ -181,8 +181,8 @@ Converted convert(const Source& source, const std::string& target, const std::ve
   const TemporaryFolder folder;
   std::vector<std::string> words = source.words();
   // What a poor model costs is measured here, whatever the verdict on it.
-  words.insert(words.begin(),
-               {"convert", "--accept", "pixels-off", "--accept", "no-right-rays", "--accept", "program-refuses"});
+  words.insert(words.begin(), {"convert", "--accept", "pixels-off", "--accept", "no-right-rays", "--accept", "program-refuses",
+                               "--accept", "pose-missing"});
   words.insert(words.end(), {"--to", target, "-o", folder.path().string() + "/" + output, "--json"});
   words.insert(words.end(), options.begin(), options.end());
   result.run = test::run_program(words);
@@ -328,7 +328,8 @@ bool holds_no_camera(const fs::path& path) {
 
 /// Of our own files that state no size.
 std::optional<Size> size_of_sizeless(const fs::path& path) {
-  static const std::map<std::string, Size> sizes = {{"k1d1.yml", {640, 360}}, {"stereo-14.yml", {640, 480}}};
+  static const std::map<std::string, Size> sizes = {
+      {"k1d1.yml", {640, 360}}, {"stereo-14.yml", {640, 480}}, {"rig-config.json", {640, 480}}};
   const auto found = sizes.find(path.filename().string());
   return found == sizes.end() ? std::nullopt : std::optional(found->second);
 }

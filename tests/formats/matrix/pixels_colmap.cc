@@ -5,6 +5,9 @@
 
 #include "sensor_lens.h"
 
+#include <rapidjson/document.h>
+
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -52,9 +55,39 @@ RayToPixel lens(const std::string& model, const Kind& kind, const std::vector<do
   return sensor_lens(k, d, kind.equidistant);
 }
 
+/// Of a line, or of an object of rig_config.json.
+std::optional<PixelFormula> formula_of(const std::string& model, std::vector<double> numbers) {
+  if (!kKinds.contains(model)) return std::nullopt;
+  const Kind& kind = kKinds.at(model);
+  if (kind.one_focal_length && !numbers.empty()) numbers.insert(numbers.begin(), numbers.front());
+  if (numbers.size() != 4 + kind.coefficients) return std::nullopt;
+  const std::vector<double> k = {numbers[0], numbers[1], numbers[2] - 0.5, numbers[3] - 0.5};
+  PixelFormula formula;
+  formula.pixel = lens(model, kind, k, {numbers.begin() + 4, numbers.end()});
+  return formula;
+}
+
+rapidjson::Document rigs_in(const std::string& bytes) {
+  rapidjson::Document rigs;
+  rigs.Parse<rapidjson::kParseFullPrecisionFlag>(bytes.c_str());
+  return rigs;
+}
+
+std::optional<PixelFormula> camera_of_rig(const std::string& bytes, std::size_t index) {
+  const rapidjson::Document rigs = rigs_in(bytes);
+  const rapidjson::Value& cameras = rigs[0]["cameras"];
+  if (index >= cameras.Size()) return std::nullopt;
+  const rapidjson::Value& camera = cameras[static_cast<rapidjson::SizeType>(index)];
+  if (!camera.HasMember("camera_params")) return std::nullopt;
+  std::vector<double> numbers;
+  for (const rapidjson::Value& number : camera["camera_params"].GetArray()) numbers.push_back(number.GetDouble());
+  return formula_of(camera["camera_model_name"].GetString(), numbers);
+}
+
 }  // namespace
 
 std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) {
+  if (bytes.starts_with('[')) return camera_of_rig(bytes, index);
   std::istringstream lines(bytes);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t first = line.find_first_not_of(" \t\r");
@@ -63,16 +96,11 @@ std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) 
     long id = 0;
     std::string model;
     Size size;
-    if (!(words >> id >> model >> size.width >> size.height) || !kKinds.contains(model)) return std::nullopt;
-    const Kind& kind = kKinds.at(model);
+    if (!(words >> id >> model >> size.width >> size.height)) return std::nullopt;
     std::vector<double> numbers;
     for (double number = 0.0; words >> number;) numbers.push_back(number);
-    if (kind.one_focal_length && !numbers.empty()) numbers.insert(numbers.begin(), numbers.front());
-    if (numbers.size() != 4 + kind.coefficients) return std::nullopt;
-    const std::vector<double> k = {numbers[0], numbers[1], numbers[2] - 0.5, numbers[3] - 0.5};
-    PixelFormula formula;
-    formula.size = size;
-    formula.pixel = lens(model, kind, k, {numbers.begin() + 4, numbers.end()});
+    std::optional<PixelFormula> formula = formula_of(model, numbers);
+    if (formula) formula->size = size;
     return formula;
   }
   return std::nullopt;
@@ -83,9 +111,9 @@ std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) 
 std::vector<Pose> relative_poses(const std::vector<std::string>& files) {
   const auto file = std::ranges::find_if(files, [](const std::string& bytes) { return bytes.starts_with('['); });
   if (file == files.end()) return {};
-  rapidjson::Document rigs;
-  rigs.Parse<rapidjson::kParseFullPrecisionFlag>(file->c_str());
+  const rapidjson::Document rigs = rigs_in(*file);
   const rapidjson::Value& camera = rigs[0]["cameras"][1];
+  if (!camera.HasMember("cam_from_rig_rotation")) return {};
   const auto number = [&camera](const char* key, std::size_t i) {
     return camera[key][static_cast<rapidjson::SizeType>(i)].GetDouble();
   };
