@@ -208,18 +208,12 @@ std::optional<std::array<std::string, 2>> unrelated(const Rig& rig, std::span<co
   return std::nullopt;
 }
 
-std::vector<std::string> names_of(std::span<const Camera> cameras) {
-  std::vector<std::string> names;
-  for (const Camera& camera : cameras) names.push_back(camera.name);
-  return names;
-}
-
-/// Several cameras in a file that should say where they stand. Where the program cannot do without, poses were invented.
+/// Several cameras in a written file that should say where they stand. Where its program cannot do without, poses were
+/// invented.
 void add_missing_poses(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.rig == nullptr || !states_poses(facts)) return;
-  const std::vector<std::vector<std::string>> all = {names_of(facts.rig->cameras)};
   const bool is_invented = std::ranges::any_of(facts.defaults, &DefaultedValue::invented);
-  for (const std::vector<std::string>& cameras : facts.files.empty() ? std::span(all) : facts.files) {
+  for (const std::vector<std::string>& cameras : facts.files) {
     const auto pair = unrelated(*facts.rig, cameras);
     if (!pair) continue;
     reasons.push_back({.word = is_invented ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare,

@@ -259,6 +259,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   list_camera_losses(rig, "COLMAP", written.losses);
   written.headline = {is_rig_config ? Code::kColmapRigHeadline : Code::kColmapHeadline};
   if (!edits) add_rig_config(rig, written, diagnostics);
+  if (written.files.size() == 1 && !is_rig_config) written.sensor = kLensAlone;
   return written;
 }
 

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <set>
 
 #include <rapidjson/document.h>
 
@@ -323,7 +324,8 @@ std::vector<Source> corpus_sources(const std::string& format) {
 
 /// Of our own files those that hold other parts of a calibration.
 bool holds_no_camera(const fs::path& path) {
-  return path.filename() == "imu.yaml" || path.filename() == "extrinsics.yml" || path.filename() == "config.yaml";
+  static const std::set<std::string> kParts = {"imu.yaml", "extrinsics.yml", "config.yaml", "rig-poses-crlf.json"};
+  return kParts.contains(path.filename().string());
 }
 
 /// Of our own files that state no size.
