@@ -200,8 +200,7 @@ bool states_poses(const VerdictFacts& facts) {
 
 /// The first two cameras of a file, that nothing relates to each other.
 std::optional<std::array<std::string, 2>> unrelated(const Rig& rig, std::span<const std::string> cameras) {
-  if (rig.baseline_m) return std::nullopt;
-  for (std::size_t i = 1; i < cameras.size(); ++i) {
+  for (std::size_t i = rig.baseline_m ? 2 : 1; i < cameras.size(); ++i) {
     const bool of_rig = rig.find_camera(cameras[0]) != nullptr && rig.find_camera(cameras[i]) != nullptr;
     if (of_rig && !rig.resolve(cameras[0], cameras[i])) return {{cameras[0], cameras[i]}};
   }
@@ -329,8 +328,9 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
     }
     case Code::kOtherTimeOffset:
       return true;
-    case Code::kImuDropped:
     case Code::kImuFileDropped:
+      return to.imu ? uses_imu : uses_poses;  // without an IMU it is a file of poses
+    case Code::kImuDropped:
     case Code::kCamchainImuDropped:
       return uses_imu;
     case Code::kPoseDropped:

@@ -54,7 +54,7 @@ const Model* find_model(std::string_view name) {
   return found == kModels.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> read_names() {
+std::vector<std::string> names_of_read_models() {
   std::vector<std::string> names;
   for (const Model& model : kModels) {
     if (!model.model.empty()) names.emplace_back(model.name);
@@ -107,7 +107,7 @@ std::optional<std::vector<double>> parameters_in(const Model& model, const Camer
 const Model* read_model(const text::Node& word, fields::Reader& reader) {
   const Model* model = find_model(word.value);
   if (model == nullptr) {
-    const std::vector<std::string> all = read_names();
+    const std::vector<std::string> all = names_of_read_models();
     const std::vector<std::string> alike = text::nearest(word.value, all);
     reader.say(word, Code::kColmapUnknownModel, {word.value.substr(0, 40), alike.empty() ? all : alike});
   } else if (model->model.empty()) {

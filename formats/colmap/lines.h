@@ -30,7 +30,7 @@ struct Model {
 /// Null if COLMAP has none of that name.
 [[nodiscard]] const Model* find_model(std::string_view name);
 /// The names of the models that fca-io reads.
-[[nodiscard]] std::vector<std::string> read_names();
+[[nodiscard]] std::vector<std::string> names_of_read_models();
 /// The model that a fresh line names.
 [[nodiscard]] const Model* written_model(const CameraModel& model);
 

@@ -183,8 +183,9 @@ std::vector<Field> pose_fields(const Rig& rig, const std::string& camera, const 
           fields::list(std::string(kTranslation), translation_of(*T))};
 }
 
-std::vector<Field> lens_fields(const Camera& camera, const Model& model) {
-  return {fields::quoted(std::string(kModelName), model.name),
+/// `name`: of the model, as it stands there or is to stand.
+std::vector<Field> lens_fields(const Camera& camera, const Model& model, std::string_view name) {
+  return {fields::quoted(std::string(kModelName), name),
           fields::list(std::string(kParameters), parameters_in(model, camera).value())};
 }
 
@@ -219,7 +220,8 @@ std::optional<std::string> composed_rig_config(const Rig& rig) {
     std::vector<Field> fields = {fields::quoted(std::string(kPrefix), "cam" + std::to_string(i) + "/")};
     if (camera.name == reference) fields.push_back(fields::scalar(std::string(kReference), "true"));
     std::ranges::move(pose_fields(rig, camera.name, reference), std::back_inserter(fields));
-    std::ranges::move(lens_fields(camera, *written_model(camera.model)), std::back_inserter(fields));
+    std::ranges::move(lens_fields(camera, *written_model(camera.model), written_model(camera.model)->name),
+                      std::back_inserter(fields));
     constexpr std::size_t kInObject = 8;
     std::string lines;
     for (const Field& field : fields)
@@ -244,8 +246,10 @@ text::Document edited_rig_config(const text::Document& base, const Rig& old, con
     const Camera* old_camera = old.find_camera(name);
     const Camera* camera = rig.find_camera(name);
     if (old_camera != nullptr && camera != nullptr) {
-      std::ranges::move(lens_fields(*old_camera, model_for(node, *old_camera)), std::back_inserter(before));
-      std::ranges::move(lens_fields(*camera, model_for(node, *camera)), std::back_inserter(after));
+      const Model& model = model_for(node, *camera);
+      std::ranges::move(lens_fields(*old_camera, model_for(node, *old_camera), find(node, kModelName)->value),
+                        std::back_inserter(before));
+      std::ranges::move(lens_fields(*camera, model, model.name), std::back_inserter(after));
     }
     fields::apply(document, node, kDialect, before, after);
   }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <locale>
 #include <optional>
@@ -227,6 +228,7 @@ class RigConfig {
       const Json* cameras = rig.IsObject() ? member(rig, "cameras") : nullptr;
       if (cameras == nullptr || !cameras->IsArray()) return refuse(Code::kColmapSaysNoRig);
       read_rig(*cameras);
+      if (!view_.loads()) return;
     }
   }
 
@@ -243,8 +245,16 @@ class RigConfig {
     if (list == nullptr || !list->IsArray()) return numbers;
     for (const Json& item : list->GetArray()) {
       if (item.IsNumber()) numbers.push_back(item.GetDouble());
+      if (item.IsString()) numbers.push_back(std::strtod(item.GetString(), nullptr));
     }
     return numbers;
+  }
+
+  /// As boost::property_tree reads a bool: numbers and words alike.
+  static bool is_true(const Json* value) {
+    if (value == nullptr) return false;
+    if (value->IsString()) return std::string_view(value->GetString()) == "true" || std::string_view(value->GetString()) == "1";
+    return value->IsBool() ? value->GetBool() : value->IsInt() && value->GetInt() == 1;
   }
 
   /// "cam0" of the prefix "rig/cam0/"
@@ -277,8 +287,7 @@ class RigConfig {
     for (const Json& camera : cameras.GetArray()) {
       const Json* prefix = camera.IsObject() ? member(camera, "image_prefix") : nullptr;
       if (prefix == nullptr || !prefix->IsString()) return refuse(Code::kColmapSaysNoPrefix);
-      const Json* is_reference = member(camera, "ref_sensor");
-      if (is_reference == nullptr || !is_reference->IsBool() || !is_reference->GetBool()) continue;
+      if (!is_true(member(camera, "ref_sensor"))) continue;
       ++references;
       reference = name_of(prefix->GetString());
     }
@@ -292,6 +301,7 @@ class RigConfig {
       if (q.size() == 4 && t.size() == 3)
         view_.poses.push_back({name, reference, pose_as_if_unit(q[0], {q[1], q[2], q[3]}, {t[0], t[1], t[2]})});
       read_lens(camera, name);
+      if (!view_.loads()) return;
     }
   }
 

@@ -145,12 +145,22 @@ void NerfFile::check_frames(std::size_t rows) {
   }
 }
 
+namespace {
+
+/// 0, which says nothing, for what no image has.
+int side_of(double side) {
+  constexpr double kLargest = 1e6;
+  return side >= 1.0 && side <= kLargest ? static_cast<int>(side) : 0;
+}
+
+}  // namespace
+
 ConsumerCamera nerf_camera(const NerfCamera& camera, double width, double height, std::string_view model,
                            NerfProjection project) {
   ConsumerCamera seen;
   seen.name = camera.name;
-  seen.width = static_cast<int>(width);
-  seen.height = static_cast<int>(height);
+  seen.width = side_of(width);
+  seen.height = side_of(height);
   seen.model = model;
   seen.project = [project = std::move(project)](const std::array<double, 3>& ray) -> std::optional<std::array<double, 2>> {
     constexpr double kCentre = 0.5;

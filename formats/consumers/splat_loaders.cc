@@ -32,11 +32,20 @@ constexpr std::array<std::string_view, 9> kLichtfeld = {
     "SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL",         "RADIAL",        "OPENCV",
     "FULL_OPENCV",    "OPENCV_FISHEYE", "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE"};
 
+bool begins_with(char character, std::string_view bytes) {
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && bytes[first] == character;
+}
+
+bool is_json(std::string_view bytes) { return begins_with('{', bytes); }
+
 /// What COLMAP reads, if all of its models are among those.
 ConsumerView load_some_of_colmap(std::string_view bytes, const LoadOptions& options, std::string_view program,
                                  std::span<const std::string_view> models) {
   ConsumerView view = load_colmap(bytes, options);
   view.warnings.clear();
+  const bool is_rig_config = begins_with('[', bytes);  // of COLMAP's alone
+  if (is_rig_config) view.refusals.emplace_back(Code::kColmapSaysLine, "", std::vector<Argument>{1});
   for (const ConsumerCamera& camera : view.cameras) {
     if (std::ranges::find(models, camera.model) != models.end()) continue;
     const std::vector<std::string> all(models.begin(), models.end());
@@ -45,11 +54,6 @@ ConsumerView load_some_of_colmap(std::string_view bytes, const LoadOptions& opti
   }
   if (!view.loads()) view.cameras.clear();
   return view;
-}
-
-bool is_json(std::string_view bytes) {
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && bytes[first] == '{';
 }
 
 constexpr std::array<std::string_view, 12> kIntrinsics = {"fl_x", "fl_y", "cx", "cy", "k1", "k2",

@@ -17,7 +17,6 @@ using text::Node;
 namespace {
 
 bool is_coefficient(std::string_view key) { return std::ranges::find(kCoefficients, key) != kCoefficients.end(); }
-bool is_fisheye(const Camera& camera) { return model_info(camera.model).id == "kb4"; }
 bool is_one_of(const std::vector<std::string_view>& keys, std::string_view key) {
   return std::ranges::find(keys, key) != keys.end();
 }

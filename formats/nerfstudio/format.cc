@@ -22,7 +22,7 @@ namespace {
 
 ProbeResult probe(const text::Document& document) {
   const Node& root = document.root();
-  if (!root.is_mapping()) return {};
+  if (document.syntax() != text::Syntax::kJson || !root.is_mapping()) return {};
   const Node* frames = value_in(root, kFrames);
   const bool has_frames = frames != nullptr && frames->is_sequence();
   const Node& frame = has_frames && !frames->items.empty() ? frames->items.front() : root;
@@ -34,8 +34,6 @@ ProbeResult probe(const text::Document& document) {
   if (has_frames && value_in(frame, kPose) != nullptr) return {evidence::kPart, Message{Code::kNerfFound, {kPose}}};
   return {};
 }
-
-bool is_fisheye(const Camera& camera) { return model_info(camera.model).id == "kb4"; }
 
 /// False with an error if one is a fisheye and another is none.
 bool are_of_one_kind(const Rig& rig, Diagnostics& diagnostics) {
@@ -100,10 +98,17 @@ std::string program_of(const text::Document& document) {
   return other_word || !std::ranges::all_of(groups, states_all) ? "instant-ngp" : "nerfstudio";
 }
 
+/// How the base was read: what the user may have said of images whose size it leaves out.
+ReadOptions options_for(const Rig& rig) {
+  ReadOptions options;
+  if (!rig.cameras.empty()) options.image_size = rig.cameras.front().image_size;
+  return options;
+}
+
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   Diagnostics ignored;
-  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), options_for(rig), ignored) : std::nullopt;
   const bool edits = old && !options.anew && schema::same_cameras(*old, rig);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kNerfDemandsSize}, diagnostics))

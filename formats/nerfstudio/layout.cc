@@ -127,6 +127,8 @@ const Node& owner_of(const Node& root, const Group& group, std::string_view key)
   return at_top || group.frames.empty() ? root : *group.frames.front();
 }
 
+bool is_fisheye(const Camera& camera) { return model_info(camera.model).id == "kb4"; }
+
 std::optional<bool> is_fisheye_model(std::string_view camera_model) {
   const auto* const found = std::ranges::find(kModelNames, camera_model, &ModelName::name);
   return found == kModelNames.end() ? std::nullopt : std::optional(found->fisheye);

@@ -70,6 +70,7 @@ struct Group {
 
 /// nerfstudio's models that are one of ours: true for the fisheye. Nothing of others.
 [[nodiscard]] std::optional<bool> is_fisheye_model(std::string_view camera_model);
+[[nodiscard]] bool is_fisheye(const Camera& camera);
 /// The names of those models.
 [[nodiscard]] std::vector<std::string> read_models();
 /// The name for a camera of that model, in place of `there` (empty: none), which stays if it does.

@@ -305,7 +305,9 @@ std::vector<ExtraField> others(const Node& root) {
 }  // namespace
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
-  if (documents.size() != 1 || !documents.front().root().is_mapping()) {
+  const bool is_object =
+      documents.size() == 1 && documents.front().syntax() == text::Syntax::kJson && documents.front().root().is_mapping();
+  if (!is_object) {
     diagnostics.add(Code::kNerfWrongSyntax, {}, {documents.empty() ? "" : documents.front().source().name, 0, 0});
     return std::nullopt;
   }

@@ -88,7 +88,8 @@ std::string models(const ConvertOutcome& outcome) {
 std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure, double as_program_sees) {
   double most = as_program_sees;
   for (const ConvertedCamera& camera : outcome.cameras) {
-    if (as_program_sees == 0.0 && camera.report && !camera.report->exact) most = std::max(most, camera.report->judgement.error.*figure);
+    if (as_program_sees == 0.0 && camera.report && !camera.report->exact)
+      most = std::max(most, camera.report->judgement.error.*figure);
   }
   constexpr double kNothingPx = 1e-4;
   return most < kNothingPx ? "0" : pixels(most);

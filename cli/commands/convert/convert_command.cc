@@ -94,6 +94,15 @@ ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector
   return result.inputs.size() == 1 ? result : arguments;
 }
 
+/// The summary says those.
+Diagnostics without_errors(const Diagnostics& diagnostics) {
+  Diagnostics rest;
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (entry.severity != Severity::kError) rest.add(entry);
+  }
+  return rest;
+}
+
 ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
@@ -138,7 +147,7 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
         (file_on_stdout && written) || arguments.quiet ? console.say_aside(report, word) : console.say(report, word);
       }
       if (in_full && !arguments.quiet && (arguments.verbose || !has_result)) {
-        console.show(outcome.diagnostics);
+        console.show(has_summary ? without_errors(outcome.diagnostics) : outcome.diagnostics);
       } else if (!has_summary) {
         console.show_errors(outcome.diagnostics);
       }

@@ -141,11 +141,10 @@ std::string parts_in_words(const Rig& rig) {
   return rig.imus.empty() ? ", a pose without cameras" : ", an IMU without cameras";
 }
 
-/// "ready, for Kalibr; ": in the mode that fits it best.
+/// "ready, for Kalibr; ". Of a program that does not make the same of the file in all of its modes, these are told one by one.
 std::string verdict_in_words(const ShownFile& shown) {
-  if (!shown.asked) return "";
-  VerdictWord word = VerdictWord::kDoNotUse;
-  for (const ProgramReading::Mode& mode : shown.asked->modes) word = std::min(word, mode.verdict.word);
+  if (!shown.asked || shown.asked->modes.size() > 1) return "";
+  const VerdictWord word = shown.asked->modes.empty() ? VerdictWord::kDoNotUse : shown.asked->modes.front().verdict.word;
   return std::string(cli::in_words(word)) + ", for " + std::string(shown.asked->program->program) + "; ";
 }
 

@@ -46,6 +46,7 @@ std::optional<ConvertResult> better_writing(const CheckResult& checked, const Ch
   const auto program = std::ranges::find(all, report.proof->program, &consumers::Consumer::program);
   if (program == all.end()) return std::nullopt;
   ConvertResult other = preview_conversion(checked.source.name, request.inputs, *program, files);
+  if (other.status != Status::kDone) return std::nullopt;
   return other.verdict.word < report.verdict.word ? std::optional(std::move(other)) : std::nullopt;
 }
 

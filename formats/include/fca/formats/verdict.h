@@ -26,7 +26,7 @@ struct VerdictFacts {
   std::span<const DefaultedValue> defaults = {};
   std::span<const Finding> findings = {};     ///< About the meaning of what the file states (findings_about_meaning).
   const Rig* rig = nullptr;                ///< As read, for its contradictions.
-  /// Of each written file the cameras of the rig that it holds; empty: one file holds all.
+  /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
   std::span<const Acceptance> accepted = {};
 };
