@@ -61,7 +61,7 @@ Pixel fisheye(const Numbers& c, double u, double v) {
   const double scale = r > kEpsilon ? std::atan(r) / r : 1.0;
   const double theta2 = scale * r * scale * r;
   double sum = 0.0;
-  for (auto coefficient = c.rbegin(); coefficient != c.rend(); ++coefficient) sum = theta2 * (*coefficient + sum);
+  for (std::size_t i = c.size(); i-- > 0;) sum = theta2 * (c[i] + sum);
   return {scale * u * (1.0 + sum), scale * v * (1.0 + sum)};
 }
 
