@@ -98,17 +98,19 @@ std::string program_of(const text::Document& document) {
   return other_word || !std::ranges::all_of(groups, states_all) ? "instant-ngp" : "nerfstudio";
 }
 
-/// How the base was read: what the user may have said of images whose size it leaves out.
-ReadOptions options_for(const Rig& rig) {
+/// The base as it was read, with the image size that the user had to say where the file leaves it out.
+std::optional<Rig> read_base(const text::Document& base, const Rig& rig) {
+  Diagnostics ignored;
+  std::optional<Rig> old = read(std::span(&base, 1), {}, ignored);
+  if (old || rig.cameras.empty()) return old;
   ReadOptions options;
-  if (!rig.cameras.empty()) options.image_size = rig.cameras.front().image_size;
-  return options;
+  options.image_size = rig.cameras.front().image_size;
+  return read(std::span(&base, 1), options, ignored);
 }
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  Diagnostics ignored;
-  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), options_for(rig), ignored) : std::nullopt;
+  const std::optional<Rig> old = base != nullptr ? read_base(*base, rig) : std::nullopt;
   const bool edits = old && !options.anew && schema::same_cameras(*old, rig);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kNerfDemandsSize}, diagnostics))

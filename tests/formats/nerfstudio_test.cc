@@ -456,5 +456,22 @@ TEST(Nerfstudio, TheCorpusIsReadAsAPersonReadsIt) {
   EXPECT_EQ(files_in(corpus).size(), kExpected.size());
 }
 
+// The size that the user had to say to read the base does not cost it its images.
+TEST(Nerfstudio, ABaseWithoutASizeKeepsItsImages) {
+  const std::string bytes =
+      "{\"camera_angle_x\": 0.69, \"frames\": [{\"file_path\": \"a\", \"transform_matrix\": "
+      "[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 4], [0, 0, 0, 1]]}]}\n";
+  ReadOptions options;
+  options.image_size = ImageSize{800, 800};
+  Diagnostics diagnostics;
+  const text::Document base = document_of(bytes, "transforms.json");
+  const std::optional<Calibration> calibration = read_calibration({base}, nullptr, options, diagnostics);
+  ASSERT_TRUE(calibration);
+  const std::optional<Written> written =
+      write_calibration(*find_format("nerfstudio"), &base, calibration->rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->files.front().document.bytes(), bytes);
+}
+
 }  // namespace
 }  // namespace fca::test
