@@ -24,7 +24,7 @@ struct VerdictFacts {
   bool has_reader = true;                    ///< False: of some file no program is known that reads it.
   std::span<const Loss> losses = {};
   std::span<const DefaultedValue> defaults = {};
-  std::span<const Finding> findings = {};     ///< About the meaning of what the file states (findings_about_meaning).
+  std::span<const Finding> findings = {};  ///< About the meaning of what the file states (findings_about_meaning).
   const Rig* rig = nullptr;                ///< As read, for its contradictions.
   /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
