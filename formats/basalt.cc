@@ -144,11 +144,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   const std::vector<ExtraField> said = edits ? old->extra_fields : schema::carried(kSchema, rig);
   const Message no_place{Code::kBasaltNoPlace};
-  add_beyond_base(rig.extra_fields, said, no_place, written.losses);
-  if (old && !edits) {
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
-                    written.losses);
-  }
+  add_extras_lost(rig, said, edits ? std::nullopt : old, no_place, written.losses);
   schema::list_losses(kSchema, rig, no_place, written.losses);
   written.headline = {Code::kBasaltWrote};
   return written;

@@ -101,9 +101,11 @@ bool join(const Rig& part, const text::Document& document, Rig& rig, Diagnostics
     const Camera* there = rig.find_camera(camera.name);
     if (there == nullptr) {
       rig.cameras.push_back(camera);
-    } else if (there->model != camera.model ||
-               (camera.image_size &&
-                camera.image_size != there->image_size)) {  // COLMAP's rig_config.json says the lenses again
+      continue;
+    }
+    // COLMAP's rig_config.json states the lenses again, without sizes.
+    const bool same_size = !camera.image_size || camera.image_size == there->image_size;
+    if (there->model != camera.model || !same_size) {
       diagnostics.add(Code::kCameraInMainFile, {camera.name}, where);
       good = false;
     }

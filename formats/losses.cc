@@ -56,6 +56,14 @@ void add_composed_anew(const text::Document& base, const text::Document& fresh, 
   if (!header.empty() && yaml_header(fresh).empty()) losses.push_back(lost(Code::kHeaderDropped, name, "", {reason, header}));
 }
 
+void add_extras_lost(const Rig& rig, std::span<const ExtraField> there, const std::optional<Rig>& replaced, const Message& why,
+                     std::vector<Loss>& losses) {
+  add_beyond_base(rig.extra_fields, there, why, losses);
+  if (!replaced) return;
+  const std::vector<ExtraField> of_base = extras_beyond(replaced->extra_fields, rig.extra_fields);
+  add_not_carried(extras_beyond(of_base, there), Message{Code::kComposedAnew}, losses);
+}
+
 void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses) {
   const std::vector<text::Span> before = text::comments_of(edited);
   if (before.empty()) return;

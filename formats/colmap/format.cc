@@ -251,11 +251,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     said.push_back({rig.cameras[i].name, std::string(kId), std::to_string(ids[i])});
   written.files.push_back({*std::move(document), {}, {is_rig_config ? "colmap-rig" : "colmap"}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
-  add_beyond_base(rig.extra_fields, said, Message{Code::kColmapNoPlace}, written.losses);
-  if (old && !edits) {
-    add_not_carried(extras_beyond(extras_beyond(old->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
-                    written.losses);
-  }
+  add_extras_lost(rig, said, edits ? std::nullopt : old, Message{Code::kColmapNoPlace}, written.losses);
   list_camera_losses(rig, "COLMAP", written.losses);
   written.headline = {is_rig_config ? Code::kColmapRigHeadline : Code::kColmapHeadline};
   if (!edits) add_rig_config(rig, written, diagnostics);

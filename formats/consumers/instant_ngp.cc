@@ -145,8 +145,7 @@ class Loader {
 
   /// Is the lens not what the file means?
   bool warn_of_lens(const NerfCamera& camera, const Image& image) {
-    const Json* name = NerfFile::find(file_.root(), "camera_model");
-    const bool named = name != nullptr && name->IsString() && std::string_view(name->GetString()) == "OPENCV_FISHEYE";
+    const bool named = file_.is_named_fisheye();
     const Json& lens = has(*camera.frame, "k1") ? *camera.frame : file_.root();
     const bool flagged = file_.flag(lens, "is_fisheye");
     if (named && !flagged) {

@@ -155,6 +155,11 @@ int side_of(double side) {
 
 }  // namespace
 
+bool NerfFile::is_named_fisheye() const {
+  const Json* name = find(root(), "camera_model");
+  return name != nullptr && name->IsString() && std::string_view(name->GetString()) == "OPENCV_FISHEYE";
+}
+
 ConsumerCamera nerf_camera(const NerfCamera& camera, double width, double height, std::string_view model,
                            NerfProjection project) {
   ConsumerCamera seen;

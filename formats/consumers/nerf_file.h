@@ -43,6 +43,8 @@ class NerfFile {
   std::optional<double> number(const Json& object, std::string_view key);
   /// True or false; false where nothing stands there, and a refusal where something else does.
   bool flag(const Json& object, std::string_view key);
+  /// Is it nerfstudio's OPENCV_FISHEYE?
+  [[nodiscard]] bool is_named_fisheye() const;
   /// Every frame has an image and a pose of at least so many rows of four numbers; else a refusal.
   void check_frames(std::size_t rows);
 

@@ -68,9 +68,7 @@ bool warn_of_frames(NerfFile& file, const NerfCamera& camera) {
 }
 
 bool is_fisheye(NerfFile& file, const NerfCamera& camera) {
-  const Json* name = NerfFile::find(file.root(), "camera_model");
-  const bool named = name != nullptr && name->IsString() && std::string_view(name->GetString()) == "OPENCV_FISHEYE";
-  return named || file.flag(file.root(), "is_fisheye") || file.flag(*camera.frame, "is_fisheye");
+  return file.is_named_fisheye() || file.flag(file.root(), "is_fisheye") || file.flag(*camera.frame, "is_fisheye");
 }
 
 double from_angle(double side, double angle) { return 0.5 * side / std::tan(0.5 * angle); }

@@ -124,9 +124,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   written.files.push_back({*std::move(document), {}, {program}});
   for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
   const std::vector<ExtraField> said = edits ? old->extra_fields : std::vector<ExtraField>();
-  add_beyond_base(rig.extra_fields, said, Message{Code::kNerfNoPlace}, written.losses);
-  if (old && !edits)
-    add_not_carried(extras_beyond(old->extra_fields, rig.extra_fields), Message{Code::kComposedAnew}, written.losses);
+  add_extras_lost(rig, said, edits ? std::nullopt : old, Message{Code::kNerfNoPlace}, written.losses);
   if (!edits) {
     written.defaults.push_back({.key = std::string(kFrames), .value = Message{Code::kNerfFramesToAdd}, .look_at_it = true});
   }

@@ -190,11 +190,7 @@ std::optional<Written> write(const Files& files, const text::Document* base, con
   const Message no_place{Code::kFilesHaveNoPlace, {files.file_of}};
   const bool imu_file = written.files.back().cameras.empty();
   const std::vector<ExtraField> said = contained_in(files, edits ? old : std::nullopt, rig, imu_file && !of_imu);
-  add_beyond_base(rig.extra_fields, said, no_place, written.losses);
-  if (there && !edits) {
-    add_not_carried(extras_beyond(extras_beyond(there->extra_fields, rig.extra_fields), said), Message{Code::kComposedAnew},
-                    written.losses);
-  }
+  add_extras_lost(rig, said, edits ? std::nullopt : there, no_place, written.losses);
   schema::list_losses(files.whole, rig, no_place, written.losses);
   written.headline = {rig.cameras.empty() ? files.wrote_imu : files.wrote};
   return written;
