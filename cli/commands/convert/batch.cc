@@ -97,7 +97,9 @@ std::string largest(const ConvertOutcome& outcome, double ErrorSummary::*figure,
 
 std::string result(const ConvertOutcome& outcome) {
   for (const Diagnostic& entry : outcome.diagnostics.entries()) {
-    if (entry.severity == Severity::kError) return "error: " + id_of(entry);
+    if (entry.severity != Severity::kError) continue;
+    const bool is_judged = outcome.status == Status::kRejected;
+    return (is_judged ? std::string(in_words(VerdictWord::kDoNotUse)) : "error") + ": " + id_of(entry);
   }
   return std::string(in_words(outcome.verdict.word));
 }
