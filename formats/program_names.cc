@@ -32,19 +32,19 @@ constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("glomap"),
                                 Name("hloc"),
                                 Name("3dgs"),
-                                Name("gsplat"),
                                 Name("inria-gs"),
-                                Name("3dgrut"),
-                                Name("3dgut"),
-                                Name("lichtfeld"),
                                 Name("postshot"),
                                 Name("brush"),
                                 Name("opensplat"),
                                 Name("gaussian-splatting"),
                                 Name("realitycapture-colmap")};
 
-constexpr std::array kNerfstudio = {Name("splatfacto"), Name("nerfacto"),        Name("instant-ngp"), Name("ngp"),
-                                    Name("torch-ngp"),  Name("transforms.json"), Name("luma")};
+constexpr std::array kGsplat = {Name("gsplat")};
+constexpr std::array k3dgrut = {Name("3dgrut"), Name("3dgut")};
+constexpr std::array kLichtfeld = {Name("lichtfeld"), Name("lichtfeld-studio")};
+constexpr std::array kNerfstudio = {Name("splatfacto"), Name("nerfacto"), Name("torch-ngp"), Name("transforms.json"),
+                                    Name("luma")};
+constexpr std::array kInstantNgp = {Name("instant-ngp"), Name("ngp")};
 
 // Not written: what they read.
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
@@ -97,7 +97,11 @@ constexpr std::array kNames = {
     ProgramName{kCuvslam, "cuVSLAM", "euroc"},
     ProgramName{kKimera, "Kimera", "kimera"},
     ProgramName{kColmap, "COLMAP", "colmap"},
+    ProgramName{.names = kGsplat, .title = "gsplat", .format = "colmap", .consumer = "gsplat"},
+    ProgramName{.names = k3dgrut, .title = "3dgrut", .format = "colmap", .consumer = "3dgrut"},
+    ProgramName{.names = kLichtfeld, .title = "LichtFeld Studio", .format = "colmap", .consumer = "lichtfeld"},
     ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
+    ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},

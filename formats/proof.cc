@@ -339,6 +339,13 @@ void add_warnings(Readers::Program& program, std::string_view mode, const std::v
 
 }  // namespace
 
+consumers::LoadOptions load_options(const ReadOptions& reading, std::string mode) {
+  consumers::LoadOptions options = {std::move(mode), reading.opencv_model};
+  if (const std::optional<ImageSize>& size = reading.image_size)
+    options.image_size = {static_cast<double>(size->width), static_cast<double>(size->height)};
+  return options;
+}
+
 Readers ask_readers(std::string_view format_id, std::string_view bytes, std::optional<bool> with_cameras,
                     const consumers::LoadOptions& options) {
   Readers readers;

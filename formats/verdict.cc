@@ -207,12 +207,20 @@ std::optional<std::array<std::string, 2>> unrelated(const Rig& rig, std::span<co
   return std::nullopt;
 }
 
-/// Several cameras in a written file that should say where they stand. Where its program cannot do without, poses were
-/// invented.
+/// The cameras of each file that was written; of the one that was read.
+std::vector<std::vector<std::string>> cameras_of_files(const VerdictFacts& facts) {
+  if (!facts.files.empty()) return {facts.files.begin(), facts.files.end()};
+  std::vector<std::string> names;
+  for (const Camera& camera : facts.rig->cameras) names.push_back(camera.name);
+  return {names};
+}
+
+/// Several cameras in a file that should say where they stand. Where its program cannot do without, poses were invented.
 void add_missing_poses(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.rig == nullptr || !states_poses(facts)) return;
+  if (facts.files.empty() && facts.to->poses_apart) return;
   const bool is_invented = std::ranges::any_of(facts.defaults, &DefaultedValue::invented);
-  for (const std::vector<std::string>& cameras : facts.files) {
+  for (const std::vector<std::string>& cameras : cameras_of_files(facts)) {
     const auto pair = unrelated(*facts.rig, cameras);
     if (!pair) continue;
     reasons.push_back({.word = is_invented ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare,

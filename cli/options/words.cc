@@ -89,6 +89,7 @@ std::optional<std::string> take_target(const std::string& word, ConvertRequest& 
   if (problem || program == nullptr) return problem;
   if (!program->layout.empty() && request.layout.name.empty()) request.layout = {request.to, std::string(program->layout)};
   request.extension = program->extension;
+  if (!program->consumer.empty()) request.program = consumers::find_consumer(program->consumer);
   return std::nullopt;
 }
 

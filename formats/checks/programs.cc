@@ -57,7 +57,7 @@ class ProgramsCheck {
   }
 
   void run() {
-    report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(""));
+    report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(options_.reading));
     const Consumer* own = options_.program != nullptr ? options_.program : format_program();
     if (own == nullptr) {
       if (with_cameras_) {
@@ -85,10 +85,6 @@ class ProgramsCheck {
   }
 
  private:
-  [[nodiscard]] consumers::LoadOptions load_options(std::string mode) const {
-    return {std::move(mode), options_.reading.opencv_model};
-  }
-
   /// The format's own program: the first of the table that reads such files.
   [[nodiscard]] const Consumer* format_program() const {
     const auto all = consumers::all_consumers();
@@ -102,7 +98,8 @@ class ProgramsCheck {
     std::vector<Attempt> attempts;
     if (format_.modes.empty()) attempts.push_back({"", {}});
     for (const std::string_view mode : format_.modes) attempts.push_back({std::string(mode), {}});
-    for (Attempt& each : attempts) each.view = program.load(document_.source().bytes, load_options(each.mode));
+    for (Attempt& each : attempts)
+      each.view = program.load(document_.source().bytes, load_options(options_.reading, each.mode));
     return attempts;
   }
 
@@ -111,7 +108,7 @@ class ProgramsCheck {
     if (calibration_ == nullptr) return;
     const std::string mode = format_.modes.empty() ? "" : meant_mode(document_);
     report_.mode = mode;
-    report_.proof = prove(program, document_.source().bytes, load_options(mode), rig_in_stated_unit(),
+    report_.proof = prove(program, document_.source().bytes, load_options(options_.reading, mode), rig_in_stated_unit(),
                           options_.max_angle_rad.value_or(std::numbers::pi));
     if (report_.proof->loads || options_.program != nullptr) return;  // whoever asks for a program has that one
     for (const Readers::Program& other : report_.readers.programs) {
@@ -162,7 +159,7 @@ class ProgramsCheck {
   /// One refusal or warning, at its place, with the mend if there is a certain one.
   void say(Finding finding, const Consumer& program, const std::string& mode, const Complaint& complaint) {
     finding.where = place_of(complaint);
-    if (const std::optional<Mend> mend = find_mend(document_, program, load_options(mode), complaint)) {
+    if (const std::optional<Mend> mend = find_mend(document_, program, load_options(options_.reading, mode), complaint)) {
       finding.kind = mend->fix.code;
       const text::Span line = document_.source().line_at(mend->span.offset);
       // A line that is put in before is wanted where the first one stands.
@@ -290,7 +287,7 @@ class ProgramsCheck {
     finding.severity = Severity::kWarning;
     finding.facts = {Code::kModeRefused, {mode, own.program, modes, refusals.front().facts, and_more(refusals)}};
     finding.where = place_of(refusals.front());
-    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(mode), refusals.front())) {
+    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(options_.reading, mode), refusals.front())) {
       finding.remedy = mend->fix;
       finding.mend = SpanEdit{mend->span, mend->text};
     }

@@ -280,6 +280,7 @@ const Format kFormat = {
     .reader_warns = true,
     .many_cameras = true,
     .extrinsics = true,
+    .poses_apart = true,
     .imu = false,
     .image_size = true,
     .own_facts = kOwnFacts,

@@ -21,6 +21,10 @@ ConsumerView in_own_locale(std::string_view bytes, const LoadOptions& options) {
 constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
 
+// Of a cameras.txt.
+constexpr std::array<std::string_view, 3> kOfGsplat = {"pinhole", "radtan", "kb4"};
+constexpr std::array<std::string_view, 4> kOfSplatTrainers = {"pinhole", "radtan", "kb4", "rational"};
+
 constexpr std::array kConsumers{
     Consumer{.id = "kalibr",
              .program = "Kalibr",
@@ -144,19 +148,26 @@ constexpr std::array kConsumers{
              .cameras = false},
     Consumer{"nerfstudio", "nerfstudio", "nerfstudio", kFloatPrecisionPx, &in_own_locale<&load_nerfstudio>},
     Consumer{"instant-ngp", "instant-ngp", "nerfstudio", kFloatPrecisionPx, &in_own_locale<&load_instant_ngp>},
-    Consumer{"gsplat", "gsplat's examples", "colmap", kFloatPrecisionPx, &in_own_locale<&load_gsplat>},
+    Consumer{.id = "gsplat",
+             .program = "gsplat",
+             .format = "colmap",
+             .tolerance_px = kFloatPrecisionPx,
+             .load = &in_own_locale<&load_gsplat>,
+             .writing = {.models_taken = kOfGsplat}},
     Consumer{.id = "3dgrut",
              .program = "3dgrut",
              .format = "colmap",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_3dgrut>,
-             .second_format = "nerfstudio"},
+             .second_format = "nerfstudio",
+             .writing = {.models_taken = kOfSplatTrainers}},
     Consumer{.id = "lichtfeld",
              .program = "LichtFeld Studio",
              .format = "colmap",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_lichtfeld>,
-             .second_format = "nerfstudio"},
+             .second_format = "nerfstudio",
+             .writing = {.models_taken = kOfSplatTrainers}},
 };
 
 }  // namespace

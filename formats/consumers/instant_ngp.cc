@@ -64,7 +64,8 @@ std::optional<Pixel> project(const Image& image, const Ray& ray) {
 
 class Loader {
  public:
-  Loader(NerfFile& file, ConsumerView& view) : file_(file), view_(view) {}
+  Loader(NerfFile& file, const std::array<double, 2>& image_size, ConsumerView& view)
+      : file_(file), image_size_(image_size), view_(view) {}
 
   void run() {
     file_.check_frames(3);
@@ -82,7 +83,7 @@ class Loader {
       ConsumerCamera seen = nerf_camera(camera, image.resolution[0], image.resolution[1],
                                         image.lens.mode == LensMode::kOpenCvFisheye ? "OpenCVFisheye" : "OpenCV",
                                         [image](const Ray& ray) { return project(image, ray); });
-      seen.misread = warn_of_lens(camera, image);
+      seen.misread = warn_of_lens(camera, image) || takes_angle_first(file_.root()) || takes_angle_first(*camera.frame);
       view_.cameras.push_back(std::move(seen));
     }
   }
@@ -124,15 +125,21 @@ class Loader {
     constexpr std::array<std::string_view, 2> kSides = {"w", "h"};
     for (std::size_t i = 0; i < kSides.size(); ++i) {
       const Json& owner = has(*camera.frame, kSides.at(i)) ? *camera.frame : file_.root();
-      image.resolution.at(i) = real(owner, kSides.at(i));
+      image.resolution.at(i) = has(owner, kSides.at(i)) ? real(owner, kSides.at(i)) : static_cast<float>(image_size_.at(i));
     }
   }
 
   float focal_length(const Json& json, const std::string& axis, float side) {
+    if (has(json, axis + "_fov") && has(json, "fl_" + axis))
+      file_.warn(Code::kNerfSaysAngleFirst, {axis + "_fov", "fl_" + axis}, axis + "_fov");
     if (has(json, axis + "_fov")) return fov_to_focal_length(side, real(json, axis + "_fov"));
     if (has(json, "fl_" + axis)) return real(json, "fl_" + axis);
     if (!has(json, "camera_angle_" + axis)) return 0.0F;
     return fov_to_focal_length(side, real(json, "camera_angle_" + axis) * 180.0F / std::numbers::pi_v<float>);
+  }
+
+  static bool takes_angle_first(const Json& json) {
+    return (has(json, "x_fov") && has(json, "fl_x")) || (has(json, "y_fov") && has(json, "fl_y"));
   }
 
   bool read_focal_length(const Json& json, Image& image) {
@@ -162,15 +169,16 @@ class Loader {
   }
 
   NerfFile& file_;
+  const std::array<double, 2>& image_size_;
   ConsumerView& view_;
 };
 
 }  // namespace
 
-ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& /*options*/) {
+ConsumerView load_instant_ngp(std::string_view bytes, const LoadOptions& options) {
   ConsumerView view;
   NerfFile file(bytes, true, view);
-  if (view.loads()) Loader(file, view).run();
+  if (view.loads()) Loader(file, options.image_size, view).run();
   if (!view.loads()) view.cameras.clear();
   return view;
 }

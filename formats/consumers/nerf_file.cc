@@ -50,6 +50,11 @@ NerfFile::NerfFile(std::string_view bytes, bool of_nlohmann, ConsumerView& view)
     refuse(bytes.empty() ? Code::kProgramFileEmpty : Code::kProgramFileTooLarge);
     return;
   }
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (!of_nlohmann && bytes.starts_with(kMark)) {
+    refuse(Code::kPythonJsonBom);
+    return;
+  }
   constexpr unsigned kBoth =
       rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag;
   if (of_nlohmann) {

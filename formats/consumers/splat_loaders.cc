@@ -42,10 +42,13 @@ bool is_json(std::string_view bytes) { return begins_with('{', bytes); }
 /// What COLMAP reads, if all of its models are among those.
 ConsumerView load_some_of_colmap(std::string_view bytes, const LoadOptions& options, std::string_view program,
                                  std::span<const std::string_view> models) {
-  ConsumerView view = load_colmap(bytes, options);
+  ConsumerView view;
+  if (begins_with('[', bytes)) {
+    view.refusals.emplace_back(Code::kColmapSaysRigFile, "", std::vector<Argument>{program});
+    return view;
+  }
+  view = load_colmap(bytes, options);
   view.warnings.clear();
-  const bool is_rig_config = begins_with('[', bytes);  // of COLMAP's alone
-  if (is_rig_config) view.refusals.emplace_back(Code::kColmapSaysLine, "", std::vector<Argument>{1});
   for (const ConsumerCamera& camera : view.cameras) {
     if (std::ranges::find(models, camera.model) != models.end()) continue;
     const std::vector<std::string> all(models.begin(), models.end());
@@ -89,11 +92,11 @@ std::optional<Pixel> project(const TopCamera& c, const Ray& ray) {
                c.fl_y * (y * radial + 2.0 * c.p2 * x * y + c.p1 * (r2 + 2.0 * y * y)) + c.cy};
 }
 
-TopCamera read_top(NerfFile& file) {
+TopCamera read_top(NerfFile& file, const LoadOptions& options) {
   TopCamera c;
   const auto real = [&file](std::string_view key) { return file.number(file.root(), key); };
-  c.w = real("w").value_or(0.0);
-  c.h = real("h").value_or(0.0);
+  c.w = real("w").value_or(options.image_size[0]);
+  c.h = real("h").value_or(options.image_size[1]);
   const std::optional<double> angle_x = real("camera_angle_x");
   const std::optional<double> angle_y = real("camera_angle_y");
   const std::optional<double> fl_x = real("fl_x");
@@ -112,12 +115,12 @@ TopCamera read_top(NerfFile& file) {
   return c;
 }
 
-ConsumerView load_transforms_of_lichtfeld(std::string_view bytes) {
+ConsumerView load_transforms_of_lichtfeld(std::string_view bytes, const LoadOptions& options) {
   ConsumerView view;
   NerfFile file(bytes, true, view);
   if (view.loads()) file.check_frames(4);
   if (!view.loads()) return view;
-  const TopCamera top = read_top(file);
+  const TopCamera top = read_top(file, options);
   for (const NerfCamera& camera : view.loads() ? file.cameras() : std::vector<NerfCamera>()) {
     ConsumerCamera seen = nerf_camera(camera, top.w, top.h, "PINHOLE", [top](const Ray& ray) { return project(top, ray); });
     const bool of_frames = warn_of_frames(file, camera);
@@ -130,7 +133,7 @@ ConsumerView load_transforms_of_lichtfeld(std::string_view bytes) {
   return view;
 }
 
-ConsumerView load_transforms_of_3dgrut(std::string_view bytes) {
+ConsumerView load_transforms_of_3dgrut(std::string_view bytes, const LoadOptions& options) {
   ConsumerView view;
   NerfFile file(bytes, false, view);
   if (view.loads()) file.check_frames(3);
@@ -139,12 +142,12 @@ ConsumerView load_transforms_of_3dgrut(std::string_view bytes) {
   if (!angle) file.refuse(Code::kNerfSaysLacks, {"camera_angle_x", 0}, "frames");
   for (const NerfCamera& camera : view.loads() ? file.cameras() : std::vector<NerfCamera>()) {
     TopCamera c;
-    const auto side = [&](std::string_view key) {
+    const auto side = [&](std::string_view key, double of_image) {
       const bool own = NerfFile::find(*camera.frame, key) != nullptr;
-      return file.number(own ? *camera.frame : file.root(), key).value_or(0.0);
+      return file.number(own ? *camera.frame : file.root(), key).value_or(of_image);
     };
-    c.w = side("w");
-    c.h = side("h");
+    c.w = side("w", options.image_size[0]);
+    c.h = side("h", options.image_size[1]);
     c.fl_x = c.fl_y = from_angle(c.w, *angle);
     c.cx = 0.5 * c.w;
     c.cy = 0.5 * c.h;
@@ -164,11 +167,11 @@ ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options) {
 }
 
 ConsumerView load_3dgrut(std::string_view bytes, const LoadOptions& options) {
-  return is_json(bytes) ? load_transforms_of_3dgrut(bytes) : load_some_of_colmap(bytes, options, "3dgrut", k3dgrut);
+  return is_json(bytes) ? load_transforms_of_3dgrut(bytes, options) : load_some_of_colmap(bytes, options, "3dgrut", k3dgrut);
 }
 
 ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options) {
-  return is_json(bytes) ? load_transforms_of_lichtfeld(bytes)
+  return is_json(bytes) ? load_transforms_of_lichtfeld(bytes, options)
                         : load_some_of_colmap(bytes, options, "LichtFeld Studio", kLichtfeld);
 }
 

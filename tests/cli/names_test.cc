@@ -49,6 +49,33 @@ TEST(Names, AProgramsNameMayMeanALayoutOrASyntax) {
   EXPECT_TRUE(consumers::find_consumer("dso")->load(dso.bytes(), {}).loads()) << dso.text();
 }
 
+// gsplat reads COLMAP's files, and fewer models than COLMAP.
+TEST(Names, AProgramGetsAModelThatItTakes) {
+  const TemporaryFolder folder;
+  const std::string fov = folder.write("cameras.txt", "1 FOV 640 480 300.0 300.0 320.0 240.0 0.9\n");
+  const std::string rational =
+      folder.write("full.txt", "1 FULL_OPENCV 640 480 400.0 400.0 320.0 240.0 0.1 0.02 0.0 0.0 0.001 0.3 0.01 0.001\n");
+  for (const auto& [file, program] : {std::pair{fov, "gsplat"}, std::pair{rational, "gsplat"}, std::pair{fov, "lichtfeld"}}) {
+    const Told told({"convert", file, "--to", program});
+    const consumers::Consumer& consumer = *consumers::find_consumer(program);
+    EXPECT_TRUE(consumer.load(told.bytes(), {}).loads()) << program << told.text();
+    EXPECT_TRUE(contains(told.text(), std::string(consumer.program))) << told.text();
+  }
+  EXPECT_EQ(run_program({"convert", fov, "--to", "gsplat", "--model", "fov"}).code, 2);
+  EXPECT_EQ(run_program({"convert", fov, "--to", "colmap"}).code, 0);
+  EXPECT_EQ(run_program({"convert", rational, "--to", "3dgrut"}).code, 0);
+}
+
+// An image's size is beside the file, and the user says it.
+TEST(Names, AProgramThatLooksAtTheImagesKnowsTheirSize) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "transforms.json",
+      R"({"fl_x": 500.0, "frames": [{"file_path": "a.png", "transform_matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]})");
+  EXPECT_EQ(run_program({"check", file, "--size", "640x480", "--for", "instant-ngp"}).code, 0);
+  EXPECT_EQ(run_program({"check", file, "--size", "640x480", "--for", "nerfstudio"}).code, 1);
+}
+
 TEST(Names, CommandsHaveOthersToo) {
   EXPECT_EQ(run_program({"diff", kTumvi, kTumvi}).out, run_program({"compare", kTumvi, kTumvi}).out);
   EXPECT_EQ(run_program({"help", "convert"}).out, run_program({"convert", "--help"}).out);

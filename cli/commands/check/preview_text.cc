@@ -20,9 +20,9 @@ std::string preview_text(const ConvertResult& outcome) {
     return paragraph("convert would not write it: " + message_of(*error, with_options) + (fix.empty() ? "" : " (" + fix + ")"),
                      "  ");
   }
-  return paragraph(
-             "converted: " + std::string(in_words(outcome.verdict.word)) + "; " + text::text_of(outcome.headline, with_options),
-             "  ") +
+  const std::string how = outcome.from == outcome.to ? "converted with --anew: " : "converted: ";
+  return paragraph(how + std::string(in_words(outcome.verdict.word)) + "; " + text::text_of(outcome.headline, with_options),
+                   "  ") +
          summary_lines(outcome, false);
 }
 

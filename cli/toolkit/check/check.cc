@@ -38,16 +38,20 @@ std::optional<ConvertResult> better_writing(const CheckResult& checked, const Ch
   const CheckReport& report = checked.report;
   if (!report.proof || !report.proof->loads || report.format->layouts.empty() || checked.source.name == text::kStandardInput)
     return std::nullopt;
-  const auto is_off = [](const CameraProof& camera) {
-    return camera.misread && word_of(camera.distance.decisive()) != VerdictWord::kReady;
-  };
-  if (std::ranges::none_of(report.proof->cameras, is_off)) return std::nullopt;
+  constexpr double kNoticeable = 0.25;  // px, at worst
+  double worst = 0.0;
+  for (const CameraProof& camera : report.proof->cameras) {
+    if (camera.misread) worst = std::max(worst, camera.distance.decisive().max);
+  }
+  if (worst <= kNoticeable) return std::nullopt;
   const auto all = consumers::all_consumers();
   const auto program = std::ranges::find(all, report.proof->program, &consumers::Consumer::program);
   if (program == all.end()) return std::nullopt;
-  ConvertResult other = preview_conversion(checked.source.name, request.inputs, *program, files);
+  ConvertResult other = preview_conversion(checked.source.name, request.inputs, *program, files, true);
   if (other.status != Status::kDone) return std::nullopt;
-  return other.verdict.word < report.verdict.word ? std::optional(std::move(other)) : std::nullopt;
+  const bool is_better =
+      other.verdict.word < report.verdict.word || (other.verdict.word == report.verdict.word && other.max_px <= kNoticeable);
+  return is_better ? std::optional(std::move(other)) : std::nullopt;
 }
 
 }  // namespace

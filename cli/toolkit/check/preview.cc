@@ -6,15 +6,17 @@
 namespace fca {
 
 ConvertResult preview_conversion(const std::string& file, const Inputs& inputs, const consumers::Consumer& program,
-                                 Files& files) {
+                                 Files& files, bool anew) {
   ConvertRequest request;
   request.inputs = inputs;
   request.inputs.files = {file};
   request.to = find_format(program.format);
+  request.program = &program;
   request.model = program.writing.model.empty() ? nullptr : find_model(program.writing.model);
   request.layout = {request.to, std::string(program.writing.layout)};
   request.extension = std::filesystem::path(program.writing.file_name).extension().string();
   request.room = {false, false, false};
+  request.rewrite = anew;
   ConvertResult result = convert(request, files);
   if (result.diagnostics.has_errors() && request.extension.empty() && !request.to->many_cameras) {
     request.room = {};  // for a file per camera

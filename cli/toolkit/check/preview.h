@@ -8,8 +8,9 @@
 
 namespace fca {
 
-/// What converting a file gives for a program that does not read its format, without the files themselves.
+/// What converting a file gives for a program, without the files themselves: one that does not read its format, or reads
+/// another layout of it better (`anew`).
 [[nodiscard]] ConvertResult preview_conversion(const std::string& file, const Inputs& inputs,
-                                               const consumers::Consumer& program, Files& files);
+                                               const consumers::Consumer& program, Files& files, bool anew = false);
 
 }  // namespace fca

@@ -147,7 +147,8 @@ double worst_max_px(const ConvertResult& result) { return largest(result, &Pixel
 
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
   const ProofResult* proof = first_proof(result);
-  if (proof == nullptr || !proof->loads || start.base.document != nullptr) return;
+  const bool keeps_its_layout = start.base.document != nullptr && !request.rewrite;
+  if (proof == nullptr || !proof->loads || keeps_its_layout) return;
   const auto is_off = [](const CameraProof& camera) { return camera.misread && camera.distance.decisive().max > kRounding; };
   if (std::ranges::none_of(proof->cameras, is_off)) return;
   const bool is_wide = std::ranges::any_of(proof->cameras, [](const CameraProof& camera) { return camera.distance.is_wide; });

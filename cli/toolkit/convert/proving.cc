@@ -30,10 +30,12 @@ Message disagreement(const ProofResult& proof) {
 }
 
 /// As the files were written to be read. What the input was told to be is no matter.
-consumers::LoadOptions load_options(const Written& written) {
-  consumers::LoadOptions options;
-  if (!written.sensor.empty()) options.sensor = written.sensor;
-  options.opencv_model = written.opencv_model;
+consumers::LoadOptions load_options(const Written& written, const std::optional<ImageSize>& image_size = {}) {
+  ReadOptions reading;
+  reading.opencv_model = written.opencv_model;
+  reading.image_size = image_size;
+  consumers::LoadOptions options = load_options(reading);
+  options.sensor = written.sensor.empty() ? "mono" : written.sensor;
   return options;
 }
 
@@ -113,7 +115,7 @@ bool mend_kept_text(Written& written, Diagnostics& diagnostics) {
 void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagnostics& diagnostics) {
   const text::Source& source = calibration.documents[calibration.with_cameras].source();
   const Message refusal = refused_by_all(calibration.format->id, source.bytes, !calibration.rig.cameras.empty(),
-                                         {"", std::string(name_of(inputs.opencv_model))});
+                                         load_options(read_options(inputs)));
   if (refusal.is_said()) diagnostics.add(Code::kInputRefused, {source.name, refusal});
 }
 
@@ -127,12 +129,13 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
-    const consumers::LoadOptions options = load_options(written);
+    const consumers::LoadOptions options =
+        load_options(written, rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size);
     ProofResult proof = prove(
         *consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
         [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);
     proof.is_first = id == output.programs.front();
-    if (!proof.loads) proof.read_by = other_readers(*consumer, output, options);
+    if (!proof.loads && consumer != request.program) proof.read_by = other_readers(*consumer, output, options);
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&

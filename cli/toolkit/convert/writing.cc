@@ -14,6 +14,7 @@
 #include "stereo_order.h"
 #include "write_rig.h"
 
+#include <fca/code.h>
 #include <fca/convert/reach.h>
 
 #include <algorithm>
@@ -67,6 +68,34 @@ const text::Document* input_of(const ConvertedFile& output, const Written& writt
   return input == calibration.documents.end() ? nullptr : &*input;
 }
 
+std::vector<std::string> taken_by(const consumers::Consumer& program) {
+  return {program.writing.models_taken.begin(), program.writing.models_taken.end()};
+}
+
+bool takes(const consumers::Consumer& program, std::string_view model) {
+  const auto& taken = program.writing.models_taken;
+  return taken.empty() || std::ranges::find(taken, model) != taken.end();
+}
+
+/// Of the models that may be chosen those that the program takes.
+void keep_what_it_takes(const consumers::Consumer& program, ModelChoice& choice) {
+  if (program.writing.models_taken.empty()) return;
+  if (choice.among.empty()) choice.among = taken_by(program);
+  std::erase_if(choice.among, [&program](const std::string& model) { return !takes(program, model); });
+  choice.same_format = false;
+}
+
+/// The program in front of the others that are meant to read the files with cameras, with the headline to say so.
+void put_first(const consumers::Consumer& program, Written& written) {
+  if (!program.cameras) return;
+  for (Written::File& file : written.files) {
+    if (file.programs.empty() || file.cameras.empty() || file.programs.front() == program.id) continue;
+    std::erase(file.programs, program.id);
+    file.programs.emplace(file.programs.begin(), program.id);
+    written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
+  }
+}
+
 /// Step by step: each of them is false where there are errors.
 class Writing {
  public:
@@ -114,12 +143,18 @@ ModelChoice Writing::choice() const {
   choice.most_cameras =
       is_fresh ? result_.to->cameras_held(input_.rig, request_.mode, request_.layout.name) : result_.to->most_cameras;
   choice.same_format = input_.format == result_.to && input_.one_format;
+  if (request_.program != nullptr) keep_what_it_takes(*request_.program, choice);
   return choice;
 }
 
 bool Writing::fit() {
   if (!holds_model(request_, base_, input_.rig, *result_.to, result_.diagnostics)) return false;
   const ModelChoice chosen = choice();
+  if (chosen.model != nullptr && request_.program != nullptr && !takes(*request_.program, chosen.model->id)) {
+    result_.diagnostics.add(Code::kModelNotStorable,
+                            {request_.program->program, chosen.model->id, taken_by(*request_.program)});
+    return false;
+  }
   std::optional<std::vector<ConvertedCamera>> cameras =
       convert_cameras(input_.rig.cameras, *result_.to, chosen, result_.diagnostics);
   if (!cameras) return false;
@@ -141,6 +176,7 @@ bool Writing::put_together() {
 bool Writing::write() {
   const Format& to = *result_.to;
   std::optional<Written> written = write_rig(input_, rig_, base_, request_, kept_.replaced, result_);
+  if (written && request_.program != nullptr) put_first(*request_.program, *written);
   if (!written || !is_edit_of_base(request_, base_, *written, result_.diagnostics)) return false;
   if (into_) tell_of_kept(kept_, *written, to, result_.diagnostics);
   list_assumed_units(input_, to, *written);

@@ -43,6 +43,7 @@ const consumers::Consumer* find_program(std::string_view typed) {
   if (found != all.end()) return &*found;
   const ProgramName* name = find_program_name(typed);
   if (name == nullptr || !name->is_served()) return nullptr;
+  if (!name->consumer.empty()) return consumers::find_consumer(name->consumer);
   const auto served = std::ranges::find_if(all, [name](const consumers::Consumer& each) {
     return each.format == name->format && each.cameras && each.writing.layout == name->layout;
   });
@@ -69,7 +70,7 @@ ProgramReading ask_program(const consumers::Consumer& program, const Calibration
       format.modes.empty() ? std::span<const std::string_view>(kNoModes) : format.modes;
   const std::string& bytes = calibration.documents[calibration.with_cameras].source().bytes;
   for (const std::string_view mode : modes) {
-    const consumers::LoadOptions options = {std::string(mode), std::string(name_of(inputs.opencv_model))};
+    const consumers::LoadOptions options = load_options(read_options(inputs), std::string(mode));
     ProofResult proof =
         prove(*reading.program, bytes, options, calibration.rig, inputs.max_angle_rad.value_or(std::numbers::pi));
     const auto same = std::ranges::find_if(

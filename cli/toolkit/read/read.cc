@@ -66,7 +66,7 @@ Reading read(const ReadRequest& request, Files& files) {
     if (!calibration.poses_without_unit.empty()) calibration.poses_without_unit = calibration.rig.poses;
   }
   reading.readers = ask_readers(calibration.format->id, calibration.documents.front().source().bytes,
-                                !calibration.rig.cameras.empty(), {{}, std::string(name_of(request.inputs.opencv_model))});
+                                !calibration.rig.cameras.empty(), load_options(read_options(request.inputs)));
   if (request.program != nullptr) reading.asked = ask_program(*request.program, calibration, request.inputs);
   return reading;
 }

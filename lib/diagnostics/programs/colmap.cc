@@ -22,6 +22,7 @@ std::span<const CodeInfo> colmap_program_codes() {
       named_misreading(Code::kColmapSaysHalf, "COLMAP ignores {0} without {1}"),
       named_refusal(Code::kColmapSaysModelNotTaken, "{0} does not take cameras of {1}, but {2:and}",
                     "write one of these, or undistort the images (colmap image_undistorter)"),
+      named_refusal(Code::kColmapSaysRigFile, "{0} reads cameras.txt, and no rig_config.json"),
   };
   return kRows;
 }

@@ -32,6 +32,7 @@ std::span<const CodeInfo> nerf_program_codes() {
       misreading(Code::kNerfSaysAngleOnly,
                  "it reads camera_angle_x alone: fl_y is fl_x, the principal point is the middle, and nothing is distorted",
                  "undistort the images to a pinhole with its centre in the middle"),
+      misreading(Code::kNerfSaysAngleFirst, "{0} is read in place of {1}", "remove {0}"),
   };
   return kRows;
 }

@@ -97,12 +97,13 @@ std::span<const CodeInfo> convert_codes() {
             "{0}: {1:%} of the image has no pixel or a wrong one as {2}, and there is a limit for errors",
             "say that the lens ends at {3:.3} deg if nothing further from the axis is needed"),
       clause(Code::kInPlaceOfCircle, " in place of the lens circle"),
-      error(Code::kErrorBeyondLimit, kLimit, "{0}: the worst pixel is off by {1} px, more than the limit of {2} px"),
+      error(Code::kErrorBeyondLimit, kLimit, "{0}: the worst pixel of all is off by {1:px} px, more than the limit of {2} px"),
       error(Code::kBoundBeyondLimit, kLimit,
-            "{0}: the worst pixel found is off by {1} px, but the error is proven below {2} px only, more than the limit of "
+            "{0}: the worst pixel found is off by {1:px} px, but the error is proven below {2:px} px only, more than the limit "
+            "of "
             "{3} px"),
       error(Code::kNoBoundBelowLimit, kLimit,
-            "{0}: the worst pixel found is off by {1} px, but nothing is proven, and the limit is {2} px"),
+            "{0}: the worst pixel found is off by {1:px} px, but nothing is proven, and the limit is {2} px"),
       error(Code::kLossesNotAllowed, "strict-loss", "the target cannot carry {0:and}, and nothing may be lost"),
       clause(Code::kBetterModelsExist, "{0}"),
       clause(Code::kNoBetterModel, "no model that {0} reads is better{1}"),
@@ -122,6 +123,7 @@ std::span<const CodeInfo> convert_codes() {
       clause(Code::kOfHeadlineOne, "{0}: one"),
       clause(Code::kHoldsOne, "{0} holds one"),
       clause(Code::kArgumentsHeadline, "arguments for {0}'s command line"),
+      clause(Code::kHeadlineAsRead, "{0}, as {1} reads it"),
       loss(Code::kImuFileDropped, "second-file-dropped", "{0} with all that it holds",
            "there is one output, which has no place for it", "write into a folder: it lies beside the others"),
       note(Code::kMisnamed, "extension", "{0} holds {1}, whatever its name says: its readers go by the content"),

@@ -1078,6 +1078,7 @@ enum class Code : std::uint16_t {
   kColmapSaysReferencePose,
   kColmapSaysHalf,
   kColmapSaysModelNotTaken,
+  kColmapSaysRigFile,
 
   // What nerfstudio, instant-ngp and others say to a transforms.json.
   kNerfSaysNotParsed,
@@ -1097,6 +1098,7 @@ enum class Code : std::uint16_t {
   kNerfSaysTopOnly,
   kNerfSaysPinhole,
   kNerfSaysAngleOnly,
+  kNerfSaysAngleFirst,
 
   // What OpenCV's functions make of a file.
   kCvUnknownFunction,
@@ -1568,6 +1570,7 @@ enum class Code : std::uint16_t {
   kHoldsOne,
   kImuFileDropped,
   kArgumentsHeadline,
+  kHeadlineAsRead,
   kMisnamed,
   kLayoutNotKept,
   kProvenanceHasNoRoom,

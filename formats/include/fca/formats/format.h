@@ -161,6 +161,7 @@ struct Format {
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
   bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
+  bool poses_apart = false;      ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
   bool pair_poses = false;       ///< Of the poses between cameras it states that of a stereo pair only, the rig's first two.
   bool any_length_unit = false;  ///< Its files do not say in what unit translations are; metres elsewhere.
   bool imu = true;

@@ -16,6 +16,8 @@ struct ProgramName {
   std::string_view extension = {};          ///< Of the file, where that chooses the syntax: ".txt".
   /// What it reads, where that is not the format: "cameras.txt of a model folder". Empty: the format serves it.
   std::string_view reads = {};
+  /// Id of the consumer that it is, where it is not the first that reads the format; empty: it is.
+  std::string_view consumer = {};
 
   [[nodiscard]] constexpr bool is_served() const { return reads.empty(); }
 };

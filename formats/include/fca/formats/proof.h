@@ -18,6 +18,11 @@
 
 namespace fca {
 
+struct ReadOptions;
+
+/// What the user says of a file, for a program that is started in a mode ("": it has none).
+[[nodiscard]] consumers::LoadOptions load_options(const ReadOptions& reading, std::string mode = {});
+
 /// What one program makes of one camera.
 struct CameraProof {
   std::string name;   ///< The rig's.

@@ -72,7 +72,9 @@ struct OutputRoom {
 
 struct ConvertRequest {
   Inputs inputs;
-  const Format* to = nullptr;        ///< Null: that of `into`.
+  const Format* to = nullptr;  ///< Null: that of `into`.
+  /// Who is to read the files first, of those that read the format; null: the format's own program.
+  const consumers::Consumer* program = nullptr;
   const ModelInfo* model = nullptr;  ///< Null: the input's, else the best that the format's own program reads.
   std::string mode;                  ///< One of Format::modes ("stereo-inertial"); empty: the richest that the input serves.
   FormatLayout layout;               ///< Empty: the base's, else the stock program's.

@@ -93,6 +93,8 @@ struct LoadOptions {
   /// file with four coefficients need not say. Empty: what the file says (fisheye_model, distortion_type), else pinhole.
   /// Files with xi are cv::omnidir's in any case.
   std::string opencv_model = {};
+  /// Width and height of the image files, in pixels, which some programs take where a file states none; zeros: unknown.
+  std::array<double, 2> image_size = {};
 };
 
 /// How a file is written so that a program reads the result, beside the format.
@@ -100,6 +102,8 @@ struct Writing {
   std::string_view model = {};      ///< Empty: the best that the program reads.
   std::string_view layout = {};     ///< One of Format::layouts; empty: the usual one.
   std::string_view file_name = {};  ///< Of the file, where that decides the syntax.
+  /// Ids of the models that it takes where it reads fewer than the format stores; empty: all of those.
+  std::span<const std::string_view> models_taken = {};
 };
 
 /// A row of the table of consumers.
