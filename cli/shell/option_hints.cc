@@ -224,6 +224,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kImuFileDropped, text::Part::kFix, "-o FOLDER/ writes it beside the cameras' files"},
     OptionHint{Code::kProvenanceHasNoRoom, text::Part::kText,
                "--provenance: the comment at the beginning of the file has no room for it"},
+    OptionHint{Code::kProvenanceInBinary, text::Part::kText, "--provenance: a binary file has no comments that could hold it"},
     OptionHint{Code::kProvenanceInJson, text::Part::kText, "--provenance: JSON has no comments that could hold it"},
     OptionHint{Code::kInputRefused, text::Part::kFix, "fca-io check {0:shell} says where, and how to fix it"},
     OptionHint{Code::kInputNotUnderstood, text::Part::kFix, "--anew writes it as {0} reads it"},

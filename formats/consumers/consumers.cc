@@ -137,7 +137,7 @@ constexpr std::array kConsumers{
              .prepare = &prepare_storage_programs},
     Consumer{"colmap", "COLMAP", "colmap", kDoublePrecisionPx, &in_own_locale<&load_colmap>},
     Consumer{.id = "colmap-rig",
-             .program = "COLMAP (rig_config.json)",
+             .program = "COLMAP (rigs)",
              .format = "colmap",
              .tolerance_px = kDoublePrecisionPx,
              .load = &in_own_locale<&load_colmap>,

@@ -44,8 +44,8 @@ ConsumerView load_some_of_colmap(std::string_view bytes, const LoadOptions& opti
                                  std::span<const std::string_view> models) {
   ConsumerView view = load_colmap(bytes, options);
   view.warnings.clear();
-  const bool is_rig_config = begins_with('[', bytes);  // of COLMAP's alone
-  if (is_rig_config) view.refusals.emplace_back(Code::kColmapSaysLine, "", std::vector<Argument>{1});
+  const bool is_of_rigs = view.loads() && (view.cameras.empty() || begins_with('[', bytes));  // COLMAP's alone reads them
+  if (is_of_rigs) view.refusals.emplace_back(Code::kColmapSaysLine, "", std::vector<Argument>{1});
   for (const ConsumerCamera& camera : view.cameras) {
     if (std::ranges::find(models, camera.model) != models.end()) continue;
     const std::vector<std::string> all(models.begin(), models.end());

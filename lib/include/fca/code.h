@@ -261,6 +261,15 @@ enum class Code : std::uint16_t {
   kXmlMixed,
   kXmlAttribute,
   kXmlLine,
+  kBinaryEndsInCount,
+  kBinaryEndsInCamera,
+  kBinaryEndsInRig,
+  kBinaryCount,
+  kBinaryModel,
+  kBinarySensor,
+  kBinaryPoseFlag,
+  kBinaryBehind,
+  kBinaryOther,
 
   // Values under the keys of a file, in every format.
   kYamlDirectiveMissing,
@@ -678,6 +687,17 @@ enum class Code : std::uint16_t {
   kColmapNoRotation,
   kColmapRigHeadline,
   kColmapBothHeadline,
+  kColmapBinary,
+  kColmapBinaryHeadline,
+  kColmapRigLines,
+  kColmapNoRigLine,
+  kColmapRigShort,
+  kColmapRigBehind,
+  kColmapRigIdTwice,
+  kColmapSensorType,
+  kColmapSensorTwice,
+  kColmapPoseFlag,
+  kColmapRigsHeadline,
 
   // transforms.json of nerfstudio and instant-ngp, as read and written.
   kNerfFound,
@@ -1078,6 +1098,10 @@ enum class Code : std::uint16_t {
   kColmapSaysReferencePose,
   kColmapSaysHalf,
   kColmapSaysModelNotTaken,
+  kColmapSaysEnds,
+  kColmapSaysModelNumber,
+  kColmapSaysNoRigLine,
+  kColmapSaysSensorTwice,
 
   // What nerfstudio, instant-ngp and others say to a transforms.json.
   kNerfSaysNotParsed,
@@ -1572,6 +1596,7 @@ enum class Code : std::uint16_t {
   kLayoutNotKept,
   kProvenanceHasNoRoom,
   kProvenanceInJson,
+  kProvenanceInBinary,
   kMended,
   kMendedHow,
   kInputRefused,
