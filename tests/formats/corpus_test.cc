@@ -35,13 +35,6 @@ constexpr Refused kRefused[] = {
     {"opencv/SupernovaIndustries__unlook-standalone__calib-matlab-complete-export.yaml", "skew", "K(0, 1) = -1.02 and -1.53"},
     {"kimera/MIT-SPARK__Kimera-VIO__scripts__kalibr__templates__camera.yaml", "yaml-key",
      "a template: {{ camera_id }} stands where a value belongs"},
-    {"colmap/5697526__NeRF-TensoRF__sparse__0__cameras.bin", "binary-file", "COLMAP's binary form is not read"},
-    {"colmap/AspasZhang__NeRF__sparse__0__cameras.bin", "binary-file", "the same"},
-    {"colmap/HexGP__nerf-prep__colmap_sparse__0__cameras.bin", "binary-file", "the same"},
-    {"colmap/HexGP__nerf-prep__colmap_sparse__0__rigs.bin", "binary-file", "the same"},
-    {"colmap/sangminkim-99__COLMAP_multicam__colmap_sparse__0__cameras.bin", "binary-file", "the same"},
-    {"colmap/vork__duck_queen-photogrammetry__sparse__0__cameras.bin", "binary-file", "the same"},
-    {"colmap/HexGP__nerf-prep__colmap_text__rigs.txt", "unknown-format", "it names a camera by its id and states no pose"},
 };
 
 const Refused* find_refused(const std::string& file) {

@@ -8,8 +8,11 @@
 #include <rapidjson/document.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace fca::matrix::colmap {
 
@@ -84,10 +87,64 @@ std::optional<PixelFormula> camera_of_rig(const std::string& bytes, std::size_t 
   return formula_of(camera["camera_model_name"].GetString(), numbers);
 }
 
+constexpr std::size_t kOfCount = 8;
+
+bool is_binary(const std::string& bytes) {
+  return bytes.size() > kOfCount && bytes.compare(kOfCount / 2, kOfCount / 2, std::string(kOfCount / 2, '\0')) == 0;
+}
+
+/// The names of models by their numbers, and how many parameters they have (MORE-FORMATS.md section 2).
+const std::vector<std::pair<std::string, std::size_t>> kNumbered = {{"SIMPLE_PINHOLE", 3},
+                                                                    {"PINHOLE", 4},
+                                                                    {"SIMPLE_RADIAL", 4},
+                                                                    {"RADIAL", 5},
+                                                                    {"OPENCV", 8},
+                                                                    {"OPENCV_FISHEYE", 8},
+                                                                    {"FULL_OPENCV", 12},
+                                                                    {"FOV", 5},
+                                                                    {"SIMPLE_RADIAL_FISHEYE", 4},
+                                                                    {"RADIAL_FISHEYE", 5},
+                                                                    {"THIN_PRISM_FISHEYE", 12},
+                                                                    {"RAD_TAN_THIN_PRISM_FISHEYE", 16},
+                                                                    {"SIMPLE_DIVISION", 4},
+                                                                    {"DIVISION", 5},
+                                                                    {"SIMPLE_FISHEYE", 3},
+                                                                    {"FISHEYE", 4},
+                                                                    {"EUCM", 6}};
+
+/// A number at that place, on a little endian machine.
+template <class T>
+T number_at(const std::string& bytes, std::size_t at) {
+  T number{};
+  std::memcpy(&number, bytes.data() + at, sizeof(T));
+  return number;
+}
+
+std::optional<PixelFormula> binary_camera(const std::string& bytes, std::size_t index) {
+  constexpr std::size_t kFixed = 24;
+  std::size_t at = kOfCount;
+  for (; at + kFixed <= bytes.size(); --index) {
+    const auto& [model, count] = kNumbered.at(number_at<std::uint32_t>(bytes, at + 4));
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(number_at<double>(bytes, at + kFixed + i * sizeof(double)));
+    if (index == 0) {
+      std::optional<PixelFormula> formula = formula_of(model, numbers);
+      if (formula) {
+        formula->size.width = static_cast<int>(number_at<std::uint64_t>(bytes, at + 8));
+        formula->size.height = static_cast<int>(number_at<std::uint64_t>(bytes, at + 16));
+      }
+      return formula;
+    }
+    at += kFixed + count * sizeof(double);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) {
   if (bytes.starts_with('[')) return camera_of_rig(bytes, index);
+  if (is_binary(bytes)) return binary_camera(bytes, index);
   std::istringstream lines(bytes);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t first = line.find_first_not_of(" \t\r");
