@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace fca::colmap {
 
@@ -240,8 +241,8 @@ void edit_line(text::Document& document, const Node& line, const Camera& old, co
 /// The base, of the same cameras, with what the rig says otherwise.
 text::Document edited(const text::Document& base, const Rig& old, const Rig& rig) {
   if (base.syntax() == text::Syntax::kJson) return edited_rig_config(base, old, rig);
+  if (is_rigs(base)) return edited_rigs(base, rig);
   text::Document document = base;
-  if (is_rigs(base)) return document;
   const std::vector<const Node*> lines = camera_lines(base);
   for (std::size_t i = 0; i < lines.size(); ++i) edit_line(document, *lines[i], old.cameras[i], rig.cameras[i]);
   return document;
@@ -266,13 +267,19 @@ void add_poses(const Rig& rig, std::span<const int> ids, bool binary, Written& w
 }
 
 /// Without images and points COLMAP does not open a folder.
-void add_fillers(bool binary, Written& written) {
-  for (const std::string_view what : {"images", "points3D"}) {
-    const bool images = what == "images";
-    text::Source source = {std::string(what) + (binary ? ".bin" : ".txt"), std::string(8, '\0')};  // how many: none
-    if (!binary) source.bytes = images ? "# Image list: none\n" : "# 3D point list: none\n";
-    written.files.push_back(
-        {text::Document(std::move(source), binary ? text::Syntax::kBinary : text::Syntax::kWords, {}), {}, {}});
+void add_fillers(bool binary, Written& written, Diagnostics& diagnostics) {
+  std::vector<text::Document> none;
+  if (binary) {
+    for (const char* name : {"images.bin", "points3D.bin"})
+      none.emplace_back(text::Source{name, std::string(8, '\0')}, text::Syntax::kBinary, Node{});  // a count: 0
+  } else {
+    for (const auto& [name, line] :
+         {std::pair{"images.txt", "# Image list: none\n"}, {"points3D.txt", "# 3D point list: none\n"}}) {
+      if (std::optional<text::Document> document = text::parse_document({name, line}, diagnostics)) none.push_back(*document);
+    }
+  }
+  for (text::Document& document : none) {
+    written.files.push_back({std::move(document), {}, {}});
     written.files.back().of_defaults = true;
   }
 }
@@ -307,7 +314,9 @@ std::optional<Rig> read_base(const text::Document* base) {
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   const std::optional<Rig> old = read_base(base);
-  const bool edits = old && !options.anew && schema::same_cameras(*old, rig) && keeps_syntax(*base, options.extension);
+  // Poses alone can be edited, too, where they are what was asked for.
+  const bool same = old && (schema::same_cameras(*old, rig) || (is_rigs(*base) && options.keeps_layout));
+  const bool edits = same && !options.anew && keeps_syntax(*base, options.extension);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kColmapDemandsSize}, diagnostics))
     return std::nullopt;
@@ -328,13 +337,14 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
                       : is_binary   ? Code::kColmapBinaryHeadline
                                     : Code::kColmapHeadline};
   written.files.push_back({*std::move(document), {}, {of_rigs ? "colmap-rig" : "colmap"}});
-  for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
+  for (std::size_t i = 0; i < rig.cameras.size() && (is_rig_config || !of_rigs); ++i)
+    written.files.front().cameras.push_back(rig.cameras[i].name);
   add_extras_lost(rig, said, edits ? std::nullopt : old, Message{Code::kColmapNoPlace}, written.losses);
   list_camera_losses(rig, "COLMAP", written.losses);
   if (!edits) add_poses(rig, ids, binary, written, diagnostics);
   if (written.files.size() == 1 && !of_rigs) written.sensor = kLensAlone;
   if (edits) return written;
-  add_fillers(binary, written);
+  add_fillers(binary, written, diagnostics);
   for (Written::File& file : written.files) file.place = file.document.source().name;
   return written;
 }

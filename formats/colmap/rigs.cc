@@ -25,6 +25,7 @@ namespace {
 
 constexpr std::string_view kCamera = "CAMERA";
 constexpr std::string_view kImu = "IMU";
+constexpr std::size_t kOfPose = 7;
 
 bool is_type(std::string_view word) { return word == kCamera || word == kImu; }
 
@@ -162,6 +163,33 @@ std::string counted_from_0(std::string_view prefix, int id) {
   return std::string(prefix) + std::to_string(std::max(id, 1) - 1);
 }
 
+/// The seven numbers of each pose of a line that can be read.
+std::vector<std::span<const Node>> poses_in(std::span<const Node> words) {
+  constexpr std::size_t kFirst = 4;     // behind the rig's id, its number of sensors and the first of them
+  constexpr std::size_t kOfSensor = 3;  // type, id and flag
+  std::vector<std::span<const Node>> poses;
+  const int sensors = text::parse_int(words[1].value).value_or(0);
+  std::size_t at = kFirst;
+  for (int i = 1; i < sensors; ++i) {
+    const bool has_pose = words[at + kOfSensor - 1].value == "1";
+    at += kOfSensor;
+    if (!has_pose) continue;
+    poses.push_back(words.subspan(at, kOfPose));
+    at += kOfPose;
+  }
+  return poses;
+}
+
+/// The numbers of a pose.
+std::vector<double> stated(const Transform& T, const Quaternion& alike) {
+  std::vector<double> numbers;
+  for (const double number : stated_quaternion(T, alike)) numbers.push_back(number);
+  for (const double number : translation_of(T)) numbers.push_back(number);
+  return numbers;
+}
+
+double value_of(const Node& word) { return text::parse_real(word.value).value_or(0.0); }
+
 }  // namespace
 
 bool is_rigs(const text::Document& document) {
@@ -204,6 +232,31 @@ void name_sensors(Rig& rig) {
     rename(edge.a);
     rename(edge.b);
   }
+}
+
+text::Document edited_rigs(const text::Document& base, const Rig& rig) {
+  text::Document document = base;
+  Diagnostics ignored;
+  std::optional<Rig> before = read_rigs(base, ignored);
+  if (!before) return document;
+  before->cameras = rig.cameras;
+  before->extra_fields = rig.extra_fields;
+  name_sensors(*before);
+  auto edge = before->poses.begin();  // one for each of the poses, in their order
+  for (const Node* line : camera_lines(base)) {
+    for (const std::span<const Node> words : poses_in(line->items)) {
+      const PoseEdge& was = *edge++;
+      const std::optional<Transform> now = rig.resolve(was.a, was.b);
+      if (!now) continue;
+      const Quaternion alike = {value_of(words[1]), value_of(words[2]), value_of(words[3]), value_of(words[0])};
+      const std::vector<double> old = stated(was.T_a_b, alike);
+      const std::vector<double> numbers = stated(*now, alike);
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        if (old[i] != numbers[i]) fields::set_scalar(document, words[i], text::format_real(numbers[i]));
+      }
+    }
+  }
+  return document;
 }
 
 std::vector<int> camera_ids(const Rig& rig) {

@@ -24,6 +24,9 @@ namespace fca::colmap {
 /// Calls the sensors in a rig's poses as the cameras with those ids (Format::complete). Without cameras camera 1 is "cam0".
 void name_sensors(Rig& rig);
 
+/// The base with the rig's poses of its sensors, where they are others. Nothing is added to it.
+[[nodiscard]] text::Document edited_rigs(const text::Document& base, const Rig& rig);
+
 /// The numbers that cameras go by: those that they had in a file of cameras, else 1, 2, ...
 [[nodiscard]] std::vector<int> camera_ids(const Rig& rig);
 /// Of a camera's number among the extra fields.

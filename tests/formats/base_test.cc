@@ -229,6 +229,7 @@ TEST(Base, ABaseComposedAnewGoesWithNoKeyUnsaid) {
       ++bases;
       std::vector<ExtraField> said;
       for (const Written::File& file : written->files) {
+        if (file.of_defaults && file.programs.empty()) continue;  // COLMAP's images.txt, without an image
         const std::optional<text::Document> now =
             text::parse_document({file.document.source().name, file.document.bytes()}, diagnostics);
         ASSERT_TRUE(now);

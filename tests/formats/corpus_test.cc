@@ -119,7 +119,10 @@ TEST(Corpus, EveryFileIsReadOrRefusedForItsDefect) {
       EXPECT_EQ(expected, nullptr) << name << " is read, and the table says that it is refused";
       EXPECT_EQ(outcome.calibration->format->id, expected_format(path))
           << name << ": " << text::text_of(outcome.calibration->why);
-      EXPECT_FALSE(rig.cameras.empty() && rig.imus.empty() && rig.poses.empty()) << name << " is read as nothing at all";
+      // COLMAP writes a rig for each camera, though it knows of no pose.
+      const bool is_of_single_cameras = path.stem().string().ends_with("rigs");
+      EXPECT_EQ(rig.cameras.empty() && rig.imus.empty() && rig.poses.empty(), is_of_single_cameras)
+          << name << " is read as nothing at all";
       std::printf("%s: %s\n", name.c_str(), in_words(outcome).c_str());
       read_as.emplace(outcome.calibration->format->id);
       ++counted[folder + ": read as " + std::string(outcome.calibration->format->id)];

@@ -129,10 +129,10 @@ std::optional<PixelFormula> binary_camera(const std::string& bytes, std::size_t 
     for (std::size_t i = 0; i < count; ++i) numbers.push_back(number_at<double>(bytes, at + kFixed + i * sizeof(double)));
     if (index == 0) {
       std::optional<PixelFormula> formula = formula_of(model, numbers);
-      if (formula) {
-        formula->size.width = static_cast<int>(number_at<std::uint64_t>(bytes, at + 8));
-        formula->size.height = static_cast<int>(number_at<std::uint64_t>(bytes, at + 16));
-      }
+      Size size;
+      size.width = static_cast<int>(number_at<std::uint64_t>(bytes, at + 8));
+      size.height = static_cast<int>(number_at<std::uint64_t>(bytes, at + 16));
+      if (formula) formula->size = size;
       return formula;
     }
     at += kFixed + count * sizeof(double);
