@@ -158,10 +158,8 @@ std::optional<int> id_of(std::string_view frame, std::string_view type) {
   return text::parse_int(frame.substr(type.size() + 1));
 }
 
-/// "cam0" of 1.
-std::string counted_from_0(std::string_view prefix, int id) {
-  return std::string(prefix) + std::to_string(std::max(id, 1) - 1);
-}
+/// "cam0" of 1, from which COLMAP counts.
+std::string counted_from_0(std::string_view prefix, int id) { return std::string(prefix) + std::to_string(id - 1); }
 
 /// The seven numbers of each pose of a line that can be read.
 std::vector<std::span<const Node>> poses_in(std::span<const Node> words) {
@@ -220,10 +218,10 @@ void name_sensors(Rig& rig) {
     if (const std::optional<int> id = id_of(frame, kCamera)) {
       if (names.contains(*id)) {
         frame = names.at(*id);
-      } else if (rig.cameras.empty()) {
+      } else if (rig.cameras.empty() && *id > 0) {
         frame = counted_from_0("cam", *id);
       }
-    } else if (const std::optional<int> imu = id_of(frame, kImu)) {
+    } else if (const std::optional<int> imu = id_of(frame, kImu); imu && *imu > 0) {
       frame = counted_from_0("imu", *imu);
       rig.add_frame(frame, FrameKind::kImu);
     }

@@ -122,7 +122,7 @@ TEST(ColmapBinary, EveryPrefixIsRefusedAtItsEnd) {
     for (std::size_t length = 1; length < bytes.size(); ++length) {
       const Parsed parsed = parse(bytes.substr(0, length), name);
       ASSERT_FALSE(parsed.document) << length;
-      ASSERT_EQ(parsed.codes(), "binary-syntax") << length;
+      ASSERT_EQ(parsed.codes(), "wrong-count") << length;
     }
   }
 }
