@@ -103,7 +103,11 @@ std::size_t camera_files(const std::vector<ConvertedFile>& files) {
 bool place_files(const ConvertRequest& request, ConvertResult& result) {
   if (!has_room(request, result)) return false;
   if (!request.room.further_files) leave_out_further_files(result);
-  if (!request.room.fillers) std::erase_if(result.files, [](const ConvertedFile& file) { return file.is_filler(); });
+  if (!request.room.fillers) {
+    const std::size_t gone = std::erase_if(result.files, [](const ConvertedFile& file) { return file.is_filler(); });
+    // Alone it is nobody's folder.
+    if (gone > 0 && result.files.size() == 1) result.files.front().place.clear();
+  }
   for (std::size_t i = 0; request.path_of && i < result.files.size(); ++i) {
     ConvertedFile& file = result.files[i];
     file.path = request.path_of(result, i);
