@@ -2,6 +2,7 @@
 #include "fields.h"
 
 #include "spelling.h"
+#include "text/binary.h"
 
 #include <fca/formats/text/numbers.h>
 
@@ -280,7 +281,10 @@ std::string value_text(const Node& value) {
 }
 
 void set_scalar(text::Document& document, const Node& scalar, const std::string& token) {
-  if (!says(scalar, token, document.syntax())) document.replace(scalar.span, spell_token(token, document.syntax()));
+  if (says(scalar, token, document.syntax())) return;
+  const std::string spelled = spell_token(token, document.syntax());
+  const bool binary = document.syntax() == text::Syntax::kBinary;
+  document.replace(scalar.span, binary ? text::encoded(scalar.tag, spelled) : spelled);
 }
 
 void apply(text::Document& document, const Node& mapping, text::Dialect dialect, std::span<const Field> before,

@@ -28,10 +28,18 @@ ReadOptions options_for(const Rig& rig, const Written& written, const Written::F
 std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Written& written) {
   std::vector<PoseEdge> poses;
   std::map<std::string, std::string> names;  // formats may rename cameras; a file of poses has the names of that of cameras
+  Rig cameras;                               // of that one
   for (const Written::File& file : written.files) {
-    const std::optional<Rig> part = read_back(format, file, options_for(rig, written, file));
+    std::optional<Rig> part = read_back(format, file, options_for(rig, written, file));
     if (!part) continue;
-    if (!file.cameras.empty()) names.clear();
+    if (!file.cameras.empty()) {
+      names.clear();
+      cameras = *part;
+    } else if (format.complete != nullptr && part->cameras.empty()) {
+      part->cameras = cameras.cameras;
+      part->extra_fields.insert(part->extra_fields.end(), cameras.extra_fields.begin(), cameras.extra_fields.end());
+      format.complete(*part);
+    }
     for (std::size_t i = 0; i < std::min(part->cameras.size(), file.cameras.size()); ++i)
       names.emplace(part->cameras[i].name, file.cameras[i]);
     const auto name_in_rig = [&names](const std::string& name) { return names.contains(name) ? names.at(name) : name; };

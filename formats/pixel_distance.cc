@@ -25,6 +25,9 @@ constexpr double kWrongPx = 1.0;
 
 Pixel last_pixel(const ImageSize& size) { return {size.width - 1.0, size.height - 1.0}; }
 
+/// Below any cosine where nothing limits the angle.
+double cosine_of(double angle_rad) { return angle_rad < std::numbers::pi ? std::cos(angle_rad) : -2.0; }
+
 struct Circle {
   Pixel centre;
   double radius;
@@ -87,14 +90,15 @@ class Region {
 
 class Comparison {
  public:
-  Comparison(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader, double max_angle_rad,
-             const Lattice& lattice)
+  Comparison(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
+             const AngleLimits& limits, const Lattice& lattice)
       : lattice_(lattice),
         camera_(camera),
         written_(written),
         reader_(reader),
         is_kept_(camera.model == written),
-        last_cosine_(max_angle_rad < std::numbers::pi ? std::cos(max_angle_rad) : -2.0) {}
+        last_cosine_(cosine_of(limits.asked)),
+        last_fitted_cosine_(cosine_of(limits.fitted)) {}
 
   CameraDistance run() {
     CameraDistance result;
@@ -141,7 +145,7 @@ class Comparison {
 
   /// The program's, in the file's pixels; nothing where the model of the file or the program has no right one.
   [[nodiscard]] std::optional<Pixel> pixel_at(const Pixel& pixel, const Ray& ray) const {
-    if (!is_kept_ && !project(written_, ray)) return std::nullopt;
+    if (ray[2] < last_fitted_cosine_ || (!is_kept_ && !project(written_, ray))) return std::nullopt;
     const std::optional<Pixel> theirs = reader_.project(ray);
     if (!theirs) return std::nullopt;
     const Pixel seen = in_file_pixels(*theirs, reader_);
@@ -157,6 +161,7 @@ class Comparison {
   const consumers::ConsumerCamera& reader_;
   bool is_kept_;
   double last_cosine_;
+  double last_fitted_cosine_;
   double smallest_cosine_ = 1.0;
   std::vector<std::optional<SeenPixel>> grid_;
   Region in_image_;
@@ -166,12 +171,12 @@ class Comparison {
 }  // namespace
 
 CameraDistance distance_of(const Camera& camera, const CameraModel& written, const consumers::ConsumerCamera& reader,
-                           double max_angle_rad, bool has_gaps) {
+                           const AngleLimits& limits, bool has_gaps) {
   if (!has_gaps) {
-    CameraDistance coarse = Comparison(camera, written, reader, max_angle_rad, kCoarse).run();
+    CameraDistance coarse = Comparison(camera, written, reader, limits, kCoarse).run();
     if (coarse.in_image.no_rays == 0.0) return coarse;
   }
-  return Comparison(camera, written, reader, max_angle_rad, kFine).run();
+  return Comparison(camera, written, reader, limits, kFine).run();
 }
 
 std::optional<double> degrees_in_circle(const Camera& camera) {

@@ -31,14 +31,12 @@ constexpr std::array kKimera = {Name("kimera-vio"), Name("kimera-multi"), Name("
 constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("glomap"),
                                 Name("hloc"),
-                                Name("3dgs"),
-                                Name("inria-gs"),
                                 Name("postshot"),
                                 Name("brush"),
                                 Name("opensplat"),
-                                Name("gaussian-splatting"),
                                 Name("realitycapture-colmap")};
 
+constexpr std::array kGraphdeco = {Name("3dgs"), Name("inria-gs"), Name("gaussian-splatting"), Name("graphdeco")};
 constexpr std::array kGsplat = {Name("gsplat")};
 constexpr std::array k3dgrut = {Name("3dgrut"), Name("3dgut")};
 constexpr std::array kLichtfeld = {Name("lichtfeld"), Name("lichtfeld-studio")};
@@ -102,6 +100,8 @@ constexpr std::array kNames = {
     ProgramName{.names = kLichtfeld, .title = "LichtFeld Studio", .format = "colmap", .consumer = "lichtfeld"},
     ProgramName{kNerfstudio, "nerfstudio", "nerfstudio"},
     ProgramName{.names = kInstantNgp, .title = "instant-ngp", .format = "nerfstudio", .consumer = "instant-ngp"},
+    ProgramName{kGraphdeco, "gaussian-splatting", "colmap", "", "",
+                "COLMAP's folders of undistorted images alone (PINHOLE, SIMPLE_PINHOLE; colmap image_undistorter makes them)"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},

@@ -245,7 +245,7 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
                   const Rig& rig, std::span<const std::string> cameras, double max_angle_rad, const ForEach& each_camera,
-                  std::span<const Camera> calibrated) {
+                  std::span<const CalibratedCamera> calibrated) {
   Rig written = rig;
   written.cameras.clear();
   for (const std::string& name : cameras) {
@@ -255,7 +255,8 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
 }
 
 ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, const consumers::LoadOptions& options,
-                  const Rig& rig, double max_angle_rad, const ForEach& each_camera, std::span<const Camera> calibrated) {
+                  const Rig& rig, double max_angle_rad, const ForEach& each_camera,
+                  std::span<const CalibratedCamera> calibrated) {
   const consumers::ConsumerView view = consumer.load(bytes, options);
   ProofResult result;
   result.program = consumer.program;
@@ -269,10 +270,13 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   each_camera(comparisons.size(), [&](std::size_t i) {
     const Camera& camera = rig.cameras[i];
     comparisons[i] = compare_camera(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
-    const auto before = std::ranges::find(calibrated, camera.name, &Camera::name);
-    const bool has_gaps = comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0;
-    distances[i] =
-        distance_of(before != calibrated.end() ? *before : camera, camera.model, view.cameras[i], max_angle_rad, has_gaps);
+    const auto before =
+        std::ranges::find(calibrated, camera.name, [](const CalibratedCamera& each) { return each.camera.name; });
+    const CalibratedCamera source = before != calibrated.end() ? *before : CalibratedCamera{.camera = camera};
+    const AngleLimits limits = {max_angle_rad, source.fitted_to_rad};
+    const bool has_gaps = comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0 ||
+                          source.fitted_to_rad < std::numbers::pi;
+    distances[i] = distance_of(source.camera, camera.model, view.cameras[i], limits, has_gaps);
   });
   Comparison comparison;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {

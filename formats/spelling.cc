@@ -227,7 +227,7 @@ std::string spell_token(const std::string& token, Syntax syntax) {
     const bool plain = !token.starts_with('"') && (text::parse_real(token) || is_plain_word(token));
     return plain ? token : xml_string(text_of(token));
   }
-  return syntax == Syntax::kWords ? text_of(token) : token;
+  return syntax == Syntax::kWords || syntax == Syntax::kBinary ? text_of(token) : token;
 }
 
 std::string spell_value(const Field& field, Syntax syntax, const Style& style) {
@@ -240,6 +240,7 @@ std::string spell_value(const Field& field, Syntax syntax, const Style& style) {
     case Syntax::kXml:
       return xml_element(field, style);
     case Syntax::kWords:
+    case Syntax::kBinary:
       return joined(field.tokens, syntax);
   }
   return "";

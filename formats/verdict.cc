@@ -312,7 +312,10 @@ constexpr std::array kLimits = {Code::kMisreadBeyondLimit, Code::kMissingBeyondL
 
 }  // namespace
 
-bool may_be_accepted(const Reason& reason) { return std::ranges::find(kLimits, reason.facts.code) == kLimits.end(); }
+bool may_be_accepted(const Reason& reason) {
+  // No file can state a pose that mirrors.
+  return reason.facts.code != Code::kPoseMirrors && std::ranges::find(kLimits, reason.facts.code) == kLimits.end();
+}
 
 bool may_be_accepted(std::string_view id) {
   return std::ranges::none_of(kLimits, [id](Code code) { return info(code).id == id; });

@@ -19,6 +19,7 @@ namespace {
 std::string place_of(const SourceRange& where, const text::Source& source) {
   if (where.file.empty()) return "";
   if (where.file != source.name || where.length == 0) return where.file;
+  if (source.is_binary()) return where.file + ", byte " + std::to_string(where.offset);
   return where.file + ", line " + std::to_string(source.position(where.offset).line);
 }
 

@@ -32,7 +32,9 @@ std::vector<std::string> matches(const std::string& pattern) {
   return files;
 }
 
-bool is_rig(const fs::path& folder) { return !rig_files_in(folder.string()).empty(); }
+bool is_rig(const fs::path& folder) {
+  return !rig_files_in(folder.string()).empty() || !model_files_in(folder.string()).empty();
+}
 
 /// Errors of single entries (no permission, gone meanwhile) leave those out.
 void walk_folder(const fs::path& folder, WantedExtension wanted, bool whole_rigs, std::vector<std::string>& files) {

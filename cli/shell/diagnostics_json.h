@@ -21,6 +21,14 @@ inline std::string_view severity_name(Severity severity) {
   return "";
 }
 
+/// Members of an open object: line and column; of a binary file the byte, from 0.
+inline void put_place(Json& json, const text::Source& source, std::size_t offset) {
+  if (source.is_binary()) return json.put("byte", static_cast<long long>(offset));
+  const text::Position position = source.position(offset);
+  json.put("line", position.line);
+  json.put("column", position.column);
+}
+
 /// The array "diagnostics" of an open object.
 inline void put_diagnostics(Json& json, const Diagnostics& diagnostics, const Console& console) {
   json.array("diagnostics", diagnostics.entries(), [&](const Diagnostic& entry) {
@@ -30,9 +38,7 @@ inline void put_diagnostics(Json& json, const Diagnostics& diagnostics, const Co
       const auto source = std::ranges::find(console.sources(), entry.where.file, &text::Source::name);
       if (!entry.where.file.empty()) json.put("file", entry.where.file);
       if (source != console.sources().end() && (entry.where.offset > 0 || entry.where.length > 0)) {
-        const text::Position position = source->position(entry.where.offset);
-        json.put("line", position.line);
-        json.put("column", position.column);
+        put_place(json, *source, entry.where.offset);
       }
       json.put("message", message_of(entry, with_options));
       if (const std::string fix = fix_of(entry, with_options); !fix.empty()) json.put("fix", fix);

@@ -26,8 +26,8 @@ constexpr std::string_view kIntoConfiguration = "--into CONFIG.yaml -o FOLDER/ w
 constexpr std::array kHints = {
     OptionHint{Code::kImageSizeNotStated, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
     OptionHint{Code::kSizeUnlikeCentre, text::Part::kFix,
-               "give the size of the images that were calibrated (--size, where the file states none); for images that were "
-               "scaled since, --resize {3}x{4} behind it"},
+               "correct the size in the file to that of the images that were calibrated (--size, where it states none); for "
+               "images that were scaled since, --resize {3}x{4} beside it"},
     // Conversion.
     OptionHint{Code::kGiveLengthUnit, text::Part::kText, "say in which unit they are: --unit m, --unit cm or --unit mm"},
     OptionHint{Code::kImageSizeNotKnown, text::Part::kFix, "give it: --size WIDTHxHEIGHT"},
@@ -225,6 +225,7 @@ constexpr std::array kHints = {
     OptionHint{Code::kImuFileDropped, text::Part::kFix, "-o FOLDER/ writes it beside the cameras' files"},
     OptionHint{Code::kProvenanceHasNoRoom, text::Part::kText,
                "--provenance: the comment at the beginning of the file has no room for it"},
+    OptionHint{Code::kProvenanceInBinary, text::Part::kText, "--provenance: a binary file has no comments that could hold it"},
     OptionHint{Code::kProvenanceInJson, text::Part::kText, "--provenance: JSON has no comments that could hold it"},
     OptionHint{Code::kInputRefused, text::Part::kFix, "fca-io check {0:shell} says where, and how to fix it"},
     OptionHint{Code::kInputNotUnderstood, text::Part::kFix, "--anew writes it as {0} reads it"},

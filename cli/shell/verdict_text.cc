@@ -57,6 +57,18 @@ std::string owner_of(const Reason& reason) {
   return losses != nullptr && !losses->empty() ? owner_of({.facts = losses->front()}) : "";
 }
 
+/// What is lost, where the reason is a loss; else the reason's own facts.
+const Message& innermost(const Message& facts) {
+  const auto* losses = facts.arguments.empty() ? nullptr : std::get_if<std::vector<Message>>(&facts.arguments.front().value);
+  return losses != nullptr && !losses->empty() ? innermost(losses->front()) : facts;
+}
+
+/// Are the facts those of another owner, whom they name first?
+bool is_alike(const Message& a, const Message& b) {
+  if (a.arguments.empty() || a.arguments.size() != b.arguments.size()) return a.arguments.size() == b.arguments.size();
+  return std::equal(a.arguments.begin() + 1, a.arguments.end(), b.arguments.begin() + 1);
+}
+
 /// The same loss or defect of another camera.
 bool is_likewise(const Reason& a, const Reason& b) {
   const bool has_owner = a.facts.code == Code::kVerdictLost || a.kind == a.facts.code;
@@ -163,10 +175,17 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
       continue;
     }
     const auto is_like = [&](const Reason& other) { return !with_distances && is_likewise(reason, other); };
-    if (std::any_of(verdict.reasons.begin(), at, is_like)) continue;
+    // Two programs of one file may end at the same angle.
+    const auto is_no_more = [&](const Reason& other) {
+      return reason.facts.code == Code::kVerdictNoRays && other.facts.code == reason.facts.code &&
+             other.camera == reason.camera && is_alike(other.facts, reason.facts);
+    };
+    if (std::any_of(verdict.reasons.begin(), at, is_like) || std::any_of(verdict.reasons.begin(), at, is_no_more)) continue;
     std::vector<std::string> likewise;
     for (auto other = at + 1; other != verdict.reasons.end(); ++other) {
-      if (is_like(*other)) likewise.push_back(owner_of(*other));
+      if (!is_like(*other)) continue;
+      const bool same_numbers = is_alike(innermost(reason.facts), innermost(other->facts));
+      likewise.push_back(owner_of(*other) + (same_numbers ? "" : " (by its own number: -v)"));
     }
     const bool is_of_camera =
         is_distance || reason.facts.code == Code::kVerdictNoRays || reason.facts.code == Code::kVerdictNumbersDiffer;

@@ -92,6 +92,7 @@ bool contains(std::string_view text, std::string_view part) { return text.find(p
 
 /// The mends that are certain of what parsers and readers say.
 std::optional<SpanEdit> mend_of(const Diagnostic& entry, const text::Source& source) {
+  if (source.is_binary()) return std::nullopt;
   const text::Span span = {entry.where.offset, entry.where.length};
   if (entry.facts.code == Code::kYamlBlankMissing) return SpanEdit{{span.offset, 0}, " "};
   if (same_id(code_of(entry), Code::kAnyNotAnInteger)) {

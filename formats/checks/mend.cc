@@ -100,7 +100,8 @@ std::optional<Mend> find_mend(const text::Document& document, const consumers::C
                               const consumers::LoadOptions& options, const consumers::Complaint& complaint) {
   // Every try is a run of the program's parser; no real calibration is half as long.
   constexpr std::size_t kLongest = 512 * 1024;
-  if (document.source().bytes.size() > kLongest) return std::nullopt;
+  const bool binary = document.syntax() == text::Syntax::kBinary;  // no number in it has another spelling
+  if (binary || document.source().bytes.size() > kLongest) return std::nullopt;
   const std::vector<consumers::Complaint> before = program.load(document.bytes(), options).refusals;
   const Message& said = complaint.facts;
   const auto is_like_it = [&said](const consumers::Complaint& each) { return is_alike(each.facts, said); };

@@ -5,6 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/mend.h>
+#include <fca/formats/program_names.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/formats/verdict.h>
 
@@ -138,12 +139,18 @@ class ProgramsCheck {
     const consumers::Writing& writing = program.writing;
     std::vector<Message> how;
     if (!writing.model.empty()) how.push_back({Code::kConvertWithModel, {writing.model}});
-    if (!writing.layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, writing.layout}});
+    // An input of that very format keeps its own layout, where nothing else is asked for.
+    const Format* format = find_format(program.format);
+    const bool is_own = format == &format_ && !format_.layouts.empty();
+    const std::string_view layout = is_own && writing.layout.empty() ? format_.layouts.front() : writing.layout;
+    if (!layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, layout}});
     const bool file_per_camera =
         calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(program.format)->many_cameras;
     if (file_per_camera) how.push_back({Code::kConvertToFiles});
     if (!writing.file_name.empty()) how.push_back({Code::kConvertUnderName, {writing.file_name}});
-    return {Code::kConvertFor, {document_.source().name, program.format, how}};
+    const ProgramName* name = find_program_name(program.id);
+    const std::string_view to = name != nullptr && name->consumer == program.id ? program.id : program.format;
+    return {Code::kConvertFor, {document_.source().name, to, how}};
   }
 
   /// " (and 3 more)" behind the first of several.

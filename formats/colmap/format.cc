@@ -2,12 +2,14 @@
 #include "colmap.h"
 #include "lines.h"
 #include "rig_config.h"
+#include "rigs.h"
 
 #include "../fields.h"
 #include "../kalibr/demands.h"
 #include "../losses.h"
 #include "../one_camera_files.h"
 #include "../schema/schema.h"
+#include "../text/binary.h"
 
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <utility>
 
 namespace fca::colmap {
 
@@ -23,8 +26,8 @@ using text::Node;
 
 namespace {
 
-constexpr std::string_view kId = "CAMERA_ID";
 constexpr std::string_view kCamerasFile = "cameras.txt";
+constexpr std::string_view kBinary = ".bin";  // the extension
 constexpr std::string_view kReadBy = "COLMAP (rays inside 90 deg)";
 
 constexpr std::array kModels = {
@@ -48,6 +51,8 @@ bool is_header(const Node& line) {
 
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() == text::Syntax::kJson) return probe_rig_config(document);
+  if (is_rigs(document)) return probe_rigs(document);
+  if (document.syntax() == text::Syntax::kBinary) return {95, Message{Code::kColmapBinary}};
   if (document.syntax() != text::Syntax::kWords) return {};
   const std::vector<const Node*> lines = camera_lines(document);
   if (!lines.empty() && lines.front()->items.size() > kFirstParameter) {
@@ -74,7 +79,7 @@ class CamerasReader {
     bool good = true;
     for (const Node* line : lines) good = read_camera(*line, rig) && good;
     if (!good) return std::nullopt;
-    warn_of_blanks(lines);
+    if (reader_.document().syntax() == text::Syntax::kWords) warn_of_blanks(lines);
     return rig;
   }
 
@@ -144,49 +149,68 @@ class CamerasReader {
 
 std::optional<Rig> read(std::span<const text::Document> documents, const ReadOptions& options, Diagnostics& diagnostics) {
   const text::Syntax syntax = documents.front().syntax();
-  if (syntax == text::Syntax::kWords) return CamerasReader(documents.front(), diagnostics).run();
+  if (is_rigs(documents.front())) return read_rigs(documents.front(), diagnostics);
+  if (syntax == text::Syntax::kWords || syntax == text::Syntax::kBinary)
+    return CamerasReader(documents.front(), diagnostics).run();
   if (syntax == text::Syntax::kJson) return read_rig_config(documents.front(), options, diagnostics);
   diagnostics.add(Code::kColmapWrongSyntax, {}, {documents.front().source().name, 0, 0});
   return std::nullopt;
 }
 
-/// The numbers that cameras go by: those that they had in a cameras.txt, else 1, 2, ...
-std::vector<int> camera_ids(const Rig& rig) {
-  std::vector<int> ids(rig.cameras.size(), -1);
-  std::set<int> taken;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const ExtraField* had = rig.find_extra_field(rig.cameras[i].name, kId);
-    const std::optional<int> id = had != nullptr ? text::parse_int(had->value) : std::nullopt;
-    if (id && *id >= 0 && taken.insert(*id).second) ids[i] = *id;
-  }
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (ids[i] >= 0) continue;
-    ids[i] = static_cast<int>(i) + 1;
-    while (!taken.insert(ids[i]).second) ++ids[i];
-  }
-  return ids;
-}
-
-std::string spelled(std::span<const double> numbers) {
+/// Numbers as they stand behind each other.
+std::string spelled(std::span<const double> numbers, text::Syntax syntax) {
+  const bool binary = syntax == text::Syntax::kBinary;
   std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : " ") + text::format_real(number);
+  for (const double number : numbers) {
+    const std::string one = text::format_real(number);
+    text += binary ? text::encoded(text::kRealTag, one) : (text.empty() ? "" : " ") + one;
+  }
   return text;
 }
 
-/// With the comments that COLMAP writes.
-std::string composed(const Rig& rig, std::span<const int> ids) {
-  std::string text =
-      "# Camera list with one line of data per camera:\n#   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n"
-      "# Number of cameras: " +
-      std::to_string(rig.cameras.size()) + "\n";
+using Lines = std::vector<std::vector<std::string>>;
+
+/// The words of a fresh file.
+Lines lines_of(const Rig& rig, std::span<const int> ids) {
+  Lines lines;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const Camera& camera = rig.cameras[i];
     const Model& model = *written_model(camera.model);
-    text += std::to_string(ids[i]) + " " + std::string(model.name) + " " + std::to_string(camera.image_size->width) + " " +
-            std::to_string(camera.image_size->height) + " " + spelled(parameters_in(model, camera).value()) + "\n";
+    lines.push_back({std::to_string(ids[i]), std::string(model.name), std::to_string(camera.image_size->width),
+                     std::to_string(camera.image_size->height)});
+    const std::vector<double> numbers = parameters_in(model, camera).value();
+    for (const double number : numbers) lines.back().push_back(text::format_real(number));
+  }
+  return lines;
+}
+
+/// What a file of cameras says, without comments and what else COLMAP does not read.
+Lines lines_of(const text::Document& document) {
+  Lines lines;
+  for (const Node* line : camera_lines(document)) {
+    const std::size_t words = kFirstParameter + find_model(line->items[1].value)->parameters;
+    std::vector<std::string>& last = lines.emplace_back();
+    for (const Node& word : std::span(line->items).first(words)) last.push_back(word.value);
+  }
+  return lines;
+}
+
+/// With the comments that COLMAP writes.
+std::string as_text(std::string_view head, const Lines& lines) {
+  std::string text = std::string(head) + std::to_string(lines.size()) + "\n";
+  for (const std::vector<std::string>& words : lines) {
+    for (std::size_t i = 0; i < words.size(); ++i) text += (i > 0 ? " " : "") + words[i];
+    text += "\n";
   }
   return text;
 }
+
+constexpr std::string_view kHeadOfCameras =
+    "# Camera list with one line of data per camera:\n#   CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n# Number of cameras: ";
+constexpr std::string_view kHeadOfRigs =
+    "# Rig calib list with one line of data per calib:\n"
+    "#   RIG_ID, NUM_SENSORS, REF_SENSOR_TYPE, REF_SENSOR_ID, SENSORS[] as (SENSOR_TYPE, SENSOR_ID, HAS_POSE, [QW, QX, QY, QZ, "
+    "TX, TY, TZ])\n# Number of rigs: ";
 
 /// The line with other numbers, and another model where its own cannot hold them.
 void edit_line(text::Document& document, const Node& line, const Camera& old, const Camera& camera) {
@@ -203,59 +227,138 @@ void edit_line(text::Document& document, const Node& line, const Camera& old, co
     const Model& model = *written_model(camera.model);
     const text::Span first = words[kFirstParameter].span;
     const text::Span last = words[kFirstParameter + named.parameters - 1].span;
-    document.replace(words[1].span, std::string(model.name));
-    document.replace({first.offset, last.end() - first.offset}, spelled(parameters_in(model, camera).value()));
+    fields::set_scalar(document, words[1], std::string(model.name));
+    document.replace({first.offset, last.end() - first.offset},
+                     spelled(parameters_in(model, camera).value(), document.syntax()));
     return;
   }
   for (std::size_t i = 0; i < after->size(); ++i) {
-    if ((*before)[i] != (*after)[i]) document.replace(words[kFirstParameter + i].span, text::format_real((*after)[i]));
+    if ((*before)[i] == (*after)[i]) continue;
+    document.replace(words[kFirstParameter + i].span, spelled(std::span(*after).subspan(i, 1), document.syntax()));
   }
 }
 
 /// The base, of the same cameras, with what the rig says otherwise.
 text::Document edited(const text::Document& base, const Rig& old, const Rig& rig) {
   if (base.syntax() == text::Syntax::kJson) return edited_rig_config(base, old, rig);
+  if (is_rigs(base)) return edited_rigs(base, rig);
   text::Document document = base;
   const std::vector<const Node*> lines = camera_lines(base);
   for (std::size_t i = 0; i < lines.size(); ++i) edit_line(document, *lines[i], old.cameras[i], rig.cameras[i]);
   return document;
 }
 
-/// How the cameras sit to each other, in a file beside cameras.txt.
-void add_rig_config(const Rig& rig, Written& written, Diagnostics& diagnostics) {
-  const std::optional<std::string> bytes = composed_rig_config(rig);
+/// Quaternions say rotations alone: a matrix that was printed with few digits, or a product of such, is not quite one.
+Rig with_rotations(Rig rig, Written& written) {
+  constexpr double kRounding = 1e-9;
+  for (PoseEdge& edge : rig.poses) {
+    const std::optional<Transform> nearest = nearest_rotation(edge.T_a_b);
+    if (!nearest || largest_difference(*nearest, edge.T_a_b).distance <= kRounding) continue;
+    edge.T_a_b = *nearest;
+    written.restated.push_back(edge);
+    written.losses.push_back(lost(Code::kPoseRecomputed, edge.a, "cam_from_rig_rotation", {edge.b}));
+  }
+  return rig;
+}
+
+/// How the cameras sit to each other, in files beside that of the cameras: for rig_configurator, and as a model has it.
+void add_poses(const Rig& rig, std::span<const int> ids, bool binary, Written& written, Diagnostics& diagnostics) {
+  const std::optional<std::string> config = composed_rig_config(rig);
   std::optional<text::Document> document =
-      bytes ? text::parse_document({"rig_config.json", *bytes}, diagnostics) : std::nullopt;
-  if (!document) return;
-  written.files.push_back({*std::move(document), {}, {"colmap-rig"}});
-  for (Written::File& file : written.files) file.place = file.document.source().name;
+      config ? text::parse_document({"rig_config.json", *config}, diagnostics) : std::nullopt;
+  if (document) written.files.push_back({*std::move(document), {}, {"colmap-rig"}});
+  const Lines lines = rig_lines(rig, ids);
+  if (lines.empty()) return;
+  text::Source source = binary ? text::Source{"rigs.bin", text::binary_file(text::kRigsTag, lines)}
+                               : text::Source{"rigs.txt", as_text(kHeadOfRigs, lines)};
+  std::optional<text::Document> rigs = text::parse_document(std::move(source), diagnostics);
+  if (!rigs) return;
+  written.files.push_back({*std::move(rigs), {}, {"colmap-rig"}});
+  // Where there is no room for either, one of them is missed.
+  written.files.back().of_defaults = config.has_value();
   written.headline = {Code::kColmapBothHeadline};
+}
+
+/// Without images and points COLMAP does not open a folder.
+void add_fillers(bool binary, Written& written, Diagnostics& diagnostics) {
+  std::vector<text::Document> none;
+  if (binary) {
+    for (const char* name : {"images.bin", "points3D.bin"})
+      none.emplace_back(text::Source{name, std::string(8, '\0')}, text::Syntax::kBinary, Node{});  // a count: 0
+  } else {
+    for (const auto& [name, line] :
+         {std::pair{"images.txt", "# Image list: none\n"}, {"points3D.txt", "# 3D point list: none\n"}}) {
+      if (std::optional<text::Document> document = text::parse_document({name, line}, diagnostics)) none.push_back(*document);
+    }
+  }
+  for (text::Document& document : none) {
+    written.files.push_back({std::move(document), {}, {}});
+    written.files.back().of_defaults = true;
+  }
+}
+
+/// Is the base to stay what it is, text or binary?
+bool keeps_syntax(const text::Document& base, std::string_view extension) {
+  if (extension.empty() || base.syntax() == text::Syntax::kJson) return true;
+  return (base.syntax() == text::Syntax::kBinary) == (extension == kBinary);
+}
+
+/// A fresh file of cameras. Of the same ones in the other syntax it has the base's models and numbers.
+std::optional<text::Document> composed(const text::Document* base, const std::optional<Rig>& old, const Rig& rig, bool binary,
+                                       std::span<const int> ids, Diagnostics& diagnostics) {
+  std::optional<Lines> lines;
+  if (base != nullptr && old && !is_rigs(*base) && base->syntax() != text::Syntax::kJson && schema::same_cameras(*old, rig)) {
+    const std::optional<text::Document> now = text::as_edited(edited(*base, *old, rig));
+    if (now) lines = lines_of(*now);
+  }
+  if (!lines) lines = lines_of(rig, ids);
+  if (!binary) return text::parse_document({std::string(kCamerasFile), as_text(kHeadOfCameras, *lines)}, diagnostics);
+  return text::parse_document({"cameras.bin", text::binary_file(text::kCamerasTag, *lines)}, diagnostics);
+}
+
+/// As the base says it.
+std::optional<Rig> read_base(const text::Document* base) {
+  Diagnostics ignored;
+  std::optional<Rig> rig = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
+  if (rig) name_sensors(*rig);
+  return rig;
 }
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
-  Diagnostics ignored;
-  const std::optional<Rig> old = base != nullptr ? read(std::span(base, 1), {}, ignored) : std::nullopt;
-  const bool edits = old && !options.anew && schema::same_cameras(*old, rig);
+  const std::optional<Rig> old = read_base(base);
+  // Poses alone can be edited, too, where they are what was asked for.
+  const bool same = old && (schema::same_cameras(*old, rig) || (is_rigs(*base) && options.keeps_layout));
+  const bool edits = same && !options.anew && keeps_syntax(*base, options.extension);
   if (edits ? !can_store(kFormat, rig, &*old, diagnostics)
             : !writable_alone(kFormat, rig, Message{Code::kColmapDemandsSize}, diagnostics))
     return std::nullopt;
   const std::vector<int> ids = camera_ids(rig);
+  const bool binary = options.extension == kBinary;
   std::optional<text::Document> document =
-      edits ? edited(*base, *old, rig) : text::parse_document({std::string(kCamerasFile), composed(rig, ids)}, diagnostics);
+      edits ? edited(*base, *old, rig) : composed(options.anew ? nullptr : base, old, rig, binary, ids, diagnostics);
   if (!document) return std::nullopt;
   Written written;
   const bool is_rig_config = document->syntax() == text::Syntax::kJson;
+  const bool of_rigs = is_rig_config || is_rigs(*document);
   std::vector<ExtraField> said = edits ? old->extra_fields : std::vector<ExtraField>();
   for (std::size_t i = 0; !edits && i < ids.size(); ++i)
     said.push_back({rig.cameras[i].name, std::string(kId), std::to_string(ids[i])});
-  written.files.push_back({*std::move(document), {}, {is_rig_config ? "colmap-rig" : "colmap"}});
-  for (const Camera& camera : rig.cameras) written.files.front().cameras.push_back(camera.name);
+  const bool is_binary = document->syntax() == text::Syntax::kBinary;
+  written.headline = {is_rig_config ? Code::kColmapRigHeadline
+                      : of_rigs     ? Code::kColmapRigsHeadline
+                      : is_binary   ? Code::kColmapBinaryHeadline
+                                    : Code::kColmapHeadline};
+  written.files.push_back({*std::move(document), {}, {of_rigs ? "colmap-rig" : "colmap"}});
+  for (std::size_t i = 0; i < rig.cameras.size() && (is_rig_config || !of_rigs); ++i)
+    written.files.front().cameras.push_back(rig.cameras[i].name);
   add_extras_lost(rig, said, edits ? std::nullopt : old, Message{Code::kColmapNoPlace}, written.losses);
   list_camera_losses(rig, "COLMAP", written.losses);
-  written.headline = {is_rig_config ? Code::kColmapRigHeadline : Code::kColmapHeadline};
-  if (!edits) add_rig_config(rig, written, diagnostics);
-  if (written.files.size() == 1 && !is_rig_config) written.sensor = kLensAlone;
+  if (!edits && !options.lenses_alone) add_poses(with_rotations(rig, written), ids, binary, written, diagnostics);
+  if (written.files.size() == 1 && !of_rigs) written.sensor = kLensAlone;
+  if (edits) return written;
+  add_fillers(binary, written, diagnostics);
+  for (Written::File& file : written.files) file.place = file.document.source().name;
   return written;
 }
 
@@ -272,8 +375,8 @@ std::string arguments(const Camera& camera) {
 
 const Format kFormat = {
     .id = "colmap",
-    .title = "COLMAP cameras.txt, rig_config.json",
-    .syntaxes = "text, JSON",
+    .title = "COLMAP cameras.txt or .bin, rigs, rig_config.json",
+    .syntaxes = "text, binary, JSON",
     .extension = ".txt",
     .program = "COLMAP",
     .main_file = kCamerasFile,
@@ -287,6 +390,7 @@ const Format kFormat = {
     .models = kModels,
     .probe = probe,
     .arguments = arguments,
+    .complete = name_sensors,
     .read = read,
     .write = write,
 };

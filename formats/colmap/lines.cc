@@ -22,6 +22,7 @@ constexpr std::array<ParameterId, 8> kRational = {"k1", "k2", "p1", "p2", "k3", 
 constexpr std::array<ParameterId, 4> kFisheye = {"k1", "k2", "k3", "k4"};
 constexpr std::array<ParameterId, 1> kOmega = {"w"};
 constexpr std::array<ParameterId, 2> kAlphaBeta = {"alpha", "beta"};
+constexpr std::array<ParameterId, 1> kBeta = {"beta"};
 
 /// All models up to COLMAP 4.2. Of those that are one of ours the first is written.
 constexpr std::array kModels = {
@@ -40,12 +41,33 @@ constexpr std::array kModels = {
     Model{"EUCM", 6, "eucm", false, kAlphaBeta},
     Model{.name = "THIN_PRISM_FISHEYE", .parameters = 12, .why_not = Code::kColmapThinPrism},
     Model{.name = "RAD_TAN_THIN_PRISM_FISHEYE", .parameters = 16, .why_not = Code::kColmapThinPrism},
-    Model{.name = "SIMPLE_DIVISION", .parameters = 4, .why_not = Code::kColmapDivision},
-    Model{.name = "DIVISION", .parameters = 5, .why_not = Code::kColmapDivision},
+    Model{.name = "DIVISION", .parameters = 5, .model = "eucm", .coefficients = kBeta, .division = true},
+    Model{.name = "SIMPLE_DIVISION",
+          .parameters = 4,
+          .model = "eucm",
+          .one_focal_length = true,
+          .coefficients = kBeta,
+          .division = true},
     Model{.name = "EQUIRECTANGULAR", .parameters = 2, .why_not = Code::kColmapEquirectangular},
 };
 
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
+
+// A point at radius r of the plane is one at 2 r / (1 + sqrt(1 - 4 k r^2)) of a division model: eucm with these.
+constexpr double kDivisionAlpha = 0.5;
+constexpr double kDivisionBeta = -4.0;
+
+bool is_centre(const ParameterId& id) { return id == ParameterId("cx") || id == ParameterId("cy"); }
+
+/// Our parameter from the number of a line, and back.
+double parameter_of(const Model& model, const ParameterId& id, double number) {
+  if (is_centre(id)) return from_file(number);
+  return model.division && id == ParameterId("beta") ? kDivisionBeta * number : number;
+}
+double number_of(const Model& model, const ParameterId& id, double parameter) {
+  if (is_centre(id)) return to_file(parameter);
+  return model.division && id == ParameterId("beta") ? parameter / kDivisionBeta : parameter;
+}
 
 }  // namespace
 
@@ -78,7 +100,8 @@ std::string parameter_names(const Model& model) {
   std::string names;
   for (std::size_t i = 0; i < model.parameters; ++i) {
     const std::vector<ParameterId> ids = set_by(model, i);
-    names += (i > 0 ? " " : "") + (ids.size() > 1 ? "f" : std::string(ids.front().name()));
+    const bool is_k = model.division && ids.front() == ParameterId("beta");
+    names += (i > 0 ? " " : "") + (ids.size() > 1 ? "f" : is_k ? "k" : std::string(ids.front().name()));
   }
   return names;
 }
@@ -94,8 +117,11 @@ std::optional<std::vector<double>> parameters_in(const Model& model, const Camer
       if (parameter(camera.model, id) != value) return std::nullopt;
       there.push_back(id);
     }
-    const bool centre = ids.front() == ParameterId("cx") || ids.front() == ParameterId("cy");
-    values.push_back(centre ? to_file(value) : value);
+    values.push_back(number_of(model, ids.front(), value));
+  }
+  if (model.division) {
+    if (parameter(camera.model, "alpha") != kDivisionAlpha) return std::nullopt;
+    there.push_back(ParameterId("alpha"));
   }
   for (const Parameter& row : model_info(camera.model).parameters) {
     const ParameterId id(row);
@@ -118,16 +144,21 @@ const Model* read_model(const text::Node& word, fields::Reader& reader) {
 }
 
 bool read_lens(std::span<const text::Node> numbers, const Model& model, Camera& camera, fields::Reader& reader) {
-  // A lens of angle 0 bends nothing.
-  const bool straight = model.model == "fov" && text::parse_real(numbers.back().value) == 0.0;
+  const std::optional<double> last = text::parse_real(numbers.back().value);
+  // A lens of angle 0, or with k = 0, bends nothing.
+  const bool straight = (model.model == "fov" || model.division) && last == 0.0;
+  if (model.division && last > 0.0) {
+    reader.say(numbers.back(), Code::kColmapModelNotRead, {model.name, Message{Code::kColmapDivision}});
+    return false;
+  }
   camera.model = *make_model(straight ? "pinhole" : model.model);
+  if (model.division && !straight) set_parameter(camera.model, "alpha", kDivisionAlpha);
   bool good = true;
   for (std::size_t i = 0; i < numbers.size() - (straight ? 1 : 0); ++i) {
     for (const ParameterId id : set_by(model, i)) {
       const std::optional<double> value = reader.real(numbers[i], id.name());
       if (!value) return false;
-      const bool centre = id == ParameterId("cx") || id == ParameterId("cy");
-      good = good && reader.parameter(numbers[i], camera.name, id, centre ? from_file(*value) : *value, camera.model);
+      good = good && reader.parameter(numbers[i], camera.name, id, parameter_of(model, id, *value), camera.model);
     }
   }
   return good;

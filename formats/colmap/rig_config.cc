@@ -136,16 +136,7 @@ class RigConfigReader {
     const std::optional<std::vector<double>> q = reader_.reals(rotation, 4, what);
     const std::optional<std::vector<double>> t = reader_.reals(translation, 3, name + " " + std::string(kTranslation));
     if (!q || !t) return false;
-    const double length = std::hypot(std::hypot((*q)[0], (*q)[1]), std::hypot((*q)[2], (*q)[3]));
-    constexpr double kPrinted = 1e-3;
-    constexpr double kShortest = 0.5;
-    if (length < kShortest) {
-      reader_.say(rotation, Code::kColmapNoRotation, {what, length});
-      return false;
-    }
-    if (std::abs(length - 1.0) > kPrinted) reader_.say(rotation, Code::kColmapQuaternionLength, {what, length});
-    const Transform T = pose_of(normalised(from_stated(*q)), {(*t)[0], (*t)[1], (*t)[2]});
-    const std::optional<Transform> checked = reader_.checked(T, {rotation, what}, {translation, name});
+    const std::optional<Transform> checked = colmap::read_pose(*q, *t, {rotation, what}, {translation, name}, reader_);
     if (checked) rig_.poses.push_back({name, reference, *checked});
     return checked.has_value();
   }
@@ -179,7 +170,7 @@ std::vector<Field> pose_fields(const Rig& rig, const std::string& camera, const 
                                const Quaternion& alike = {0.0, 0.0, 0.0, 1.0}) {
   const std::optional<Transform> T = camera == reference ? std::nullopt : rig.resolve(camera, reference);
   if (!T) return {};
-  return {fields::list(std::string(kRotation), as_stated(signed_as(quaternion_of(*T), alike))),
+  return {fields::list(std::string(kRotation), stated_quaternion(*T, alike)),
           fields::list(std::string(kTranslation), translation_of(*T))};
 }
 
@@ -197,6 +188,26 @@ const Model& model_for(const Node& node, const Camera& camera) {
 }
 
 }  // namespace
+
+std::optional<Transform> read_pose(const std::vector<double>& wxyz, const std::vector<double>& translation,
+                                   const fields::Reader::Place& of_rotation, const fields::Reader::Place& of_translation,
+                                   fields::Reader& reader) {
+  const double length = std::hypot(std::hypot(wxyz[0], wxyz[1]), std::hypot(wxyz[2], wxyz[3]));
+  constexpr double kPrinted = 1e-3;
+  constexpr double kShortest = 0.5;
+  if (length < kShortest) {
+    reader.say(of_rotation.node, Code::kColmapNoRotation, {of_rotation.what, length});
+    return std::nullopt;
+  }
+  if (std::abs(length - 1.0) > kPrinted)
+    reader.say(of_rotation.node, Code::kColmapQuaternionLength, {of_rotation.what, length});
+  const Transform T = pose_of(normalised(from_stated(wxyz)), {translation[0], translation[1], translation[2]});
+  return reader.checked(T, of_rotation, of_translation);
+}
+
+std::array<double, 4> stated_quaternion(const Transform& T, const Quaternion& alike) {
+  return as_stated(signed_as(quaternion_of(T), alike));
+}
 
 ProbeResult probe_rig_config(const text::Document& document) {
   const Node* cameras = cameras_of(document.root());

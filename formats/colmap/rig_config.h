@@ -5,13 +5,25 @@
 // camera_model_name with camera_params. It states no image sizes.
 #pragma once
 
+#include "../fields.h"
+
 #include <fca/diagnostics.h>
 #include <fca/formats/format.h>
+#include <fca/rig/rotation.h>
 
+#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace fca::colmap {
+
+/// T_sensor_rig of a quaternion w x y z and a translation [m]; nothing, with an error, where they are no pose.
+[[nodiscard]] std::optional<Transform> read_pose(const std::vector<double>& wxyz, const std::vector<double>& translation,
+                                                 const fields::Reader::Place& of_rotation,
+                                                 const fields::Reader::Place& of_translation, fields::Reader& reader);
+/// w x y z of the pose's rotation: of q and -q the one that is nearer to `alike`.
+[[nodiscard]] std::array<double, 4> stated_quaternion(const Transform& T, const Quaternion& alike = {0.0, 0.0, 0.0, 1.0});
 
 [[nodiscard]] ProbeResult probe_rig_config(const text::Document& document);
 /// Cameras are named by the last folder of their prefix. Those without a lens are in poses only.

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// COLMAP: cameras.txt of a model folder, and rig_config.json for its rig_configurator. From colmap/colmap@5d968cf (4.2.0.dev0,
-// 2026-08-08), src/colmap/scene/ reconstruction_io_text.cc (ReadCamerasText), scene/rig.cc (ReadRigConfig) and sensor/models.h
+// COLMAP: cameras and rigs of a model folder, as text or binary, and rig_config.json for its rig_configurator. From
+// colmap/colmap@5d968cf (4.2.0.dev0, 2026-08-08), src/colmap/scene/ reconstruction_io_text.cc (ReadCamerasText, ReadRigsText),
+// reconstruction_io_binary.cc (ReadCamerasBinary, ReadRigsBinary), scene/rig.cc (ReadRigConfig) and sensor/models.h
 // (ImgFromCam with check_cheirality of each model). Version 3.8 splits at single blanks and knows the models up to
 // THIN_PRISM_FISHEYE. The centre of COLMAP's first pixel is (0.5, 0.5).
 #include <rapidjson/document.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -65,6 +67,11 @@ Pixel fisheye(const Numbers& c, double u, double v) {
   return {scale * u * (1.0 + sum), scale * v * (1.0 + sum)};
 }
 
+Pixel division(const Numbers& c, double u, double v) {
+  const double factor = 2.0 / (1.0 + std::sqrt(1.0 - 4.0 * c[0] * (u * u + v * v)));
+  return {u * factor, v * factor};
+}
+
 double exact_fov_factor(double omega, double radius) {
   return std::atan(radius * 2.0 * std::tan(omega / 2.0)) / (radius * omega);
 }
@@ -116,8 +123,8 @@ constexpr std::array kRows = {
     ModelRow{"RADIAL_FISHEYE", 1, 2, &fisheye},
     ModelRow{"THIN_PRISM_FISHEYE", 2, 8, nullptr},
     ModelRow{"RAD_TAN_THIN_PRISM_FISHEYE", 2, 12, nullptr, "3.11"},
-    ModelRow{"SIMPLE_DIVISION", 1, 1, nullptr, "4.0"},
-    ModelRow{"DIVISION", 2, 1, nullptr, "4.0"},
+    ModelRow{"SIMPLE_DIVISION", 1, 1, &division, "4.0"},
+    ModelRow{"DIVISION", 2, 1, &division, "4.0"},
     ModelRow{"SIMPLE_FISHEYE", 1, 0, &fisheye, "4.0"},
     ModelRow{"FISHEYE", 2, 0, &fisheye, "4.0"},
     ModelRow{"EUCM", 2, 2, nullptr, "4.1"},
@@ -162,9 +169,62 @@ ConsumerCamera seen_camera(std::string name, const ColmapCamera& camera) {
   return seen;
 }
 
+/// Little endian.
+class Bytes {
+ public:
+  explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
+
+  /// A number of that many bytes; 0, and is_short(), where there are not so many.
+  std::uint64_t number(std::size_t size) {
+    std::uint64_t value = 0;
+    short_ = short_ || bytes_.size() < size;
+    if (short_) return 0;
+    for (std::size_t i = size; i-- > 0;) value = value << 8U | static_cast<unsigned char>(bytes_[i]);
+    bytes_.remove_prefix(size);
+    return value;
+  }
+  double real() { return std::bit_cast<double>(number(sizeof(double))); }
+  [[nodiscard]] bool is_short() const { return short_; }
+  [[nodiscard]] bool is_at_end() const { return !short_ && bytes_.empty(); }
+
+ private:
+  std::string_view bytes_;
+  bool short_ = false;
+};
+
 class Reader {
  public:
   explicit Reader(ConsumerView& view) : view_(view) {}
+
+  /// ReadCamerasBinary. True if it takes all bytes.
+  bool run_binary(std::string_view bytes) {
+    Bytes stream(bytes);
+    const std::uint64_t count = stream.number(8);
+    for (std::uint64_t i = 1; view_.loads() && i <= count; ++i) {
+      const auto id = static_cast<std::uint32_t>(stream.number(4));
+      const auto number = static_cast<std::int32_t>(stream.number(4));
+      const std::uint64_t width = stream.number(8);
+      const std::uint64_t height = stream.number(8);
+      if (stream.is_short() || width > kLargest || height > kLargest) {
+        refuse(Code::kColmapSaysEnds, {i});
+        break;
+      }
+      if (number < 0 || static_cast<std::size_t>(number) >= kRows.size()) {
+        refuse(Code::kColmapSaysModelNumber, {i, number});
+        break;
+      }
+      ColmapCamera camera{&kRows.at(static_cast<std::size_t>(number)), {}};
+      camera.params.resize(camera.model->focal_lengths + 2 + camera.model->coefficients);
+      for (double& value : camera.params) value = stream.real();
+      if (stream.is_short()) {
+        refuse(Code::kColmapSaysEnds, {i});
+        break;
+      }
+      add(camera, id, {width, height}, static_cast<int>(i));
+    }
+    if (view_.loads() && view_.cameras.empty()) refuse(Code::kColmapSaysNoCamera, {});
+    return view_.loads() && stream.is_at_end();
+  }
 
   void run(std::string_view bytes) {
     std::istringstream lines{std::string(bytes)};
@@ -179,6 +239,8 @@ class Reader {
   }
 
  private:
+  static constexpr std::uint64_t kLargest = std::numeric_limits<int>::max();
+
   void refuse(Code code, std::vector<Argument> arguments) {
     view_.refusals.emplace_back(code, "", std::move(arguments));
     view_.cameras.clear();
@@ -191,7 +253,6 @@ class Reader {
     std::string name;
     std::uint64_t width = 0;
     std::uint64_t height = 0;
-    constexpr std::uint64_t kLargest = std::numeric_limits<int>::max();
     if (!(words >> id >> name >> width >> height) || width > kLargest || height > kLargest)
       return refuse(Code::kColmapSaysLine, {number});
     const auto model = std::ranges::find(kRows, name, &ModelRow::name);
@@ -201,12 +262,18 @@ class Reader {
     const std::size_t wanted = model->focal_lengths + 2 + model->coefficients;
     if (camera.params.size() != wanted)
       return refuse(Code::kColmapSaysParameterCount, {number, camera.params.size(), name, wanted});
+    add(camera, id, {width, height}, number);
+  }
+
+  /// `number`: of its line, or its own.
+  void add(const ColmapCamera& camera, std::uint32_t id, const std::array<std::uint64_t, 2>& size, int number) {
+    const ModelRow* model = camera.model;
     if (!ids_.insert(id).second) return refuse(Code::kColmapSaysIdTwice, {number, id});
     if (!model->since.empty() && told_.insert(model->name).second)
       view_.warnings.emplace_back(Code::kColmapSaysNewModel, "", std::vector<Argument>{model->name, model->since});
     ConsumerCamera seen = seen_camera("cam" + std::to_string(view_.cameras.size()), camera);
-    seen.width = static_cast<int>(width);
-    seen.height = static_cast<int>(height);
+    seen.width = static_cast<int>(size[0]);
+    seen.height = static_cast<int>(size[1]);
     view_.cameras.push_back(std::move(seen));
   }
 
@@ -214,6 +281,101 @@ class Reader {
   std::set<std::uint32_t> ids_;
   std::set<std::string_view> told_;
 };
+
+/// ReadRigsText and ReadRigsBinary. Sensors are called as there: "CAMERA 2".
+class Rigs {
+ public:
+  explicit Rigs(ConsumerView& view) : view_(view) {}
+
+  void run_text(std::string_view bytes) {
+    std::istringstream lines{std::string(bytes)};
+    int number = 0;
+    for (std::string line; view_.loads() && std::getline(lines, line);) {
+      const std::size_t first = line.find_first_not_of(" \t\r\v\f");
+      if (first == std::string::npos || line[first] == '#') continue;
+      std::istringstream words(line);
+      words.imbue(std::locale::classic());
+      if (!read_line(words, ++number)) refuse(Code::kColmapSaysNoRigLine, number);
+    }
+  }
+
+  /// True if it takes all bytes.
+  bool run_binary(std::string_view bytes) {
+    Bytes stream(bytes);
+    const std::uint64_t count = stream.number(8);
+    for (std::uint64_t i = 1; view_.loads() && i <= count; ++i) {
+      const auto number = static_cast<int>(i);
+      stream.number(4);
+      const std::uint64_t sensors = stream.number(4);
+      std::string reference;
+      for (std::uint64_t k = 0; k < sensors && view_.loads() && !stream.is_short(); ++k) {
+        const std::string type = stream.number(4) == 0 ? "CAMERA" : "IMU";
+        const std::string name = type + " " + std::to_string(stream.number(4));
+        const bool has_pose = k > 0 && stream.number(1) != 0;
+        Numbers numbers(has_pose ? 7 : 0);
+        for (double& value : numbers) value = stream.real();
+        if (!stream.is_short()) add(name, numbers, reference, number);
+      }
+      if (stream.is_short()) refuse(Code::kColmapSaysEnds, number);
+    }
+    return view_.loads() && stream.is_at_end();
+  }
+
+ private:
+  void refuse(Code code, int number) {
+    view_.refusals.emplace_back(code, "", std::vector<Argument>{number});
+    view_.poses.clear();
+  }
+
+  bool read_line(std::istream& words, int number) {
+    std::uint32_t id = 0;
+    std::uint64_t sensors = 0;
+    if (!(words >> id >> sensors)) return false;
+    std::string reference;
+    for (std::uint64_t k = 0; k < sensors && view_.loads(); ++k) {
+      std::string type;
+      int has_pose = 0;
+      if (!(words >> type >> id) || (type != "CAMERA" && type != "IMU") || (k > 0 && !(words >> has_pose))) return false;
+      Numbers numbers(has_pose == 1 ? 7 : 0);
+      for (double& value : numbers) words >> value;
+      if (!words) return false;
+      add(type + " " + std::to_string(id), numbers, reference, number);
+    }
+    return true;
+  }
+
+  /// The first sensor of a rig is its reference.
+  void add(const std::string& name, const Numbers& q, std::string& reference, int number) {
+    if (reference.empty()) sensors_.clear();
+    if (!sensors_.insert(name).second) return refuse(Code::kColmapSaysSensorTwice, number);
+    if (reference.empty()) reference = name;
+    if (!q.empty()) view_.poses.push_back({name, reference, pose_as_if_unit(q[0], {q[1], q[2], q[3]}, {q[4], q[5], q[6]})});
+  }
+
+  ConsumerView& view_;
+  std::set<std::string> sensors_;
+};
+
+/// Which of the two a program opens it as its path says; here, what it is.
+bool holds_rigs(std::string_view bytes) {
+  std::istringstream lines{std::string(bytes)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::array<std::string, 3> first;
+    words >> first[0] >> first[1] >> first[2];
+    if (!first[0].empty() && first[0][0] != '#') return first[2] == "CAMERA" || first[2] == "IMU";
+  }
+  return false;
+}
+
+/// Behind a count of 8 bytes.
+bool is_binary(std::string_view bytes) { return bytes.size() >= 8 && bytes.substr(4, 4) == std::string_view("\0\0\0\0", 4); }
+
+void load_binary(std::string_view bytes, ConsumerView& view) {
+  ConsumerView as_rigs;
+  if (Reader(view).run_binary(bytes) || !Rigs(as_rigs).run_binary(bytes)) return;
+  view = as_rigs;
+}
 
 /// ReadRigConfig through boost::property_tree: keys in any order, further ones ignored.
 class RigConfig {
@@ -328,6 +490,10 @@ ConsumerView load_colmap(std::string_view bytes, const LoadOptions& /*options*/)
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && bytes[first] == '[') {
     RigConfig(view).run(bytes);
+  } else if (is_binary(bytes)) {
+    load_binary(bytes, view);
+  } else if (holds_rigs(bytes)) {
+    Rigs(view).run_text(bytes);
   } else {
     Reader(view).run(bytes);
   }

@@ -42,13 +42,10 @@ bool is_json(std::string_view bytes) { return begins_with('{', bytes); }
 /// What COLMAP reads, if all of its models are among those.
 ConsumerView load_some_of_colmap(std::string_view bytes, const LoadOptions& options, std::string_view program,
                                  std::span<const std::string_view> models) {
-  ConsumerView view;
-  if (begins_with('[', bytes)) {
-    view.refusals.emplace_back(Code::kColmapSaysRigFile, "", std::vector<Argument>{program});
-    return view;
-  }
-  view = load_colmap(bytes, options);
+  ConsumerView view = load_colmap(bytes, options);
   view.warnings.clear();
+  const bool is_of_rigs = view.loads() && (view.cameras.empty() || begins_with('[', bytes));  // COLMAP's alone reads them
+  if (is_of_rigs) view.refusals = {{Code::kColmapSaysRigFile, "", std::vector<Argument>{program}}};
   for (const ConsumerCamera& camera : view.cameras) {
     if (std::ranges::find(models, camera.model) != models.end()) continue;
     const std::vector<std::string> all(models.begin(), models.end());

@@ -168,7 +168,7 @@ void list_restated(const Rectification& rectification, Written& written) {
   if (!rectification.restated) return;
   const PoseEdge& edge = *rectification.restated;
   written.restated.push_back(edge);
-  written.losses.push_back(lost(Code::kRosPoseRecomputed, edge.b, std::string(kRectification), {edge.a}));
+  written.losses.push_back(lost(Code::kPoseRecomputed, edge.b, std::string(kRectification), {edge.a}));
 }
 
 /// The file that is written into, with whatever cameras of the rig are its own.

@@ -60,6 +60,7 @@ std::vector<Span> comments_of(const Document& document) {
       return markup_comments(document.source().bytes);
     case Syntax::kJson:
     case Syntax::kWords:
+    case Syntax::kBinary:
       return {};
   }
   return {};

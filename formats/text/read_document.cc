@@ -3,6 +3,7 @@
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/text/read_stream.h>
 
+#include "binary.h"
 #include "json.h"
 #include "syntax.h"
 #include "words.h"
@@ -60,6 +61,8 @@ std::optional<Node> parse(const Source& source, Syntax& syntax, Diagnostics& dia
       return parse_json_or_yaml(source, syntax, diagnostics);
     case Syntax::kWords:
       return parse_words(source, diagnostics);
+    case Syntax::kBinary:
+      return parse_binary(source, diagnostics);
   }
   return std::nullopt;
 }
@@ -106,6 +109,11 @@ std::optional<Document> parse_document(Source source, Diagnostics& diagnostics) 
   if (source.bytes.size() > kMaxFileBytes) {
     diagnostics.add(Code::kFileTooLarge, {kMaxFileBytes / 1024 / 1024}, file);
     return std::nullopt;
+  }
+  if (!source.bytes.empty() && source.is_binary()) {
+    Syntax binary = Syntax::kBinary;
+    std::optional<Node> root = parse(source, binary, diagnostics);
+    return root ? std::optional(Document(std::move(source), binary, *std::move(root))) : std::nullopt;
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     diagnostics.add(Code::kFileEmpty, {}, file);

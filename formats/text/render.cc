@@ -53,6 +53,13 @@ std::string excerpt(const Source& source, const SourceRange& where) {
   return "    " + printable(source.text({start, end - start})) + "\n    " + caret + "^" + std::string(length - 1, '~') + "\n";
 }
 
+/// "3:11", line and column; in a binary file "byte 24", from 0.
+std::string place_in(const Source& source, std::size_t offset) {
+  if (source.is_binary()) return "byte " + std::to_string(offset);
+  const Position position = source.position(offset);
+  return std::to_string(position.line) + ":" + std::to_string(position.column);
+}
+
 }  // namespace
 
 std::string render(const Shown& shown, std::span<const Source> sources, bool colour) {
@@ -61,8 +68,7 @@ std::string render(const Shown& shown, std::span<const Source> sources, bool col
   const bool placed =
       !shown.where.file.empty() && source != sources.end() && (shown.where.offset > 0 || shown.where.length > 0);
   if (placed) {
-    const Position position = source->position(shown.where.offset);
-    text += printable(source->name) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+    text += printable(source->name) + ":" + place_in(*source, shown.where.offset) + ": ";
   } else if (!shown.where.file.empty()) {
     text += printable(shown.where.file) + ": ";
   }
@@ -72,7 +78,7 @@ std::string render(const Shown& shown, std::span<const Source> sources, bool col
   text += ": " + printable(shown.message);
   if (!shown.id.empty()) text += " [" + shown.id + "]";
   text += "\n";
-  if (placed) text += excerpt(*source, shown.where);
+  if (placed && !source->is_binary()) text += excerpt(*source, shown.where);
   if (!shown.fix.empty()) text += "    fix: " + printable(shown.fix) + "\n";
   return text;
 }

@@ -18,6 +18,16 @@ Position Source::position(std::size_t offset) const {
   return position;
 }
 
+bool Source::is_binary() const {
+  constexpr std::size_t kOfCount = 8;
+  constexpr std::size_t kSmallest = 8;  // a rig without sensors
+  if (name.ends_with(".bin") && (bytes.size() < kOfCount || bytes.find('\0') != std::string::npos)) return true;
+  if (bytes.size() < 2 * kOfCount || bytes.compare(4, 4, std::string(4, '\0')) != 0) return false;
+  std::size_t count = 0;
+  for (std::size_t i = 4; i-- > 0;) count = count * 256 + static_cast<unsigned char>(bytes[i]);
+  return count <= bytes.size() / kSmallest;
+}
+
 Span Source::line_at(std::size_t offset) const {
   offset = std::min(offset, bytes.size());
   const std::size_t newline = offset == 0 ? std::string::npos : bytes.rfind('\n', offset - 1);

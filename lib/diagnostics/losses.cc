@@ -31,6 +31,8 @@ std::span<const CodeInfo> loss_codes() {
       loss(Code::kTimeOffsetDropped, "time-offset-dropped", "{0} {1} {2:.12} s", "{3}",
            "add {2:.12} s to every image time stamp of {0}"),
       clause(Code::kTumviHasNoTimeOffset, "TUM-VI's chains have none: the dataset's offsets are removed from its time stamps"),
+      loss(Code::kPoseRecomputed, "pose-recomputed", "pose of {0} in {2}",
+           "its matrix is no exact rotation, and {1} says the nearest one", "nothing: the nearest rotation is meant"),
       loss(Code::kTumviPoseRecomputed, "pose-recomputed", "{0} {1}",
            "as stated it differs from T_cn_cnm1 times the pose of {2} by up to {3:.3} in an element, and TUM-VI's two "
            "statements agree",

@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view kYaml = "yaml-syntax";
 constexpr std::string_view kJson = "json-syntax";
 constexpr std::string_view kXml = "xml-syntax";
+constexpr std::string_view kCount = "wrong-count";
 
 constexpr std::string_view kCloseIt = "close it";
 constexpr std::string_view kIsCutOff = "is the file cut off?";
@@ -97,6 +98,21 @@ std::span<const CodeInfo> syntax_codes() {
       error(Code::kXmlMixed, "xml-mixed", "<{0}> holds both named elements and values"),
       error(Code::kXmlAttribute, kXml, "XML syntax error: an attribute is written name=\"value\""),
       error(Code::kXmlLine, kXml, "XML syntax error on this line"),
+
+      // COLMAP's binary files.
+      error(Code::kBinaryEndsInCount, kCount, "the file ends inside the number of 8 bytes that it begins with", kIsCutOff),
+      error(Code::kBinaryEndsInCamera, kCount, "the file ends inside camera {0} of {1}", kIsCutOff),
+      error(Code::kBinaryEndsInRig, kCount, "the file ends inside rig {0} of {1}", kIsCutOff),
+      error(Code::kBinaryCount, kCount, "the file says that it holds {0}, and in its {1} bytes there is room for {2} at most",
+            "is it one of COLMAP's, and whole?"),
+      error(Code::kBinaryModel, "unknown-model", "COLMAP has no camera model with the number {0}",
+            "is the file one of COLMAP's? The numbers are 0 to 17"),
+      error(Code::kBinarySensor, "out-of-range", "COLMAP has no sensors of the type {0}", "0 is a camera, 1 an IMU"),
+      error(Code::kBinaryPoseFlag, "out-of-range", "{0} where 1 says that a pose follows, and 0 that none does"),
+      with_consequence(warning(Code::kBinaryBehind, kCount, "{0} bytes behind what the file says that it holds",
+                               "is it whole, and one file?"),
+                       "COLMAP does not read them."),
+      error(Code::kBinaryOther, "unknown-format", "COLMAP's {0} holds no camera", "take cameras.bin, or the folder"),
   };
   return kRows;
 }

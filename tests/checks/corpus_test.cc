@@ -54,9 +54,6 @@ constexpr Judged kJudged[] = {
     {"MicroEurocDataset__mav0", "opencv-header", "Kimera's copies of EuRoC's files, for OpenCV: PyYAML refuses the first line"},
     {"D455__ImuParams.yaml", "program-refuses", "no imu_bias_init_sigma"},
     {"kalibr__templates__camera.yaml", "yaml-key", "a template with {{ }}"},
-    {"__cameras.bin", "binary-file", "COLMAP's binary form"},
-    {"__rigs.bin", "binary-file", "the same"},
-    {"__rigs.txt", "unknown-format", "COLMAP's rigs, without a camera"},
     {"hl-qiu__processData", "focal-length-not-in-pixels", "fl_x of 166504 px for 1024 columns"},
     {"SynWoodScape", "carla-translation", "no \"translation\": KeyError in projection.py"},
 };

@@ -18,7 +18,8 @@ TEST(Places, HoldTheNumberOfTheFact) {
         const SourceRange where = places.parameter(camera, name);
         if (where.length == 0) continue;
         text::Document changed = document;
-        changed.replace({where.offset, where.length}, "123.25");
+        const bool binary = document.syntax() == text::Syntax::kBinary;
+        changed.replace({where.offset, where.length}, binary ? std::string("\0\0\0\0\0\xD0\x5E\x40", 8) : "123.25");
         Diagnostics diagnostics;
         const std::optional<text::Document> reread =
             text::parse_document({document.source().name, changed.bytes()}, diagnostics);

@@ -151,5 +151,30 @@ TEST(VerdictReasons, ALayoutIsAdvisedByItsOwnModels) {
   }
 }
 
+// A pose that mirrors is in no file's power to state: nobody can accept it.
+TEST(VerdictFirst, APoseThatMirrorsIsNotToBeUsed) {
+  const Told told({"convert", testdata("checks/left-handed.yaml"), "--to", "opencv", "--accept", "left-handed"});
+  EXPECT_EQ(told.code(), 1) << told.text();
+  EXPECT_TRUE(contains(told.text(), "\"word\":\"do-not-use\"") || contains(told.text(), "\"word\": \"do-not-use\""))
+      << told.text();
+}
+
+// Rotations of five digits become quaternions, which is no fault of the file.
+TEST(VerdictFirst, ARotationOfFewDigitsIsNoFaultOfCOLMAPsFiles) {
+  const TemporaryFolder folder;
+  std::string chain = read_file(kTumvi);
+  const std::size_t at = chain.find("T_cn_cnm1");
+  ASSERT_NE(at, std::string::npos);
+  const std::string rotated =
+      "T_cn_cnm1:\n  - [1.00000, -0.00082, -0.00066, -0.10106]\n  - [0.00079, 0.99890, -0.04690, -0.00198]\n"
+      "  - [0.00069, 0.04690, 0.99890, -0.00118]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+  std::size_t end = chain.find('\n', at);
+  for (int row = 0; row < 4; ++row) end = chain.find('\n', end + 1);
+  chain = chain.substr(0, at) + rotated + chain.substr(end + 1);
+  const RunResult run =
+      run_program({"convert", folder.write("chain.yaml", chain), "--to", "colmap", "-o", (folder / "out") + "/"});
+  EXPECT_EQ(run.code, 0) << chain << run.out << run.err;
+}
+
 }  // namespace
 }  // namespace fca::test

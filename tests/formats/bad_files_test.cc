@@ -4,7 +4,8 @@
 // written, then read it.
 //
 // A file can be bad in three ways, and NAME.expected holds them in this order:
-//   3:11-15 error ID ARGUMENTS     the reader refuses or warns, of these columns; what it proposes stands behind "->"
+//   3:11-15 error ID ARGUMENTS     the reader refuses or warns, of these columns (or: byte 24-31); what it proposes stands
+//                                  behind "->"
 //   no camera: CAMERA: ID ARGUMENTS     the numbers are no camera (validate)
 //   PROGRAM refuses: ID KEY ARGUMENTS     the format's own program would not load it (ask_readers; its first reason)
 // How arguments are written: id_and_arguments.h.
@@ -35,6 +36,7 @@ bool is_stock(const std::string& program, const Calibration& calibration) {
 std::string range_of(const SourceRange& where, const text::Source& source) {
   const std::string place = place_of(where, source);
   if (where.length < 2) return place;
+  if (source.is_binary()) return place + "-" + std::to_string(where.offset + where.length - 1);
   const text::Position end = source.position(where.offset + where.length - 1);
   const bool one_line = end.line == source.position(where.offset).line;
   return place + "-" + (one_line ? "" : std::to_string(end.line) + ":") + std::to_string(end.column);
@@ -81,7 +83,7 @@ TEST_P(BadFiles, AreJudgedAsExpected) {
 }
 
 std::string test_name(const testing::TestParamInfo<fs::path>& info) {
-  std::string name = info.param.parent_path().parent_path().filename().string() + "_" + info.param.stem().string();
+  std::string name = info.param.parent_path().parent_path().filename().string() + "_" + info.param.filename().string();
   std::ranges::replace_if(
       name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;

@@ -181,7 +181,7 @@ std::string with_own_keys(const text::Document& document) {
   if (syntax == text::Syntax::kXml)
     return text.insert(text.rfind("</opencv_storage>"), "<my_own_key>5</my_own_key>\n<my_list>6 7</my_list>\n");
   if (syntax == text::Syntax::kJson) return text.insert(text.find('{') + 1, "\"my_own_key\": 5, \"my_list\": [6, 7],");
-  if (syntax == text::Syntax::kWords) return text;
+  if (syntax == text::Syntax::kWords || syntax == text::Syntax::kBinary) return text;
   return text + (text.ends_with('\n') ? "" : "\n") + "my_own_key: 5\nmy_list: [6, 7]\n";
 }
 
@@ -229,6 +229,7 @@ TEST(Base, ABaseComposedAnewGoesWithNoKeyUnsaid) {
       ++bases;
       std::vector<ExtraField> said;
       for (const Written::File& file : written->files) {
+        if (file.of_defaults && file.programs.empty()) continue;  // COLMAP's images.txt, without an image
         const std::optional<text::Document> now =
             text::parse_document({file.document.source().name, file.document.bytes()}, diagnostics);
         ASSERT_TRUE(now);

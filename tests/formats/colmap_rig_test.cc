@@ -56,8 +56,9 @@ TEST(ColmapRig, AFreshOneComesBackAndIsWhatColmapHolds) {
   Diagnostics diagnostics;
   const std::optional<Written> written = write_calibration(colmap(), nullptr, rig, {}, diagnostics);
   ASSERT_TRUE(written);
-  ASSERT_EQ(written->files.size(), 2U);
+  ASSERT_EQ(written->files.size(), 5U);
   EXPECT_EQ(written->files[1].place, kName);
+  EXPECT_EQ(written->files[2].place, "rigs.txt");
   EXPECT_TRUE(std::ranges::none_of(written->losses, [](const Loss& loss) { return info(loss.kind).id == "pose-dropped"; }));
   const std::string bytes = written->files[1].document.bytes();
   const Rig back = rig_of(bytes);
@@ -74,7 +75,8 @@ TEST(ColmapRig, AFreshOneComesBackAndIsWhatColmapHolds) {
   EXPECT_EQ(proof.poses.size(), rig.cameras.size() - 1);
   // Both files together are the rig again.
   std::vector<text::Document> documents;
-  for (const Written::File& file : written->files) documents.push_back(document_of(file.document.bytes(), file.place));
+  for (std::size_t i = 0; i < 2; ++i)
+    documents.push_back(document_of(written->files[i].document.bytes(), written->files[i].place));
   const std::optional<Calibration> both = read_calibration(std::move(documents), nullptr, {}, diagnostics);
   ASSERT_TRUE(both) << message_of(diagnostics.entries().back());
   EXPECT_EQ(both->rig.cameras, rig.cameras);
@@ -84,7 +86,9 @@ TEST(ColmapRig, WithoutAPoseThereIsNone) {
   Rig rig = sample_rig("kb4", {true, false});
   rig.poses.clear();
   Diagnostics diagnostics;
-  EXPECT_EQ(write_calibration(colmap(), nullptr, rig, {}, diagnostics)->files.size(), 1U);
+  const std::optional<Written> written = write_calibration(colmap(), nullptr, rig, {}, diagnostics);
+  ASSERT_TRUE(written);
+  for (const Written::File& file : written->files) EXPECT_EQ(file.place.find("rig"), std::string::npos) << file.place;
 }
 
 std::string edited(const std::function<void(Rig&)>& edit) {

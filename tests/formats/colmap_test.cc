@@ -72,6 +72,8 @@ TEST(Colmap, ParametersMeanWhatColmapsFormulasSay) {
       (radial + 0.003 * std::pow(kR2, 3)) / (1.0 + 0.04 * kR2 - 0.005 * kR2 * kR2 + 0.0006 * std::pow(kR2, 3));
   const double fov = std::atan(2.0 * kRadius * std::tan(0.45)) / (0.9 * kRadius);
   const double eucm = 1.0 / (0.6 * std::sqrt(1.1 * kR2 + 1.0) + 0.4);
+  // Of radius = r / (1 + k r^2), which is what COLMAP makes of a pixel, the root r.
+  const double division = (1.0 - std::sqrt(1.0 + 0.4 * kR2)) / (-0.2 * kR2);
   const std::array rows = {
       straight("SIMPLE_PINHOLE 640 480 500 321 239", "pinhole", 500, 500, 1.0),
       straight("PINHOLE 640 480 500 510 321 239", "pinhole", 500, 510, 1.0),
@@ -89,6 +91,9 @@ TEST(Colmap, ParametersMeanWhatColmapsFormulasSay) {
       straight("FOV 640 480 500 510 321 239 0.9", "fov", 500, 510, fov),
       straight("FOV 640 480 500 510 321 239 0", "pinhole", 500, 510, 1.0),
       straight("EUCM 640 480 500 510 321 239 0.6 1.1", "eucm", 500, 510, eucm),
+      straight("SIMPLE_DIVISION 640 480 500 321 239 -0.1", "eucm", 500, 500, division),
+      straight("DIVISION 640 480 500 510 321 239 -0.1", "eucm", 500, 510, division),
+      straight("DIVISION 640 480 500 510 321 239 0", "pinhole", 500, 510, 1.0),
   };
   for (const ByFormula& row : rows) {
     const std::string bytes = "1 " + std::string(row.line) + "\n";
@@ -213,6 +218,20 @@ TEST(Colmap, AnEditChangesNumbersAlone) {
               rig.cameras[1].image_size = ImageSize{640, 360};
             }),
             with("1 SIMPLE_PINHOLE 640 480", "1 SIMPLE_PINHOLE 640 360"));
+}
+
+// A division model's k stays where alpha is a half.
+TEST(Colmap, ADivisionModelKeepsItsLine) {
+  const std::string line = "1 DIVISION 640 480 500 510 321 239 -0.1\n";
+  const text::Document base = document_of(line, kName);
+  const auto written = [&](ParameterId id, double value) {
+    Rig rig = rig_of(line);
+    EXPECT_TRUE(set_parameter(rig.cameras[0].model, id, value));
+    return written_bytes(rig, &base);
+  };
+  EXPECT_EQ(written("fx", 505.0), with_replaced(line, "500", "505.0"));
+  EXPECT_EQ(written("beta", 0.5), with_replaced(line, "-0.1", "-0.125"));
+  EXPECT_EQ(written("alpha", 0.6), "1 EUCM 640 480 500.0 510.0 321.0 239.0 0.6 0.4\n");
 }
 
 // f of SIMPLE_RADIAL is one number, and k2 has none.

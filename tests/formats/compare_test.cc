@@ -129,6 +129,7 @@ TEST(CompareFiles, EveryFileOfTheCorpusIsExactlyItself) {
       if (!document) continue;
       const std::optional<Calibration> calibration = read_calibration({*std::move(document)}, nullptr, {}, reading);
       if (!calibration) continue;  // tests/formats/corpus_test.cc knows which
+      if (calibration->rig.cameras.empty() && calibration->rig.poses.empty() && calibration->rig.imus.empty()) continue;
       Diagnostics diagnostics;
       const RigComparison result = compare(calibration->rig, calibration->rig, {.bound = false}, diagnostics);
       EXPECT_FALSE(diagnostics.has_errors()) << message_of(diagnostics.entries().front());
@@ -224,10 +225,13 @@ bool exchange(Rig& rig, ParameterId first, ParameterId second) {
   return false;
 }
 
-/// The numbers of a camera under another model's name.
+/// The numbers of a camera under another model's name. Without a coefficient no model is the wrong one.
 bool rename(Rig& rig, std::string_view from, std::string_view to) {
   for (Camera& camera : rig.cameras) {
-    if (model_info(camera.model).id != from) continue;
+    constexpr std::size_t kOfPinhole = 4;
+    const std::span<const double> all = parameter_values(std::as_const(camera.model));
+    const bool bends = std::ranges::any_of(all.subspan(kOfPinhole), [](double number) { return number != 0.0; });
+    if (model_info(camera.model).id != from || !bends) continue;
     CameraModel wrong = *make_model(to);
     const std::span<const double> numbers = parameter_values(std::as_const(camera.model));
     const std::span<double> values = parameter_values(wrong);

@@ -3,6 +3,7 @@
 // holds, no writer puts a number into a file that is not finite.
 #include "formats/rigs.h"
 #include "formats/test_files.h"
+#include "text/binary.h"
 #include "write_guard.h"
 
 #include <fca/code.h>
@@ -22,7 +23,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// `bytes` with the number at `place` replaced.
 std::string with_number(const text::Document& document, const text::Node& place, const std::string& number) {
   text::Document edited = document;
-  edited.replace(place.span, number);
+  const bool binary = document.syntax() == text::Syntax::kBinary;
+  edited.replace(place.span, binary ? text::encoded(place.tag, number) : number);
   return edited.bytes();
 }
 
@@ -67,7 +69,7 @@ TEST_P(HugeNumbers, AreRefusedAtTheirPlaceOrAreNoFacts) {
 }
 
 std::string test_name(const testing::TestParamInfo<fs::path>& info) {
-  std::string name = info.param.parent_path().parent_path().filename().string() + "_" + info.param.stem().string();
+  std::string name = info.param.parent_path().parent_path().filename().string() + "_" + info.param.filename().string();
   std::ranges::replace_if(
       name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;

@@ -130,7 +130,7 @@ TEST(Ros, AChosenRectificationMakesRowsMeet) {
       EXPECT_NEAR(a[above ? 0 : 1], b[above ? 0 : 1], 1e-9);
       EXPECT_GT(std::abs(a[above ? 1 : 0] - b[above ? 1 : 0]), 1.0);
     }
-    EXPECT_EQ(std::ranges::find(written.losses, Code::kRosPoseRecomputed, &Loss::kind), written.losses.end());
+    EXPECT_EQ(std::ranges::find(written.losses, Code::kPoseRecomputed, &Loss::kind), written.losses.end());
   }
 }
 

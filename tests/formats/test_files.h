@@ -74,9 +74,10 @@ inline std::string severity_word(Severity severity) {
   return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
 }
 
-/// "3:11": line and column of where it begins; "-" of the whole file.
+/// "3:11": line and column of where it begins; "byte 24" of a binary file; "-" of the whole file.
 inline std::string place_of(const SourceRange& where, const text::Source& source) {
   if (where.offset == 0 && where.length == 0) return "-";
+  if (source.is_binary()) return "byte " + std::to_string(where.offset);
   const text::Position position = source.position(where.offset);
   return std::to_string(position.line) + ":" + std::to_string(position.column);
 }

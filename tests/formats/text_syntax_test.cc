@@ -24,6 +24,8 @@ const char* name_of(Syntax syntax) {
       return "JSON";
     case Syntax::kWords:
       return "words";
+    case Syntax::kBinary:
+      return "binary";
   }
   return "?";
 }
@@ -50,7 +52,8 @@ TEST(TextSyntax, OfEveryCorpusFile) {
     // What a camera's maker calls .txt or .conf is his own syntax, whatever it comes nearest to.
     const std::string folder = each.path().parent_path().filename();
     const bool makers_own = folder == "realsense" || folder == "zed_conf";
-    if (!mrcal && !makers_own) {
+    const bool binary = each.path().extension() == ".bin";
+    if (!mrcal && !makers_own && !binary) {
       EXPECT_STREQ(name_of(chosen), name_of(wanted(each.path(), bytes)));
     }
     const Parsed parsed = parse(bytes, each.path());
@@ -68,8 +71,9 @@ TEST(TextSyntax, OfEveryCorpusFile) {
       EXPECT_STREQ(name_of(parsed.document->syntax()), "YAML");
     }
     if (parsed.document->syntax() == Syntax::kYaml || parsed.document->syntax() == Syntax::kOpenCvYaml) continue;
-    EXPECT_GT(expect_scalar_spans(*parsed.document), 0);
     expect_nested_spans(parsed.document->root(), bytes.size());
+    if (binary) continue;  // a word's bytes are not what it says
+    EXPECT_GT(expect_scalar_spans(*parsed.document), 0);
     expect_edits_stay_in_their_place(*parsed.document, static_cast<unsigned>(bytes.size()));
   }
   for (const auto& [syntax, count] : counts) std::cout << "  " << syntax << ": " << count << " files read\n";
@@ -77,6 +81,7 @@ TEST(TextSyntax, OfEveryCorpusFile) {
   EXPECT_GE(counts["XML"], 20);
   EXPECT_GE(counts["JSON"], 15);
   EXPECT_GE(counts["words"], 50);
+  EXPECT_GE(counts["binary"], 5);
 }
 
 TEST(TextSyntax, OfSmallFiles) {

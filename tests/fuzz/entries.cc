@@ -26,9 +26,10 @@ struct SyntaxRow {
 };
 
 constexpr std::array kSyntaxes = {
-    SyntaxRow{"yaml", text::Syntax::kYaml, ".yaml"},  SyntaxRow{"opencv-yaml", text::Syntax::kOpenCvYaml, ".yml"},
-    SyntaxRow{"xml", text::Syntax::kXml, ".xml"},     SyntaxRow{"json", text::Syntax::kJson, ".json"},
-    SyntaxRow{"words", text::Syntax::kWords, ".txt"}, SyntaxRow{"ini", text::Syntax::kWords, ".ini"}};
+    SyntaxRow{"yaml", text::Syntax::kYaml, ".yaml"},   SyntaxRow{"opencv-yaml", text::Syntax::kOpenCvYaml, ".yml"},
+    SyntaxRow{"xml", text::Syntax::kXml, ".xml"},      SyntaxRow{"json", text::Syntax::kJson, ".json"},
+    SyntaxRow{"words", text::Syntax::kWords, ".txt"},  SyntaxRow{"ini", text::Syntax::kWords, ".ini"},
+    SyntaxRow{"binary", text::Syntax::kBinary, ".bin"}};
 
 /// Beside the parser alone, the file as whatever format it is taken for: what sections, lines and keys are is decided there.
 Complaints run_syntax(const SyntaxRow& row, std::string_view bytes) {

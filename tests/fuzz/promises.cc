@@ -7,6 +7,7 @@
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/wording.h>
 
+#include "text/binary.h"
 #include "text/json.h"
 #include "text/words.h"
 #include "text/xml.h"
@@ -191,6 +192,9 @@ Complaints parse_promises(text::Syntax syntax, std::string_view bytes) {
       break;
     case text::Syntax::kWords:
       root = text::parse_words(source, diagnostics);
+      break;
+    case text::Syntax::kBinary:
+      root = text::parse_binary(source, diagnostics);
       break;
   }
   judge.expect_reason(root.has_value(), diagnostics, "the text");

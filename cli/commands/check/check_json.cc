@@ -20,11 +20,7 @@ bool placed(const Finding& finding) { return finding.where.offset > 0 || finding
 void put_finding(Json& json, const Finding& finding, const text::Source& source) {
   json.put("severity", severity_name(finding.severity));
   json.put("code", id_of(finding));
-  if (placed(finding)) {
-    const text::Position position = source.position(finding.where.offset);
-    json.put("line", position.line);
-    json.put("column", position.column);
-  }
+  if (placed(finding)) put_place(json, source, finding.where.offset);
   json.put("message", message_of(finding, with_options));
   json.put("consequence", consequence_of(finding, with_options));
   json.put("fix", fix_of(finding, with_options));
@@ -88,6 +84,11 @@ void put_result(Json& json, const Finding& finding, const text::Source& source) 
         const text::Position first = source.position(finding.where.offset);
         const text::Position last = source.position(finding.where.offset + finding.where.length);
         json.object("region", [&] {
+          if (source.is_binary()) {
+            json.put("byteOffset", static_cast<long long>(finding.where.offset));
+            json.put("byteLength", static_cast<long long>(finding.where.length));
+            return;
+          }
           json.put("startLine", first.line);
           json.put("startColumn", first.column);
           json.put("endLine", last.line);

@@ -157,6 +157,7 @@ Batch convert_batch(const std::vector<FoundFile>& inputs, const ConvertArguments
     if (groups.size() > 1) each.request.jobs = 1;
     each.request.inputs.files = groups[i].files;
     each.request.inputs.join = groups[i].join;
+    each.one_input = groups.size() == 1;
     CommandFiles files(console.streams());
     jobs[i].outcome = convert_input(groups[i].name, each, groups.size() > 1 ? command_for(groups[i], typed) : typed, files);
     const Diagnostics& said = jobs[i].outcome->diagnostics;

@@ -103,10 +103,17 @@ Diagnostics without_errors(const Diagnostics& diagnostics) {
   return rest;
 }
 
+/// Of a model's folder that is to be written into the file of its cameras is changed.
+ConvertArguments into_cameras(ConvertArguments arguments) {
+  const std::vector<std::string> model = model_files_in(arguments.request.into);
+  if (!model.empty()) arguments.request.into = model.front();
+  return arguments;
+}
+
 ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> problem = problem_with_patterns(given.inputs))
     return console.refuse(ExitCode::kIo, *problem);
-  const ConvertArguments arguments = with_parts(given, walk_rigs(given.inputs), console.streams());
+  const ConvertArguments arguments = into_cameras(with_parts(given, walk_rigs(given.inputs), console.streams()));
   const std::vector<FoundFile> files = walk_rigs(arguments.inputs);
   if (const std::optional<std::string> error = usage_error(arguments, files)) return console.refuse(ExitCode::kUsage, *error);
   const HeldInterrupt interrupt(files.size() > 1 && std::ranges::all_of(files, is_at_hand), console);
@@ -138,7 +145,8 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
       const bool has_result = outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo;
       // That a file is not to be used is an error, also for those who want to see errors only.
       const bool is_wanted = !arguments.quiet || outcome.code != ExitCode::kGood;
-      const bool has_summary = has_result && in_full && is_wanted && !outcome.files.empty();
+      const bool has_word = !outcome.files.empty() || outcome.verdict.word == VerdictWord::kDoNotUse;
+      const bool has_summary = has_result && in_full && is_wanted && has_word;
       if (has_summary) {
         const bool written = !arguments.dry_run;
         std::string report = convert_summary(outcome, written, !arguments.verbose);

@@ -30,7 +30,12 @@ std::string name_of_outputs(const ConvertOutcome& outcome) {
 std::string first_line(const ConvertOutcome& outcome, bool written) {
   std::string text = name_of_outputs(outcome) + ": " + std::string(in_words(outcome.verdict.word));
   if (outcome.code != ExitCode::kGood && written) text += ", nothing written";
-  return wrapped_line(text + "; " + text::text_of(outcome.headline, with_options));
+  if (!outcome.headline.is_said()) return text::printable(text) + "\n";
+  // The word stands in the first line, however long the paths are.
+  constexpr std::size_t kColumns = 80;
+  const std::string headline = text::text_of(outcome.headline, with_options);
+  if (text.size() + 1 < kColumns) return wrapped_line(text + "; " + headline);
+  return text::printable(text) + ";\n  " + in_columns(text::printable(headline), 2, 2) + "\n";
 }
 
 const CameraDistance* distance_of(const ConvertResult& outcome, const ConvertedCamera& camera) {

@@ -141,11 +141,24 @@ std::string parts_in_words(const Rig& rig) {
   return rig.imus.empty() ? ", a pose without cameras" : ", an IMU without cameras";
 }
 
-/// "ready, for Kalibr; ". Of a program that does not make the same of the file in all of its modes, these are told one by one.
+/// "ready, for Kalibr; ", or "ready (mono) and do not use (stereo), for ORB-SLAM3 V1.0; ".
 std::string verdict_in_words(const ShownFile& shown) {
-  if (!shown.asked || shown.asked->modes.size() > 1) return "";
-  const VerdictWord word = shown.asked->modes.empty() ? VerdictWord::kDoNotUse : shown.asked->modes.front().verdict.word;
-  return std::string(cli::in_words(word)) + ", for " + std::string(shown.asked->program->program) + "; ";
+  if (!shown.asked) return "";
+  std::vector<std::string> words;
+  for (const VerdictWord word : {VerdictWord::kReady, VerdictWord::kUseWithCare, VerdictWord::kDoNotUse}) {
+    std::vector<std::string> modes;
+    std::size_t count = 0;
+    for (const ProgramReading::Mode& mode : shown.asked->modes) {
+      if (mode.verdict.word != word) continue;
+      ++count;
+      modes.insert(modes.end(), mode.names.begin(), mode.names.end());
+    }
+    if (count == 0) continue;
+    const bool is_of_all = count == shown.asked->modes.size();
+    words.push_back(std::string(cli::in_words(word)) + (is_of_all ? "" : " (" + enumerated(modes) + ")"));
+  }
+  if (words.empty()) words.emplace_back(cli::in_words(VerdictWord::kDoNotUse));
+  return enumerated(words) + ", for " + std::string(shown.asked->program->program) + "; ";
 }
 
 /// A file whose four coefficients may be those of two lenses: its cameras as either.

@@ -37,6 +37,26 @@ Message remedy_of_version(const ConvertRequest& request, const ConvertResult& re
   return best_of_every_version(sources, *result.to, choice).value_or(Message());
 }
 
+/// Would the programs load a fresh file?
+bool loads_anew(const ConvertRequest& request, const Start& start, const ConvertResult& before) {
+  ConvertRequest anew = request;
+  anew.rewrite = true;
+  ConvertResult other = before;
+  return write_as_asked(anew, start, other) && std::ranges::all_of(other.proofs, &ProofResult::loads);
+}
+
+/// A pose that mirrors can be written into no file: not bad input, which cannot be read, but a calibration that cannot be used.
+std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
+  Verdict verdict;
+  verdict.word = VerdictWord::kDoNotUse;
+  for (const Diagnostic& entry : result.diagnostics.entries()) {
+    if (entry.severity != Severity::kError) continue;
+    if (entry.facts.code != Code::kPoseMirrors) return std::nullopt;
+    verdict.reasons.push_back({.word = VerdictWord::kDoNotUse, .facts = entry.facts, .kind = entry.facts.code});
+  }
+  return verdict.reasons.empty() ? std::nullopt : std::optional(std::move(verdict));
+}
+
 Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                    const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
@@ -56,9 +76,10 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.files = files;
   facts.accepted = request.accepted;
   Verdict verdict = decide(facts);
-  // What is refused as it was before the edit has its fix with that diagnostic.
+  // What is refused as it was before the edit has its fix with that diagnostic, if it is one.
   for (const Diagnostic& entry : result.diagnostics.entries()) {
     if (entry.facts.code != Code::kInputNotUnderstood && entry.facts.code != Code::kEditNotProven) continue;
+    if (!loads_anew(request, start, before)) break;
     for (Reason& reason : verdict.reasons) {
       if (reason.facts.code == Code::kVerdictRefused) reason.remedy = entry.facts;
     }
@@ -106,6 +127,11 @@ ConvertResult convert(const ConvertRequest& request, Files& files) {
   result.to = request.to;
   result.lens_given = request.inputs.max_angle_rad.has_value() || !request.inputs.lens_circles.empty();
   if (run(request, files, result)) return result;
+  if (std::optional<Verdict> verdict = verdict_on_mirrors(result)) {
+    result.verdict = *std::move(verdict);
+    result.status = Status::kRejected;
+    return result;
+  }
   const Status status = status_of(result.diagnostics);
   result.status = worse(result.status, status == Status::kDone ? Status::kBadInput : status);
   return result;

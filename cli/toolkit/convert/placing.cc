@@ -20,7 +20,8 @@ struct Extension {
 };
 
 constexpr std::array kExtensions = {Extension{".yaml", "YAML"}, Extension{".yml", "YAML"}, Extension{".xml", "XML"},
-                                    Extension{".json", "JSON"}, Extension{".txt", "text"}, Extension{".ini", "text"}};
+                                    Extension{".json", "JSON"}, Extension{".txt", "text"}, Extension{".ini", "text"},
+                                    Extension{".bin", "binary"}};
 
 std::string_view name_of(text::Syntax syntax) {
   switch (syntax) {
@@ -30,6 +31,8 @@ std::string_view name_of(text::Syntax syntax) {
       return "JSON";
     case text::Syntax::kWords:
       return "text";
+    case text::Syntax::kBinary:
+      return "binary";
     case text::Syntax::kYaml:
     case text::Syntax::kOpenCvYaml:
       break;
@@ -100,12 +103,22 @@ std::size_t camera_files(const std::vector<ConvertedFile>& files) {
 bool place_files(const ConvertRequest& request, ConvertResult& result) {
   if (!has_room(request, result)) return false;
   if (!request.room.further_files) leave_out_further_files(result);
+  if (!request.room.fillers) {
+    const std::size_t gone = std::erase_if(result.files, [](const ConvertedFile& file) { return file.is_filler(); });
+    // Alone it is nobody's folder.
+    if (gone > 0 && result.files.size() == 1) result.files.front().place.clear();
+  }
   for (std::size_t i = 0; request.path_of && i < result.files.size(); ++i) {
     ConvertedFile& file = result.files[i];
     file.path = request.path_of(result, i);
     if (file.path != request.into && is_misnamed(file.path, file.syntax))
       result.diagnostics.add(Code::kMisnamed, {file.path, name_of(file.syntax)});
   }
+  // What the program's folder has already is somebody's work.
+  std::error_code ignored;
+  std::erase_if(result.files, [&ignored](const ConvertedFile& file) {
+    return file.is_filler() && !file.path.empty() && fs::exists(file.path, ignored);
+  });
   return true;
 }
 

@@ -95,6 +95,7 @@ void add_provenance(const ConvertRequest& request, const Calibration& calibratio
   const bool in_all = request.provenance == ProvenanceComment::kInAllFiles;
   const bool in_none = request.provenance == ProvenanceComment::kNone;
   for (Written::File& file : written.files) {
+    if (file.of_defaults && file.programs.empty()) continue;  // it only stands there
     const bool of_base = !request.into.empty() || is_input(file.document, calibration);
     // What it said of the file as it was does not hold for one that is edited.
     const bool outdated = of_base && (file.document.edited() || in_none);
@@ -102,7 +103,9 @@ void add_provenance(const ConvertRequest& request, const Calibration& calibratio
     if (in_none || (of_base && !in_all && !replaces)) continue;
     if (text::add_top_comment(file.document, lines_for(file, request, calibration, result)) || !in_all) continue;
     const bool words = file.document.syntax() == text::Syntax::kWords;
-    result.diagnostics.add(words ? Code::kProvenanceHasNoRoom : Code::kProvenanceInJson);
+    const bool binary = file.document.syntax() == text::Syntax::kBinary;
+    const Code why = words ? Code::kProvenanceHasNoRoom : binary ? Code::kProvenanceInBinary : Code::kProvenanceInJson;
+    result.diagnostics.add(why);
   }
 }
 

@@ -122,9 +122,13 @@ void warn_if_refused(const Calibration& calibration, const Inputs& inputs, Diagn
 void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& request, const Written& written,
             const text::Document* base, ConvertResult& result) {
   bool judged = false;
-  std::vector<Camera> calibrated;
+  std::vector<CalibratedCamera> calibrated;
   calibrated.reserve(result.cameras.size());
-  for (const ConvertedCamera& camera : result.cameras) calibrated.push_back(camera.source);
+  for (const ConvertedCamera& camera : result.cameras) {
+    calibrated.emplace_back().camera = camera.source;
+    const bool has_end = camera.report && camera.report->fitted_to_cone;
+    if (has_end) calibrated.back().fitted_to_rad = camera.report->scored_to_deg * std::numbers::pi / 180.0;
+  }
   for (const std::string& id : output.programs) {
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;

@@ -23,6 +23,7 @@ WriteOptions write_options(const ConvertRequest& request, const Base& base, std:
   options.anew = request.rewrite;
   options.adopted = base.adopted;
   options.extension = request.extension;
+  options.lenses_alone = request.program != nullptr && request.program->writing.lenses_alone;
   return options;
 }
 

@@ -217,6 +217,7 @@ void Writing::prove() {
   if (request_.in_detail && !edits_it) warn_if_refused(input_, request_.inputs, result_.diagnostics);
   const Rig meant = as_restated(rig_, written_);
   for (const ConvertedFile& file : result_.files) {
+    if (file.is_filler()) continue;
     const text::Document* own = input_of(file, written_, input_);
     verify(meant, file, request_, written_, own != nullptr ? own : base_.document, result_);
   }

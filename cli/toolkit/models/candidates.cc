@@ -49,7 +49,7 @@ bool is_better_choice(const Candidate& a, const Candidate& b) {
 CameraDistance distance_to(const Camera& camera, const CameraModel& model, std::optional<double> max_angle_rad) {
   consumers::ConsumerCamera reader;
   reader.project = [&model](const Ray& ray) { return project(model, ray); };
-  return distance_of(camera, model, reader, max_angle_rad.value_or(std::numbers::pi));
+  return distance_of(camera, model, reader, {.asked = max_angle_rad.value_or(std::numbers::pi)});
 }
 
 /// The model of that conversion fitted once more, to the circle alone. Nothing where there is nothing to gain.

@@ -146,6 +146,11 @@ Inputs with_rig_files(const Inputs& inputs) {
   result.files.clear();
   for (const std::string& path : inputs.files) {
     const std::vector<std::string> files = rig_files_in(path);
+    if (const std::vector<std::string> model = model_files_in(path); !model.empty()) {
+      result.files.push_back(model.front());
+      result.parts.insert(result.parts.begin(), model.begin() + 1, model.end());
+      continue;
+    }
     result.join = result.join || !files.empty();
     result.files.insert(result.files.end(), files.begin(), files.end());
     if (files.empty()) result.files.push_back(path);

@@ -63,4 +63,22 @@ std::vector<std::string> rig_files_in(const std::string& folder) {
   return has_camera ? files : std::vector<std::string>();
 }
 
+std::vector<std::string> model_files_in(const std::string& folder) {
+  std::error_code ignored;
+  if (folder.empty() || !fs::is_directory(folder, ignored)) return {};
+  const auto has = [&folder](std::string_view name, const std::string& extension) {
+    return is_file(fs::path(folder) / (std::string(name) + extension));
+  };
+  const auto is_whole = [&has](const std::string& extension) {
+    return has("cameras", extension) && has("images", extension) && has("points3D", extension);
+  };
+  // COLMAP opens whole folders alone, and of two kinds the binary one (colmap@5d968cf, scene/reconstruction.cc, Read).
+  std::string kind = is_whole(".bin") || !is_whole(".txt") ? ".bin" : ".txt";
+  if (!has("cameras", kind)) kind = ".txt";
+  if (!has("cameras", kind) || !(has("images", kind) || has("points3D", kind) || has("rigs", kind))) return {};
+  std::vector<std::string> files = {(fs::path(folder) / ("cameras" + kind)).string()};
+  if (has("rigs", kind)) files.push_back((fs::path(folder) / ("rigs" + kind)).string());
+  return files;
+}
+
 }  // namespace fca

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::string_view kStops = "COLMAP stops here, and reads no camera.";
 constexpr std::string_view kNoRig = "COLMAP's rig_configurator stops here.";
+constexpr std::string_view kStopsAtRig = "COLMAP stops here, and does not open the folder.";
+constexpr std::string_view kRigLine =
+    "RIG_ID NUM_SENSORS TYPE ID, and for each further sensor  TYPE ID HAS_POSE [QW QX QY QZ TX TY TZ]";
 constexpr std::string_view kNoCamera = "COLMAP has no camera for its images.";
 
 }  // namespace
@@ -38,7 +41,7 @@ std::span<const CodeInfo> colmap_codes() {
       error(Code::kColmapModelNotRead, "unknown-model", "fca-io does not read cameras of COLMAP's model {0}: {1}",
             "calibrate with OPENCV, FULL_OPENCV or OPENCV_FISHEYE"),
       clause(Code::kColmapThinPrism, "it has no model with thin prism terms"),
-      clause(Code::kColmapDivision, "it has no division model"),
+      clause(Code::kColmapDivision, "it reads a division model whose k is at most 0 (as eucm)"),
       clause(Code::kColmapEquirectangular, "such an image shows all directions and has no lens"),
       with_consequence(error(Code::kColmapParameterCount, "wrong-count", "{0} has {1} parameters, and {2} numbers stand here",
                              "they are  {3}"),
@@ -81,7 +84,30 @@ std::span<const CodeInfo> colmap_codes() {
                        "Such a pose places the camera nowhere."),
       clause(Code::kColmapRigHeadline, "a rig_config.json for COLMAP's rig_configurator"),
       clause(Code::kColmapBothHeadline,
-             "a cameras.txt for COLMAP; how its cameras sit to each other is a file of its own (rig_config.json)"),
+             "a cameras.txt for COLMAP; how its cameras sit to each other are files of their own (rig_config.json, rigs.txt)"),
+
+      // cameras.bin
+      clause(Code::kColmapBinary, "cameras of COLMAP's models in binary"),
+      clause(Code::kColmapBinaryHeadline, "a cameras.bin for COLMAP"),
+
+      // rigs.txt, rigs.bin
+      clause(Code::kColmapRigLines, "rigs of COLMAP's, each with its sensors"),
+      error(Code::kColmapNoRigLine, "wrong-count", "no line of the file is a rig", kRigLine),
+      with_consequence(error(Code::kColmapRigShort, "wrong-count", "the rig ends where {0} is wanted", kRigLine), kStopsAtRig),
+      about_reader(warning(Code::kColmapRigBehind, "wrong-count",
+                           "{0} words behind the {1} sensors that NUM_SENSORS counts: COLMAP ignores them",
+                           "count the sensors again")),
+      with_consequence(
+          error(Code::kColmapRigIdTwice, "duplicate-key", "a rig with RIG_ID {0} stands above", "give it another id"),
+          kStopsAtRig),
+      with_consequence(error(Code::kColmapSensorType, "out-of-range", "{0} is no type of sensor", "CAMERA or IMU"),
+                       kStopsAtRig),
+      with_consequence(error(Code::kColmapSensorTwice, "duplicate-key", "{0} {1} stands in a rig above",
+                             "a sensor is part of one rig, once"),
+                       "COLMAP stops here, or has the images of two rigs in one place."),
+      error(Code::kColmapPoseFlag, "out-of-range", "HAS_POSE is {0}",
+            "1 before a pose of seven numbers, 0 where there is none"),
+      clause(Code::kColmapRigsHeadline, "COLMAP's file of rigs: how its sensors sit to each other"),
   };
   return kRows;
 }

@@ -107,8 +107,6 @@ std::span<const CodeInfo> ros_codes() {
       // As written.
       error(Code::kRosIniHasNoModel, "model-not-storable", "{0}: an .ini of ROS has no {1} model",
             "name the file .yaml, which holds it, or convert the camera to radtan"),
-      loss(Code::kRosPoseRecomputed, "pose-recomputed", "pose of {0} in {2}",
-           "its matrix is no exact rotation, and {1} says the nearest one", "nothing: the nearest rotation is meant"),
       loss(Code::kRosCameraRenamed, "camera-renamed", "{1} {0}",
            "an .ini would take it for something else: the section is [{2}]", "name the file .yaml, which holds every name"),
       clause(Code::kRosHasNoPlace, "a camera_info has no place for it"),

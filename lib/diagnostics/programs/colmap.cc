@@ -22,7 +22,11 @@ std::span<const CodeInfo> colmap_program_codes() {
       named_misreading(Code::kColmapSaysHalf, "COLMAP ignores {0} without {1}"),
       named_refusal(Code::kColmapSaysModelNotTaken, "{0} does not take cameras of {1}, but {2:and}",
                     "write one of these, or undistort the images (colmap image_undistorter)"),
-      named_refusal(Code::kColmapSaysRigFile, "{0} reads cameras.txt, and no rig_config.json"),
+      named_refusal(Code::kColmapSaysRigFile, "{0} reads cameras and no file of rigs"),
+      named_refusal(Code::kColmapSaysEnds, "the file ends inside camera or rig {0}: COLMAP stops, or reads what is not there"),
+      named_refusal(Code::kColmapSaysModelNumber, "camera {0} has the model number {1}, which COLMAP does not know: it stops"),
+      named_refusal(Code::kColmapSaysNoRigLine, "rig {0} does not hold the sensors that it counts: COLMAP stops"),
+      named_refusal(Code::kColmapSaysSensorTwice, "a sensor of rig {0} stands in it twice: COLMAP stops"),
   };
   return kRows;
 }

@@ -131,6 +131,8 @@ std::span<const CodeInfo> convert_codes() {
            "written anew, without the base's comments, because its layout cannot be kept: {0}"),
       note(Code::kProvenanceHasNoRoom, "provenance-not-written",
            "the comment at the beginning of the file has no room for where the file comes from"),
+      note(Code::kProvenanceInBinary, "provenance-not-written",
+           "a binary file has no comments that could hold where it comes from"),
       note(Code::kProvenanceInJson, "provenance-not-written", "JSON has no comments that could hold where the file comes from"),
 
       // What programs say.

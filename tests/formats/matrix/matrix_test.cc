@@ -325,7 +325,8 @@ std::vector<Source> corpus_sources(const std::string& format) {
 /// Of our own files those that hold other parts of a calibration.
 bool holds_no_camera(const fs::path& path) {
   static const std::set<std::string> kParts = {"imu.yaml", "extrinsics.yml", "config.yaml", "rig-poses-crlf.json"};
-  return path.filename().string().find("-rig.json") != std::string::npos || kParts.contains(path.filename().string());
+  return path.filename().string().find("-rig.json") != std::string::npos || path.stem().string().ends_with("rigs") ||
+         kParts.contains(path.filename().string());
 }
 
 /// Of our own files that state no size.

@@ -8,8 +8,11 @@
 #include <rapidjson/document.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace fca::matrix::colmap {
 
@@ -26,7 +29,7 @@ const std::map<std::string, Kind> kKinds = {
     {"RADIAL", {true, false, 2}},         {"OPENCV", {false, false, 4}},       {"FULL_OPENCV", {false, false, 8}},
     {"OPENCV_FISHEYE", {false, true, 4}}, {"FISHEYE", {false, true, 0}},       {"SIMPLE_RADIAL_FISHEYE", {true, true, 1}},
     {"RADIAL_FISHEYE", {true, true, 2}},  {"SIMPLE_FISHEYE", {true, true, 0}}, {"FOV", {false, false, 1}},
-    {"EUCM", {false, false, 2}}};
+    {"EUCM", {false, false, 2}},          {"DIVISION", {false, false, 1}},     {"SIMPLE_DIVISION", {true, false, 1}}};
 
 RayToPixel fov_lens(const std::vector<double>& k, double w) {
   return [k, w](const Ray& ray) -> std::optional<Pixel> {
@@ -49,9 +52,21 @@ RayToPixel eucm_lens(const std::vector<double>& k, double alpha, double beta) {
   };
 }
 
+/// The plane's radius is r / (1 + k r^2) (MORE-FORMATS-2.md section 17).
+RayToPixel division_lens(const std::vector<double>& k, double bend) {
+  return [k, bend](const Ray& ray) -> std::optional<Pixel> {
+    if (!(ray[2] > 0.0)) return std::nullopt;
+    const double radius = std::hypot(ray[0], ray[1]) / ray[2];
+    const double r = radius > 0.0 ? (1.0 - std::sqrt(1.0 - 4.0 * bend * radius * radius)) / (2.0 * bend * radius) : 0.0;
+    const double factor = radius > 0.0 ? r / radius / ray[2] : 0.0;
+    return Pixel{k[0] * ray[0] * factor + k[2], k[1] * ray[1] * factor + k[3]};
+  };
+}
+
 RayToPixel lens(const std::string& model, const Kind& kind, const std::vector<double>& k, const std::vector<double>& d) {
   if (model == "FOV") return fov_lens(k, d[0]);
   if (model == "EUCM") return eucm_lens(k, d[0], d[1]);
+  if (model == "DIVISION" || model == "SIMPLE_DIVISION") return division_lens(k, d[0]);
   return sensor_lens(k, d, kind.equidistant);
 }
 
@@ -84,10 +99,64 @@ std::optional<PixelFormula> camera_of_rig(const std::string& bytes, std::size_t 
   return formula_of(camera["camera_model_name"].GetString(), numbers);
 }
 
+constexpr std::size_t kOfCount = 8;
+
+bool is_binary(const std::string& bytes) {
+  return bytes.size() > kOfCount && bytes.compare(kOfCount / 2, kOfCount / 2, std::string(kOfCount / 2, '\0')) == 0;
+}
+
+/// The names of models by their numbers, and how many parameters they have (MORE-FORMATS.md section 2).
+const std::vector<std::pair<std::string, std::size_t>> kNumbered = {{"SIMPLE_PINHOLE", 3},
+                                                                    {"PINHOLE", 4},
+                                                                    {"SIMPLE_RADIAL", 4},
+                                                                    {"RADIAL", 5},
+                                                                    {"OPENCV", 8},
+                                                                    {"OPENCV_FISHEYE", 8},
+                                                                    {"FULL_OPENCV", 12},
+                                                                    {"FOV", 5},
+                                                                    {"SIMPLE_RADIAL_FISHEYE", 4},
+                                                                    {"RADIAL_FISHEYE", 5},
+                                                                    {"THIN_PRISM_FISHEYE", 12},
+                                                                    {"RAD_TAN_THIN_PRISM_FISHEYE", 16},
+                                                                    {"SIMPLE_DIVISION", 4},
+                                                                    {"DIVISION", 5},
+                                                                    {"SIMPLE_FISHEYE", 3},
+                                                                    {"FISHEYE", 4},
+                                                                    {"EUCM", 6}};
+
+/// A number at that place, on a little endian machine.
+template <class T>
+T number_at(const std::string& bytes, std::size_t at) {
+  T number{};
+  std::memcpy(&number, bytes.data() + at, sizeof(T));
+  return number;
+}
+
+std::optional<PixelFormula> binary_camera(const std::string& bytes, std::size_t index) {
+  constexpr std::size_t kFixed = 24;
+  std::size_t at = kOfCount;
+  for (; at + kFixed <= bytes.size(); --index) {
+    const auto& [model, count] = kNumbered.at(number_at<std::uint32_t>(bytes, at + 4));
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(number_at<double>(bytes, at + kFixed + i * sizeof(double)));
+    if (index == 0) {
+      std::optional<PixelFormula> formula = formula_of(model, numbers);
+      Size size;
+      size.width = static_cast<int>(number_at<std::uint64_t>(bytes, at + 8));
+      size.height = static_cast<int>(number_at<std::uint64_t>(bytes, at + 16));
+      if (formula) formula->size = size;
+      return formula;
+    }
+    at += kFixed + count * sizeof(double);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<PixelFormula> camera(const std::string& bytes, std::size_t index) {
   if (bytes.starts_with('[')) return camera_of_rig(bytes, index);
+  if (is_binary(bytes)) return binary_camera(bytes, index);
   std::istringstream lines(bytes);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t first = line.find_first_not_of(" \t\r");

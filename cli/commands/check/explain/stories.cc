@@ -320,7 +320,7 @@ length with the distance of the two lenses.)"},
         "calibrations expects it."},
     Story{"wrong-count",
           "The first number of OCamCalib's polynomials is how many follow; rows x cols of a matrix is how many numbers data "
-          "holds."},
+          "holds; COLMAP's binary files begin with how many cameras or rigs they hold."},
     Story{"wrong-family", R"(Four numbers look alike in every file. What tells them apart:
 * radtan's p1 and p2 are below 0.01 on real lenses; k3 and k4 of an equidistant model often are not.
 * no lens without distortion sees 100 deg across the image; an equidistant model's k1 near 0 under radtan claims one.

@@ -39,11 +39,18 @@ struct CameraDistance {
   [[nodiscard]] const PixelDistance& decisive() const { return is_wide ? in_circle : in_image; }
 };
 
+/// How far from the axis a comparison goes, in radians.
+struct AngleLimits {
+  double asked = std::numbers::pi;   ///< Rays beyond are not asked for.
+  double fitted = std::numbers::pi;  ///< Rays beyond have no right pixel in the model of the file.
+};
+
 /// `camera`: as it was calibrated; of a known image size. `written`: the same camera in the model of the file. `reader`: what
-/// the program holds of it. Rays further than `max_angle_rad` from the axis, or outside the camera's image circle, are not
-/// asked for. `has_gaps`: it is known that the program has no right ray for a part of the image.
+/// the program holds of it. Rays outside the camera's image circle are not asked for. `has_gaps`: it is known that the program
+/// has no right ray for a part of the image.
 [[nodiscard]] CameraDistance distance_of(const Camera& camera, const CameraModel& written,
-                                         const consumers::ConsumerCamera& reader, double max_angle_rad, bool has_gaps = false);
+                                         const consumers::ConsumerCamera& reader, const AngleLimits& limits,
+                                         bool has_gaps = false);
 
 /// How far from the axis, in whole degrees, the camera sees in the largest circle about the middle of its image: the smallest
 /// angle that holds all of it. Nothing where the image size is unknown, or the model ends inside the circle.

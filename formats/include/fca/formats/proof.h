@@ -68,6 +68,13 @@ struct ProofResult {
   [[nodiscard]] bool understood() const { return agrees() && misread_px == 0.0; }
 };
 
+/// A camera before it was fitted to another model.
+struct CalibratedCamera {
+  Camera camera;
+  /// How far from the axis the fit is one; beyond, the other model gives wrong pixels or none.
+  double fitted_to_rad = std::numbers::pi;
+};
+
 /// Calls body(0) .. body(count - 1), which have nothing to do with each other.
 using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
 void one_after_the_other(std::size_t count, const std::function<void(std::size_t)>& body);
@@ -79,11 +86,12 @@ void one_after_the_other(std::size_t count, const std::function<void(std::size_t
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig, std::span<const std::string> cameras,
                                 double max_angle_rad = std::numbers::pi, const ForEach& each_camera = one_after_the_other,
-                                std::span<const Camera> calibrated = {});
+                                std::span<const CalibratedCamera> calibrated = {});
 /// The same of all the rig's cameras.
 [[nodiscard]] ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes,
                                 const consumers::LoadOptions& options, const Rig& rig, double max_angle_rad = std::numbers::pi,
-                                const ForEach& each_camera = one_after_the_other, std::span<const Camera> calibrated = {});
+                                const ForEach& each_camera = one_after_the_other,
+                                std::span<const CalibratedCamera> calibrated = {});
 
 /// Who reads a file, for people.
 struct Readers {

@@ -49,6 +49,9 @@ struct ConvertedFile {
   bool named = false;                 ///< Another of the files names it: it lies beside that one.
   std::string place = {};             ///< In a folder of its program's own ("mav0/cam0/sensor.yaml"); empty: any name does.
   bool of_defaults = false;           ///< It states nothing of the input.
+
+  /// Does it only stand where its program looks for it?
+  [[nodiscard]] bool is_filler() const { return of_defaults && cameras.empty() && programs.empty(); }
 };
 
 /// A comment in the written file: its inputs, the conversion, its errors.
@@ -67,7 +70,9 @@ struct OutputRoom {
   bool camera_files = true;   ///< Several files with cameras; else more than one is an error.
   bool named_files = true;    ///< Files that another one names; else they are an error.
   bool further_files = true;  ///< Files without cameras (Kalibr's imu.yaml); else they are left out, as a loss.
-  bool given_parts = true;    ///< A part of the input may be left out so; else that is an error.
+  /// Files that state nothing and that the program wants in its folder (COLMAP's images.txt); else they are left out.
+  bool fillers = true;
+  bool given_parts = true;  ///< A part of the input may be left out so; else that is an error.
 };
 
 struct ConvertRequest {

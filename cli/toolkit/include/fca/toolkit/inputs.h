@@ -65,6 +65,10 @@ struct Inputs {
 /// (LeftCameraParams.yaml, ...). Cameras first; empty of any other path.
 [[nodiscard]] std::vector<std::string> rig_files_in(const std::string& folder);
 
+/// The files of a folder that is a COLMAP model, with more than its cameras: that with the cameras, then that with the rigs, if
+/// it is there. Of cameras.bin and cameras.txt it is the one that COLMAP reads. Empty of any other path.
+[[nodiscard]] std::vector<std::string> model_files_in(const std::string& folder);
+
 /// As the readers of formats take them.
 [[nodiscard]] ReadOptions read_options(const Inputs& inputs);
 

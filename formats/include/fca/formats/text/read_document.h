@@ -9,10 +9,10 @@
 
 namespace fca::text {
 
-/// Bytes to Document, the syntax chosen by the first lines and then by the name's extension (formats/text/syntax.h has the
-/// rule). Nothing, with an error at line and column, where they are no document: empty, over kMaxFileBytes, nested deeper than
-/// kMaxDepth, anchors or aliases, several YAML documents, XML with a document type or another root than <opencv_storage>,
-/// syntax errors.
+/// Bytes to Document: of COLMAP's binary files (Source::is_binary), else of text, the syntax chosen by the first lines and then
+/// by the name's extension (formats/text/syntax.h has the rule). Nothing, with an error at line and column, where they are no
+/// document: empty, over kMaxFileBytes, nested deeper than kMaxDepth, anchors or aliases, several YAML documents, XML with a
+/// document type or another root than <opencv_storage>, syntax errors.
 [[nodiscard]] std::optional<Document> parse_document(Source source, Diagnostics& diagnostics);
 
 /// The document as its edits left it: its tree says what its bytes do now, not what stood there before. Nothing where they are

@@ -39,6 +39,9 @@ struct Source {
   [[nodiscard]] Position position(std::size_t offset) const;
   /// The line that holds `offset`, without its line break.
   [[nodiscard]] Span line_at(std::size_t offset) const;
+  /// Is it no text but one of COLMAP's binary files? Named ".bin" and with a zero byte (or cut off in the first number), or by
+  /// any name one that begins with a small number of 8 bytes, the lowest first. Its places are told by their offset.
+  [[nodiscard]] bool is_binary() const;
   /// Length of a UTF-8 byte order mark at the start: 0 or 3.
   [[nodiscard]] std::size_t byte_order_mark() const { return bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
   /// "\r\n" if the first line ends so, else "\n".

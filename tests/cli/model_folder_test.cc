@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Folders of COLMAP's models: what is written into one, which of its files is read, and that an edit changes its cameras alone.
+#include "cli/read_rig.h"
+#include "cli/run_program.h"
+#include "cli/told.h"
+
+namespace fca::test {
+namespace {
+
+std::string good(const std::string& name) { return read_file(testdata("formats/colmap/good/" + name)); }
+
+/// The files of a folder by their names.
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    files.emplace(entry.path().filename().string(), read_file(entry.path()));
+  return files;
+}
+
+/// A model whose images no program of ours understands.
+void write_model(const TemporaryFolder& folder, const std::string& extension, const std::string& cameras) {
+  folder.write("cameras" + extension, good(cameras));
+  folder.write("images" + extension, "somebody's images\n");
+  folder.write("points3D" + extension, "somebody's points\n");
+}
+
+TEST(ModelFolder, IsWrittenAsColmapOpensIt) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "model") + "/";
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "colmap", "-o", out}).code, 0);
+  std::set<std::string> names;
+  for (const auto& [name, bytes] : files_in(out)) names.insert(name);
+  EXPECT_EQ(names, (std::set<std::string>{"cameras.txt", "images.txt", "points3D.txt", "rig_config.json", "rigs.txt"}));
+  // And back, with its poses.
+  const RunResult back = run_program({"convert", out, "--to", "kalibr", "-o", "-"});
+  EXPECT_EQ(back.code, 0) << back.err;
+  const Rig rig = rig_in(back.out);
+  EXPECT_EQ(rig.cameras.size(), 2U);
+  EXPECT_TRUE(rig.resolve("cam1", "cam0"));
+}
+
+TEST(ModelFolder, ACameraAloneHasNoRigs) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "model") + "/";
+  EXPECT_EQ(run_program({"convert", kTumvi, "--camera", "cam0", "--to", "colmap", "-o", out}).code, 0);
+  EXPECT_EQ(files_in(out).size(), 3U);
+  EXPECT_TRUE(files_in(out).contains("points3D.txt"));
+}
+
+// Images that are there are somebody's.
+TEST(ModelFolder, ImagesAreNeverWrittenOver) {
+  const TemporaryFolder folder;
+  folder.write("images.txt", "somebody's images\n");
+  EXPECT_EQ(
+      run_program({"convert", kTumvi, "--camera", "cam0", "--to", "colmap", "--force", "-o", folder.path().string()}).code, 0);
+  EXPECT_EQ(files_in(folder.path()).at("images.txt"), "somebody's images\n");
+  EXPECT_TRUE(files_in(folder.path()).contains("cameras.txt"));
+}
+
+// Of several inputs each has a file of its own there.
+TEST(ModelFolder, ABatchIsNoModel) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", good("pinhole.txt"));
+  folder.write("b.txt", good("opencv.txt"));
+  const std::string out = (folder / "out") + "/";
+  EXPECT_EQ(run_program({"convert", folder / "a.txt", folder / "b.txt", "--anew", "--to", "colmap", "-o", out}).code, 0);
+  const auto files = files_in(out);
+  EXPECT_EQ(files.size(), 2U);
+  EXPECT_TRUE(files.contains("a.colmap.txt"));
+}
+
+TEST(ModelFolder, BinaryWinsOverText) {
+  const TemporaryFolder folder;
+  write_model(folder, ".txt", "fov.txt");
+  write_model(folder, ".bin", "pinhole.bin");
+  const RunResult run = run_program({"convert", folder.path().string(), "--to", "kalibr", "-o", "-"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(parameter(rig_in(run.out).cameras.at(0).model, "fx"), 500.5);
+  // COLMAP opens what is whole.
+  fs::remove(folder / "points3D.bin");
+  const RunResult text = run_program({"convert", folder.path().string(), "--to", "colmap", "-o", "-"});
+  EXPECT_EQ(text.out, good("fov.txt")) << text.err;
+}
+
+TEST(ModelFolder, AnEditChangesItsCamerasAlone) {
+  for (const char* extension : {".bin", ".txt"}) {
+    const TemporaryFolder folder;
+    write_model(folder, extension, "pinhole" + std::string(extension));
+    const auto before = files_in(folder.path());
+    const TemporaryFolder input;
+    input.write("other.txt", "1 PINHOLE 640 480 512.0 513.0 320.5 240.25\n");
+    const RunResult run = run_program({"convert", input / "other.txt", "--into", folder.path().string(), "--in-place"});
+    EXPECT_EQ(run.code, 0) << run.err << run.out;
+    const auto after = files_in(folder.path());
+    ASSERT_EQ(after.size(), before.size());
+    for (const auto& [name, bytes] : after) {
+      if (name.starts_with("cameras")) {
+        EXPECT_NE(bytes, before.at(name)) << name;
+        EXPECT_TRUE(name.ends_with(".txt") || bytes.size() == before.at(name).size()) << name;
+      } else {
+        EXPECT_EQ(bytes, before.at(name)) << name;
+      }
+    }
+  }
+}
+
+TEST(ModelFolder, BinaryIsWrittenByItsExtension) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run_program({"convert", testdata("formats/colmap/good/lenses.bin"), "--to", "colmap", "-o", folder / "a.txt"}).code,
+            0);
+  EXPECT_EQ(run_program({"convert", folder / "a.txt", "--to", "colmap", "-o", folder / "a.bin"}).code, 0);
+  EXPECT_EQ(read_file(folder / "a.bin"), good("lenses.bin"));
+}
+
+// There are no lines in it.
+TEST(ModelFolder, PlacesInBinaryFilesAreBytes) {
+  const std::string bad = testdata("formats/colmap/bad/fx-nan.bin");
+  const RunResult run = run_program({"check", bad});
+  EXPECT_NE((run.out + run.err).find(bad + ":byte 88: error"), std::string::npos) << run.out << run.err;
+  const RunResult json = run_program({"check", "--json", bad});
+  EXPECT_NE(json.out.find("\"byte\": 88"), std::string::npos) << json.out;
+}
+
+}  // namespace
+}  // namespace fca::test
