@@ -182,16 +182,19 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
     };
     if (std::any_of(verdict.reasons.begin(), at, is_like) || std::any_of(verdict.reasons.begin(), at, is_no_more)) continue;
     std::vector<std::string> likewise;
+    bool has_others = false;  // numbers
     for (auto other = at + 1; other != verdict.reasons.end(); ++other) {
       if (!is_like(*other)) continue;
-      const bool same_numbers = is_alike(innermost(reason.facts), innermost(other->facts));
-      likewise.push_back(owner_of(*other) + (same_numbers ? "" : " (by its own number: -v)"));
+      likewise.push_back(owner_of(*other));
+      has_others = has_others || !is_alike(innermost(reason.facts), innermost(other->facts));
     }
     const bool is_of_camera =
         is_distance || reason.facts.code == Code::kVerdictNoRays || reason.facts.code == Code::kVerdictNumbersDiffer;
     const bool names_camera = is_of_camera && !reason.camera.empty();
-    lines.push_back({names_camera ? reason.camera : std::string(label_of(reason)),
-                     sentence_of(reason) + (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise")});
+    lines.push_back(
+        {names_camera ? reason.camera : std::string(label_of(reason)),
+         sentence_of(reason) +
+             (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise" + (has_others ? " (see -v)" : ""))});
   }
   std::string accept;
   for (const std::string& code : codes) accept += " --accept " + code;
