@@ -276,7 +276,7 @@ void add_poses(const Rig& rig, std::span<const int> ids, bool binary, Written& w
   written.files.push_back({*std::move(rigs), {}, {"colmap-rig"}});
   // Where there is no room for either, one of them is missed.
   written.files.back().of_defaults = config.has_value();
-  written.headline = {Code::kColmapBothHeadline};
+  if (!binary) written.headline = {Code::kColmapBothHeadline};
 }
 
 /// Without images and points COLMAP does not open a folder.

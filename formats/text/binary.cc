@@ -138,7 +138,7 @@ class BinaryReader {
     // The smallest: of a panorama, which has two parameters; of a rig without sensors.
     const std::size_t smallest = is_of_cameras() ? 40 : 8;
     const std::size_t most = (bytes().size() - kOfCount) / smallest;
-    if (count > most && most > 0) throw Refusal{{Code::kBinaryCount, {count, bytes().size(), most}}, 0};
+    if (count > most && most > 0) throw Refusal{{Code::kBinaryCount, {std::to_string(count), bytes().size(), most}}, 0};
     Node root;
     root.kind = NodeKind::kSequence;
     root.tag = what_;
@@ -232,7 +232,10 @@ std::string encoded(std::string_view tag, std::string_view text) {
   } else if (tag == kSensor) {
     number = static_cast<std::uint64_t>(std::ranges::find(kSensors, text) - kSensors.begin());
   } else {
-    std::from_chars(text.data(), text.data() + text.size(), number);
+    // Text files may say +640 or 6.4e2.
+    constexpr double kMostExact = 9007199254740992.0;  // 2^53
+    const double value = parse_real(text).value_or(0.0);
+    if (value >= 0.0 && value <= kMostExact) number = static_cast<std::uint64_t>(value);
   }
   return little_endian(number, size_of(tag));
 }

@@ -22,6 +22,7 @@ constexpr std::string_view kWriteValueOut = "write the value out";
 }  // namespace
 
 std::span<const CodeInfo> syntax_codes() {
+  static constexpr std::string_view kColmapStops = "COLMAP stops, or reads what is not there.";
   static constexpr std::array kRows = {
       error(Code::kTooDeep, "too-deep", "nested deeper than {0} levels"),
       error(Code::kListTooLong, "too-long", "more than {0} values in one list; no calibration has so many"),
@@ -100,11 +101,16 @@ std::span<const CodeInfo> syntax_codes() {
       error(Code::kXmlLine, kXml, "XML syntax error on this line"),
 
       // COLMAP's binary files.
-      error(Code::kBinaryEndsInCount, kCount, "the file ends inside the number of 8 bytes that it begins with", kIsCutOff),
-      error(Code::kBinaryEndsInCamera, kCount, "the file ends inside camera {0} of {1}", kIsCutOff),
-      error(Code::kBinaryEndsInRig, kCount, "the file ends inside rig {0} of {1}", kIsCutOff),
-      error(Code::kBinaryCount, kCount, "the file says that it holds {0}, and in its {1} bytes there is room for {2} at most",
-            "is it one of COLMAP's, and whole?"),
+      with_consequence(
+          error(Code::kBinaryEndsInCount, kCount, "the file ends inside the number of 8 bytes that it begins with", kIsCutOff),
+          kColmapStops),
+      with_consequence(error(Code::kBinaryEndsInCamera, kCount, "the file ends inside camera {0} of {1}", kIsCutOff),
+                       kColmapStops),
+      with_consequence(error(Code::kBinaryEndsInRig, kCount, "the file ends inside rig {0} of {1}", kIsCutOff), kColmapStops),
+      with_consequence(error(Code::kBinaryCount, kCount,
+                             "the file says that it holds {0}, and in its {1} bytes there is room for {2} at most",
+                             "is it one of COLMAP's, and whole?"),
+                       kColmapStops),
       error(Code::kBinaryModel, "unknown-model", "COLMAP has no camera model with the number {0}",
             "is the file one of COLMAP's? The numbers are 0 to 17"),
       error(Code::kBinarySensor, "out-of-range", "COLMAP has no sensors of the type {0}", "0 is a camera, 1 an IMU"),

@@ -155,6 +155,12 @@ TEST(ColmapBinary, TextAndBinaryBecomeEachOther) {
   }
 }
 
+// Numbers of a text file may be spelled in several ways.
+TEST(ColmapBinary, WholeNumbersAreWhatTheTextMeans) {
+  const std::string text = "+5 PINHOLE +640 4.8e2 +500 500 320 240\n";
+  EXPECT_EQ(as(text, "cameras.txt", ".bin"), camera_file(5, 1, {640, 480}, {500.0, 500.0, 320.0, 240.0}));
+}
+
 TEST(ColmapBinary, AFreshFileIsReadAsTheSameRig) {
   for (const char* model : {"pinhole", "radtan", "kb4", "eucm", "fov"}) {
     const Rig rig = sample_rig(model, {false, false});

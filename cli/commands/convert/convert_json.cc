@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversion_json.h"
 #include "convert_command.h"
+#include "html/base64.h"
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
 #include "shell/judgement_json.h"
@@ -116,7 +117,9 @@ void put_outputs(Json& json, const char* key, const ConvertOutcome& outcome, con
       std::vector<std::string> names;
       for (const std::string& name : output.cameras) names.push_back(written_name(outcome, name));
       json.put("cameras", std::span<const std::string>(names));
-      if (with_text || output.path.empty()) json.put("text", output.bytes);
+      if (!with_text && !output.path.empty()) return;
+      const bool binary = output.syntax == text::Syntax::kBinary;
+      binary ? json.put("base64", base64(output.bytes)) : json.put("text", output.bytes);
     });
   });
 }

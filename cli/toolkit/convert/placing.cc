@@ -114,10 +114,13 @@ bool place_files(const ConvertRequest& request, ConvertResult& result) {
     if (file.path != request.into && is_misnamed(file.path, file.syntax))
       result.diagnostics.add(Code::kMisnamed, {file.path, name_of(file.syntax)});
   }
-  // What the program's folder has already is somebody's work.
+  // What the program's folder has already, as text or binary, is somebody's work.
   std::error_code ignored;
   std::erase_if(result.files, [&ignored](const ConvertedFile& file) {
-    return file.is_filler() && !file.path.empty() && fs::exists(file.path, ignored);
+    if (!file.is_filler() || file.path.empty()) return false;
+    return std::ranges::any_of(std::array{".txt", ".bin"}, [&](const char* extension) {
+      return fs::exists(fs::path(file.path).replace_extension(extension), ignored);
+    });
   });
   return true;
 }

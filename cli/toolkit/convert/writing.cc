@@ -87,13 +87,14 @@ void keep_what_it_takes(const consumers::Consumer& program, ModelChoice& choice)
 
 /// The program in front of the others that are meant to read the files with cameras, with the headline to say so.
 void put_first(const consumers::Consumer& program, Written& written) {
-  if (!program.cameras) return;
+  bool is_new = false;
   for (Written::File& file : written.files) {
-    if (file.programs.empty() || file.cameras.empty() || file.programs.front() == program.id) continue;
+    if (!program.cameras || file.programs.empty() || file.cameras.empty() || file.programs.front() == program.id) continue;
     std::erase(file.programs, program.id);
     file.programs.emplace(file.programs.begin(), program.id);
-    written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
+    is_new = true;
   }
+  if (is_new) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
 }
 
 /// Step by step: each of them is false where there are errors.

@@ -92,7 +92,7 @@ std::span<const CodeInfo> colmap_codes() {
 
       // rigs.txt, rigs.bin
       clause(Code::kColmapRigLines, "rigs of COLMAP's, each with its sensors"),
-      error(Code::kColmapNoRigLine, "wrong-count", "no line of the file is a rig", kRigLine),
+      with_consequence(error(Code::kColmapNoRigLine, "wrong-count", "no line of the file is a rig", kRigLine), kStopsAtRig),
       with_consequence(error(Code::kColmapRigShort, "wrong-count", "the rig ends where {0} is wanted", kRigLine), kStopsAtRig),
       about_reader(warning(Code::kColmapRigBehind, "wrong-count",
                            "{0} words behind the {1} sensors that NUM_SENSORS counts: COLMAP ignores them",
