@@ -13,9 +13,14 @@ struct Defect {
   const char* format = nullptr;  ///< Whose program minds; null: any.
   const char* absent = nullptr;  ///< What must not stand in the file.
   bool number_is_known = true;   ///< False: nobody can tell which of several is wrong.
+  bool of_matrices = false;      ///< A quaternion is a rotation whatever its numbers are.
 };
 
-/// A pose that its file states as a matrix: a quaternion is a rotation whatever its numbers are.
+bool states_quaternions(const Good& good) {
+  return good.calibration.format->id == "colmap" || bytes_of(good).find("\"qw\"") != std::string::npos;
+}
+
+/// A pose that its file states, perhaps as a matrix.
 bool has_matrix(const Rig& rig) { return !rig.poses.empty() && rig.poses.front().a != "vehicle"; }
 
 bool has_size(const Rig& rig) { return !rig.cameras.empty() && rig.cameras.front().image_size; }
@@ -131,7 +136,12 @@ std::vector<Defect> defects() {
          if (!has_matrix(rig) || rotation_determinant(rig.poses.front().T_a_b) < 0.0) return false;
          for (int column = 0; column < 3; ++column) rig.poses.front().T_a_b(0, column) *= -1.0;
          return true;
-       }},
+       },
+       20,
+       nullptr,
+       nullptr,
+       true,
+       true},
       {"a digit lost in a rotation",
        {"not-a-rotation"},
        [](Rig& rig) {
@@ -146,7 +156,9 @@ std::vector<Defect> defects() {
        },
        20,
        nullptr,
-       "\"qw\""},  // a quaternion
+       nullptr,
+       true,
+       true},
       {"gyroscope noise as a variance", {"imu-noise-too-small"}, variance(&Imu::gyroscope_noise_density)},
       {"gyroscope noise in degrees and discrete",
        {"imu-noise-too-large", "imu-sensors-swapped"},
@@ -268,6 +280,7 @@ std::vector<Defect> defects() {
 std::optional<std::string> planted(const Good& good, const Defect& defect) {
   if (defect.format != nullptr && good.calibration.format->id != defect.format) return std::nullopt;
   if (defect.absent != nullptr && bytes_of(good).find(defect.absent) != std::string::npos) return std::nullopt;
+  if (defect.of_matrices && states_quaternions(good)) return std::nullopt;
   Rig rig = good.calibration.rig;
   if (!defect.plant(rig)) return std::nullopt;
   Diagnostics diagnostics;

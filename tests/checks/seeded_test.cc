@@ -37,13 +37,15 @@ struct Tally {
   std::string misplaced;
 };
 
-/// Plants it in up to kEnough files that do not have it already. The codes that were said are added to `said`.
+/// Plants it in kEnough files that do not have it already, and in more until each of its codes was said, which are added to
+/// `said`.
 Tally tally_of(const SeededDefect& defect, std::set<std::string>& said) {
   CheckOptions options;
   if (defect.program != nullptr) options.program = consumers::find_consumer(defect.program);
   Tally tally;
   for (const Good* good : in_mixed_order(all_good())) {
-    if (tally.planted == kEnough) break;
+    const auto is_said = [&said](const std::string& code) { return said.contains(code); };
+    if (tally.planted >= kEnough && std::ranges::all_of(defect.codes, is_said)) break;
     if (find_any(good->report, defect.codes) != nullptr) continue;
     const std::optional<std::string> bytes = defect.plant(*good);
     if (!bytes || *bytes == bytes_of(*good)) continue;
