@@ -120,8 +120,9 @@ std::optional<std::vector<double>> parameters_in(const Model& model, const Camer
     values.push_back(number_of(model, ids.front(), value));
   }
   if (model.division) {
-    if (parameter(camera.model, "alpha") != kDivisionAlpha) return std::nullopt;
-    there.push_back(ParameterId("alpha"));
+    constexpr ParameterId kAlpha = "alpha";
+    if (parameter(camera.model, kAlpha) != kDivisionAlpha) return std::nullopt;
+    there.push_back(kAlpha);
   }
   for (const Parameter& row : model_info(camera.model).parameters) {
     const ParameterId id(row);
