@@ -65,8 +65,8 @@ const Message& innermost(const Message& facts) {
 
 /// Are the facts those of another owner, whom they name first?
 bool is_alike(const Message& a, const Message& b) {
-  if (a.arguments.empty() || a.arguments.size() != b.arguments.size()) return a.arguments.size() == b.arguments.size();
-  return std::equal(a.arguments.begin() + 1, a.arguments.end(), b.arguments.begin() + 1);
+  if (a.arguments.size() != b.arguments.size()) return false;
+  return a.arguments.empty() || std::equal(a.arguments.begin() + 1, a.arguments.end(), b.arguments.begin() + 1);
 }
 
 /// The same loss or defect of another camera.

@@ -189,8 +189,9 @@ Lines lines_of(const text::Document& document) {
   Lines lines;
   for (const Node* line : camera_lines(document)) {
     const std::size_t words = kFirstParameter + find_model(line->items[1].value)->parameters;
-    std::vector<std::string>& last = lines.emplace_back();
-    for (const Node& word : std::span(line->items).first(words)) last.push_back(word.value);
+    std::vector<std::string> values;
+    for (const Node& word : std::span(line->items).first(words)) values.push_back(word.value);
+    lines.push_back(std::move(values));
   }
   return lines;
 }
