@@ -270,13 +270,13 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   each_camera(comparisons.size(), [&](std::size_t i) {
     const Camera& camera = rig.cameras[i];
     comparisons[i] = compare_camera(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
-    const auto before =
-        std::ranges::find(calibrated, camera.name, [](const CalibratedCamera& each) { return each.camera.name; });
-    const CalibratedCamera source = before != calibrated.end() ? *before : CalibratedCamera{.camera = camera};
-    const AngleLimits limits = {max_angle_rad, source.fitted_to_rad};
-    const bool has_gaps = comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0 ||
-                          source.fitted_to_rad < std::numbers::pi;
-    distances[i] = distance_of(source.camera, camera.model, view.cameras[i], limits, has_gaps);
+    const auto before = std::ranges::find(calibrated, camera.name,
+                                          [](const CalibratedCamera& each) -> const std::string& { return each.camera.name; });
+    const bool was_fitted = before != calibrated.end();
+    const AngleLimits limits = {max_angle_rad, was_fitted ? before->fitted_to_rad : std::numbers::pi};
+    const bool has_gaps =
+        comparisons[i].compared < comparisons[i].asked || comparisons[i].wrong_rays > 0.0 || limits.fitted < std::numbers::pi;
+    distances[i] = distance_of(was_fitted ? before->camera : camera, camera.model, view.cameras[i], limits, has_gaps);
   });
   Comparison comparison;
   for (std::size_t i = 0; i < comparisons.size(); ++i) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_figure.h"
 
-#include "base64.h"
 #include "colour_scale.h"
 #include "contours.h"
 #include "nice_numbers.h"
 #include "pictures/pictures.h"
+#include "shell/base64.h"
 
 #include <algorithm>
 #include <array>

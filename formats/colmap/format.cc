@@ -42,12 +42,7 @@ constexpr std::array kOwnFacts = {OwnFact{"ids of cameras"}};
 
 bool is_whole(const Node& word) { return text::parse_int(word.value).has_value(); }
 
-bool is_header(const Node& line) {
-  const auto has = [&line](std::string_view word) {
-    return std::ranges::any_of(line.items, [word](const Node& each) { return each.value.starts_with(word); });
-  };
-  return has(kId) && has("MODEL") && has("WIDTH") && has("PARAMS");
-}
+bool is_header(const Node& line) { return has_words(line, {kId, "MODEL", "WIDTH", "PARAMS"}); }
 
 ProbeResult probe(const text::Document& document) {
   if (document.syntax() == text::Syntax::kJson) return probe_rig_config(document);
@@ -116,13 +111,13 @@ class CamerasReader {
     const std::span<const Node> words = std::span(line.items).subspan(kFirstParameter);
     const auto is_number = [](const Node& word) { return text::parse_real(word.value).has_value(); };
     const auto count = static_cast<std::size_t>(std::ranges::find_if_not(words, is_number) - words.begin());
-    if (count < std::min(words.size(), model.parameters)) {
+    if (count < std::min(words.size(), model.parameters())) {
       static_cast<void>(reader_.real(words[count], set_by(model, count).front().name()));
       return false;
     }
-    if (count != model.parameters) {
-      const Node& at = words[std::min(count - 1, model.parameters)];
-      reader_.say(at, Code::kColmapParameterCount, {model.name, model.parameters, count, parameter_names(model)});
+    if (count != model.parameters()) {
+      const Node& at = words[std::min(count - 1, model.parameters())];
+      reader_.say(at, Code::kColmapParameterCount, {model.name, model.parameters(), count, parameter_names(model)});
       return false;
     }
     if (count < words.size()) reader_.say(words[count], Code::kColmapAfterParameters, {words[count].value.substr(0, 40)});
@@ -188,7 +183,7 @@ Lines lines_of(const Rig& rig, std::span<const int> ids) {
 Lines lines_of(const text::Document& document) {
   Lines lines;
   for (const Node* line : camera_lines(document)) {
-    const std::size_t words = kFirstParameter + find_model(line->items[1].value)->parameters;
+    const std::size_t words = kFirstParameter + find_model(line->items[1].value)->parameters();
     std::vector<std::string> values;
     for (const Node& word : std::span(line->items).first(words)) values.push_back(word.value);
     lines.push_back(std::move(values));
@@ -227,7 +222,7 @@ void edit_line(text::Document& document, const Node& line, const Camera& old, co
   if (!before || !after) {
     const Model& model = *written_model(camera.model);
     const text::Span first = words[kFirstParameter].span;
-    const text::Span last = words[kFirstParameter + named.parameters - 1].span;
+    const text::Span last = words[kFirstParameter + named.parameters() - 1].span;
     fields::set_scalar(document, words[1], std::string(model.name));
     document.replace({first.offset, last.end() - first.offset},
                      spelled(parameters_in(model, camera).value(), document.syntax()));

@@ -26,29 +26,24 @@ constexpr std::array<ParameterId, 1> kBeta = {"beta"};
 
 /// All models up to COLMAP 4.2. Of those that are one of ours the first is written.
 constexpr std::array kModels = {
-    Model{"PINHOLE", 4, "pinhole"},
-    Model{"SIMPLE_PINHOLE", 3, "pinhole", true},
-    Model{"OPENCV", 8, "radtan", false, kBrown},
-    Model{"SIMPLE_RADIAL", 4, "radtan", true, kK1},
-    Model{"RADIAL", 5, "radtan", true, kK1K2},
-    Model{"FULL_OPENCV", 12, "rational", false, kRational},
-    Model{"OPENCV_FISHEYE", 8, "kb4", false, kFisheye},
-    Model{"SIMPLE_RADIAL_FISHEYE", 4, "kb4", true, kK1},
-    Model{"RADIAL_FISHEYE", 5, "kb4", true, kK1K2},
-    Model{"FISHEYE", 4, "kb4"},
-    Model{"SIMPLE_FISHEYE", 3, "kb4", true},
-    Model{"FOV", 5, "fov", false, kOmega},
-    Model{"EUCM", 6, "eucm", false, kAlphaBeta},
-    Model{.name = "THIN_PRISM_FISHEYE", .parameters = 12, .why_not = Code::kColmapThinPrism},
-    Model{.name = "RAD_TAN_THIN_PRISM_FISHEYE", .parameters = 16, .why_not = Code::kColmapThinPrism},
-    Model{.name = "DIVISION", .parameters = 5, .model = "eucm", .coefficients = kBeta, .division = true},
-    Model{.name = "SIMPLE_DIVISION",
-          .parameters = 4,
-          .model = "eucm",
-          .one_focal_length = true,
-          .coefficients = kBeta,
-          .division = true},
-    Model{.name = "EQUIRECTANGULAR", .parameters = 2, .why_not = Code::kColmapEquirectangular},
+    Model{"PINHOLE", "pinhole"},
+    Model{"SIMPLE_PINHOLE", "pinhole", true},
+    Model{"OPENCV", "radtan", false, kBrown},
+    Model{"SIMPLE_RADIAL", "radtan", true, kK1},
+    Model{"RADIAL", "radtan", true, kK1K2},
+    Model{"FULL_OPENCV", "rational", false, kRational},
+    Model{"OPENCV_FISHEYE", "kb4", false, kFisheye},
+    Model{"SIMPLE_RADIAL_FISHEYE", "kb4", true, kK1},
+    Model{"RADIAL_FISHEYE", "kb4", true, kK1K2},
+    Model{"FISHEYE", "kb4"},
+    Model{"SIMPLE_FISHEYE", "kb4", true},
+    Model{"FOV", "fov", false, kOmega},
+    Model{"EUCM", "eucm", false, kAlphaBeta},
+    Model{.name = "THIN_PRISM_FISHEYE", .why_not = Code::kColmapThinPrism},
+    Model{.name = "RAD_TAN_THIN_PRISM_FISHEYE", .why_not = Code::kColmapThinPrism},
+    Model{.name = "DIVISION", .model = "eucm", .coefficients = kBeta, .division = true},
+    Model{.name = "SIMPLE_DIVISION", .model = "eucm", .one_focal_length = true, .coefficients = kBeta, .division = true},
+    Model{.name = "EQUIRECTANGULAR", .why_not = Code::kColmapEquirectangular},
 };
 
 constexpr std::array<ParameterId, 4> kFocalAndCentre = {"fx", "fy", "cx", "cy"};
@@ -98,7 +93,7 @@ std::vector<ParameterId> set_by(const Model& model, std::size_t index) {
 
 std::string parameter_names(const Model& model) {
   std::string names;
-  for (std::size_t i = 0; i < model.parameters; ++i) {
+  for (std::size_t i = 0; i < model.parameters(); ++i) {
     const std::vector<ParameterId> ids = set_by(model, i);
     const bool is_k = model.division && ids.front() == ParameterId("beta");
     names += (i > 0 ? " " : "") + (ids.size() > 1 ? "f" : is_k ? "k" : std::string(ids.front().name()));
@@ -110,7 +105,7 @@ std::optional<std::vector<double>> parameters_in(const Model& model, const Camer
   if (model_info(camera.model).id != model.model) return std::nullopt;
   std::vector<double> values;
   std::vector<ParameterId> there;
-  for (std::size_t i = 0; i < model.parameters; ++i) {
+  for (std::size_t i = 0; i < model.parameters(); ++i) {
     const std::vector<ParameterId> ids = set_by(model, i);
     const double value = parameter(camera.model, ids.front()).value();
     for (const ParameterId id : ids) {
@@ -174,6 +169,12 @@ double to_file(double pixel) {
     if (from_file(near) == pixel) return near;
   }
   return sum;
+}
+
+bool has_words(const text::Node& line, std::initializer_list<std::string_view> beginnings) {
+  return std::ranges::all_of(beginnings, [&line](std::string_view word) {
+    return std::ranges::any_of(line.items, [word](const text::Node& each) { return each.value.starts_with(word); });
+  });
 }
 
 std::vector<const text::Node*> camera_lines(const text::Document& document) {

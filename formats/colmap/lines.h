@@ -20,12 +20,14 @@ namespace fca::colmap {
 /// A camera model of COLMAP's. Its parameters are [f or fx fy] cx cy and coefficients.
 struct Model {
   std::string_view name;                           ///< "SIMPLE_RADIAL"
-  std::size_t parameters = 0;                      ///< How many.
   std::string_view model = {};                     ///< Ours; empty: none.
   bool one_focal_length = false;                   ///< f alone: fx = fy.
   std::span<const ParameterId> coefficients = {};  ///< Further parameters of our model are 0.
   Code why_not = {};                               ///< Why there is none of ours, a clause.
   bool division = false;                           ///< Its k is our eucm's beta = -4 k with alpha = 1/2.
+
+  /// How many it has, if it is one of ours.
+  [[nodiscard]] constexpr std::size_t parameters() const { return (one_focal_length ? 3 : 4) + coefficients.size(); }
 };
 
 /// Null if COLMAP has none of that name.
@@ -56,6 +58,8 @@ struct Model {
 /// The words in front of the parameters.
 inline constexpr std::size_t kFirstParameter = 4;
 
+/// Is it a line whose words begin with all of these?
+[[nodiscard]] bool has_words(const text::Node& line, std::initializer_list<std::string_view> beginnings);
 /// The lines of cameras: those that are neither blank nor a comment.
 [[nodiscard]] std::vector<const text::Node*> camera_lines(const text::Document& document);
 

@@ -146,9 +146,9 @@ class RigConfigReader {
     const Node& parameters = *find(node, kParameters);
     const Model* model = read_model(*find(node, kModelName), reader_);
     if (model == nullptr) return false;
-    if (parameters.items.size() != model->parameters) {
+    if (parameters.items.size() != model->parameters()) {
       reader_.say(parameters, Code::kColmapParameterCount,
-                  {model->name, model->parameters, parameters.items.size(), parameter_names(*model)});
+                  {model->name, model->parameters(), parameters.items.size(), parameter_names(*model)});
       return false;
     }
     Camera camera;

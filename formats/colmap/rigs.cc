@@ -30,10 +30,7 @@ constexpr std::size_t kOfPose = 7;
 bool is_type(std::string_view word) { return word == kCamera || word == kImu; }
 
 bool is_header(const Node& line) {
-  const auto has = [&line](std::string_view word) {
-    return std::ranges::any_of(line.items, [word](const Node& each) { return each.value.starts_with(word); });
-  };
-  return line.tag == text::kCommentTag && has("RIG_ID") && has("NUM_SENSORS") && has("SENSOR");
+  return line.tag == text::kCommentTag && has_words(line, {"RIG_ID", "NUM_SENSORS", "SENSOR"});
 }
 
 /// Four or three words of a line as a list.
@@ -179,7 +176,7 @@ std::vector<std::span<const Node>> poses_in(std::span<const Node> words) {
 }
 
 /// The numbers of a pose.
-std::vector<double> stated(const Transform& T, const Quaternion& alike) {
+std::vector<double> stated(const Transform& T, const Quaternion& alike = {0.0, 0.0, 0.0, 1.0}) {
   std::vector<double> numbers;
   for (const double number : stated_quaternion(T, alike)) numbers.push_back(number);
   for (const double number : translation_of(T)) numbers.push_back(number);
@@ -287,8 +284,7 @@ std::vector<std::vector<std::string>> rig_lines(const Rig& rig, std::span<const 
       placed[j] = poses = true;
       words[1] = std::to_string(++sensors);
       words.insert(words.end(), {std::string(kCamera), std::to_string(ids[j]), "1"});
-      for (const double number : stated_quaternion(*T)) words.push_back(text::format_real(number));
-      for (const double number : translation_of(*T)) words.push_back(text::format_real(number));
+      for (const double number : stated(*T)) words.push_back(text::format_real(number));
     }
     lines.push_back(std::move(words));
   }

@@ -21,10 +21,6 @@ ConsumerView in_own_locale(std::string_view bytes, const LoadOptions& options) {
 constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
 
-// Of a cameras.txt.
-constexpr std::array<std::string_view, 3> kOfGsplat = {"pinhole", "radtan", "kb4"};
-constexpr std::array<std::string_view, 4> kOfSplatTrainers = {"pinhole", "radtan", "kb4", "rational"};
-
 constexpr std::array kConsumers{
     Consumer{.id = "kalibr",
              .program = "Kalibr",
@@ -153,21 +149,21 @@ constexpr std::array kConsumers{
              .format = "colmap",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_gsplat>,
-             .writing = {.models_taken = kOfGsplat, .lenses_alone = true}},
+             .writing = {.models_taken = kTakenByGsplat, .lenses_alone = true}},
     Consumer{.id = "3dgrut",
              .program = "3dgrut",
              .format = "colmap",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_3dgrut>,
              .second_format = "nerfstudio",
-             .writing = {.models_taken = kOfSplatTrainers, .lenses_alone = true}},
+             .writing = {.models_taken = kTakenBy3dgrut, .lenses_alone = true}},
     Consumer{.id = "lichtfeld",
              .program = "LichtFeld Studio",
              .format = "colmap",
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_lichtfeld>,
              .second_format = "nerfstudio",
-             .writing = {.models_taken = kOfSplatTrainers, .lenses_alone = true}},
+             .writing = {.models_taken = kTakenByLichtfeld, .lenses_alone = true}},
 };
 
 }  // namespace

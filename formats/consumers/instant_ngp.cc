@@ -83,7 +83,8 @@ class Loader {
       ConsumerCamera seen = nerf_camera(camera, image.resolution[0], image.resolution[1],
                                         image.lens.mode == LensMode::kOpenCvFisheye ? "OpenCVFisheye" : "OpenCV",
                                         [image](const Ray& ray) { return project(image, ray); });
-      seen.misread = warn_of_lens(camera, image) || takes_angle_first(file_.root()) || takes_angle_first(*camera.frame);
+      const bool by_angle = warn_of_angles(file_.root()) || warn_of_angles(*camera.frame);
+      seen.misread = warn_of_lens(camera, image) || by_angle;
       view_.cameras.push_back(std::move(seen));
     }
   }
@@ -130,16 +131,21 @@ class Loader {
   }
 
   float focal_length(const Json& json, const std::string& axis, float side) {
-    if (has(json, axis + "_fov") && has(json, "fl_" + axis))
-      file_.warn(Code::kNerfSaysAngleFirst, {axis + "_fov", "fl_" + axis}, axis + "_fov");
     if (has(json, axis + "_fov")) return fov_to_focal_length(side, real(json, axis + "_fov"));
     if (has(json, "fl_" + axis)) return real(json, "fl_" + axis);
     if (!has(json, "camera_angle_" + axis)) return 0.0F;
     return fov_to_focal_length(side, real(json, "camera_angle_" + axis) * 180.0F / std::numbers::pi_v<float>);
   }
 
-  static bool takes_angle_first(const Json& json) {
-    return (has(json, "x_fov") && has(json, "fl_x")) || (has(json, "y_fov") && has(json, "fl_y"));
+  /// Does an angle stand before a focal length?
+  bool warn_of_angles(const Json& json) {
+    bool found = false;
+    for (const auto& [angle, length] : {std::pair{"x_fov", "fl_x"}, {"y_fov", "fl_y"}}) {
+      if (!has(json, angle) || !has(json, length)) continue;
+      file_.warn(Code::kNerfSaysAngleFirst, {angle, length}, angle);
+      found = true;
+    }
+    return found;
   }
 
   bool read_focal_length(const Json& json, Image& image) {

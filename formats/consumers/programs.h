@@ -2,11 +2,21 @@
 // Private: the programs behind the table in consumers.cc. None of these functions throws, whatever the bytes are.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "fca/formats/consumers/consumer.h"
 
 namespace fca::consumers {
+
+/// Which of COLMAP's models some trainers take, as a cameras.txt names them. Where from: splat_loaders.cc.
+inline constexpr std::array<std::string_view, 6> kTakenByGsplat = {"SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL",
+                                                                   "RADIAL",         "OPENCV",  "OPENCV_FISHEYE"};
+inline constexpr std::array<std::string_view, 7> kTakenBy3dgrut = {
+    "SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV"};
+inline constexpr std::array<std::string_view, 9> kTakenByLichtfeld = {
+    "SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL",         "RADIAL",        "OPENCV",
+    "FULL_OPENCV",    "OPENCV_FISHEYE", "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE"};
 
 [[nodiscard]] ConsumerView load_basalt(std::string_view bytes, const LoadOptions& options);
 [[nodiscard]] ConsumerView load_colmap(std::string_view bytes, const LoadOptions& options);

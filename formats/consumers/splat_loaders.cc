@@ -24,14 +24,6 @@ using Pixel = std::array<double, 2>;
 using Ray = std::array<double, 3>;
 using Json = NerfFile::Json;
 
-constexpr std::array<std::string_view, 6> kGsplat = {"SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL",
-                                                     "RADIAL",         "OPENCV",  "OPENCV_FISHEYE"};
-constexpr std::array<std::string_view, 7> k3dgrut = {"SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL", "RADIAL",
-                                                     "OPENCV",         "OPENCV_FISHEYE", "FULL_OPENCV"};
-constexpr std::array<std::string_view, 9> kLichtfeld = {
-    "SIMPLE_PINHOLE", "PINHOLE",        "SIMPLE_RADIAL",         "RADIAL",        "OPENCV",
-    "FULL_OPENCV",    "OPENCV_FISHEYE", "SIMPLE_RADIAL_FISHEYE", "RADIAL_FISHEYE"};
-
 bool begins_with(char character, std::string_view bytes) {
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   return first != std::string_view::npos && bytes[first] == character;
@@ -160,16 +152,17 @@ ConsumerView load_transforms_of_3dgrut(std::string_view bytes, const LoadOptions
 }  // namespace
 
 ConsumerView load_gsplat(std::string_view bytes, const LoadOptions& options) {
-  return load_some_of_colmap(bytes, options, "gsplat", kGsplat);
+  return load_some_of_colmap(bytes, options, "gsplat", kTakenByGsplat);
 }
 
 ConsumerView load_3dgrut(std::string_view bytes, const LoadOptions& options) {
-  return is_json(bytes) ? load_transforms_of_3dgrut(bytes, options) : load_some_of_colmap(bytes, options, "3dgrut", k3dgrut);
+  return is_json(bytes) ? load_transforms_of_3dgrut(bytes, options)
+                        : load_some_of_colmap(bytes, options, "3dgrut", kTakenBy3dgrut);
 }
 
 ConsumerView load_lichtfeld(std::string_view bytes, const LoadOptions& options) {
   return is_json(bytes) ? load_transforms_of_lichtfeld(bytes, options)
-                        : load_some_of_colmap(bytes, options, "LichtFeld Studio", kLichtfeld);
+                        : load_some_of_colmap(bytes, options, "LichtFeld Studio", kTakenByLichtfeld);
 }
 
 }  // namespace fca::consumers

@@ -20,8 +20,8 @@ std::string preview_text(const ConvertResult& outcome) {
     return paragraph("convert would not write it: " + message_of(*error, with_options) + (fix.empty() ? "" : " (" + fix + ")"),
                      "  ");
   }
-  const bool anew = outcome.from == outcome.to;
-  const std::string how = anew ? "converted (--to " + std::string(outcome.to->id) + " --anew): " : "converted: ";
+  const bool rewrite = outcome.from == outcome.to;
+  const std::string how = rewrite ? "converted (--to " + std::string(outcome.to->id) + " --anew): " : "converted: ";
   return paragraph(how + std::string(in_words(outcome.verdict.word)) + "; " + text::text_of(outcome.headline, with_options),
                    "  ") +
          summary_lines(outcome, false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversion_json.h"
 #include "convert_command.h"
-#include "html/base64.h"
+#include "shell/base64.h"
 #include "shell/diagnostics_json.h"
 #include "shell/json.h"
 #include "shell/judgement_json.h"

@@ -31,11 +31,11 @@ std::string first_line(const ConvertOutcome& outcome, bool written) {
   std::string text = name_of_outputs(outcome) + ": " + std::string(in_words(outcome.verdict.word));
   if (outcome.code != ExitCode::kGood && written) text += ", nothing written";
   if (!outcome.headline.is_said()) return text::printable(text) + "\n";
-  // The word stands in the first line, however long the paths are.
-  constexpr std::size_t kColumns = 80;
-  const std::string headline = text::text_of(outcome.headline, with_options);
-  if (text.size() + 1 < kColumns) return wrapped_line(text + "; " + headline);
-  return text::printable(text) + ";\n  " + in_columns(text::printable(headline), 2, 2) + "\n";
+  // However long the paths are, no line breaks before the word has ended.
+  constexpr std::size_t kIndent = 2;
+  const std::size_t last = text.rfind(' ') + 1;
+  const std::string rest = text.substr(last) + "; " + text::text_of(outcome.headline, with_options);
+  return text::printable(text.substr(0, last)) + in_columns(text::printable(rest), last, kIndent) + "\n";
 }
 
 const CameraDistance* distance_of(const ConvertResult& outcome, const ConvertedCamera& camera) {

@@ -6,7 +6,7 @@
 namespace fca {
 
 ConvertResult preview_conversion(const std::string& file, const Inputs& inputs, const consumers::Consumer& program,
-                                 Files& files, bool anew) {
+                                 Files& files, bool rewrite) {
   ConvertRequest request;
   request.inputs = inputs;
   request.inputs.files = {file};
@@ -16,7 +16,7 @@ ConvertResult preview_conversion(const std::string& file, const Inputs& inputs, 
   request.layout = {request.to, std::string(program.writing.layout)};
   request.extension = std::filesystem::path(program.writing.file_name).extension().string();
   request.room = {false, false, false};
-  request.rewrite = anew;
+  request.rewrite = rewrite;
   ConvertResult result = convert(request, files);
   if (result.diagnostics.has_errors() && request.extension.empty() && !request.to->many_cameras) {
     request.room = {};  // for a file per camera

@@ -9,8 +9,8 @@
 namespace fca {
 
 /// What converting a file gives for a program, without the files themselves: one that does not read its format, or reads
-/// another layout of it better (`anew`).
+/// another layout of it better (`rewrite`).
 [[nodiscard]] ConvertResult preview_conversion(const std::string& file, const Inputs& inputs,
-                                               const consumers::Consumer& program, Files& files, bool anew = false);
+                                               const consumers::Consumer& program, Files& files, bool rewrite = false);
 
 }  // namespace fca

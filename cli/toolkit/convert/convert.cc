@@ -38,11 +38,11 @@ Message remedy_of_version(const ConvertRequest& request, const ConvertResult& re
 }
 
 /// Would the programs load a fresh file?
-bool loads_anew(const ConvertRequest& request, const Start& start, const ConvertResult& before) {
-  ConvertRequest anew = request;
-  anew.rewrite = true;
+bool loads_rewritten(const ConvertRequest& request, const Start& start, const ConvertResult& before) {
+  ConvertRequest rewriting = request;
+  rewriting.rewrite = true;
   ConvertResult other = before;
-  return write_as_asked(anew, start, other) && std::ranges::all_of(other.proofs, &ProofResult::loads);
+  return write_as_asked(rewriting, start, other) && std::ranges::all_of(other.proofs, &ProofResult::loads);
 }
 
 /// A pose that mirrors can be written into no file: not bad input, which cannot be read, but a calibration that cannot be used.
@@ -77,11 +77,13 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.accepted = request.accepted;
   Verdict verdict = decide(facts);
   // What is refused as it was before the edit has its fix with that diagnostic, if it is one.
-  for (const Diagnostic& entry : result.diagnostics.entries()) {
-    if (entry.facts.code != Code::kInputNotUnderstood && entry.facts.code != Code::kEditNotProven) continue;
-    if (!loads_anew(request, start, before)) break;
+  const std::vector<Diagnostic>& entries = result.diagnostics.entries();
+  const auto refused = std::ranges::find_if(entries, [](const Diagnostic& entry) {
+    return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
+  });
+  if (refused != entries.end() && loads_rewritten(request, start, before)) {
     for (Reason& reason : verdict.reasons) {
-      if (reason.facts.code == Code::kVerdictRefused) reason.remedy = entry.facts;
+      if (reason.facts.code == Code::kVerdictRefused) reason.remedy = refused->facts;
     }
   }
   const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };

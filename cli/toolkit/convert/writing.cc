@@ -68,21 +68,14 @@ const text::Document* input_of(const ConvertedFile& output, const Written& writt
   return input == calibration.documents.end() ? nullptr : &*input;
 }
 
-std::vector<std::string> taken_by(const consumers::Consumer& program) {
-  return {program.writing.models_taken.begin(), program.writing.models_taken.end()};
-}
-
-bool takes(const consumers::Consumer& program, std::string_view model) {
+/// Ids of the format's models that the program takes; empty: all.
+std::vector<std::string> taken_by(const consumers::Consumer& program, const Format& format) {
+  std::vector<std::string> models;
   const auto& taken = program.writing.models_taken;
-  return taken.empty() || std::ranges::find(taken, model) != taken.end();
-}
-
-/// Of the models that may be chosen those that the program takes.
-void keep_what_it_takes(const consumers::Consumer& program, ModelChoice& choice) {
-  if (program.writing.models_taken.empty()) return;
-  if (choice.among.empty()) choice.among = taken_by(program);
-  std::erase_if(choice.among, [&program](const std::string& model) { return !takes(program, model); });
-  choice.same_format = false;
+  for (const StoredModel& stored : format.models) {
+    if (std::ranges::find(taken, stored.file_name) != taken.end()) models.emplace_back(stored.model);
+  }
+  return models;
 }
 
 /// The program in front of the others that are meant to read the files with cameras, with the headline to say so.
@@ -144,16 +137,22 @@ ModelChoice Writing::choice() const {
   choice.most_cameras =
       is_fresh ? result_.to->cameras_held(input_.rig, request_.mode, request_.layout.name) : result_.to->most_cameras;
   choice.same_format = input_.format == result_.to && input_.one_format;
-  if (request_.program != nullptr) keep_what_it_takes(*request_.program, choice);
+  if (request_.program == nullptr) return choice;
+  if (const std::vector<std::string> taken = taken_by(*request_.program, *result_.to); !taken.empty()) {
+    if (choice.among.empty()) choice.among = taken;
+    std::erase_if(choice.among, [&taken](const std::string& model) { return std::ranges::find(taken, model) == taken.end(); });
+    choice.same_format = false;
+  }
   return choice;
 }
 
 bool Writing::fit() {
   if (!holds_model(request_, base_, input_.rig, *result_.to, result_.diagnostics)) return false;
   const ModelChoice chosen = choice();
-  if (chosen.model != nullptr && request_.program != nullptr && !takes(*request_.program, chosen.model->id)) {
-    result_.diagnostics.add(Code::kModelNotStorable,
-                            {request_.program->program, chosen.model->id, taken_by(*request_.program)});
+  const std::vector<std::string> taken =
+      request_.program != nullptr ? taken_by(*request_.program, *result_.to) : std::vector<std::string>();
+  if (chosen.model != nullptr && !taken.empty() && std::ranges::find(taken, chosen.model->id) == taken.end()) {
+    result_.diagnostics.add(Code::kModelNotStorable, {request_.program->program, chosen.model->id, taken});
     return false;
   }
   std::optional<std::vector<ConvertedCamera>> cameras =

@@ -102,7 +102,7 @@ struct Writing {
   std::string_view model = {};      ///< Empty: the best that the program reads.
   std::string_view layout = {};     ///< One of Format::layouts; empty: the usual one.
   std::string_view file_name = {};  ///< Of the file, where that decides the syntax.
-  /// Ids of the models that it takes where it reads fewer than the format stores; empty: all of those.
+  /// The file's names of the models that it takes, where it reads fewer than the format stores; empty: all of those.
   std::span<const std::string_view> models_taken = {};
   bool lenses_alone = false;  ///< It reads nothing of how cameras sit to each other.
 };
