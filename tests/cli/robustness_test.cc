@@ -99,11 +99,14 @@ TEST_P(CorpusRobustness, EverySubcommandOverEveryFile) {
     std::ranges::copy(files_in(folder), std::back_inserter(files));
   if (files.empty()) GTEST_SKIP() << "no corpus of it in '" FCA_SHARED_DIR "'";
   Watch watch;
-  for (const fs::path& path : files) {
-    for (const std::vector<std::string>& command : kCommands) watch.run(command, path.string(), path.filename().string());
+  // Under sanitizers one command in three, another one for each file: what matters there is the code that runs.
+  const std::size_t step = is_sanitized() ? 3 : 1;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = i % step; j < kCommands.size(); j += step)
+      watch.run(kCommands[j], files[i].string(), files[i].filename().string());
   }
   watch.print();
-  EXPECT_EQ(static_cast<std::size_t>(watch.runs()), files.size() * kCommands.size());
+  EXPECT_GE(static_cast<std::size_t>(watch.runs()) * step, files.size() * (kCommands.size() - step));
 }
 
 std::vector<const Format*> formats() {

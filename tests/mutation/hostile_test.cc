@@ -4,6 +4,7 @@
 #include "formats/rigs.h"
 #include "formats/test_files.h"
 #include "promises.h"
+#include "sanitized.h"
 #include "text/binary.h"
 
 #include <fca/formats/read_back.h>
@@ -25,8 +26,8 @@ TEST_P(HostileNumbers, KeepThePromises) {
   std::size_t place = 0;
   for (const text::Node* scalar : scalars_of(document)) {
     if (scalar->quoted || !text::parse_real(scalar->value)) continue;
-    // One in three is also checked: that asks the programs, and takes ten times as long.
-    const fuzz::Depth depth = ++place % 3 == 0 ? fuzz::Depth::kChecked : fuzz::Depth::kRoundTrip;
+    // Some are also checked: that asks the programs, and takes ten times as long.
+    const fuzz::Depth depth = ++place % (is_sanitized() ? 10 : 3) == 0 ? fuzz::Depth::kChecked : fuzz::Depth::kRoundTrip;
     for (const char* number : kNumbers) {
       text::Document edited = document;
       const bool binary = document.syntax() == text::Syntax::kBinary;
