@@ -105,6 +105,10 @@ void add_disagreement(const ProofResult& proof, std::vector<Reason>& reasons) {
 
 void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (!facts.is_asked) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNotAsked}});
+  if (!facts.not_for.empty() && !facts.proofs.empty()) {
+    const std::vector<std::string> readers = {facts.proofs.front().program};
+    reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNeedsProgram, {readers, std::string(facts.not_for)}}});
+  }
   if (!facts.has_reader) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNoReader, {facts.to->program}}});
   for (const ProofResult& proof : facts.proofs) {
     if (proof.loads) {
@@ -113,11 +117,12 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
       add_disagreement(proof, reasons);
       continue;
     }
-    // Written for one program, and another reads it: whoever has that one can use it.
-    const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first && proof.read_by.empty());
-    std::vector<Message> others;
-    if (!proof.read_by.empty()) others.push_back({Code::kVerdictReadBy, {proof.read_by}});
-    reasons.push_back({word, {Code::kVerdictRefused, {proof.program, facts_of(proof.refusals), others}}});
+    if (!proof.read_by.empty()) {
+      reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNeedsProgram, {proof.read_by, proof.program}}});
+      continue;
+    }
+    const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first);
+    reasons.push_back({word, {Code::kVerdictRefused, {proof.program, facts_of(proof.refusals)}}});
   }
 }
 
@@ -133,6 +138,24 @@ bool is_neutral(const std::string& value) {
     if (numbers[i] != (i % (side + 1) == 0 ? 1.0 : 0.0)) return false;
   }
   return true;
+}
+
+/// Clocks of two cameras that differ less move no image by a pixel (at 10 px per ms).
+constexpr double kSynchronousS = 1e-4;
+
+/// Time offsets that the program takes to be the first camera's. Of a file that was written those are among the losses.
+void add_clocks(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  const bool is_said = std::ranges::find(facts.losses, Code::kOtherTimeOffset, &Loss::kind) != facts.losses.end();
+  if (is_said || facts.rig == nullptr || facts.rig->cameras.empty()) return;
+  const double first = facts.rig->cameras.front().time_offset_s.value_or(0.0);
+  for (const ProofResult& proof : facts.proofs) {
+    for (const consumers::Complaint& warning : proof.warnings) {
+      if (warning.facts.code != Code::kOpenVinsSaysTimeshiftNotRead) continue;
+      const Camera* camera = facts.rig->find_camera(warning.key.substr(0, warning.key.find('/')));
+      if (camera == nullptr || std::abs(camera->time_offset_s.value_or(first) - first) <= kSynchronousS) continue;
+      reasons.push_back({.facts = {Code::kVerdictLost, {warning.facts}}, .camera = camera->name});
+    }
+  }
 }
 
 /// What corrects an IMU's measurements, as Kalibr, OpenVINS and Basalt name it; and its clock.
@@ -337,8 +360,10 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
       const double* seconds = number_in(loss, 0);
       return seconds != nullptr && *seconds != 0.0;
     }
-    case Code::kOtherTimeOffset:
-      return true;
+    case Code::kOtherTimeOffset: {
+      const double* behind_common = number_in(loss, 3);
+      return behind_common != nullptr && std::abs(*behind_common) > kSynchronousS;
+    }
     case Code::kImuFileDropped:
       return to.imu ? uses_imu : uses_poses;  // without an IMU it is a file of poses
     case Code::kImuDropped:
@@ -372,6 +397,7 @@ Verdict decide(const VerdictFacts& facts) {
   add_missing_poses(facts, verdict.reasons);
   add_findings(facts, verdict.reasons);
   add_facts(facts, verdict.reasons);
+  add_clocks(facts, verdict.reasons);
   for (Reason& reason : verdict.reasons) {
     const auto covers = [&reason](const Acceptance& acceptance) { return acceptance.covers(reason); };
     reason.is_accepted =

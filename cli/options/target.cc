@@ -7,6 +7,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/rig/limits.h>
 
 #include <algorithm>
@@ -54,6 +55,12 @@ std::optional<std::string> take_acceptance(const std::string& word, std::vector<
   return std::nullopt;
 }
 
+std::optional<std::string> take_degree(const std::string& word, std::optional<int>& target) {
+  target = word == "auto" ? std::nullopt : text::parse_int(word);
+  if (word != "auto" && !target) return "--degree wants a whole number or auto, not '" + word + "'";
+  return std::nullopt;
+}
+
 std::optional<std::string> take_objective(const std::string& word, Objective& target) {
   if (word != "rms" && word != "max") return "unknown objective '" + word + "'; there are rms and max";
   target = word == "max" ? Objective::kMax : Objective::kRms;
@@ -77,6 +84,9 @@ void add_target_options(Options& options, ConvertRequest& request) {
   options.value("--objective", "rms|max",
                 "What a fit makes small: rms, or max, the error of the worst pixel (the report says what that costs in rms)",
                 [&request](const std::string& word) { return take_objective(word, request.objective); });
+  options.value("--degree", "N|auto",
+                "Of ocamcalib's polynomial, 4 to 8 (default: auto, the lowest that is nearly as good as any)",
+                [&request](const std::string& word) { return take_degree(word, request.degree); });
   add_every_pixel_option(options, request.every_pixel);
   options.group(OptionGroup::kTarget);
   options.flag("--anew", "Write a fresh file even where the input's own text could be edited; comments go", request.rewrite);

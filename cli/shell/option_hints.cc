@@ -166,6 +166,9 @@ constexpr std::array kHints = {
     OptionHint{Code::kAnyProgramMisreads, text::Part::kFix,
                "see what it costs in pixels, with  fca-io show FILE --for PROGRAM,  and change what the message names if that "
                "is too much"},
+    OptionHint{
+        Code::kAnyProgramRefuses, text::Part::kFix,
+        "correct what the message names, or write all of it as the program reads it: fca-io convert FILE --to FORMAT --anew"},
     OptionHint{Code::kAnyUnknownFormat, text::Part::kFix, "fca-io formats lists what is read; --from FORMAT forces one"},
     OptionHint{Code::kAnyUnknownModel, text::Part::kFix,
                "write the program's own name; `fca-io models` has what each is called elsewhere"},
@@ -174,7 +177,10 @@ constexpr std::array kHints = {
     OptionHint{Code::kModeWithoutUse, text::Part::kText, "--sensor is for --to {0:or}, not {1}"},
     OptionHint{Code::kRateWithoutUse, text::Part::kText, "--fps is for --to {0:or}, not {1}"},
     OptionHint{Code::kBaselineWithoutUse, text::Part::kText, "--baseline is for --to {0:or}, not {1}"},
+    OptionHint{Code::kDegreeWithoutUse, text::Part::kText, "--degree is for --to {0:or}, not {1}"},
     OptionHint{Code::kLayoutWithoutUse, text::Part::kText, "--{0}-layout is for --to {0}, not {1}"},
+    OptionHint{Code::kOtherFormInFolder, text::Part::kFix,
+               "another -o FOLDER/, or --into FOLDER, which changes that model itself"},
     OptionHint{Code::kNothingToConvert, text::Part::kFix,
                "it belongs to a file with cameras, for example: fca-io convert {1:shell} --with {2:shell} {3}"},
     OptionHint{Code::kAsFormat, text::Part::kText, "--to {0}"},

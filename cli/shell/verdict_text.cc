@@ -28,6 +28,9 @@ std::string_view label_of(const Reason& reason) {
       return "misread";
     case Code::kVerdictRefused:
       return "refused";
+    case Code::kVerdictNeedsProgram:
+    case Code::kVerdictNeedsVersion:
+      return "needs";
     case Code::kVerdictNotAsked:
     case Code::kVerdictNoReader:
       return "not proven";

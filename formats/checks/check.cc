@@ -268,6 +268,7 @@ Verdict verdict_on(const CheckReport& report, const Rig* rig) {
   facts.to = report.format;
   facts.mode = report.mode;
   if (report.proof) facts.proofs = std::span(&*report.proof, 1);
+  facts.has_reader = report.has_reader;
   facts.findings = report.findings;
   facts.rig = report.format != nullptr ? rig : nullptr;
   facts.is_read = rig != nullptr;

@@ -59,7 +59,8 @@ class ProgramsCheck {
 
   void run() {
     report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(options_.reading));
-    const Consumer* own = options_.program != nullptr ? options_.program : format_program();
+    const Consumer* own =
+        options_.program != nullptr ? options_.program : consumers::own_program(format_.id, with_cameras_.value_or(true));
     if (own == nullptr) {
       if (with_cameras_) {
         findings_.undecided(Code::kProgramNoneAlone);
@@ -86,15 +87,6 @@ class ProgramsCheck {
   }
 
  private:
-  /// The format's own program: the first of the table that reads such files.
-  [[nodiscard]] const Consumer* format_program() const {
-    const auto all = consumers::all_consumers();
-    const auto found = std::ranges::find_if(all, [this](const Consumer& each) {
-      return each.format == format_.id && each.cameras == with_cameras_.value_or(true);
-    });
-    return found == all.end() ? nullptr : &*found;
-  }
-
   [[nodiscard]] std::vector<Attempt> attempt(const Consumer& program) const {
     std::vector<Attempt> attempts;
     if (format_.modes.empty()) attempts.push_back({"", {}});
@@ -196,6 +188,9 @@ class ProgramsCheck {
     const std::vector<Complaint>& refusals = fewest->view.refusals;
     if (fewest->view.finds_no_camera && with_cameras_.value_or(false)) {
       findings_.add(Code::kProgramFindsNoCamera, {refusals.front().facts}, whole_file());
+      if (options_.program != nullptr) return;
+      report_.proof.reset();
+      report_.has_reader = false;
       return;
     }
     const bool another_reads =

@@ -175,4 +175,10 @@ const Consumer* find_consumer(std::string_view id) {
   return found == kConsumers.end() ? nullptr : &*found;
 }
 
+const Consumer* own_program(std::string_view format, bool cameras) {
+  const auto found =
+      std::ranges::find_if(kConsumers, [&](const Consumer& row) { return row.format == format && row.cameras == cameras; });
+  return found == kConsumers.end() ? nullptr : &*found;
+}
+
 }  // namespace fca::consumers

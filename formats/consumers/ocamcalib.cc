@@ -98,13 +98,16 @@ double disagreement(const OcamModel& model) {
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) ask({(model.height - 1.0) * i / kSteps, (model.width - 1.0) * j / kSteps});
   }
-  // The two polynomials need not meet on the axis, and beside it the lattice is coarse.
-  const double cell = static_cast<double>(std::max(model.width, model.height)) / kSteps;
+  // They differ along the radius: on the axis, where they need not meet, towards the fold, and in waves between.
+  const double end = std::hypot(model.width, model.height);
   constexpr int kDirections = 8;
-  for (double radius = 0.125; radius < 2.0 * cell; radius *= 1.25) {
+  for (double radius = 0.125; radius < end; radius += std::min(1.0, 0.25 * radius)) {
     for (int k = 0; k < kDirections; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kDirections;
-      ask({model.xc + radius * std::cos(angle), model.yc + radius * std::sin(angle)});
+      const Pixel pixel = {model.xc + radius * std::cos(angle), model.yc + radius * std::sin(angle)};
+      const bool is_inside =
+          pixel[0] >= 0.0 && pixel[1] >= 0.0 && pixel[0] <= model.height - 1.0 && pixel[1] <= model.width - 1.0;
+      if (is_inside) ask(pixel);
     }
   }
   return worst;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/convert/convert.h>
 
+#include "degree.h"
 #include "exact.h"
 #include "fit_domain.h"
 #include "judge_stages.h"
@@ -76,7 +77,7 @@ std::optional<Conversion> exact_conversion(const FitTask& task) {
 }
 
 /// Replaces a least-squares fit by the camera near it whose largest error is smallest, if that is smaller and reaches as much.
-void cut_worst_pixel(const FitTask& task, double reach_rad, Conversion& conversion) {
+void cut_worst_pixel(const FitTask& task, double reach_rad, std::span<const ParameterRange> ranges, Conversion& conversion) {
   using Clock = std::chrono::steady_clock;
   ConversionReport& report = conversion.report;
   CameraModel& model = conversion.camera.model;
@@ -84,7 +85,7 @@ void cut_worst_pixel(const FitTask& task, double reach_rad, Conversion& conversi
   report.objective = Objective::kMax;
   report.rms_fit = {before.error.rms, before.error.max, true};
   const Clock::time_point start = Clock::now();
-  internal::MinimaxFit fit = internal::fit_largest_error(task.camera.model, model, task.domain, reach_rad, task.options.ranges);
+  internal::MinimaxFit fit = internal::fit_largest_error(task.camera.model, model, task.domain, reach_rad, ranges);
   report.fit.time_us += std::chrono::duration<double, std::micro>(Clock::now() - start).count();
   report.fit.iterations += fit.iterations;
   if (!validate(fit.model).empty()) return;
@@ -99,7 +100,8 @@ void cut_worst_pixel(const FitTask& task, double reach_rad, Conversion& conversi
 
 /// The conversion by a fit, and its judgement.
 std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& diagnostics) {
-  internal::DomainFit found = internal::fit_domain(task);
+  internal::DegreeFit chosen = internal::fit_degree(task);
+  internal::DomainFit& found = chosen.fit;
   const internal::SampledFit& fitted = found.fitted;
   if (internal::too_few(fitted.samples, task.target)) {
     diagnostics.add(Code::kTooFewRaysToFit, {task.camera.name, task.target.id});
@@ -123,7 +125,8 @@ std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& di
   conversion.report.judgement = final_judgement(task, scorer, std::move(found.score));
   conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations, found.time.count()};
   conversion.report.at_bound = fitted.model->at_bound;
-  if (task.options.objective == Objective::kMax) cut_worst_pixel(task, fitted.reach_rad, conversion);
+  conversion.report.degree = chosen.degree;
+  if (task.options.objective == Objective::kMax) cut_worst_pixel(task, fitted.reach_rad, chosen.ranges, conversion);
   conversion.report.scored_to_deg = scored_to_deg(task, conversion.camera.model, fitted.reach_rad);
   return conversion;
 }
@@ -133,6 +136,12 @@ bool usable(const ConvertOptions& options, const ModelInfo& target, Diagnostics&
   constexpr int kMostSamples = 100'000;
   if (options.samples < 1 || options.samples > kMostSamples) {
     diagnostics.add(Code::kSamplesInvalid, {kMostSamples});
+    return false;
+  }
+  if (options.degree &&
+      (target.least_degree == 0 || *options.degree < target.least_degree || *options.degree > target.most_degree)) {
+    diagnostics.add(target.least_degree == 0 ? Code::kModelHasNoDegree : Code::kDegreeOutside,
+                    {target.id, target.least_degree, target.most_degree});
     return false;
   }
   for (const ParameterRange& range : options.ranges) {

@@ -11,6 +11,8 @@ std::span<const CodeInfo> conversion_codes() {
   static constexpr std::array kRows = {
       bad_request(Code::kUnknownModel, "unknown-model", "there is no camera model '{0}'"),
       bad_request(Code::kSamplesInvalid, "samples-invalid", "a fit wants between 1 and {0} samples"),
+      bad_request(Code::kModelHasNoDegree, "degree-invalid", "{0} is no polynomial whose degree can be chosen"),
+      bad_request(Code::kDegreeOutside, "degree-invalid", "{0} has a degree from {1} to {2}"),
       bad_request(Code::kModelHasNoParameter, "unknown-parameter", "{0} has no parameter '{1}'"),
       bad_request(Code::kRangeEmpty, "range-empty", "the range of {0} holds no number"),
       bad_request(Code::kMaxAngleInvalid, "max-angle-invalid", "the largest angle from the axis must lie in (0, 180] degrees"),

@@ -14,7 +14,12 @@ namespace {
 
 template <CameraModelType M>
 constexpr ModelInfo info_of() {
-  return {M::kId, M::kTitle, M::kAliases, M::kParameters, std::is_base_of_v<internal::FocalLengthsFirst, M>};
+  ModelInfo info = {M::kId, M::kTitle, M::kAliases, M::kParameters, std::is_base_of_v<internal::FocalLengthsFirst, M>};
+  if constexpr (requires { M::kHigherTerms; }) {
+    info.least_degree = M::kLeastDegree;
+    info.most_degree = M::kLeastDegree + static_cast<int>(M::kHigherTerms.size());
+  }
+  return info;
 }
 
 template <CameraModelType... Ms>

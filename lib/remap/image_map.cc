@@ -4,6 +4,7 @@
 
 #include <fca/convert/domain.h>
 #include <fca/remap/image_map.h>
+#include <fca/remap/view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,31 +45,34 @@ internal::Matrix3 from_plane(const internal::Matrix3& rotation, const Intrinsics
 
 struct ImageMapper::Pair {
   CameraModel source;
-  CameraModel target;
+  std::optional<CameraModel> target;  ///< Nothing: an equirectangular image.
   ImageSize size;
   std::optional<LensCircle> lens;  ///< Outside it the source's image shows nothing.
   internal::Matrix3 rotation;
   bool is_turned;
-  double last_rad;     ///< Nothing is seen beyond.
-  double surely_seen;  ///< Cosines above: the kernel need not ask.
-  double maybe_seen;   ///< Cosines below: nothing is seen.
-  internal::BatchRays rays;
+  double last_rad;                          ///< Nothing is seen beyond.
+  double surely_seen;                       ///< Cosines above: the kernel need not ask.
+  double maybe_seen;                        ///< Cosines below: nothing is seen.
+  std::optional<internal::BatchRays> rays;  ///< Of the target's model.
   internal::BatchPixels pixels;
   std::optional<internal::AheadPixels> ahead;  ///< Of a pinhole target, where that is faster.
 
-  Pair(const Camera& from, const Camera& to, const Transform& T_source_target, double target_reach_rad, double limit_rad)
+  Pair(const Camera& from, const ImageSize& to_size, const Transform& T_source_target, double limit_rad)
       : source(from.model),
-        target(to.model),
-        size(*to.image_size),
+        size(to_size),
         lens(from.lens_circle),
         rotation(rotation_part(T_source_target)),
         is_turned(rotation != rotation_part(Transform())),
         last_rad(std::min(limit_rad, max_angle(source))),
         surely_seen(std::cos(std::max(0.0, last_rad - kLastAngleSlack)) + kClose),
         maybe_seen(last_rad + kLastAngleSlack < std::numbers::pi ? std::cos(last_rad + kLastAngleSlack) - kClose : -2.0),
-        rays(target, target_reach_rad),
-        pixels(source, last_rad - kLastAngleSlack) {
-    if (const auto* pinhole = std::get_if<Intrinsics<Pinhole>>(&target))
+        pixels(source, last_rad - kLastAngleSlack) {}
+
+  Pair(const Camera& from, const Camera& to, const Transform& T_source_target, double target_reach_rad, double limit_rad)
+      : Pair(from, *to.image_size, T_source_target, limit_rad) {
+    target = to.model;
+    rays.emplace(*target, target_reach_rad);
+    if (const auto* pinhole = std::get_if<Intrinsics<Pinhole>>(&*target))
       ahead = internal::AheadPixels::of(source, from_plane(rotation, *pinhole), surely_seen);
   }
 
@@ -86,7 +90,7 @@ void ImageMapper::Pair::write(std::size_t first, int v, std::size_t count, float
     if ((*ahead)(left, v, count, uv) == 0) return;
     for (std::size_t i = 0; i < count; ++i) {
       if (std::isfinite(uv[2 * i]) && std::isfinite(uv[2 * i + 1])) continue;
-      const Ray ray = unproject(target, {left + static_cast<double>(i), static_cast<double>(v)}).value_or(Ray{});
+      const Ray ray = unproject(*target, {left + static_cast<double>(i), static_cast<double>(v)}).value_or(Ray{});
       look_closer({rotation[0] * ray[0] + rotation[1] * ray[1] + rotation[2] * ray[2],
                    rotation[3] * ray[0] + rotation[4] * ray[1] + rotation[5] * ray[2],
                    rotation[6] * ray[0] + rotation[7] * ray[1] + rotation[8] * ray[2]},
@@ -109,11 +113,17 @@ void ImageMapper::Pair::write(std::size_t first, int v, std::size_t count, float
 }
 
 void ImageMapper::Pair::find_rays(Batch& batch, std::size_t count) const {
-  rays(batch, count);
-  if (internal::count_unknown_rays(batch, count) > 0) {
+  if (!rays) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Ray ray = equirectangular_ray(size, {batch.u[i], batch.v[i]});
+      batch.x[i] = ray[0];
+      batch.y[i] = ray[1];
+      batch.z[i] = ray[2];
+    }
+  } else if ((*rays)(batch, count); internal::count_unknown_rays(batch, count) > 0) {
     for (std::size_t i = 0; i < count; ++i) {
       if (std::isfinite(batch.z[i])) continue;
-      const std::optional<Ray> ray = unproject(target, {batch.u[i], batch.v[i]});
+      const std::optional<Ray> ray = unproject(*target, {batch.u[i], batch.v[i]});
       constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
       batch.x[i] = ray ? (*ray)[0] : kNoNumber;
       batch.y[i] = ray ? (*ray)[1] : kNoNumber;
@@ -154,6 +164,13 @@ std::optional<ImageMapper> ImageMapper::between(const Camera& source, const Came
   if (!from || !to) return std::nullopt;
   return ImageMapper(
       std::make_unique<const Pair>(source, target, T_source_target, to->max_angle_rad, limit_rad.value_or(std::numbers::pi)));
+}
+
+std::optional<ImageMapper> ImageMapper::to_equirectangular(const Camera& source, const ImageSize& size,
+                                                           const Transform& T_source_target, std::optional<double> limit_rad,
+                                                           Diagnostics& diagnostics) {
+  if (!domain_of(source, limit_rad, diagnostics)) return std::nullopt;
+  return ImageMapper(std::make_unique<const Pair>(source, size, T_source_target, limit_rad.value_or(std::numbers::pi)));
 }
 
 ImageSize ImageMapper::size() const { return pair_->size; }

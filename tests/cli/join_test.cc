@@ -53,6 +53,22 @@ TEST(JoinedChains, CountTheirOverlapsAnew) {
   EXPECT_TRUE(without.lost("not-carried", "cam2 cam_overlaps [3]")) << without.text();
 }
 
+// Both files call their camera cam0.
+TEST(JoinedChains, WhatIsWrongWithACameraIsSaidByItsNameInTheRig) {
+  const TemporaryFolder folder;
+  const std::string good = folder.write("a.yaml", camera_in(read_file(kTumvi)));
+  const std::string wrong =
+      folder.write("b.yaml", with_replaced(read_file(good), "resolution: [512, 512]", "resolution: [200, 512]"));
+  for (const auto& [files, camera] :
+       {std::pair(std::vector{good, wrong}, "cam1"), std::pair(std::vector{wrong, good}, "cam0")}) {
+    const Told run({"convert", files[0], files[1], "--join", "--to", "opencv", "--accept", "pose-missing"});
+    bool is_named = false;
+    for (const auto& reason : run.json()["verdict"]["reasons"].GetArray())
+      is_named = is_named || (std::string(reason["code"].GetString()) == "centre-outside" && reason["camera"] == camera);
+    EXPECT_TRUE(is_named) << run.text();
+  }
+}
+
 TEST(JoinedChains, AnEmptyListOfOverlapsIsNoLoss) {
   const TemporaryFolder folder;
   const std::string first = folder.write("first.yaml", camera_in(read_file(kTumvi)));

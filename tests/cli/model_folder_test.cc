@@ -57,6 +57,20 @@ TEST(ModelFolder, ImagesAreNeverWrittenOver) {
   EXPECT_TRUE(files_in(folder.path()).contains("cameras.txt"));
 }
 
+// COLMAP opens one of them: the other would be written for nobody.
+TEST(ModelFolder, TextIsNotWrittenBesideBinaryNorBinaryBesideText) {
+  for (const auto& [there, written] : {std::pair(".bin", ".txt"), std::pair(".txt", ".bin")}) {
+    const TemporaryFolder folder;
+    write_model(folder, there, "pinhole" + std::string(there));
+    const auto before = files_in(folder.path());
+    const std::string out = folder / ("cameras" + std::string(written));
+    const RunResult run = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "colmap", "--force", "-o", out});
+    EXPECT_EQ(run.code, 2) << run.out << run.err;
+    EXPECT_NE(run.err.find("other-form-in-folder"), std::string::npos) << run.err;
+    EXPECT_EQ(files_in(folder.path()), before);
+  }
+}
+
 // Of several inputs each has a file of its own there.
 TEST(ModelFolder, ABatchIsNoModel) {
   const TemporaryFolder folder;

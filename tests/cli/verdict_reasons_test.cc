@@ -58,6 +58,43 @@ TEST(VerdictReasons, WhatTheInputsOwnReaderWantsCountsForThatReaderAlone) {
   EXPECT_EQ(word_of(anew), "ready") << anew.text();
 }
 
+// ORB-SLAM2's settings and a fork's are none for stock ORB-SLAM3, whoever says it.
+TEST(VerdictReasons, WhatOnlyAnotherProgramReadsNeedsThat) {
+  const std::string good = testdata("formats/orbslam3/good/");
+  for (const char* name : {"orbslam2-tight.yaml", "slam-no-opt-eucm.yaml"}) {
+    const Told check({"check", good + name});
+    const Told written({"convert", good + name, "--to", "orbslam3"});
+    EXPECT_EQ(word_of(check), "use-with-care") << name << check.text();
+    EXPECT_EQ(word_of(written), "use-with-care") << name << written.text();
+    EXPECT_EQ(codes_of(check).count("needs-program"), 1U) << name << check.text();
+    EXPECT_EQ(codes_of(written).count("needs-program"), 1U) << name << written.text();
+  }
+  const Told asked({"convert", good + "orbslam2-tight.yaml", "--to", "orbslam2"});
+  EXPECT_EQ(codes_of(asked).count("needs-program"), 0U) << asked.text();
+  const Told in_layout({"convert", kTumvi, "--to", "orbslam3", "--model", "eucm", "--orbslam3-layout", "slam_no_opt"});
+  EXPECT_EQ(codes_of(in_layout).count("needs-program"), 0U) << in_layout.text();
+}
+
+// A file of keys that are nobody's: the program that wrote it may read it.
+TEST(VerdictReasons, KeysOfNoKnownProgramAreNotProven) {
+  const std::string file = testdata("formats/opencv/good/cameras.yml");
+  const Told check({"check", file});
+  const Told written({"convert", file, "--to", "opencv"});
+  EXPECT_EQ(codes_of(check).count("not-proven"), codes_of(written).count("not-proven")) << check.text() << written.text();
+  const TemporaryFolder folder;
+  const std::string own =
+      folder.write("own.yml",
+                   "%YAML:1.0\n---\nIntrisic: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                   "   data: [ 500., 0., 320., 0., 500., 240., 0., 0., 1. ]\n"
+                   "distortion: !!opencv-matrix\n   rows: 1\n   cols: 4\n   dt: d\n   data: [ -0.1, 0.01, 0., 0. ]\n");
+  const Told own_check({"check", own});
+  EXPECT_EQ(word_of(own_check), "use-with-care") << own_check.text();
+  EXPECT_EQ(codes_of(own_check).count("not-proven"), 1U) << own_check.text();
+  const Told own_written({"convert", own, "--to", "opencv"});
+  EXPECT_EQ(codes_of(own_written).count("not-proven"), 1U) << own_written.text();
+  EXPECT_EQ(Told({"check", own, "--for", "opencv"}).code(), 1) << "who asks for OpenCV has OpenCV";
+}
+
 TEST(VerdictReasons, AnIdentityBetweenTwoCamerasAsksForCare) {
   const TemporaryFolder folder;
   for (const auto& [translation, word] : {std::pair("0.0", "use-with-care"), {"-0.11", "ready"}}) {

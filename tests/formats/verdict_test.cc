@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The verdict by what it is decided from: numbers at both sides of each limit, lost facts, made-up values, acceptances.
+#include "losses.h"
+
 #include <fca/code.h>
 #include <fca/formats/verdict.h>
 #include <fca/formats/wording.h>
@@ -65,6 +67,46 @@ TEST(Verdict, AProgramThatRefusesIsEnough) {
   refusing.read_by.clear();
   refusing.is_first = false;
   EXPECT_EQ(word_of(refusing), VerdictWord::kUseWithCare) << "it is not written for that one";
+}
+
+TEST(Verdict, FilesForAnotherProgramNeedThat) {
+  const ProofResult proof = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
+  VerdictFacts facts;
+  facts.to = find_format("orbslam3");
+  facts.proofs = std::span(&proof, 1);
+  EXPECT_EQ(decide(facts).word, VerdictWord::kReady);
+  facts.not_for = "STOCK";
+  const Verdict verdict = decide(facts);
+  EXPECT_EQ(verdict.word, VerdictWord::kUseWithCare);
+  ASSERT_EQ(verdict.reasons.size(), 1U);
+  EXPECT_EQ(verdict.reasons.front().facts.code, Code::kVerdictNeedsProgram);
+}
+
+// 35 microseconds (OpenVINS' T265 chain) move no image by a pixel. What is written and what is checked are told alike.
+TEST(Verdict, ClocksOfCamerasMayDifferByATenthOfAMillisecond) {
+  for (const auto& [behind_s, word] :
+       {std::pair(3.5e-5, VerdictWord::kReady), std::pair(-3.5e-5, VerdictWord::kReady),
+        std::pair(2e-3, VerdictWord::kUseWithCare), std::pair(-2e-3, VerdictWord::kUseWithCare)}) {
+    ProofResult proof = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
+    VerdictFacts facts;
+    facts.to = find_format("openvins");
+    facts.proofs = std::span(&proof, 1);
+    Rig rig;
+    rig.cameras.resize(2);
+    rig.cameras[0].name = "cam0";
+    rig.cameras[0].time_offset_s = 0.01;
+    rig.cameras[1].name = "cam1";
+    rig.cameras[1].time_offset_s = 0.01 + behind_s;
+    facts.rig = &rig;
+    std::vector<Loss> losses;
+    add_other_time_offsets(rig, 0.01, Message{Code::kOpenvinsChainOneOffset}, losses);
+    facts.losses = losses;
+    EXPECT_EQ(decide(facts).word, word) << behind_s;
+    facts.losses = {};
+    proof.warnings.emplace_back(Code::kOpenVinsSaysTimeshiftNotRead, "cam1/timeshift_cam_imu",
+                                std::vector<Argument>{"cam1/timeshift_cam_imu"});
+    EXPECT_EQ(decide(facts).word, word) << behind_s;
+  }
 }
 
 // A chain that Kalibr refuses is none the better for the imu.yaml beside it.

@@ -91,14 +91,9 @@ std::string check_text(const CheckResult& file, bool in_detail) {
 
 std::string check_summary(const CheckedFiles& checked) {
   if (checked.files.size() < 2 && checked.skipped.empty()) return "";
-  std::size_t calibrations = 0;
   VerdictCounts words;
-  for (const CheckResult& file : checked.files) {
-    if (!file.report.is_calibration) continue;
-    ++calibrations;
-    words.add(file.report.verdict.word);
-  }
-  const std::string text = "\n" + counted(calibrations, "calibration") + " checked: " + words.in_words();
+  for (const CheckResult& file : checked.files) words.add(file.report.verdict.word);
+  const std::string text = "\n" + counted(checked.files.size(), "file") + " checked: " + words.in_words();
   if (checked.skipped.empty()) return text + "\n";
   const std::string hold = checked.skipped.size() == 1 ? "holds" : "hold";
   return text + "; " + counted(checked.skipped.size(), "file") + " skipped that " + hold + " no calibration\n";

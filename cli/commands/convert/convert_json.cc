@@ -46,6 +46,7 @@ void put_report(Json& json, const ConversionReport& report) {
   json.object("fit", [&] {
     json.put("samples", report.fit.samples);
     json.put("iterations", report.fit.iterations);
+    if (report.degree > 0) json.put("degree", report.degree);
     json.put("time_us", report.fit.time_us);
   });
 }

@@ -17,7 +17,9 @@ std::string camera_line(const ConvertedCamera& camera) {
   const std::string from(model_info(camera.source.model).id);
   const std::string to(model_info(camera.target.model).id);
   if (from == to && camera.source.model == camera.target.model) return from + ", kept";
-  return from + " -> " + to + (camera.report && camera.report->exact ? ", exact" : ", fitted");
+  const int degree = camera.report ? camera.report->degree : 0;
+  return from + " -> " + to + (degree > 0 ? " of degree " + std::to_string(degree) : "") +
+         (camera.report && camera.report->exact ? ", exact" : ", fitted");
 }
 
 namespace {

@@ -89,12 +89,34 @@ void add_refusals(const ConvertResult& outcome, std::vector<SummaryLine>& lines)
   }
 }
 
+/// What is said of several cameras alike is said once.
 void add_settings(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
-  std::vector<std::string> settings;
+  struct Setting {
+    std::string text;
+    std::vector<std::string> cameras;
+  };
+  std::vector<Setting> settings;
   for (const DefaultedValue& value : outcome.defaults) {
-    if (value.look_at_it && !value.invented) settings.push_back(text_of(value, with_options));
+    if (!value.look_at_it || value.invented) continue;
+    std::string text = text_of(value, with_options);
+    const auto owner = std::ranges::find_if(
+        outcome.cameras, [&text](const ConvertedCamera& camera) { return text.starts_with(camera.name() + " "); });
+    std::vector<std::string> cameras;
+    if (owner != outcome.cameras.end()) {
+      cameras.push_back(owner->name());
+      text.erase(0, owner->name().size() + 1);
+    }
+    const auto same = std::ranges::find(settings, text, &Setting::text);
+    if (same == settings.end()) {
+      settings.push_back({std::move(text), std::move(cameras)});
+    } else {
+      same->cameras.insert(same->cameras.end(), cameras.begin(), cameras.end());
+    }
   }
-  if (!settings.empty()) lines.push_back({"set", enumerated(settings) + ": no input states it"});
+  std::vector<std::string> said;
+  for (const Setting& setting : settings)
+    said.push_back((setting.cameras.empty() ? "" : enumerated(setting.cameras) + " ") + setting.text);
+  if (!said.empty()) lines.push_back({"set", enumerated(said) + ": no input states it"});
 }
 
 void add_left_out(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {

@@ -55,10 +55,15 @@ std::optional<std::string> take_view(View view, RemapArguments& arguments) {
 std::optional<std::string> usage_error(const RemapArguments& arguments) {
   const RemapRequest& request = arguments.request;
   if (const std::optional<std::string> error = problem_with(request.inputs)) return error;
-  if (arguments.views > 1) return "--model, --like and --pinhole each say what the image is to look like; give one of them";
+  if (arguments.views > 1)
+    return "--model, --like, --pinhole and --equirectangular each say what the image is to look like; give one of them";
   if (arguments.views == 0 && !request.turn)
-    return "say what the image is to look like: --pinhole FULL_FOV_DEG, --model MODEL, --like FILE or --rotate YAW,PITCH,ROLL";
-  if (arguments.pinhole_size && !std::holds_alternative<PinholeView>(request.view)) return "--out-size is for --pinhole";
+    return "say what the image is to look like: --pinhole FULL_FOV_DEG, --equirectangular, --model MODEL, --like FILE or "
+           "--rotate "
+           "YAW,PITCH,ROLL";
+  const bool has_own_size =
+      std::holds_alternative<PinholeView>(request.view) || std::holds_alternative<EquirectangularView>(request.view);
+  if (arguments.view_size && !has_own_size) return "--out-size is for --pinhole and --equirectangular";
   const std::string mask_extension = std::filesystem::path(arguments.mask).extension().string();
   if (!arguments.mask.empty() && mask_extension != ".png") return "--mask wants a .png file";
   if (!arguments.map.empty() && !arguments.map.ends_with(".npy")) return "--map wants a .npy file, which NumPy reads";
@@ -84,14 +89,24 @@ std::optional<std::string> write_parts(const RemapArguments& arguments, const Im
   return failure ? std::optional(text::text_of(*failure, with_options)) : std::nullopt;
 }
 
-std::string view_text(const RemapArguments& arguments, const Remapping& done) {
-  const Camera& view = done.result.view;
-  std::string text = done.result.source.name + ", " + std::string(model_info(done.result.source.model).id) + ", " +
-                     size_in_words(*done.result.source.image_size) + " px, as " + std::string(model_info(view.model).id) +
-                     ", " + size_in_words(*view.image_size) + " px";
+std::string view_model(const RemapResult& result) {
+  return result.is_equirectangular ? "equirectangular" : std::string(model_info(result.view.model).id);
+}
+
+/// How COLMAP names the camera of such an image.
+std::string colmap_line(const ImageSize& size) {
+  const std::string numbers = std::to_string(size.width) + " " + std::to_string(size.height);
+  return "  in COLMAP's cameras.txt: 1 EQUIRECTANGULAR " + numbers + " " + numbers + "\n";
+}
+
+std::string view_text(const RemapArguments& arguments, const RemapResult& result) {
+  const Camera& view = result.view;
+  std::string text = result.source.name + ", " + std::string(model_info(result.source.model).id) + ", " +
+                     size_in_words(*result.source.image_size) + " px, as " + view_model(result) + ", " +
+                     size_in_words(*view.image_size) + " px";
   if (!arguments.rotate.empty()) text += ", turned by " + arguments.rotate + " deg (yaw, pitch, roll)";
-  return text + "\n" + parameters_in_words(view.model, "  ") + "  the source sees " + percent(done.result.seen_share) +
-         " of it\n";
+  return text + "\n" + (result.is_equirectangular ? colmap_line(*view.image_size) : parameters_in_words(view.model, "  ")) +
+         "  the source sees " + percent(result.seen_share) + " of it\n";
 }
 
 bool is_written(const RemappedImage& image) { return !image.left && image.code == ExitCode::kGood; }
@@ -124,8 +139,8 @@ std::string json_of(const RemapArguments& arguments, const Remapping& done, Exit
     json.put("camera", done.result.source.name);
     json.put("exit_code", static_cast<int>(code));
     json.object("view", [&] {
-      json.put("model", model_info(done.result.view.model).id);
-      put_parameters(json, done.result.view.model);
+      json.put("model", view_model(done.result));
+      done.result.is_equirectangular ? json.object("parameters", [] {}) : put_parameters(json, done.result.view.model);
       json.put("width", done.result.view.image_size->width);
       json.put("height", done.result.view.image_size->height);
       json.put("T_source_view", std::span<const double>(done.result.T_source_view.values));
@@ -158,7 +173,7 @@ ExitCode tell(const RemapArguments& arguments, const Remapping& done, const Cons
   }
   const bool wrote_parts = !arguments.map.empty() || !arguments.mask.empty();
   const bool made = wrote_parts || done.images.empty() || std::ranges::any_of(done.images, &is_written);
-  const std::string text = (made ? view_text(arguments, done) : "") + images_text(arguments, done);
+  const std::string text = (made ? view_text(arguments, done.result) : "") + images_text(arguments, done);
   arguments.output.kind == OutputPlace::Kind::kStandardOutput ? console.say_aside(text) : console.say(text);
   return code;
 }
@@ -203,8 +218,13 @@ void add_options(Options& options, RemapArguments& arguments) {
                      return "--pinhole wants the full field of view in degrees, more than 0 and less than 180";
                    return take_view(PinholeView{degrees / kDegreesPerRadian}, arguments);
                  });
-  options.value("--out-size", "WxH", "With --pinhole: size of the image (default: the input's)",
-                [&arguments](const std::string& word) { return take_size("--out-size", word, arguments.pinhole_size); });
+  options.flag("--equirectangular",
+               "All directions in one image: columns are longitudes, rows latitudes, the axis is in the middle",
+               arguments.equirectangular);
+  options.value("--out-size", "WxH",
+                "Size of the image (default of --pinhole: the input's; of --equirectangular: 2 : 1, as fine as the middle of "
+                "the input)",
+                [&arguments](const std::string& word) { return take_size("--out-size", word, arguments.view_size); });
   options.value("--model", "MODEL", "As this camera model, fitted as convert does it: " + model_names(),
                 [&arguments](const std::string& word) -> std::optional<std::string> {
                   AsModel view;
@@ -258,7 +278,8 @@ void add_remap_command(Application& application) {
                     return [arguments](const TypedOptions&, Console& console) {
                       arguments->request.inputs.files = {arguments->file};
                       if (auto* pinhole = std::get_if<PinholeView>(&arguments->request.view))
-                        pinhole->size = arguments->pinhole_size;
+                        pinhole->size = arguments->view_size;
+                      if (arguments->equirectangular) take_view(EquirectangularView{arguments->view_size}, *arguments);
                       return run_remap(*arguments, console);
                     };
                   });

@@ -22,8 +22,9 @@ struct RemapArguments {
   std::string map;
   bool force = false;
   bool json = false;
-  int views = 0;                          ///< How many of --model, --like and --pinhole were given; one is allowed.
-  std::optional<ImageSize> pinhole_size;  ///< --out-size
+  int views = 0;                       ///< How many of --model, --like and --pinhole were given; one is allowed.
+  std::optional<ImageSize> view_size;  ///< --out-size
+  bool equirectangular = false;
 };
 
 void add_remap_command(Application& application);

@@ -60,6 +60,7 @@ ReportRequest request_of(const ReportArguments& arguments) {
   request.model = arguments.conversion.model;
   request.every_model = arguments.every_model;
   request.objective = arguments.conversion.objective;
+  request.degree = arguments.conversion.degree;
   request.every_pixel = arguments.conversion.every_pixel;
   return request;
 }

@@ -36,6 +36,7 @@ ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice)
   options.max_angle_rad = choice.max_angle_rad;
   options.every_pixel = choice.every_pixel;
   options.objective = choice.objective;
+  if (find_model(stored.model)->least_degree > 0) options.degree = choice.degree;
   options.ranges.assign(stored.ranges.begin(), stored.ranges.end());
   return options;
 }

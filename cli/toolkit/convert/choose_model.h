@@ -19,6 +19,7 @@ struct ModelChoice {
   std::optional<double> max_angle_rad;
   bool every_pixel = false;  ///< Judge by every pixel instead of the lattice.
   Objective objective = Objective::kRms;
+  std::optional<int> degree = {};       ///< Of those that are polynomials.
   std::size_t most_cameras = SIZE_MAX;  ///< Further ones are not converted: no file will hold them.
   std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
   std::size_t jobs = 0;                 ///< Cameras fitted at the same time; 0: as many as there are processors.

@@ -33,7 +33,8 @@ std::vector<Finding> findings_since(const ConvertResult& before, const ConvertRe
 Message remedy_of_version(const ConvertRequest& request, const ConvertResult& result) {
   std::vector<Camera> sources;
   for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
-  const ModelChoice choice = {.max_angle_rad = request.inputs.max_angle_rad, .objective = request.objective};
+  const ModelChoice choice = {
+      .max_angle_rad = request.inputs.max_angle_rad, .objective = request.objective, .degree = request.degree};
   return best_of_every_version(sources, *result.to, choice).value_or(Message());
 }
 
@@ -57,6 +58,17 @@ std::optional<Verdict> verdict_on_mirrors(const ConvertResult& result) {
   return verdict.reasons.empty() ? std::nullopt : std::optional(std::move(verdict));
 }
 
+/// The format's own program, where the files are for another one and the request names neither that nor a layout or a base of
+/// it.
+std::string_view not_written_for(const ConvertRequest& request, const ConvertResult& result) {
+  const bool is_asked_for = request.program != nullptr || !request.layout.name.empty() || !request.into.empty();
+  const consumers::Consumer* own = consumers::own_program(result.to->id, true);
+  if (is_asked_for || own == nullptr || result.files.empty() || result.files.front().programs.empty()) return {};
+  const consumers::Consumer* first = consumers::find_consumer(result.files.front().programs.front());
+  const bool is_for_another = first != nullptr && first->cameras && first->format == own->format && first != own;
+  return is_for_another ? own->program : std::string_view();
+}
+
 Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                    const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
@@ -67,6 +79,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.proofs = result.proofs;
   facts.is_asked = request.verify;
   facts.has_reader = result.unproven.empty();
+  facts.not_for = not_written_for(request, result);
   facts.losses = result.losses;
   facts.defaults = result.defaults;
   facts.findings = findings;

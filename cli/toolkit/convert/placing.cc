@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace fca {
 
@@ -84,6 +87,27 @@ void leave_out_further_files(ConvertResult& result) {
   }
 }
 
+/// A model lies in its folder as text or as binary: the path of the same file in the other form; empty: it has none.
+fs::path twin_of(const fs::path& path) {
+  if (path.extension() == ".txt") return fs::path(path).replace_extension(".bin");
+  if (path.extension() == ".bin") return fs::path(path).replace_extension(".txt");
+  return {};
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;
+  return !path.empty() && fs::exists(path, ignored);
+}
+
+/// A file that the folder of a file to be written holds in the other form.
+std::optional<std::string> other_form_of(const std::vector<ConvertedFile>& files) {
+  for (const ConvertedFile& file : files) {
+    const bool has_place = !file.place.empty() && !file.is_filler() && !file.path.empty();
+    if (const fs::path twin = twin_of(file.path); has_place && is_there(twin)) return twin.string();
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string extension_of(const ConvertedFile& file, const Format& format) {
@@ -114,13 +138,15 @@ bool place_files(const ConvertRequest& request, ConvertResult& result) {
     if (file.path != request.into && is_misnamed(file.path, file.syntax))
       result.diagnostics.add(Code::kMisnamed, {file.path, name_of(file.syntax)});
   }
+  const std::optional<std::string> other = request.into.empty() ? other_form_of(result.files) : std::nullopt;
+  if (other) {
+    result.diagnostics.add(Code::kOtherFormInFolder, {*other});
+    result.status = Status::kBadRequest;
+    return false;
+  }
   // What the program's folder has already, as text or binary, is somebody's work.
-  std::error_code ignored;
-  std::erase_if(result.files, [&ignored](const ConvertedFile& file) {
-    if (!file.is_filler() || file.path.empty()) return false;
-    return std::ranges::any_of(std::array{".txt", ".bin"}, [&](const char* extension) {
-      return fs::exists(fs::path(file.path).replace_extension(extension), ignored);
-    });
+  std::erase_if(result.files, [](const ConvertedFile& file) {
+    return file.is_filler() && !file.path.empty() && (is_there(file.path) || is_there(twin_of(file.path)));
   });
   return true;
 }

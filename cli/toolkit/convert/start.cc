@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,6 +29,26 @@ CheckOptions check_options(const ConvertRequest& request, const Format* from) {
   return options;
 }
 
+/// Joined files rename cameras of one name. They come in the order of the files: `next` is where those of this one begin.
+std::map<std::string, std::string> joined_names(const Rig& one, const std::vector<Camera>& joined, std::size_t& next) {
+  std::map<std::string, std::string> names;
+  for (const Camera& camera : one.cameras) {
+    const auto begin = joined.begin() + static_cast<std::ptrdiff_t>(next);
+    const auto found = std::find_if(begin, joined.end(), [&](const Camera& each) { return each.model == camera.model; });
+    if (found == joined.end()) continue;
+    next = static_cast<std::size_t>(found - joined.begin()) + 1;
+    names[camera.name] = found->name;
+  }
+  return names;
+}
+
+void name_as_joined(const std::map<std::string, std::string>& names, Finding& finding) {
+  if (finding.facts.arguments.empty()) return;
+  auto* owner = std::get_if<std::string>(&finding.facts.arguments.front().value);
+  const auto joined = owner != nullptr ? names.find(*owner) : names.end();
+  if (joined != names.end()) *owner = joined->second;
+}
+
 /// What the checks find in the files, each by itself, before anything of them is changed. `diagnostics`: what their readers
 /// found in all of them.
 std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRequest& request, const Format& to,
@@ -37,6 +58,7 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
     return findings_about_meaning(calibration.documents.front(), calibration, diagnostics, options, to);
   }
   std::vector<Finding> findings;
+  std::size_t next_camera = 0;
   for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
     CheckOptions options = check_options(request, calibration.formats[i]);
     Diagnostics known;  // from the first reading
@@ -46,8 +68,11 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
     if (options.reading.image_size) one = read_calibration({calibration.documents[i]}, options.from, options.reading, known);
     if (!one) continue;
     // What the readers found stands with the first.
-    std::ranges::move(findings_about_meaning(calibration.documents[i], *one, i == 0 ? diagnostics : Diagnostics{}, options, to),
-                      std::back_inserter(findings));
+    std::vector<Finding> found =
+        findings_about_meaning(calibration.documents[i], *one, i == 0 ? diagnostics : Diagnostics{}, options, to);
+    const std::map<std::string, std::string> names = joined_names(one->rig, calibration.rig.cameras, next_camera);
+    for (Finding& finding : found) name_as_joined(names, finding);
+    std::ranges::move(found, std::back_inserter(findings));
   }
   return findings;
 }

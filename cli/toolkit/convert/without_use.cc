@@ -2,6 +2,7 @@
 #include <fca/code.h>
 #include <fca/toolkit/convert.h>
 
+#include <algorithm>
 #include <array>
 
 namespace fca {
@@ -22,6 +23,12 @@ constexpr std::array kStatements = {
               [](const Format& format) { return format.frame_rate; }},
     Statement{Code::kBaselineWithoutUse, [](const ConvertRequest& request) { return request.baseline_m.has_value(); },
               [](const Format& format) { return format.baseline; }},
+    Statement{Code::kDegreeWithoutUse, [](const ConvertRequest& request) { return request.degree.has_value(); },
+              [](const Format& format) {
+                return std::ranges::any_of(format.models, [](const StoredModel& stored) {
+                  return find_model(stored.model)->least_degree > 0 && stored.ranges.empty();
+                });
+              }},
 };
 
 }  // namespace

@@ -131,6 +131,7 @@ ModelChoice Writing::choice() const {
   choice.every_pixel = request_.every_pixel;
   choice.jobs = request_.jobs;
   choice.objective = request_.objective;
+  choice.degree = request_.degree;
   choice.among = request_.layout.name.empty() ? models_for(request_, base_, input_.rig, *result_.to)
                                               : models_of_layout(*result_.to, request_.layout.name);
   const bool is_fresh = base_.document == nullptr && result_.to->cameras_held != nullptr;

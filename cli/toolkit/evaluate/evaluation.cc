@@ -90,6 +90,7 @@ std::optional<EvaluatedRow> evaluate_row(const paper::ConversionTable& table, co
   }
 
   options.model = row.to.id;
+  if (const int least = find_model(options.model)->least_degree; least > 0) options.degree = least;  // as the paper's toolbox
   std::optional<TimedConversion> timed = timed_conversion(source, options, diagnostics);
   const std::optional<Domain> domain = domain_of(source, options.max_angle_rad, diagnostics);
   const CameraModel* truth = calibration_in(table, row.to);
@@ -159,6 +160,7 @@ std::optional<EvaluatedPolynomials> evaluate_polynomials(Diagnostics& diagnostic
     options.model = Ocamcalib::kId;
     options.max_angle_rad = radians(fit.max_angle_deg);
     options.ranges = fit.held;
+    options.degree = Ocamcalib::kLeastDegree;
     std::optional<TimedConversion> timed = timed_conversion(source, options, diagnostics);
     if (!timed) return std::nullopt;
     EvaluatedPolynomial row;

@@ -7,7 +7,9 @@
 #include <fca/toolkit/remap.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace fca {
 
@@ -100,15 +102,35 @@ std::optional<Camera> view_camera(const RemapRequest& request, const Camera& sou
   return camera;
 }
 
+/// 2 : 1, with as many pixels per radian as the middle of the image.
+ImageSize equirectangular_size(const Camera& source) {
+  const auto [f_u, f_v] = central_focal_lengths(source.model);
+  const double height = std::round(std::numbers::pi * std::max(f_u, f_v));
+  constexpr double kLeast = 2.0;
+  constexpr double kMost = 16000.0;  // what sides_are_mapped() allows of the width
+  const int rows = static_cast<int>(std::clamp(height, kLeast, kMost));
+  return {2 * rows, rows};
+}
+
 /// False with errors.
 bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
   const std::optional<Camera> source = source_of(request, files, result.diagnostics);
   if (!source) return false;
   result.source = *source;
+  if (request.turn) result.T_source_view = turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
+  if (const auto* all = std::get_if<EquirectangularView>(&request.view)) {
+    result.is_equirectangular = true;
+    result.view.name = source->name;
+    result.view.image_size = all->size.value_or(equirectangular_size(*source));
+    if (!sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(result.view, result.diagnostics)) return false;
+    const std::optional<ImageMapper> mapper = ImageMapper::to_equirectangular(
+        *source, *result.view.image_size, result.T_source_view, request.inputs.max_angle_rad, result.diagnostics);
+    if (mapper) result.map = map_of(*mapper, request.jobs);
+    return mapper.has_value();
+  }
   std::optional<Camera> view = view_camera(request, *source, files, result.diagnostics);
   if (!view || !sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(*view, result.diagnostics)) return false;
   result.view = *std::move(view);
-  if (request.turn) result.T_source_view = turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
   const std::optional<ImageMapper> mapper =
       ImageMapper::between(*source, result.view, result.T_source_view, request.inputs.max_angle_rad, result.diagnostics);
   if (!mapper) return false;

@@ -20,6 +20,7 @@ ConvertResult fitted(const ReportRequest& request, const Reading& reading) {
   options.max_angle_rad = request.inputs.max_angle_rad;
   options.every_pixel = request.every_pixel;
   options.objective = request.objective;
+  options.degree = request.degree;
   options.reach = true;
   for (const Camera& camera : reading.calibration->rig.cameras) {
     std::optional<Conversion> conversion = convert(camera, options, result.diagnostics);

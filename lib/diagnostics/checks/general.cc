@@ -175,7 +175,7 @@ std::span<const CodeInfo> general_codes() {
       any(Code::kAnyProgramOtherFormat, "program-other-format", "the program reads another format",
           "It does not start, or takes the file for something else."),
       any(Code::kAnyProgramRefuses, "program-refuses", "the program refuses the file", kProgramStops,
-          "give the program what the message says it wants"),
+          "correct what the message names"),
       any(Code::kAnyRealForInt, "real-for-int", "a real number where the program wants a whole one", kProgramStops),
       any(Code::kAnyRelativeByCentre, "relative-by-centre", "a centre below 1 is taken as relative", kWrongPixels,
           "write all four numbers in pixels, or all four as shares of the width and height"),

@@ -21,6 +21,7 @@ std::span<const CodeInfo> convert_codes() {
       bad_request(Code::kModeWithoutUse, kUseless, "a mode is for files for {0:or}, not {1}"),
       bad_request(Code::kRateWithoutUse, kUseless, "a frame rate is for files for {0:or}, not {1}"),
       bad_request(Code::kBaselineWithoutUse, kUseless, "a baseline is for files for {0:or}, not {1}"),
+      bad_request(Code::kDegreeWithoutUse, kUseless, "a degree is for files for {0:or}, not {1}"),
       bad_request(Code::kLayoutWithoutUse, kUseless, "a layout of {0} is for files for {0}, not {1}"),
       error(Code::kNothingToConvert, "no-camera", "the file holds {0}", "give it beside the file that holds the cameras"),
       clause(Code::kImuAndNoCamera, "an IMU and no camera"),
@@ -127,6 +128,10 @@ std::span<const CodeInfo> convert_codes() {
       loss(Code::kImuFileDropped, "second-file-dropped", "{0} with all that it holds",
            "there is one output, which has no place for it", "write into a folder: it lies beside the others"),
       note(Code::kMisnamed, "extension", "{0} holds {1}, whatever its name says: its readers go by the content"),
+      bad_request(
+          Code::kOtherFormInFolder, "other-form-in-folder",
+          "{0} lies in that folder: of a model as text and as binary programs open one, and the other would be no part of it",
+          "write into another folder, or change that model itself"),
       note(Code::kLayoutNotKept, "layout-not-kept",
            "written anew, without the base's comments, because its layout cannot be kept: {0}"),
       note(Code::kProvenanceHasNoRoom, "provenance-not-written",

@@ -41,6 +41,26 @@ cv::Mat opencv_map(const Camera& source, double full_fov_deg) {
   return map;
 }
 
+TEST(Remap, ShowsAllDirectionsInOneImage) {
+  const TemporaryFolder folder;
+  const std::string camera = folder.write("cam.yaml", kFisheye);
+  const cv::Mat image = noise(512, 512, CV_8UC3);
+  const std::string path = folder.write("image.png", bytes_of(image, ".png"));
+  const RunResult run =
+      run_program({"remap", camera, path, "--equirectangular", "--out-size", "400x200", "-o", folder / "out.png"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "1 EQUIRECTANGULAR 400 200 400 200")) << run.out;
+  const cv::Mat out = read_picture(folder / "out.png");
+  EXPECT_EQ(out.size(), cv::Size(400, 200));
+  EXPECT_EQ(out.at<cv::Vec3b>(100, 5), cv::Vec3b()) << "behind the camera";
+  // As many pixels per degree as the middle of the input has: 191 px per radian.
+  const Told told({"remap", camera, "--equirectangular"});
+  EXPECT_EQ(told.json()["view"]["model"], "equirectangular");
+  EXPECT_EQ(told.json()["view"]["width"], 1200);
+  EXPECT_EQ(told.json()["view"]["height"], 600);
+  EXPECT_EQ(run_program({"remap", camera, "--equirectangular", "--pinhole", "90"}).code, 3);
+}
+
 TEST(Remap, MakesTheImageThatOpenCvMakes) {
   struct Case {
     Camera camera;

@@ -328,12 +328,14 @@ TEST(Convert, ABestCameraAtAnOpenBoundIsFound) {
 TEST(Convert, OcamcalibHoldsItsHigherCoefficientsUnlessAsked) {
   ConvertOptions options;
   options.model = "ocamcalib";
+  options.degree = 4;
   Diagnostics diagnostics;
   const std::optional<Conversion> degree_4 = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(degree_4);
   for (const ParameterId held : ParameterIds{"a1", "a5", "a6", "a7", "a8"})
     EXPECT_EQ(parameter(degree_4->camera.model, held), 0.0) << held.name();
   EXPECT_TRUE(degree_4->report.at_bound.empty());
+  options.degree.reset();
   options.ranges = {{"a5", -1.0, 1.0}, {"a6", -1.0, 1.0}};
   const std::optional<Conversion> degree_6 = convert(test::euroc(), options, diagnostics);
   ASSERT_TRUE(degree_6);

@@ -68,6 +68,44 @@ void expect_as_the_models_say(const Camera& source, const Camera& target, const 
   EXPECT_GT(there, 0);
 }
 
+/// COLMAP's EQUIRECTANGULAR (half a pixel to the lower right of ours): where the image shows a ray.
+Pixel colmap_equirectangular(const ImageSize& size, const Ray& ray) {
+  const auto [x, y, z] = ray;
+  return {(std::atan2(x, z) / (2.0 * std::numbers::pi) + 0.5) * size.width,
+          (0.5 - std::atan2(-y, std::hypot(x, z)) / std::numbers::pi) * size.height};
+}
+
+TEST(ImageMap, ShowsAllDirectionsAsColmapDoes) {
+  const ImageSize size = {200, 101};
+  const Transform turn = turned(25 * kRadians, -12 * kRadians, 8 * kRadians);
+  for (const Camera& source : {test::tumvi(), test::kalibr_radtan(), test::lens_220(), test::ocamcalib_sample()}) {
+    Diagnostics diagnostics;
+    const auto mapper = ImageMapper::to_equirectangular(source, size, turn, {}, diagnostics);
+    ASSERT_TRUE(mapper);
+    const ImageMap map = image_map(*mapper);
+    ASSERT_EQ(map.size, size);
+    int there = 0;
+    for (int row = 0; row < size.height; ++row) {
+      for (int column = 0; column < size.width; ++column) {
+        const Pixel pixel = {static_cast<double>(column), static_cast<double>(row)};
+        const Ray ray = equirectangular_ray(size, pixel);
+        const Pixel half_off = colmap_equirectangular(size, ray);
+        ASSERT_NEAR(half_off[0], pixel[0] + 0.5, 1e-9);
+        ASSERT_NEAR(half_off[1], pixel[1] + 0.5, 1e-9);
+        const std::optional<Pixel> expected = project(source.model, rotated(turn, ray));
+        const std::size_t at = 2 * static_cast<std::size_t>(row * size.width + column);
+        ASSERT_EQ(std::isfinite(map.uv[at]), expected.has_value()) << row << " " << column;
+        if (!expected) continue;
+        ++there;
+        const double rounding = 1e-7 * (1.0 + std::hypot((*expected)[0], (*expected)[1]));
+        EXPECT_NEAR(map.uv[at], (*expected)[0], rounding);
+        EXPECT_NEAR(map.uv[at + 1], (*expected)[1], rounding);
+      }
+    }
+    EXPECT_GT(there, 100);
+  }
+}
+
 TEST(ImageMap, IsWhatTheModelsSayOfEveryPixel) {
   const std::array sources = {test::kalibr_radtan(), test::kalibr_ds(), test::kalibr_eucm(),      test::tumvi(),
                               test::tumvi_ds(),      test::lens_220(),  test::ocamcalib_sample(), test::woodscape_front(),

@@ -22,6 +22,7 @@ struct VerdictFacts {
   bool is_read = true;                       ///< False: its findings say why it cannot be read; all errors count.
   bool is_asked = true;                      ///< False: no program was asked on purpose.
   bool has_reader = true;                    ///< False: of some file no program is known that reads it.
+  std::string_view not_for = {};             ///< The format's own program, where nobody asked for the one that is written for.
   std::span<const Loss> losses = {};
   std::span<const DefaultedValue> defaults = {};
   std::span<const Finding> findings = {};  ///< About the meaning of what the file states (findings_about_meaning).

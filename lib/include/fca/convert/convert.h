@@ -18,6 +18,8 @@ struct ConvertOptions {
   std::string model;                    ///< Id or alias of the target model.
   std::optional<double> max_angle_rad;  ///< What counts as lens, from the axis; default: the whole image.
   std::vector<ParameterRange> ranges;   ///< Of the target's parameters.
+  std::optional<int> degree = {};  ///< Of a target that is a polynomial (ModelInfo::least_degree); default: the lowest that is
+                                   ///< nearly as good as any.
   Objective objective = Objective::kRms;
   bool every_pixel = false;  ///< The report counts each pixel instead of a lattice.
   bool bound = true;         ///< The report proves ErrorSummary::bound.

@@ -101,6 +101,7 @@ struct ConversionReport {
   double scored_to_deg = 0.0;
   bool fitted_to_cone = false;  ///< The target cannot describe all of the domain and was fitted to the cone that ends there.
   FitSummary fit;
+  int degree = 0;  ///< Of the polynomial that was fitted; 0: the target is none, or nothing was fitted.
   Objective objective = Objective::kRms;
   std::optional<RmsFit> rms_fit;      ///< Of a fit for the largest error.
   std::vector<std::string> at_bound;  ///< Parameters that ended at the edge of their range.

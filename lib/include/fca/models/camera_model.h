@@ -116,6 +116,8 @@ struct ModelInfo {
   std::span<const std::string_view> aliases;
   std::span<const Parameter> parameters;
   bool focal_lengths_first = false;  ///< The parameters begin with fx, fy, cx, cy.
+  int least_degree = 0;              ///< Of a polynomial whose degree a fit chooses; 0: it is none.
+  int most_degree = 0;
 };
 
 /// All models, in the order of ModelList.

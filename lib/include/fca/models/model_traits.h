@@ -99,6 +99,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              lens; a fit that does not reach the edge gets only as much of it as lets it.
 ///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them
 ///                              a range.
+///   kLeastDegree, kHigherTerms (optional) of a polynomial of any degree: the lowest that a fit has, and the names of the
+///                              coefficients beyond it, held in fits; each raises the degree by one.
 ///
 /// Nothing is assumed of the order or the names of the parameters.
 template <class M>

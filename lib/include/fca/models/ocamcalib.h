@@ -18,8 +18,8 @@
 // The paper of fisheye-calib-adapter (Lee, sec. II-E) writes it in (u, v) with z ahead: c' = 1/c, d' = e/c, e' = d/c,
 // a'_k = -c^(1 - k) a_k (ERRATA, OCamCalib conventions).
 //
-// Degree 8 holds every polynomial known from files (the toolbox's default is 4); a shorter one ends in zeros. A fit uses degree
-// 4 with a1 = 0: see kHeldInFits.
+// Degree 8 holds every polynomial known from files (the toolbox's default is 4); a shorter one ends in zeros. A fit has a1 = 0
+// and chooses the degree: see kHeldInFits.
 //
 // Called: "Scaramuzza", "omnidirectional polynomial"; MATLAB fisheyeParameters (its MappingCoefficients are -a0, -a2, -a3,
 // -a4); camodocal SCARAMUZZA.
@@ -54,10 +54,11 @@ struct Ocamcalib : internal::RayMap<Ocamcalib> {
                                              Parameter{"a7", "1/px^6", -kInfinity, kInfinity, ParameterGroup::kLens},
                                              Parameter{"a8", "1/px^7", -kInfinity, kInfinity, ParameterGroup::kLens}};
 
-  /// Held by fits. a1 = 0, as the toolbox has it: any other lens has a kink on its axis. Degree 4, because that is what
-  /// programs hold (camodocal and MATLAB: five coefficients with a1) and what the toolbox writes; LIMITS.md's floors are for
-  /// it, too.
+  /// Held by fits. a1 = 0, as the toolbox has it: any other lens has a kink on its axis. Degree 4 is what some programs hold
+  /// (camodocal and MATLAB: five coefficients with a1).
   static constexpr std::array<std::string_view, 5> kHeldInFits = {"a1", "a5", "a6", "a7", "a8"};
+  static constexpr int kLeastDegree = 4;
+  static constexpr std::array<std::string_view, 4> kHigherTerms = {"a5", "a6", "a7", "a8"};
 
   static bool formula_and_slopes(const double* p, const double* ray, double* pixel, double* du, double* dv) {
     if (!(p[kC] > p[kD] * p[kE]) || !(p[kA] < 0.0)) return false;

@@ -32,6 +32,10 @@ class ImageMapper {
   [[nodiscard]] static std::optional<ImageMapper> between(const Camera& source, const Camera& target,
                                                           const Transform& T_source_target, std::optional<double> limit_rad,
                                                           Diagnostics& diagnostics);
+  /// To an equirectangular image of that size (equirectangular_ray()).
+  [[nodiscard]] static std::optional<ImageMapper> to_equirectangular(const Camera& source, const ImageSize& size,
+                                                                     const Transform& T_source_target,
+                                                                     std::optional<double> limit_rad, Diagnostics& diagnostics);
   ImageMapper(ImageMapper&&) noexcept;
   ImageMapper& operator=(ImageMapper&&) noexcept;
   ~ImageMapper();

@@ -87,7 +87,8 @@ struct ConvertRequest {
   bool rewrite = false;              ///< A fresh file even where a text could be edited.
   std::string extension;             ///< Of the file to be written, with its point, for formats with several syntaxes.
   Objective objective = Objective::kRms;
-  bool every_pixel = false;  ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
+  std::optional<int> degree;  ///< Of a fitted polynomial (ocamcalib); nothing: the lowest that is nearly as good as any.
+  bool every_pixel = false;   ///< Errors are those of every pixel, not of a lattice of about 5,000 points.
   /// Also what no verdict depends on: errors if the lens ended earlier (ConversionReport::reach), and whether the input's own
   /// program would refuse the input.
   bool in_detail = false;

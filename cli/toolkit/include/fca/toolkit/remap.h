@@ -21,6 +21,10 @@ struct PinholeView {
   double full_fov_rad = 0.0;           ///< Across the width.
   std::optional<ImageSize> size = {};  ///< Nothing: the input's.
 };
+/// All directions: columns are longitudes, rows are latitudes (equirectangular_ray()).
+struct EquirectangularView {
+  std::optional<ImageSize> size = {};  ///< Nothing: 2 : 1, with as many pixels per degree as the middle of the input's image.
+};
 /// The camera of a calibration file: its only one, or that of the same name.
 struct CameraOfFile {
   std::string path;
@@ -30,7 +34,7 @@ struct AsModel {
   const ModelInfo* model = nullptr;
 };
 /// std::monostate: the input's camera itself, to be turned.
-using ViewCamera = std::variant<std::monostate, PinholeView, CameraOfFile, AsModel>;
+using ViewCamera = std::variant<std::monostate, PinholeView, EquirectangularView, CameraOfFile, AsModel>;
 
 /// First yaw (about y: positive to the right), then pitch (about its x: positive up), then roll (about its z: positive
 /// clockwise): R = Ry(yaw) Rx(pitch) Rz(roll) takes the new camera's rays to the old one's.
@@ -50,7 +54,8 @@ struct RemapRequest {
 struct RemapResult {
   Status status = Status::kDone;
   Camera source;
-  Camera view;
+  Camera view;  ///< Of an equirectangular view its size alone.
+  bool is_equirectangular = false;
   Transform T_source_view;  ///< A rotation.
   ImageMap map;
   std::vector<std::uint8_t> mask;  ///< Of the view: 255 where the source sees, else 0. Rows from the top.

@@ -18,6 +18,7 @@ struct ReportRequest {
   const ModelInfo* model = nullptr;          ///< Without a conversion: the cameras as this model, for no format.
   bool every_model = false;                  ///< All models of each camera, one beside the others.
   Objective objective = Objective::kRms;     ///< Of `model`.
+  std::optional<int> degree;                 ///< Of `model`, if that is a polynomial.
   bool every_pixel = false;                  ///< As ConvertRequest's.
 };
 

@@ -136,4 +136,7 @@ struct Consumer {
 /// The consumer of that id, or null.
 [[nodiscard]] const Consumer* find_consumer(std::string_view id);
 
+/// The format's own program: the first of the table that reads such files, with cameras or without; null: there is none.
+[[nodiscard]] const Consumer* own_program(std::string_view format, bool cameras);
+
 }  // namespace fca::consumers

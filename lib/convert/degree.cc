@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "degree.h"
+
+#include <fca/models/camera_model.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace fca::internal {
+
+namespace {
+
+constexpr double kGoodEnoughPx = 0.01;
+constexpr double kNearlyAsGood = 1.1;
+
+/// The coefficients beyond the lowest degree.
+std::vector<ParameterId> higher_terms(std::string_view model) {
+  std::vector<ParameterId> terms;
+  ModelList::for_each([&]<CameraModelType M>() {
+    if constexpr (requires { M::kHigherTerms; }) {
+      if (M::kId != model) return;
+      for (const std::string_view term : M::kHigherTerms)
+        terms.push_back(ParameterId(*std::ranges::find(M::kParameters, term, &Parameter::name)));
+    }
+  });
+  return terms;
+}
+
+/// Of the terms that the caller's ranges leave free, those up to the last; 0: the ranges speak of none.
+std::size_t freed_by_ranges(const FitTask& task, const std::vector<ParameterId>& terms) {
+  std::size_t count = 0;
+  for (const ParameterRange& range : task.options.ranges) {
+    const auto term = std::ranges::find(terms, range.parameter.name(), &ParameterId::name);
+    const bool is_free = term != terms.end() && (range.lower != 0.0 || range.upper != 0.0);
+    if (is_free) count = std::max(count, static_cast<std::size_t>(term - terms.begin()) + 1);
+  }
+  return count;
+}
+
+bool speaks_of(const FitTask& task, const std::vector<ParameterId>& terms) {
+  return std::ranges::any_of(task.options.ranges, [&terms](const ParameterRange& range) {
+    return std::ranges::find(terms, range.parameter.name(), &ParameterId::name) != terms.end();
+  });
+}
+
+DegreeFit fit_with(const FitTask& task, std::span<const ParameterId> terms) {
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  ConvertOptions options = task.options;
+  for (const ParameterId& term : terms) options.ranges.push_back({term, -kAny, kAny});
+  DomainFit fit = fit_domain({task.camera, task.target, options, task.domain, task.centre});
+  return {std::move(fit), std::move(options.ranges), task.target.least_degree + static_cast<int>(terms.size())};
+}
+
+double rms_of(const DegreeFit& each) { return each.fit.score.judgement.error.rms; }
+
+}  // namespace
+
+DegreeFit fit_degree(const FitTask& task) {
+  const std::vector<ParameterId> terms = higher_terms(task.target.id);
+  if (terms.empty()) return {fit_domain(task), task.options.ranges};
+  if (speaks_of(task, terms)) {
+    const int degree = task.target.least_degree + static_cast<int>(freed_by_ranges(task, terms));
+    return {fit_domain(task), task.options.ranges, degree};
+  }
+  if (task.options.degree)
+    return fit_with(task, std::span(terms).first(static_cast<std::size_t>(*task.options.degree - task.target.least_degree)));
+
+  constexpr double kSameShare = 1e-3;
+  std::vector<DegreeFit> fits;
+  for (std::size_t count = 0; count <= terms.size(); ++count) {
+    DegreeFit fit = fit_with(task, std::span(terms).first(count));
+    const bool is_first = fits.empty();
+    if (is_first && !fit.fit.fitted.model) return fit;
+    const auto reached = [](const DegreeFit& each) { return each.fit.score.judgement.coverage.scored; };
+    if (!is_first && (!fit.fit.fitted.model || reached(fit) < reached(fits.front()) - kSameShare)) continue;
+    fits.push_back(std::move(fit));
+    if (rms_of(fits.back()) < kGoodEnoughPx) return std::move(fits.back());
+  }
+  const double best = rms_of(*std::ranges::min_element(fits, {}, rms_of));
+  return std::move(*std::ranges::find_if(fits, [best](const DegreeFit& each) { return rms_of(each) <= kNearlyAsGood * best; }));
+}
+
+}  // namespace fca::internal
