@@ -18,7 +18,7 @@ struct Lattice {
   int steps;
   int to_next_ray;
 };
-constexpr Lattice kCoarse = {24, 2};
+constexpr Lattice kCoarse = {32, 2};
 constexpr Lattice kFine = {40, 1};  ///< Where shares of the image are to be told.
 /// A pixel or ray that is further off than this, where programs are known to go wrong, is none.
 constexpr double kWrongPx = 1.0;
@@ -39,18 +39,31 @@ Circle circle_in(const ImageSize& size) {
   return {{0.5 * last[0], 0.5 * last[1]}, 0.5 * std::min(last[0], last[1])};
 }
 
+/// For what a point of the lattice stands.
+struct Share {
+  double area = 0.0;    ///< Cells: half of one at a border.
+  double weight = 0.0;  ///< In a mean, by Simpson's rule: errors grow steeply towards the corners.
+};
+
 /// One point of the lattice.
 struct Point {
-  double area = 0.0;      ///< For how many cells it stands.
+  Share share;
   double distance = 0.0;  ///< px
 };
+
+Share share_of(int i, int j, int steps) {
+  const auto at_border = [steps](int step) { return step == 0 || step == steps; };
+  const auto area = [&](int step) { return at_border(step) ? 0.5 : 1.0; };
+  const auto weight = [&](int step) { return at_border(step) ? 1.0 : (step % 2 == 0 ? 2.0 : 4.0); };
+  return {area(i) * area(j), weight(i) * weight(j)};
+}
 
 /// Collects one region.
 class Region {
  public:
-  void add(double area, const std::optional<double>& distance) {
-    asked_ += area;
-    if (distance) points_.push_back({area, *distance});
+  void add(const Share& share, const std::optional<double>& distance) {
+    asked_ += share.area;
+    if (distance) points_.push_back({share, *distance});
   }
   void add_wrong_rays(double area) { wrong_rays_ += area; }
 
@@ -58,15 +71,17 @@ class Region {
     PixelDistance result;
     result.region = asked_ / (lattice.steps * lattice.steps);
     double answered = 0.0;
+    double weights = 0.0;
     double squares = 0.0;
     for (const Point& point : points_) {
-      answered += point.area;
-      squares += point.area * point.distance * point.distance;
+      answered += point.share.area;
+      weights += point.share.weight;
+      squares += point.share.weight * point.distance * point.distance;
       result.max = std::max(result.max, point.distance);
     }
     if (asked_ > 0.0) result.no_rays = std::min(1.0, (asked_ - answered + wrong_rays_) / asked_);
     if (!(answered > 0.0)) return result;
-    result.rms = std::sqrt(squares / answered);
+    result.rms = std::sqrt(squares / weights);
     result.p99 = percentile(0.99 * answered);
     return result;
   }
@@ -77,7 +92,7 @@ class Region {
     std::ranges::sort(points_, {}, &Point::distance);
     double below = 0.0;
     for (const Point& point : points_) {
-      below += point.area;
+      below += point.share.area;
       if (below >= area) return point.distance;
     }
     return points_.back().distance;
@@ -106,13 +121,12 @@ class Comparison {
     const Pixel last = last_pixel(*camera_.image_size);
     const Circle circle = circle_in(*camera_.image_size);
     const int steps = lattice_.steps;
-    const auto width_of = [steps](int step) { return step == 0 || step == steps ? 0.5 : 1.0; };
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; j <= steps; ++j) {
         const Pixel pixel = {last[0] * i / steps, last[1] * j / steps};
         const bool in_circle = distance(pixel, circle.centre) <= circle.radius;
         const bool ask_for_ray = i % lattice_.to_next_ray == 0 && j % lattice_.to_next_ray == 0;
-        grid_.push_back(compare_at(pixel, width_of(i) * width_of(j), in_circle, ask_for_ray));
+        grid_.push_back(compare_at(pixel, share_of(i, j, steps), in_circle, ask_for_ray));
       }
     }
     constexpr double kWide = std::numbers::pi / 3.0;  // 60 deg from the axis
@@ -126,7 +140,7 @@ class Comparison {
 
  private:
   /// Nothing where the camera has no ray that counts.
-  std::optional<SeenPixel> compare_at(const Pixel& pixel, double area, bool in_circle, bool ask_for_ray) {
+  std::optional<SeenPixel> compare_at(const Pixel& pixel, const Share& share, bool in_circle, bool ask_for_ray) {
     if (camera_.lens_circle && !camera_.lens_circle->contains(pixel)) return std::nullopt;
     const std::optional<Ray> ray = unproject(camera_.model, pixel);
     if (!ray || (*ray)[2] < last_cosine_) return std::nullopt;
@@ -134,10 +148,10 @@ class Comparison {
     const SeenPixel seen = {pixel, pixel_at(pixel, *ray)};
     const std::optional<double> distance = seen.program ? std::optional(fca::distance(*seen.program, pixel)) : std::nullopt;
     const double points = lattice_.to_next_ray * lattice_.to_next_ray;  // for which one that is asked stands
-    const double wrong_rays = distance && ask_for_ray && wrong_ray_px(pixel, reader_) > kWrongPx ? points * area : 0.0;
+    const double wrong_rays = distance && ask_for_ray && wrong_ray_px(pixel, reader_) > kWrongPx ? points * share.area : 0.0;
     for (Region* region : {&in_image_, &in_circle_}) {
       if (region == &in_circle_ && !in_circle) continue;
-      region->add(area, distance);
+      region->add(share, distance);
       region->add_wrong_rays(wrong_rays);
     }
     return seen;

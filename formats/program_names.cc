@@ -18,6 +18,7 @@ constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camo
                               Name("gvins"),     Name("d2slam"),      Name("lvi-sam")};
 constexpr std::array kOrbslam3 = {Name("orbslam"), Name("orb-slam"), Name("orb_slam3_ros"), Name("visual-sgraphs")};
 constexpr std::array kOrbslam2 = {Name("orbslam2"), Name("orb-slam2")};
+constexpr std::array kSlamNoOpt = {Name("slam_no_opt")};
 constexpr std::array kOpenvins = {Name("ov_msckf"), Name("sqrtvins")};
 constexpr std::array kBasalt = {Name("monado"), Name("xrtslam"), Name("granite")};
 constexpr std::array kRos = {Name("ros2"),         Name("camera_info"), Name("rtabmap"),  Name("isaac-ros"),
@@ -85,6 +86,7 @@ constexpr std::array kNames = {
     ProgramName{kVins, "VINS", "vins"},
     ProgramName{kOrbslam3, "ORB-SLAM3", "orbslam3"},
     ProgramName{kOrbslam2, "ORB-SLAM2", "orbslam3", "orbslam2"},
+    ProgramName{kSlamNoOpt, "ns15417/slam_no_opt", "orbslam3", "slam_no_opt"},
     ProgramName{kOpenvins, "OpenVINS", "openvins"},
     ProgramName{kBasalt, "Basalt", "basalt"},
     ProgramName{kRos, "ROS", "ros"},

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace fca {
@@ -270,9 +269,7 @@ ProofResult prove(const consumers::Consumer& consumer, std::string_view bytes, c
   std::vector<CameraDistance> distances(comparisons.size());
   each_camera(comparisons.size(), [&](std::size_t i) {
     const Camera& camera = rig.cameras[i];
-    // Another statement of the lens is right or wrong by its distance, which the verdict weighs.
-    const double tolerance = consumer.by_inverse ? std::numeric_limits<double>::infinity() : consumer.tolerance_px;
-    comparisons[i] = compare_camera(camera, view.cameras[i], tolerance, max_angle_rad);
+    comparisons[i] = compare_camera(camera, view.cameras[i], consumer.tolerance_px, max_angle_rad);
     const auto before = std::ranges::find(calibrated, camera.name,
                                           [](const CalibratedCamera& each) -> const std::string& { return each.camera.name; });
     const bool was_fitted = before != calibrated.end();

@@ -87,6 +87,10 @@ std::string output_path(const OutputPlace& place, const std::string& input, cons
     const fs::path main_file = output_path(place, input, result, 0);
     return (main_file.parent_path() / fs::path(file.name).filename()).string();
   }
+  if (place.is_folder_pattern()) {
+    const std::string folder = replaced(with_names_of(input, joined(file.cameras), place.path), "{format}", result.to->id);
+    return output_path({OutputPlace::Kind::kFolder, folder}, input, result, index);
+  }
   if (place.kind == OutputPlace::Kind::kPattern)
     return replaced(with_names_of(input, joined(file.cameras), place.path), "{format}", result.to->id);
   if (place.kind == OutputPlace::Kind::kFile) return place.path;

@@ -23,6 +23,8 @@ struct OutputPlace {
   /// The default, too.
   [[nodiscard]] bool is_standard_output() const { return kind <= Kind::kStandardOutput; }
   [[nodiscard]] bool holds_many() const { return kind >= Kind::kFolder; }
+  /// A folder for each input: "out/{stem}/".
+  [[nodiscard]] bool is_folder_pattern() const { return kind == Kind::kPattern && path.ends_with('/'); }
 };
 
 /// Of a word that is no empty one. A folder ends with a slash or is there.

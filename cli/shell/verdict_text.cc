@@ -199,6 +199,10 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
          sentence_of(reason) +
              (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise" + (has_others ? " (see -v)" : ""))});
   }
+  for (const Reason& reason : verdict.reasons) {
+    const bool has_line = with_distances || reason.facts.code != Code::kVerdictPixelsOff;
+    if (reason.is_accepted && !has_line) lines.push_back({"accepted", id_of(reason) + " of " + reason.camera});
+  }
   std::string accept;
   for (const std::string& code : codes) accept += " --accept " + code;
   if (!accept.empty()) lines.push_back({std::string(kAnyway), accept.substr(1)});

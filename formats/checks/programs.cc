@@ -131,17 +131,21 @@ class ProgramsCheck {
     const consumers::Writing& writing = program.writing;
     std::vector<Message> how;
     if (!writing.model.empty()) how.push_back({Code::kConvertWithModel, {writing.model}});
-    // An input of that very format keeps its own layout, where nothing else is asked for.
-    const Format* format = find_format(program.format);
-    const bool is_own = format == &format_ && !format_.layouts.empty();
-    const std::string_view layout = is_own && writing.layout.empty() ? format_.layouts.front() : writing.layout;
-    if (!layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, layout}});
+    if (!writing.layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, writing.layout}});
+    // An input of that very format keeps its own text, where nothing else is asked for.
+    if (find_format(program.format) == &format_ && writing.layout.empty()) how.push_back({Code::kConvertAnew});
+    const bool has_size = calibration_ == nullptr || std::ranges::all_of(calibration_->rig.cameras, [](const Camera& camera) {
+                            return camera.image_size.has_value();
+                          });
+    if (!has_size) how.push_back({Code::kConvertWithSize});
     const bool file_per_camera =
         calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(program.format)->many_cameras;
-    if (file_per_camera) how.push_back({Code::kConvertToFiles});
-    if (!writing.file_name.empty()) how.push_back({Code::kConvertUnderName, {writing.file_name}});
+    const bool has_several = calibration_ != nullptr && calibration_->rig.cameras.size() > 1;
+    if (file_per_camera || (has_several && !writing.file_name.empty())) how.push_back({Code::kConvertToFiles});
+    if (!has_several && !writing.file_name.empty()) how.push_back({Code::kConvertUnderName, {writing.file_name}});
     const ProgramName* name = find_program_name(program.id);
-    const std::string_view to = name != nullptr && name->consumer == program.id ? program.id : program.format;
+    const std::string_view to =
+        name != nullptr && (name->consumer == program.id || !name->extension.empty()) ? program.id : program.format;
     return {Code::kConvertFor, {document_.source().name, to, how}};
   }
 

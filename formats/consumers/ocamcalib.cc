@@ -67,7 +67,7 @@ Vector cam2world(const OcamModel& model, const Pixel& pixel) {
   return {x, y, z};
 }
 
-/// The radius at which the angle of cam2world's rays stops growing, where d/dr (pol(r) / r) = 0: beyond, two radii have one
+/// The last whole radius before the angle of cam2world's rays stops growing, where d/dr (pol(r) / r) = 0: beyond, two radii have one
 /// ray, and no world2cam can be the inverse.
 double fold(const OcamModel& model) {
   const double end = 2.0 * std::hypot(model.width, model.height);
@@ -78,7 +78,7 @@ double fold(const OcamModel& model) {
       slope += (1.0 - static_cast<double>(i)) * model.pol[i] * power;
       power *= r;
     }
-    if (slope * model.pol.front() <= 0.0) return r;
+    if (slope * model.pol.front() <= 0.0) return std::max(0.0, r - 1.0);
   }
   return end;
 }
@@ -231,8 +231,9 @@ ConsumerView load_ocamcalib(std::string_view bytes, const LoadOptions& /*options
     if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;
     return Pixel{pixel[1], pixel[0]};
   };
-  // OCamCalib's findinvpoly stops at 0.01 px; what is far from that is no approximation but another lens.
-  constexpr double kLargestApproximation = 1.0;
+  // OCamCalib's findinvpoly stops at 0.01 px; where the direct polynomial turns inside the image none comes that near. What is
+  // further off than that is no approximation but another lens.
+  constexpr double kLargestApproximation = 2.0;
   const double difference = disagreement(*model);
   // It was measured on a lattice. Between its points, and by the rounding of large coefficients that cancel, it may be more.
   constexpr double kBetweenPoints = 1.5;

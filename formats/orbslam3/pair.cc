@@ -5,6 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/rig/stereo_order.h>
+#include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,9 @@ bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) 
 void warn_of_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   warn_of_unrectified_camera(rig, target, diagnostics);
   if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
-  if (shares_no_columns(rig, target)) diagnostics.add(Code::kOrbslam3NothingShared, {rig.cameras[0].name, rig.cameras[1].name});
+  const bool see_apart = common_view(rig, rig.cameras[0], rig.cameras[1]) == 0.0;
+  if (see_apart || shares_no_columns(rig, target))
+    diagnostics.add(Code::kOrbslam3NothingShared, {rig.cameras[0].name, rig.cameras[1].name});
   warn_of_vertical_pair(rig, target, diagnostics);
   warn_of_unlike_times(rig, diagnostics);
 }

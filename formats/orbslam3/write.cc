@@ -10,6 +10,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
+#include <fca/rig/rotation.h>
 #include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
@@ -303,6 +304,25 @@ std::optional<Target> choose_target(const Rig& rig, const Base* base, const Writ
   return target;
 }
 
+/// Before V1.0 the IMU's pose goes through Sophus, which aborts unless its matrix is a rotation to 1e-5: one of few digits
+/// becomes the nearest.
+Rig with_imu_rotation(const Rig& rig, const Target& target, Written& written) {
+  constexpr double kRounding = 1e-6;
+  Rig result = rig;
+  if (target.style != Style::kOld || !target.sensor.inertial) return result;
+  const std::string& camera = rig.cameras.front().name;
+  const std::optional<Transform> T_imu_cam = rig.resolve("imu0", camera);
+  const std::optional<Transform> nearest = T_imu_cam ? nearest_rotation(*T_imu_cam) : std::nullopt;
+  if (!nearest || largest_difference(*nearest, *T_imu_cam).distance <= kRounding) return result;
+  std::erase_if(result.poses, [&camera](const PoseEdge& edge) {
+    return (edge.a == "imu0" && edge.b == camera) || (edge.a == camera && edge.b == "imu0");
+  });
+  result.poses.push_back({"imu0", camera, *nearest});
+  written.restated.push_back(result.poses.back());
+  written.losses.push_back(lost(Code::kPoseRecomputed, camera, std::string(pose_keys(target.style).T_imu_c1), {"imu0"}));
+  return result;
+}
+
 }  // namespace
 
 std::size_t cameras_held(const Rig& rig, std::string_view mode, std::string_view layout) {
@@ -333,8 +353,9 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   warn_of_pair(rig, *target, diagnostics);
   if (edited != nullptr && options.sensor.empty()) warn_of_poorer_mode(*edited, rig, *target, diagnostics);
   const Audience& audience = audience_of(*target, model_info(rig.cameras.front().model).id);
-  const std::vector<fields::Field> fields = settings_fields(rig, *target);
   Written written;
+  const std::vector<fields::Field> fields =
+      settings_fields(edited == nullptr ? with_imu_rotation(rig, *target, written) : rig, *target);
   if (edited != nullptr) {
     text::Document document = edited->document;
     fields::apply(document, document.root(), text::Dialect::kOpenCv,

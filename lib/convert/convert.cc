@@ -32,8 +32,10 @@ void warn_of_cone(const FitTask& task, double cone_rad, Diagnostics& diagnostics
 /// A model of a plane goes on to 90 degrees: where a part of the image has no ray, its distortion folds.
 void warn_of_fold(const Camera& camera, const Coverage& coverage, Diagnostics& diagnostics) {
   constexpr double kCorners = 1e-3;
+  constexpr double kToThinkOf = 0.01;
   if (!sees_ahead_only(model_info(camera.model).id) || coverage.outside_lens < kCorners) return;
-  diagnostics.add(Code::kFoldsInsideImage, {camera.name, max_angle(camera.model) / kRadiansPerDegree, coverage.outside_lens});
+  diagnostics.add(coverage.outside_lens > kToThinkOf ? Severity::kWarning : Severity::kNote, Code::kFoldsInsideImage,
+                  {camera.name, max_angle(camera.model) / kRadiansPerDegree, coverage.outside_lens});
 }
 
 /// What no lens has, but arithmetic can convert all the same. `check` asks for more; this is what cannot be meant.
@@ -98,32 +100,48 @@ void cut_worst_pixel(const FitTask& task, double reach_rad, std::span<const Para
   model = fit.model;
 }
 
+/// The first of the fits whose largest error is proven, of those that count; else the first. `judgement`: that of it.
+internal::DegreeFit& choose_proven(const FitTask& task, std::vector<internal::DegreeFit>& fits, Judgement& judgement) {
+  const auto judged = [&task](internal::DegreeFit& each) {
+    const internal::Scorer scorer = scorer_of(task, each.fit.fitted.model->model, each.fit.fitted.reach_rad);
+    return final_judgement(task, scorer, std::move(each.fit.score));
+  };
+  judgement = judged(fits.front());
+  if (!task.options.bound || std::isfinite(judgement.error.bound)) return fits.front();
+  for (internal::DegreeFit& each : std::span(fits).subspan(1)) {
+    Judgement other = judged(each);
+    if (!std::isfinite(other.error.bound)) continue;
+    judgement = std::move(other);
+    return each;
+  }
+  return fits.front();
+}
+
 /// The conversion by a fit, and its judgement.
 std::optional<Conversion> fitted_conversion(const FitTask& task, Diagnostics& diagnostics) {
-  internal::DegreeFit chosen = internal::fit_degree(task);
-  internal::DomainFit& found = chosen.fit;
-  const internal::SampledFit& fitted = found.fitted;
-  if (internal::too_few(fitted.samples, task.target)) {
+  std::vector<internal::DegreeFit> fits = internal::fit_degrees(task);
+  const internal::SampledFit& first = fits.front().fit.fitted;
+  if (internal::too_few(first.samples, task.target)) {
     diagnostics.add(Code::kTooFewRaysToFit, {task.camera.name, task.target.id});
     return std::nullopt;
   }
   const ImageSize& size = task.domain.size;
-  const double pixels = found.score.judgement.coverage.scored * size.width * size.height;
-  if (fitted.model && 2.0 * pixels < static_cast<double>(task.target.parameters.size())) {
+  const double pixels = fits.front().fit.score.judgement.coverage.scored * size.width * size.height;
+  if (first.model && 2.0 * pixels < static_cast<double>(task.target.parameters.size())) {
     diagnostics.add(Code::kTooFewPixelsToFit, {task.camera.name, task.target.id});
     return std::nullopt;
   }
-  if (!fitted.model) {
+  if (!first.model) {
     diagnostics.add(Code::kFitFailed, {task.camera.name, task.target.id});
     return std::nullopt;
   }
   Conversion conversion{task.camera, {}};
+  const internal::DegreeFit& chosen = choose_proven(task, fits, conversion.report.judgement);
+  const internal::SampledFit& fitted = chosen.fit.fitted;
   conversion.report.fitted_to_cone = fitted.reach_rad < std::numbers::pi;
   if (conversion.report.fitted_to_cone) warn_of_cone(task, fitted.reach_rad, diagnostics);
   conversion.camera.model = fitted.model->model;
-  const internal::Scorer scorer = scorer_of(task, fitted.model->model, fitted.reach_rad);
-  conversion.report.judgement = final_judgement(task, scorer, std::move(found.score));
-  conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations, found.time.count()};
+  conversion.report.fit = {static_cast<int>(fitted.samples), fitted.model->iterations, chosen.fit.time.count()};
   conversion.report.at_bound = fitted.model->at_bound;
   conversion.report.degree = chosen.degree;
   if (task.options.objective == Objective::kMax) cut_worst_pixel(task, fitted.reach_rad, chosen.ranges, conversion);

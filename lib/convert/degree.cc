@@ -56,29 +56,36 @@ double rms_of(const DegreeFit& each) { return each.fit.score.judgement.error.rms
 
 }  // namespace
 
-DegreeFit fit_degree(const FitTask& task) {
+std::vector<DegreeFit> fit_degrees(const FitTask& task) {
   const std::vector<ParameterId> terms = higher_terms(task.target.id);
-  if (terms.empty()) return {fit_domain(task), task.options.ranges};
-  if (speaks_of(task, terms)) {
-    const int degree = task.target.least_degree + static_cast<int>(freed_by_ranges(task, terms));
-    return {fit_domain(task), task.options.ranges, degree};
-  }
-  if (task.options.degree)
-    return fit_with(task, std::span(terms).first(static_cast<std::size_t>(*task.options.degree - task.target.least_degree)));
-
-  constexpr double kSameShare = 1e-3;
   std::vector<DegreeFit> fits;
+  if (terms.empty() || speaks_of(task, terms)) {
+    const int degree = task.target.least_degree + static_cast<int>(freed_by_ranges(task, terms));
+    fits.push_back({fit_domain(task), task.options.ranges, degree});
+    return fits;
+  }
+  if (task.options.degree) {
+    const auto count = static_cast<std::size_t>(*task.options.degree - task.target.least_degree);
+    fits.push_back(fit_with(task, std::span(terms).first(count)));
+    return fits;
+  }
+  constexpr double kSameShare = 1e-3;
+  const auto reached = [](const DegreeFit& each) { return each.fit.score.judgement.coverage.scored; };
   for (std::size_t count = 0; count <= terms.size(); ++count) {
     DegreeFit fit = fit_with(task, std::span(terms).first(count));
-    const bool is_first = fits.empty();
-    if (is_first && !fit.fit.fitted.model) return fit;
-    const auto reached = [](const DegreeFit& each) { return each.fit.score.judgement.coverage.scored; };
-    if (!is_first && (!fit.fit.fitted.model || reached(fit) < reached(fits.front()) - kSameShare)) continue;
-    fits.push_back(std::move(fit));
-    if (rms_of(fits.back()) < kGoodEnoughPx) return std::move(fits.back());
+    const bool reaches_less = !fits.empty() && reached(fit) < reached(fits.front()) - kSameShare;
+    if (fit.fit.fitted.model && !reaches_less) fits.push_back(std::move(fit));
+    if (fits.empty()) {
+      fits.push_back(std::move(fit));  // no camera, and why
+      return fits;
+    }
+    if (rms_of(fits.back()) < kGoodEnoughPx) break;
   }
-  const double best = rms_of(*std::ranges::min_element(fits, {}, rms_of));
-  return std::move(*std::ranges::find_if(fits, [best](const DegreeFit& each) { return rms_of(each) <= kNearlyAsGood * best; }));
+  const double enough = std::max(kGoodEnoughPx, kNearlyAsGood * rms_of(*std::ranges::min_element(fits, {}, rms_of)));
+  const auto chosen = std::ranges::find_if(fits, [enough](const DegreeFit& each) { return rms_of(each) <= enough; });
+  fits.erase(chosen + 1, fits.end());
+  std::ranges::reverse(fits);
+  return fits;
 }
 
 }  // namespace fca::internal

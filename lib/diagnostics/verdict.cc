@@ -24,13 +24,15 @@ std::span<const CodeInfo> verdict_codes() {
       reader_warning(Code::kVerdictNoReader, "not-proven", "no program that fca-io knows reads it",
                      "write it anew, with the keys that {0} reads"),
       warning(Code::kVerdictLost, "lost", "{0}"),
-      warning(Code::kVerdictInvented, "invented-value", "{0:and}: no input states it, and it matters"),
+      warning(Code::kVerdictInvented, "invented-value", "{0:and}: no input states it, and it matters",
+              "give a file that states it, too"),
       warning(Code::kVerdictNoPose, "pose-missing", "nothing states how {0} and {1} sit to each other",
               "give a file that states it, too"),
       reader_warning(Code::kVerdictNeedsVersion, "needs-version",
                      "{0} reads {2} since {1}; its readers before refuse the file"),
       clause(Code::kOlderVersionsRead, "for those the model {0}: {1:px} px rms off, worst {2:px}"),
       clause(Code::kFitInsideAngle, "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}"),
+      clause(Code::kRewrittenIs, "written anew: {0:px} px rms off, worst {1:px}"),
   };
   return kRows;
 }

@@ -65,7 +65,7 @@ TEST(ModelFolder, TextIsNotWrittenBesideBinaryNorBinaryBesideText) {
     const auto before = files_in(folder.path());
     const std::string out = folder / ("cameras" + std::string(written));
     const RunResult run = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "colmap", "--force", "-o", out});
-    EXPECT_EQ(run.code, 2) << run.out << run.err;
+    EXPECT_EQ(run.code, 3) << run.out << run.err;
     EXPECT_NE(run.err.find("other-form-in-folder"), std::string::npos) << run.err;
     EXPECT_EQ(files_in(folder.path()), before);
   }
@@ -81,6 +81,20 @@ TEST(ModelFolder, ABatchIsNoModel) {
   const auto files = files_in(out);
   EXPECT_EQ(files.size(), 2U);
   EXPECT_TRUE(files.contains("a.colmap.txt"));
+}
+
+// A pattern that ends with a slash is a folder for each.
+TEST(ModelFolder, APatternGivesEachInputAFolder) {
+  const TemporaryFolder folder;
+  folder.write("a.txt", good("pinhole.txt"));
+  folder.write("b.txt", good("opencv.txt"));
+  const std::string out = folder / "out/{stem}/";
+  EXPECT_EQ(run_program({"convert", folder / "a.txt", folder / "b.txt", "--anew", "--to", "colmap", "-o", out}).code, 0);
+  for (const char* stem : {"a", "b"}) {
+    const auto files = files_in(folder / ("out/" + std::string(stem)));
+    EXPECT_EQ(files.size(), 3U) << stem;
+    EXPECT_TRUE(files.contains("cameras.txt") && files.contains("images.txt")) << stem;
+  }
 }
 
 TEST(ModelFolder, BinaryWinsOverText) {

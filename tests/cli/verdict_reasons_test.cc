@@ -10,11 +10,17 @@
 namespace fca::test {
 namespace {
 
-std::string word_of(const Told& run) { return run.json()["verdict"]["word"].GetString(); }
+/// Of a conversion, or of the one file that was checked.
+const rapidjson::Value& verdict_in(const Told& run) {
+  const auto& json = run.json();
+  return json.HasMember("files") ? json["files"][0]["verdict"] : json["verdict"];
+}
+
+std::string word_of(const Told& run) { return verdict_in(run)["word"].GetString(); }
 
 std::set<std::string> codes_of(const Told& run) {
   std::set<std::string> codes;
-  for (const auto& reason : run.json()["verdict"]["reasons"].GetArray()) codes.insert(reason["code"].GetString());
+  for (const auto& reason : verdict_in(run)["reasons"].GetArray()) codes.insert(reason["code"].GetString());
   return codes;
 }
 

@@ -97,6 +97,9 @@ TEST(Verdict, ClocksOfCamerasMayDifferByATenthOfAMillisecond) {
     rig.cameras[0].time_offset_s = 0.01;
     rig.cameras[1].name = "cam1";
     rig.cameras[1].time_offset_s = 0.01 + behind_s;
+    Transform beside;
+    beside(0, 3) = 0.1;
+    rig.poses.push_back({"cam0", "cam1", beside});
     facts.rig = &rig;
     std::vector<Loss> losses;
     add_other_time_offsets(rig, 0.01, Message{Code::kOpenvinsChainOneOffset}, losses);

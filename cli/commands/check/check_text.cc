@@ -49,7 +49,7 @@ std::string reasons_text(const CheckReport& report) {
   Verdict rest = report.verdict;
   std::erase_if(rest.reasons, [&](const Reason& reason) {
     const auto tells_it = [&reason](const Finding& finding) { return id_of(finding) == id_of(reason); };
-    return (is_explained && !reason.distance) || std::ranges::any_of(report.findings, tells_it);
+    return !reason.distance && (is_explained || std::ranges::any_of(report.findings, tells_it));
   });
   std::vector<SummaryLine> lines = lines_of(rest);
   std::erase_if(lines, [](const SummaryLine& line) { return line.about == kAnyway; });  // nothing is written here

@@ -185,7 +185,8 @@ void add_options(Options& options, ConvertArguments& arguments) {
   options.group(OptionGroup::kOutput);
   options.value(
       "-o,--output", "PATH",
-      "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (default: standard output)",
+      "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (ends with a slash: a folder "
+      "for each; default: standard output)",
       [&arguments](const std::string& word) { return take_place(word, arguments.output); });
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);

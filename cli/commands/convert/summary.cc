@@ -127,9 +127,10 @@ void add_left_out(const ConvertResult& outcome, std::vector<SummaryLine>& lines)
   if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras)});
 }
 
-void add_nearer_fit(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+/// What would be better for the pixels.
+void add_better_ways(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   for (const Reason& reason : outcome.verdict.reasons) {
-    if (reason.remedy.code != Code::kFitInsideAngle) continue;
+    if (reason.remedy.code != Code::kFitInsideAngle && reason.remedy.code != Code::kRewrittenIs) continue;
     lines.push_back({"better", text::text_of(reason.remedy, with_options)});
     return;
   }
@@ -202,7 +203,7 @@ std::string summary_lines(const ConvertResult& outcome, bool with_tables) {
   add_refusals(outcome, lines);
   add_limits(outcome, lines);
   add_other_writings(outcome, lines);
-  add_nearer_fit(outcome, lines);
+  add_better_ways(outcome, lines);
   add_left_out(outcome, lines);
   add_settings(outcome, lines);
   std::string text = summary_text(lines);

@@ -171,19 +171,17 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
 
 constexpr std::size_t kModelWidth = 11;
 constexpr std::size_t kNumberWidth = 10;
-constexpr const char* kOfCircle = "*";  // behind numbers of a fit to the circle alone
 
 std::string row_text(const Candidate& candidate) {
   const ConversionReport& report = candidate.conversion->report;
   const PixelDistance& distance = candidate.decisive();
-  const char* const mark = candidate.in_circle ? kOfCircle : "";
   std::string text = "  " + padded(candidate.model->id, kModelWidth);
   if (report.exact) {
     text += padded("exact", 2 * kNumberWidth);
   } else if (!reaches_all(candidate)) {
     text += padded("", 2 * kNumberWidth);
   } else {
-    text += padded(pixels(distance.rms) + mark, kNumberWidth) + padded(pixels(distance.p99) + mark, kNumberWidth);
+    text += padded(pixels(distance.rms), kNumberWidth) + padded(pixels(distance.p99), kNumberWidth);
   }
   text += padded(report.exact ? "exact" : pixels(report.judgement.error.rms), kNumberWidth) +
           padded(report.exact ? "" : pixels(report.judgement.error.max), kNumberWidth);
@@ -199,15 +197,20 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
           (is_wide ? "whole image" : "") + "\n  " + padded("model", kModelWidth) + padded("rms px", kNumberWidth) +
           padded("99 % px", kNumberWidth) + padded("rms px", kNumberWidth) + padded("max px", kNumberWidth) + "reaches\n";
   bool all_before = true;
-  for (const Candidate* candidate : ranked(candidates)) {
+  bool circle_before = false;
+  std::vector<const Candidate*> rows = ranked(candidates);
+  // Fits to the circle alone are a group of their own, between those of all of the lens and those of less.
+  const auto group = [](const Candidate* each) { return reaches_all(*each) ? (each->in_circle ? 1 : 0) : 2; };
+  std::ranges::stable_sort(rows, {}, group);
+  for (const Candidate* candidate : rows) {
+    if (candidate->in_circle && reaches_all(*candidate) && !circle_before) {
+      text += "  fitted to the circle alone (--max-angle " + text::format_short(candidate->in_circle->max_angle_deg) +
+              "), worse beyond it:\n";
+    }
+    circle_before = circle_before || candidate->in_circle.has_value();
     if (all_before && !reaches_all(*candidate)) text += "  not all of the lens:\n";
     all_before = reaches_all(*candidate);
     text += row_text(*candidate);
-  }
-  const auto marked = std::ranges::find_if(candidates, [](const Candidate& each) { return each.in_circle.has_value(); });
-  if (marked != candidates.end()) {
-    text += std::string("  ") + kOfCircle + " fitted to the circle alone: --max-angle " +
-            text::format_short(marked->in_circle->max_angle_deg) + "; worse beyond it\n";
   }
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) continue;

@@ -38,12 +38,16 @@ Message remedy_of_version(const ConvertRequest& request, const ConvertResult& re
   return best_of_every_version(sources, *result.to, choice).value_or(Message());
 }
 
-/// Would the programs load a fresh file?
-bool loads_rewritten(const ConvertRequest& request, const Start& start, const ConvertResult& before) {
+/// A fresh file in place of the edited text of the input, if the programs load that.
+std::optional<ConvertResult> rewritten(const ConvertRequest& request, const Start& start, const ConvertResult& before) {
   ConvertRequest rewriting = request;
   rewriting.rewrite = true;
   ConvertResult other = before;
-  return write_as_asked(rewriting, start, other) && std::ranges::all_of(other.proofs, &ProofResult::loads);
+  if (!write_as_asked(rewriting, start, other) || !std::ranges::all_of(other.proofs, &ProofResult::loads)) return std::nullopt;
+  try_other_layouts(rewriting, start, before, other);
+  other.rms_px = worst_rms_px(other);
+  other.max_px = worst_max_px(other);
+  return other;
 }
 
 /// A pose that mirrors can be written into no file: not bad input, which cannot be read, but a calibration that cannot be used.
@@ -94,9 +98,15 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   const auto refused = std::ranges::find_if(entries, [](const Diagnostic& entry) {
     return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
   });
-  if (refused != entries.end() && loads_rewritten(request, start, before)) {
+  const bool is_edited = start.base.document != nullptr && !request.rewrite && request.layout.name.empty();
+  const bool may_be_rewritten =
+      refused != entries.end() || (verdict.word == VerdictWord::kDoNotUse && is_edited && request.verify);
+  if (const std::optional<ConvertResult> fresh = may_be_rewritten ? rewritten(request, start, before) : std::nullopt) {
     for (Reason& reason : verdict.reasons) {
-      if (reason.facts.code == Code::kVerdictRefused) reason.remedy = refused->facts;
+      if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused) reason.remedy = refused->facts;
+      const bool is_better =
+          reason.distance && word_of(*reason.distance) > VerdictWord::kUseWithCare && fresh->rms_px < result.rms_px;
+      if (is_better && request.into.empty()) reason.remedy = {Code::kRewrittenIs, {fresh->rms_px, fresh->max_px}};
     }
   }
   const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };

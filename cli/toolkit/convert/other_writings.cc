@@ -140,6 +140,20 @@ class Choice {
   std::vector<std::string_view> left_;
 };
 
+/// Is the input another program's file, in whose layout that one could not be written? It was composed anew.
+bool is_of_another(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
+  if (!request.into.empty()) return false;
+  const consumers::LoadOptions options = load_options(ReadOptions(), result.mode);
+  const std::string& bytes = start.base.document->source().bytes;
+  const std::string& written_for = result.files.front().programs.front();
+  const auto reads = [&](const consumers::Consumer& each) {
+    return each.cameras && each.reads(result.to->id) && each.load(bytes, options).loads();
+  };
+  const std::span<const consumers::Consumer> all = consumers::all_consumers();
+  const consumers::Consumer* program = consumers::find_consumer(written_for);
+  return program != nullptr && !reads(*program) && std::any_of(all.begin(), all.end(), reads);
+}
+
 }  // namespace
 
 double worst_rms_px(const ConvertResult& result) { return largest(result, &PixelDistance::rms); }
@@ -147,7 +161,7 @@ double worst_max_px(const ConvertResult& result) { return largest(result, &Pixel
 
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
   const ProofResult* proof = first_proof(result);
-  const bool keeps_its_layout = start.base.document != nullptr && !request.rewrite;
+  const bool keeps_its_layout = start.base.document != nullptr && !request.rewrite && !is_of_another(request, start, result);
   if (proof == nullptr || !proof->loads || keeps_its_layout) return;
   const auto is_off = [](const CameraProof& camera) { return camera.misread && camera.distance.decisive().max > kRounding; };
   if (std::ranges::none_of(proof->cameras, is_off)) return;

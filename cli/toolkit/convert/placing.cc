@@ -102,7 +102,7 @@ bool is_there(const fs::path& path) {
 /// A file that the folder of a file to be written holds in the other form.
 std::optional<std::string> other_form_of(const std::vector<ConvertedFile>& files) {
   for (const ConvertedFile& file : files) {
-    const bool has_place = !file.place.empty() && !file.is_filler() && !file.path.empty();
+    const bool has_place = !file.is_filler() && !file.place.empty() && fs::path(file.path).filename() == file.place;
     if (const fs::path twin = twin_of(file.path); has_place && is_there(twin)) return twin.string();
   }
   return std::nullopt;

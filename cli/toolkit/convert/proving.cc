@@ -139,7 +139,8 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
         *consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
         [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);
     proof.is_first = id == output.programs.front();
-    if (!proof.loads && consumer != request.program) proof.read_by = other_readers(*consumer, output, options);
+    if (!proof.loads && base != nullptr && consumer != request.program)
+      proof.read_by = other_readers(*consumer, output, options);
     const std::string program(consumer->program);
     const bool unchanged = base != nullptr && output.bytes == base->source().bytes;
     const bool refused_before = base != nullptr && !proof.loads && (unchanged || !request.into.empty()) &&

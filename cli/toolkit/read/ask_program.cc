@@ -59,7 +59,8 @@ const consumers::Consumer& reader_of(const consumers::Consumer& program, bool wi
   return other == all.end() ? program : *other;
 }
 
-ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration, const Inputs& inputs) {
+ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration, const Inputs& inputs,
+                           std::span<const Finding> findings) {
   ProgramReading reading;
   reading.program = &reader_of(program, !calibration.rig.cameras.empty());
   const Format& format = *calibration.format;
@@ -82,6 +83,7 @@ ProgramReading ask_program(const consumers::Consumer& program, const Calibration
     facts.to = &format;
     facts.mode = mode;
     facts.proofs = std::span(&found.proof, 1);
+    facts.findings = findings;
     facts.rig = &calibration.rig;
     found.verdict = decide(facts);
   }

@@ -47,6 +47,16 @@ Diagnostics as_warnings(const Diagnostics& diagnostics) {
   return result;
 }
 
+/// What is wrong with what the file that states the cameras means.
+std::vector<Finding> findings_in(const Calibration& calibration, const Inputs& inputs, const Diagnostics& diagnostics) {
+  CheckOptions options;
+  options.reading = read_options(inputs);
+  options.from = calibration.format;
+  options.max_angle_rad = inputs.max_angle_rad;
+  return findings_about_meaning(calibration.documents[calibration.with_cameras], calibration, diagnostics, options,
+                                *calibration.format);
+}
+
 }  // namespace
 
 Reading read(const ReadRequest& request, Files& files) {
@@ -67,7 +77,10 @@ Reading read(const ReadRequest& request, Files& files) {
   }
   reading.readers = ask_readers(calibration.format->id, calibration.documents.front().source().bytes,
                                 !calibration.rig.cameras.empty(), load_options(read_options(request.inputs)));
-  if (request.program != nullptr) reading.asked = ask_program(*request.program, calibration, request.inputs);
+  if (request.program != nullptr) {
+    const std::vector<Finding> findings = findings_in(calibration, request.inputs, reading.diagnostics);
+    reading.asked = ask_program(*request.program, calibration, request.inputs, findings);
+  }
   return reading;
 }
 

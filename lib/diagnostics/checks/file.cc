@@ -58,6 +58,8 @@ std::span<const CodeInfo> file_check_codes() {
       clause(Code::kConvertFor, "convert {0} to {1}{2}"),
       clause(Code::kConvertWithModel, ", with the model {0}"),
       clause(Code::kConvertWithLayout, ", in the layout {1}"),
+      clause(Code::kConvertAnew, ", as a fresh file"),
+      clause(Code::kConvertWithSize, ", with the images' size"),
       clause(Code::kConvertToFiles, ", a file for each camera"),
       clause(Code::kConvertUnderName, ", under the name {0}"),
       clause(Code::kAddFileVersion, "add the line  File.version: \"1.0\""),

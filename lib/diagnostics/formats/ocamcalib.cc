@@ -78,7 +78,7 @@ std::span<const CodeInfo> ocamcalib_codes() {
               "size; most images are wider than high"),
 
       clause(Code::kCalibResultsInverseFitted, "{0} coefficients, fitted to the direct one within {1:.2} px"),
-      warning(Code::kCalibResultsInverseInexact, "inverse-inexact",
+      reader_warning(Code::kCalibResultsInverseInexact, "inverse-inexact",
               "{0}: no inverse polynomial of up to 64 coefficients comes nearer to the direct one than {1:.2} px; OCamCalib's "
               "world2cam is off by as much",
               "leave out the border, where the direct polynomial turns, by a smaller largest angle; or another model"),

@@ -86,7 +86,7 @@ std::span<const CodeInfo> orbslam3_codes() {
               "one moment",
               "are they of one exposure? Then both have one offset"),
       warning(Code::kOrbslam3NothingShared, "nothing-shared",
-              "{0} and {1} see nothing in common, and ORB-SLAM3 matches a fisheye pair only where both see",
+              "{0} and {1} see nothing in common, and ORB-SLAM3 matches a pair only where both see",
               "is their pose right? The mode mono takes one camera"),
 
       // Files that are written into.

@@ -83,6 +83,7 @@ enum class Code : std::uint16_t {
   kVerdictNeedsVersion,
   kOlderVersionsRead,
   kFitInsideAngle,
+  kRewrittenIs,
 
   // What the options of a format's layouts are, for help.
   kOpencvLayouts,
@@ -1300,6 +1301,8 @@ enum class Code : std::uint16_t {
   kConvertFor,
   kConvertWithModel,
   kConvertWithLayout,
+  kConvertAnew,
+  kConvertWithSize,
   kConvertToFiles,
   kConvertUnderName,
   kAddFileVersion,

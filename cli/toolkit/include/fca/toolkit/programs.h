@@ -3,11 +3,13 @@
 #pragma once
 
 #include <fca/formats/calibration.h>
+#include <fca/formats/check.h>
 #include <fca/formats/proof.h>
 #include <fca/formats/verdict_value.h>
 #include <fca/toolkit/inputs.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,8 +37,8 @@ struct ProgramReading {
 };
 
 /// Asks a program, in each of its modes, about the file of the calibration that states the cameras (else the first).
-/// `inputs`: what counts as lens, and which of OpenCV's models its files' numbers are of.
+/// `inputs`: what counts as lens, and which of OpenCV's models its files' numbers are of. `findings`: about the file's meaning.
 [[nodiscard]] ProgramReading ask_program(const consumers::Consumer& program, const Calibration& calibration,
-                                         const Inputs& inputs);
+                                         const Inputs& inputs, std::span<const Finding> findings = {});
 
 }  // namespace fca
