@@ -67,8 +67,8 @@ Vector cam2world(const OcamModel& model, const Pixel& pixel) {
   return {x, y, z};
 }
 
-/// The last whole radius before the angle of cam2world's rays stops growing, where d/dr (pol(r) / r) = 0: beyond, two radii have one
-/// ray, and no world2cam can be the inverse.
+/// The last whole radius before the angle of cam2world's rays stops growing, where d/dr (pol(r) / r) = 0: beyond, two radii
+/// have one ray, and no world2cam can be the inverse.
 double fold(const OcamModel& model) {
   const double end = 2.0 * std::hypot(model.width, model.height);
   for (double r = 0.0; r < end; r += 1.0) {

@@ -71,8 +71,9 @@ bool check_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) 
 void warn_of_pair(const Rig& rig, const Target& target, Diagnostics& diagnostics) {
   warn_of_unrectified_camera(rig, target, diagnostics);
   if (!target.sensor.two_cameras || rig.cameras.size() < 2) return;
-  const bool see_apart = common_view(rig, rig.cameras[0], rig.cameras[1]) == 0.0;
-  if (see_apart || shares_no_columns(rig, target))
+  const Layout* layout = find_layout(target.style, model_info(rig.cameras[0].model).id);
+  const bool is_plane = layout != nullptr && !is_fisheye(*layout);
+  if ((is_plane && common_view(rig, rig.cameras[0], rig.cameras[1]) == 0.0) || shares_no_columns(rig, target))
     diagnostics.add(Code::kOrbslam3NothingShared, {rig.cameras[0].name, rig.cameras[1].name});
   warn_of_vertical_pair(rig, target, diagnostics);
   warn_of_unlike_times(rig, diagnostics);

@@ -52,6 +52,22 @@ DegreeFit fit_with(const FitTask& task, std::span<const ParameterId> terms) {
   return {std::move(fit), std::move(options.ranges), task.target.least_degree + static_cast<int>(terms.size())};
 }
 
+/// How many points of the image's border have a ray. A polynomial that turns inside the image, behind what it was fitted to,
+/// has no inverse there.
+int rays_at_border(const DegreeFit& each, const ImageSize& size) {
+  constexpr int kSteps = 8;  // along each side
+  const double right = size.width - 1.0;
+  const double bottom = size.height - 1.0;
+  int rays = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double u = right * i / kSteps;
+    const double v = bottom * i / kSteps;
+    for (const Pixel& pixel : {Pixel{u, 0.0}, Pixel{u, bottom}, Pixel{0.0, v}, Pixel{right, v}})
+      rays += unproject(each.fit.fitted.model->model, pixel) ? 1 : 0;
+  }
+  return rays;
+}
+
 double rms_of(const DegreeFit& each) { return each.fit.score.judgement.error.rms; }
 
 }  // namespace
@@ -73,8 +89,11 @@ std::vector<DegreeFit> fit_degrees(const FitTask& task) {
   const auto reached = [](const DegreeFit& each) { return each.fit.score.judgement.coverage.scored; };
   for (std::size_t count = 0; count <= terms.size(); ++count) {
     DegreeFit fit = fit_with(task, std::span(terms).first(count));
-    const bool reaches_less = !fits.empty() && reached(fit) < reached(fits.front()) - kSameShare;
-    if (fit.fit.fitted.model && !reaches_less) fits.push_back(std::move(fit));
+    const bool has_model = fit.fit.fitted.model.has_value();
+    const bool reaches_less = has_model && !fits.empty() &&
+                              (reached(fit) < reached(fits.front()) - kSameShare ||
+                               rays_at_border(fit, task.domain.size) < rays_at_border(fits.front(), task.domain.size));
+    if (has_model && !reaches_less) fits.push_back(std::move(fit));
     if (fits.empty()) {
       fits.push_back(std::move(fit));  // no camera, and why
       return fits;

@@ -15,9 +15,9 @@ struct DegreeFit {
 };
 
 /// fit_domain with task.options.degree. Without one: of all degrees the lowest whose rms is within 10 % of the best, or below
-/// 0.01 px, and that reaches as much of the image as the lowest degree does; behind it those of lower degrees, the highest
-/// first, for who wants more of a fit than that. Where the options have a range for a coefficient beyond the lowest degree, all
-/// of these are the caller's. At least one.
+/// 0.01 px, that reaches as much of the image as the lowest degree does, and turns nowhere inside it where that does not;
+/// behind it those of lower degrees, the highest first, for who wants more of a fit than that. Where the options have a range
+/// for a coefficient beyond the lowest degree, all of these are the caller's. At least one.
 [[nodiscard]] std::vector<DegreeFit> fit_degrees(const FitTask& task);
 
 }  // namespace fca::internal

@@ -8,6 +8,8 @@
 #include <fca/formats/consumers/consumer.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
@@ -222,6 +224,54 @@ TEST(VerdictFirst, EveryOutputSaysTheSame) {
   EXPECT_STREQ(verdict["reasons"][0]["code"].GetString(), "program-other-format") << checked.text();
   const RunResult page = run_program({"report", kTumvi, "--to", "orbslam3"});
   EXPECT_TRUE(contains(page.out, ">Ready<")) << word_of(converted);
+}
+
+// A lens of 195 degrees for OpenCV, whose rays end at 90: text, JSON and page give one share.
+TEST(VerdictFirst, EveryOutputGivesTheSameShare) {
+  const std::string lens = corpus("ocamcalib/matsuren__ocamcalib_undistort__ocamcamera__calib_results_0.txt");
+  if (lens.empty()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
+  const std::vector<std::string> words = {lens, "--to", "opencv"};
+  const Told converted({"convert", words[0], words[1], words[2]});
+  double share = 0.0;
+  for (const auto& reason : converted.json()["verdict"]["reasons"].GetArray()) {
+    if (std::string(reason["code"].GetString()) == "no-right-rays") share = reason["share"].GetDouble();
+  }
+  ASSERT_GT(share, 0.01) << converted.text();
+  std::array<char, 16> percent{};
+  std::snprintf(percent.data(), percent.size(), "%.1f %%", 100.0 * share);
+  const RunResult text = run_program({"convert", words[0], words[1], words[2]}, {.in_full = false});
+  EXPECT_TRUE(contains(text.err, percent.data())) << percent.data() << "\n" << text.err;
+  const RunResult page = run_program({"report", words[0], words[1], words[2]});
+  EXPECT_TRUE(contains(page.out, percent.data())) << percent.data();
+}
+
+// What is wrong with the file's meaning counts for show, too.
+TEST(VerdictFirst, ShowAndCheckSayTheSame) {
+  const TemporaryFolder folder;
+  const std::string wrong = folder.write("wrong.yaml", with_replaced(read_file(kTumvi), "[512, 512]", "[200, 512]"));
+  const RunResult show = run_program({"show", wrong, "--for", "kalibr"});
+  EXPECT_TRUE(contains(show.out.substr(0, show.out.find('\n')), "do not use")) << show.out;
+  const Told check({"check", wrong});
+  EXPECT_EQ(check.code(), 1) << check.text();
+}
+
+// V1.0 undistorts no RGB-D images; the layout before it is read rightly, which a fresh file has.
+TEST(VerdictFirst, AFreshFileIsOfferedWhereTheTextIsNotToBeUsed) {
+  const TemporaryFolder folder;
+  const std::string settings = folder / "rgbd.yaml";
+  const std::string camera = folder.write("camera.yaml",
+                                          "cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n"
+                                          "  distortion_coeffs: [-0.28, 0.07, 0.0002, 0.00002]\n"
+                                          "  intrinsics: [458.6, 457.3, 367.2, 248.4]\n"
+                                          "  resolution: [752, 480]\n  rostopic: /cam0\n");
+  ASSERT_EQ(run_program({"convert", camera, "--to", "orbslam3", "--sensor", "rgbd", "--baseline", "0.08", "--orbslam3-layout",
+                         "v1", "--accept", "pixels-off", "-o", settings})
+                .code,
+            0);
+  const Told kept({"convert", settings, "--to", "orbslam3"});
+  EXPECT_EQ(kept.code(), 1) << kept.text();
+  EXPECT_TRUE(contains(kept.text(), "--anew")) << kept.text();
+  EXPECT_EQ(Told({"convert", settings, "--to", "orbslam3", "--anew"}).code(), 0);
 }
 
 TEST(VerdictFirst, QuietSaysWhyAFileIsNotWritten) {

@@ -73,6 +73,40 @@ std::string_view not_written_for(const ConvertRequest& request, const ConvertRes
   return is_for_another ? own->program : std::string_view();
 }
 
+/// What a fresh file would be in place of the edited text, where that is refused or not to be used.
+void offer_fresh_file(const ConvertRequest& request, const Start& start, const ConvertResult& before,
+                      const ConvertResult& result, Verdict& verdict) {
+  // What is refused as it was before the edit has its fix with that diagnostic, if it is one.
+  const std::vector<Diagnostic>& entries = result.diagnostics.entries();
+  const auto refused = std::ranges::find_if(entries, [](const Diagnostic& entry) {
+    return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
+  });
+  const bool is_edited = start.base.document != nullptr && !request.rewrite && request.layout.name.empty();
+  const bool is_unusable = verdict.word == VerdictWord::kDoNotUse && is_edited && request.verify;
+  if (refused == entries.end() && !is_unusable) return;
+  const std::optional<ConvertResult> fresh = rewritten(request, start, before);
+  if (!fresh) return;
+  for (Reason& reason : verdict.reasons) {
+    if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused) reason.remedy = refused->facts;
+    const bool is_far_off = reason.distance && word_of(*reason.distance) == VerdictWord::kDoNotUse;
+    if (is_far_off && request.into.empty() && fresh->rms_px < result.rms_px)
+      reason.remedy = {Code::kRewrittenIs, {fresh->rms_px, fresh->max_px}};
+  }
+}
+
+void add_remedies(const ConvertRequest& request, const Start& start, const ConvertResult& before, const ConvertResult& result,
+                  Verdict& verdict) {
+  offer_fresh_file(request, start, before, result, verdict);
+  const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };
+  const bool needs_one = std::ranges::any_of(verdict.reasons, needs_version);
+  const Message older = needs_one ? remedy_of_version(request, result) : Message();
+  for (Reason& reason : verdict.reasons) {
+    if (needs_version(reason)) reason.remedy = older;
+    if (result.nearer && reason.facts.code == Code::kVerdictPixelsOff)
+      reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, result.rms_px}};
+  }
+}
+
 Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                    const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
@@ -93,35 +127,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.files = files;
   facts.accepted = request.accepted;
   Verdict verdict = decide(facts);
-  // What is refused as it was before the edit has its fix with that diagnostic, if it is one.
-  const std::vector<Diagnostic>& entries = result.diagnostics.entries();
-  const auto refused = std::ranges::find_if(entries, [](const Diagnostic& entry) {
-    return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
-  });
-  const bool is_edited = start.base.document != nullptr && !request.rewrite && request.layout.name.empty();
-  const bool may_be_rewritten =
-      refused != entries.end() || (verdict.word == VerdictWord::kDoNotUse && is_edited && request.verify);
-  if (const std::optional<ConvertResult> fresh = may_be_rewritten ? rewritten(request, start, before) : std::nullopt) {
-    for (Reason& reason : verdict.reasons) {
-      if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused) reason.remedy = refused->facts;
-      const bool is_better =
-          reason.distance && word_of(*reason.distance) > VerdictWord::kUseWithCare && fresh->rms_px < result.rms_px;
-      if (is_better && request.into.empty()) reason.remedy = {Code::kRewrittenIs, {fresh->rms_px, fresh->max_px}};
-    }
-  }
-  const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };
-  if (std::ranges::any_of(verdict.reasons, needs_version)) {
-    const Message remedy = remedy_of_version(request, result);
-    for (Reason& reason : verdict.reasons) {
-      if (needs_version(reason)) reason.remedy = remedy;
-    }
-  }
-  if (result.nearer) {
-    for (Reason& reason : verdict.reasons) {
-      if (reason.facts.code == Code::kVerdictPixelsOff)
-        reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, result.rms_px}};
-    }
-  }
+  add_remedies(request, start, before, result, verdict);
   return verdict;
 }
 

@@ -145,12 +145,13 @@ bool is_of_another(const ConvertRequest& request, const Start& start, const Conv
   if (!request.into.empty()) return false;
   const consumers::LoadOptions options = load_options(ReadOptions(), result.mode);
   const std::string& bytes = start.base.document->source().bytes;
-  const std::string& written_for = result.files.front().programs.front();
+  const ConvertedFile& file = result.files.front();
+  if (file.programs.empty()) return false;
   const auto reads = [&](const consumers::Consumer& each) {
     return each.cameras && each.reads(result.to->id) && each.load(bytes, options).loads();
   };
   const std::span<const consumers::Consumer> all = consumers::all_consumers();
-  const consumers::Consumer* program = consumers::find_consumer(written_for);
+  const consumers::Consumer* program = consumers::find_consumer(file.programs.front());
   return program != nullptr && !reads(*program) && std::any_of(all.begin(), all.end(), reads);
 }
 
@@ -161,8 +162,9 @@ double worst_max_px(const ConvertResult& result) { return largest(result, &Pixel
 
 void try_other_layouts(const ConvertRequest& request, const Start& start, const ConvertResult& before, ConvertResult& result) {
   const ProofResult* proof = first_proof(result);
-  const bool keeps_its_layout = start.base.document != nullptr && !request.rewrite && !is_of_another(request, start, result);
-  if (proof == nullptr || !proof->loads || keeps_its_layout) return;
+  if (proof == nullptr || !proof->loads) return;
+  const bool is_edited = start.base.document != nullptr && !request.rewrite;
+  if (is_edited && !is_of_another(request, start, result)) return;
   const auto is_off = [](const CameraProof& camera) { return camera.misread && camera.distance.decisive().max > kRounding; };
   if (std::ranges::none_of(proof->cameras, is_off)) return;
   const bool is_wide = std::ranges::any_of(proof->cameras, [](const CameraProof& camera) { return camera.distance.is_wide; });
