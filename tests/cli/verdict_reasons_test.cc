@@ -67,23 +67,24 @@ TEST(VerdictReasons, WhatTheInputsOwnReaderWantsCountsForThatReaderAlone) {
 // ORB-SLAM2's settings and a fork's are none for stock ORB-SLAM3, whoever says it.
 TEST(VerdictReasons, WhatOnlyAnotherProgramReadsNeedsThat) {
   const TemporaryFolder folder;
-  using Words = std::vector<std::string>;
+  const std::string radtan = folder.write("radtan.yaml",
+                                          "cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n"
+                                          "  distortion_coeffs: [-0.28, 0.07, 0.0002, 0.00002]\n"
+                                          "  intrinsics: [458.6, 457.3, 367.2, 248.4]\n"
+                                          "  resolution: [752, 480]\n  rostopic: /cam0\n");
   const std::string of_orbslam2 = folder / "orbslam2.yaml";
   const std::string of_fork = folder / "fork.yaml";
-  const Words alone = {"convert", kTumvi, "--camera", "cam0", "--max-angle", "40"};
-  const auto with = [](Words words, const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
-    return words;
-  };
-  EXPECT_EQ(run_program(with(alone, {"--to", "orbslam2", "--model", "radtan", "-o", of_orbslam2})).code, 0);
-  EXPECT_EQ(run_program(with(alone, {"--to", "slam_no_opt", "--model", "eucm", "-o", of_fork})).code, 0);
+  EXPECT_EQ(run_program({"convert", radtan, "--to", "orbslam2", "-o", of_orbslam2}).code, 0);
+  EXPECT_EQ(run_program({"convert", kTumvi, "--camera", "cam0", "--to", "slam_no_opt", "--model", "eucm", "-o", of_fork}).code,
+            0);
   for (const std::string& file : {of_orbslam2, of_fork}) {
     const Told check({"check", file});
-    const Told written({"convert", file, "--to", "orbslam3"});
     EXPECT_EQ(word_of(check), "use-with-care") << check.text();
     EXPECT_EQ(codes_of(check).count("needs-program"), 1U) << check.text();
-    EXPECT_EQ(codes_of(written).count("needs-program"), 1U) << written.text();
   }
+  const Told written({"convert", of_orbslam2, "--to", "orbslam3"});
+  EXPECT_EQ(word_of(written), "use-with-care") << written.text();
+  EXPECT_EQ(codes_of(written).count("needs-program"), 1U) << written.text();
   const Told asked({"convert", of_orbslam2, "--to", "orbslam2"});
   EXPECT_EQ(codes_of(asked).count("needs-program"), 0U) << asked.text();
 }
@@ -99,7 +100,7 @@ TEST(VerdictReasons, KeysOfNoKnownProgramAreNotProven) {
       folder.write("own.yml",
                    "%YAML:1.0\n---\nIntrisic: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
                    "   data: [ 500., 0., 320., 0., 500., 240., 0., 0., 1. ]\n"
-                   "distortion: !!opencv-matrix\n   rows: 1\n   cols: 4\n   dt: d\n   data: [ -0.1, 0.01, 0., 0. ]\n");
+                   "distortion: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   data: [ -0.1, 0.01, 0., 0., 0.001 ]\n");
   const Told own_check({"check", own});
   EXPECT_EQ(word_of(own_check), "use-with-care") << own_check.text();
   EXPECT_EQ(codes_of(own_check).count("not-proven"), 1U) << own_check.text();

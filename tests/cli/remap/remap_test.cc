@@ -54,7 +54,7 @@ TEST(Remap, ShowsAllDirectionsInOneImage) {
   EXPECT_EQ(out.size(), cv::Size(400, 200));
   EXPECT_EQ(out.at<cv::Vec3b>(100, 5), cv::Vec3b()) << "behind the camera";
   // As many pixels per degree as the middle of the input has: 191 px per radian.
-  const Told told({"remap", camera, "--equirectangular"});
+  const Told told({"remap", camera, "--equirectangular", "--map", folder / "map.npy"});
   EXPECT_EQ(told.json()["view"]["model"], "equirectangular");
   EXPECT_EQ(told.json()["view"]["width"], 1200);
   EXPECT_EQ(told.json()["view"]["height"], 600);
