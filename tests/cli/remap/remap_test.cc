@@ -55,9 +55,9 @@ TEST(Remap, ShowsAllDirectionsInOneImage) {
   EXPECT_EQ(out.at<cv::Vec3b>(100, 5), cv::Vec3b()) << "behind the camera";
   // As many pixels per degree as the middle of the input has: 191 px per radian.
   const Told told({"remap", camera, "--equirectangular", "--map", folder / "map.npy"});
-  EXPECT_EQ(told.json()["view"]["model"], "equirectangular");
-  EXPECT_EQ(told.json()["view"]["width"], 1200);
-  EXPECT_EQ(told.json()["view"]["height"], 600);
+  EXPECT_STREQ(told.json()["view"]["model"].GetString(), "equirectangular");
+  EXPECT_EQ(told.json()["view"]["width"].GetInt(), 1200);
+  EXPECT_EQ(told.json()["view"]["height"].GetInt(), 600);
   EXPECT_EQ(run_program({"remap", camera, "--equirectangular", "--pinhole", "90"}).code, 3);
 }
 
