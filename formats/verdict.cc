@@ -105,7 +105,7 @@ void add_disagreement(const ProofResult& proof, std::vector<Reason>& reasons) {
 
 void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (!facts.is_asked) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNotAsked}});
-  if (!facts.not_for.empty() && !facts.proofs.empty()) {
+  if (!facts.not_for.empty() && !facts.proofs.empty() && facts.proofs.front().loads) {
     const std::vector<std::string> readers = {facts.proofs.front().program};
     reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNeedsProgram, {readers, std::string(facts.not_for)}}});
   }

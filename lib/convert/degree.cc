@@ -93,11 +93,9 @@ std::vector<DegreeFit> fit_degrees(const FitTask& task) {
     const bool reaches_less = has_model && !fits.empty() &&
                               (reached(fit) < reached(fits.front()) - kSameShare ||
                                rays_at_border(fit, task.domain.size) < rays_at_border(fits.front(), task.domain.size));
-    if (has_model && !reaches_less) fits.push_back(std::move(fit));
-    if (fits.empty()) {
-      fits.push_back(std::move(fit));  // no camera, and why
-      return fits;
-    }
+    const bool is_no_camera = !has_model && fits.empty();
+    if ((has_model && !reaches_less) || is_no_camera) fits.push_back(std::move(fit));
+    if (is_no_camera) return fits;
     if (rms_of(fits.back()) < kGoodEnoughPx) break;
   }
   const double enough = std::max(kGoodEnoughPx, kNearlyAsGood * rms_of(*std::ranges::min_element(fits, {}, rms_of)));

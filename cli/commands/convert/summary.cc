@@ -114,6 +114,7 @@ void add_settings(const ConvertResult& outcome, std::vector<SummaryLine>& lines)
     }
   }
   std::vector<std::string> said;
+  said.reserve(settings.size());
   for (const Setting& setting : settings)
     said.push_back((setting.cameras.empty() ? "" : enumerated(setting.cameras) + " ") + setting.text);
   if (!said.empty()) lines.push_back({"set", enumerated(said) + ": no input states it"});

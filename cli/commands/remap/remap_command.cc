@@ -57,10 +57,11 @@ std::optional<std::string> usage_error(const RemapArguments& arguments) {
   if (const std::optional<std::string> error = problem_with(request.inputs)) return error;
   if (arguments.views > 1)
     return "--model, --like, --pinhole and --equirectangular each say what the image is to look like; give one of them";
-  if (arguments.views == 0 && !request.turn)
+  if (arguments.views == 0 && !request.turn) {
     return "say what the image is to look like: --pinhole FULL_FOV_DEG, --equirectangular, --model MODEL, --like FILE or "
            "--rotate "
            "YAW,PITCH,ROLL";
+  }
   const bool has_own_size =
       std::holds_alternative<PinholeView>(request.view) || std::holds_alternative<EquirectangularView>(request.view);
   if (arguments.view_size && !has_own_size) return "--out-size is for --pinhole and --equirectangular";
