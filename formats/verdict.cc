@@ -4,6 +4,7 @@
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
+#include <fca/rig/limits.h>
 
 #include <algorithm>
 #include <array>
@@ -140,20 +141,14 @@ bool is_neutral(const std::string& value) {
   return true;
 }
 
-/// Clocks of two cameras that differ less move no image by a pixel (at 10 px per ms).
-constexpr double kSynchronousS = 1e-4;
-
 /// Time offsets that the program takes to be the first camera's. Of a file that was written those are among the losses.
 void add_clocks(const VerdictFacts& facts, std::vector<Reason>& reasons) {
-  const bool is_said = std::ranges::find(facts.losses, Code::kOtherTimeOffset, &Loss::kind) != facts.losses.end();
-  if (is_said || facts.rig == nullptr || facts.rig->cameras.empty()) return;
-  const double first = facts.rig->cameras.front().time_offset_s.value_or(0.0);
+  if (std::ranges::find(facts.losses, Code::kOtherTimeOffset, &Loss::kind) != facts.losses.end()) return;
   for (const ProofResult& proof : facts.proofs) {
     for (const consumers::Complaint& warning : proof.warnings) {
       if (warning.facts.code != Code::kOpenVinsSaysTimeshiftNotRead) continue;
-      const Camera* camera = facts.rig->find_camera(warning.key.substr(0, warning.key.find('/')));
-      if (camera == nullptr || std::abs(camera->time_offset_s.value_or(first) - first) <= kSynchronousS) continue;
-      reasons.push_back({.facts = {Code::kVerdictLost, {warning.facts}}, .camera = camera->name});
+      const std::string camera = warning.key.substr(0, warning.key.find('/'));
+      reasons.push_back({.facts = {Code::kVerdictLost, {warning.facts}}, .camera = camera});
     }
   }
 }
@@ -362,7 +357,7 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
     }
     case Code::kOtherTimeOffset: {
       const double* behind_common = number_in(loss, 3);
-      return behind_common != nullptr && std::abs(*behind_common) > kSynchronousS;
+      return behind_common != nullptr && std::abs(*behind_common) > kSameClock;
     }
     case Code::kImuFileDropped:
       return to.imu ? uses_imu : uses_poses;  // without an IMU it is a file of poses

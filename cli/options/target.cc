@@ -57,7 +57,11 @@ std::optional<std::string> take_acceptance(const std::string& word, std::vector<
 
 std::optional<std::string> take_degree(const std::string& word, std::optional<int>& target) {
   target = word == "auto" ? std::nullopt : text::parse_int(word);
-  if (word != "auto" && !target) return "--degree wants a whole number or auto, not '" + word + "'";
+  const bool is_known = std::ranges::any_of(all_models(), [&target](const ModelInfo& model) {
+    return target && model.least_degree > 0 && *target >= model.least_degree && *target <= model.most_degree;
+  });
+  if (word != "auto" && !is_known)
+    return "--degree wants auto, or a degree that a model has (ocamcalib: 4 to 8), not '" + word + "'";
   return std::nullopt;
 }
 

@@ -12,6 +12,7 @@
 
 #include "about_key.h"
 #include "fca/code.h"
+#include "fca/rig/limits.h"
 #include "programs.h"
 #include "storage.h"
 
@@ -192,11 +193,10 @@ void read_chain(const cv::FileStorage& storage, ConsumerView& view) {
   for (int i = 0; !storage["cam" + std::to_string(i)].empty(); ++i) {
     Sensor sensor(storage["cam" + std::to_string(i)], "cam" + std::to_string(i), view);
     read_camera(sensor, view);
-    constexpr double kSynchronousS = 1e-4;  // what is less moves no image by a pixel
     if (i == 0 || !sensor.has("timeshift_cam_imu")) continue;
     const double behind_first =
         static_cast<double>(sensor.node("timeshift_cam_imu")) - static_cast<double>(storage["cam0"]["timeshift_cam_imu"]);
-    if (!(std::abs(behind_first) <= kSynchronousS)) sensor.warn(Code::kOpenVinsSaysTimeshiftNotRead, "timeshift_cam_imu");
+    if (!(std::abs(behind_first) <= kSameClock)) sensor.warn(Code::kOpenVinsSaysTimeshiftNotRead, "timeshift_cam_imu");
   }
 }
 

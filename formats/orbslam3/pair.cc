@@ -4,6 +4,7 @@
 #include "columns.h"
 
 #include <fca/code.h>
+#include <fca/rig/limits.h>
 #include <fca/rig/stereo_order.h>
 #include <fca/rig/stereo_pair.h>
 
@@ -44,10 +45,9 @@ void warn_of_unrectified_camera(const Rig& rig, const Target& target, Diagnostic
 
 /// One time stamp stands for both images of a pair.
 void warn_of_unlike_times(const Rig& rig, Diagnostics& diagnostics) {
-  constexpr double kSynchronous = 1e-4;  // s; what is less moves no image by a pixel (at 10 px per ms)
   const std::optional<double>& first = rig.cameras[0].time_offset_s;
   const std::optional<double>& second = rig.cameras[1].time_offset_s;
-  if (!first || !second || std::abs(*first - *second) <= kSynchronous) return;
+  if (!first || !second || std::abs(*first - *second) <= kSameClock) return;
   constexpr double kMsPerS = 1e3;
   diagnostics.add(Code::kOrbslam3PairNotSynchronous,
                   {rig.cameras[0].name, rig.cameras[1].name, kMsPerS * std::abs(*first - *second)});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace fca::internal {
@@ -27,21 +28,17 @@ std::vector<ParameterId> higher_terms(std::string_view model) {
   return terms;
 }
 
-/// Of the terms that the caller's ranges leave free, those up to the last; 0: the ranges speak of none.
-std::size_t freed_by_ranges(const FitTask& task, const std::vector<ParameterId>& terms) {
-  std::size_t count = 0;
+/// Of the terms that the caller's ranges leave free, the number up to the last; nothing where the ranges speak of none.
+std::optional<std::size_t> freed_by_ranges(const FitTask& task, const std::vector<ParameterId>& terms) {
+  std::optional<std::size_t> count;
   for (const ParameterRange& range : task.options.ranges) {
     const auto term = std::ranges::find(terms, range.parameter.name(), &ParameterId::name);
-    const bool is_free = term != terms.end() && (range.lower != 0.0 || range.upper != 0.0);
-    if (is_free) count = std::max(count, static_cast<std::size_t>(term - terms.begin()) + 1);
+    if (term == terms.end()) continue;
+    const bool is_free = range.lower != 0.0 || range.upper != 0.0;
+    const auto up_to = is_free ? static_cast<std::size_t>(term - terms.begin()) + 1 : 0;
+    count = std::max(count.value_or(0), up_to);
   }
   return count;
-}
-
-bool speaks_of(const FitTask& task, const std::vector<ParameterId>& terms) {
-  return std::ranges::any_of(task.options.ranges, [&terms](const ParameterRange& range) {
-    return std::ranges::find(terms, range.parameter.name(), &ParameterId::name) != terms.end();
-  });
 }
 
 DegreeFit fit_with(const FitTask& task, std::span<const ParameterId> terms) {
@@ -75,8 +72,9 @@ double rms_of(const DegreeFit& each) { return each.fit.score.judgement.error.rms
 std::vector<DegreeFit> fit_degrees(const FitTask& task) {
   const std::vector<ParameterId> terms = higher_terms(task.target.id);
   std::vector<DegreeFit> fits;
-  if (terms.empty() || speaks_of(task, terms)) {
-    const int degree = task.target.least_degree + static_cast<int>(freed_by_ranges(task, terms));
+  const std::optional<std::size_t> freed = freed_by_ranges(task, terms);
+  if (terms.empty() || freed) {
+    const int degree = task.target.least_degree + static_cast<int>(freed.value_or(0));
     fits.push_back({fit_domain(task), task.options.ranges, degree});
     return fits;
   }

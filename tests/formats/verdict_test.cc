@@ -82,33 +82,44 @@ TEST(Verdict, FilesForAnotherProgramNeedThat) {
   EXPECT_EQ(verdict.reasons.front().facts.code, Code::kVerdictNeedsProgram);
 }
 
-// 35 microseconds (OpenVINS' T265 chain) move no image by a pixel. What is written and what is checked are told alike.
+// 35 microseconds (OpenVINS' T265 chain) move no image by a pixel.
 TEST(Verdict, ClocksOfCamerasMayDifferByATenthOfAMillisecond) {
+  const ProofResult proof = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
   for (const auto& [behind_s, word] :
        {std::pair(3.5e-5, VerdictWord::kReady), std::pair(-3.5e-5, VerdictWord::kReady),
         std::pair(2e-3, VerdictWord::kUseWithCare), std::pair(-2e-3, VerdictWord::kUseWithCare)}) {
-    ProofResult proof = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
+    Rig rig;
+    rig.cameras.resize(1);
+    rig.cameras.front().time_offset_s = 0.01 + behind_s;
+    std::vector<Loss> losses;
+    add_other_time_offsets(rig, 0.01, Message{Code::kOpenvinsChainOneOffset}, losses);
     VerdictFacts facts;
     facts.to = find_format("openvins");
     facts.proofs = std::span(&proof, 1);
-    Rig rig;
-    rig.cameras.resize(2);
-    rig.cameras[0].name = "cam0";
-    rig.cameras[0].time_offset_s = 0.01;
-    rig.cameras[1].name = "cam1";
-    rig.cameras[1].time_offset_s = 0.01 + behind_s;
-    Transform beside;
-    beside(0, 3) = 0.1;
-    rig.poses.push_back({"cam0", "cam1", beside});
-    facts.rig = &rig;
-    std::vector<Loss> losses;
-    add_other_time_offsets(rig, 0.01, Message{Code::kOpenvinsChainOneOffset}, losses);
     facts.losses = losses;
     EXPECT_EQ(decide(facts).word, word) << behind_s;
-    facts.losses = {};
-    proof.warnings.emplace_back(Code::kOpenVinsSaysTimeshiftNotRead, "cam1/timeshift_cam_imu",
-                                std::vector<Argument>{"cam1/timeshift_cam_imu"});
-    EXPECT_EQ(decide(facts).word, word) << behind_s;
+  }
+}
+
+// As a file that was written is told, so is one that is checked.
+TEST(Verdict, AClockThatTheProgramDoesNotReadAsksForCare) {
+  for (const auto& [offset_s, word] :
+       {std::pair("0.010035", VerdictWord::kReady), std::pair("0.012", VerdictWord::kUseWithCare)}) {
+    const std::string camera =
+        "  cam_overlaps: []\n  camera_model: pinhole\n  distortion_coeffs: [0.01, 0.0, 0.0, 0.0]\n"
+        "  distortion_model: equidistant\n  intrinsics: [200.0, 200.0, 255.5, 255.5]\n  resolution: [512, 512]\n"
+        "  rostopic: /cam/image_raw\n  T_cam_imu:\n    - [1.0, 0.0, 0.0, 0.1]\n    - [0.0, 1.0, 0.0, 0.0]\n"
+        "    - [0.0, 0.0, 1.0, 0.0]\n    - [0.0, 0.0, 0.0, 1.0]\n";
+    const std::string bytes = "%YAML:1.0\n\ncam0:\n" + camera + "  timeshift_cam_imu: 0.01\ncam1:\n" + camera +
+                              "  timeshift_cam_imu: " + offset_s + "\n";
+    const consumers::ConsumerView view = consumers::find_consumer("openvins")->load(bytes, {});
+    EXPECT_TRUE(view.loads());
+    ProofResult proof = proof_of(distance(0.0, 0.0), distance(0.0, 0.0), false);
+    proof.warnings = view.warnings;
+    VerdictFacts facts;
+    facts.to = find_format("openvins");
+    facts.proofs = std::span(&proof, 1);
+    EXPECT_EQ(decide(facts).word, word) << offset_s;
   }
 }
 

@@ -17,6 +17,7 @@
 #include <fca/toolkit/read.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 
 namespace fca::cli {
@@ -189,6 +190,19 @@ std::string row_text(const Candidate& candidate) {
   return text + (reaches_all(candidate) && !report.fitted_to_cone ? "all" : "to " + to) + "\n";
 }
 
+enum class RowGroup : std::uint8_t { kWholeLens, kCircleAlone, kLess };
+
+RowGroup group_of(const Candidate* candidate) {
+  if (!reaches_all(*candidate)) return RowGroup::kLess;
+  return candidate->in_circle ? RowGroup::kCircleAlone : RowGroup::kWholeLens;
+}
+
+std::string heading(RowGroup group, const Candidate& first) {
+  if (group == RowGroup::kLess) return "  not all of the lens:\n";
+  return "  fitted to the circle alone (--max-angle " + text::format_short(first.in_circle->max_angle_deg) +
+         "), worse beyond it:\n";
+}
+
 std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {
   const bool is_wide = std::ranges::any_of(candidates, [](const Candidate& each) { return each.distance.is_wide; });
   std::string text =
@@ -196,20 +210,13 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
   text += "  " + padded("", kModelWidth) + padded(is_wide ? "inscribed circle" : "image", 2 * kNumberWidth) +
           (is_wide ? "whole image" : "") + "\n  " + padded("model", kModelWidth) + padded("rms px", kNumberWidth) +
           padded("99 % px", kNumberWidth) + padded("rms px", kNumberWidth) + padded("max px", kNumberWidth) + "reaches\n";
-  bool all_before = true;
-  bool circle_before = false;
   std::vector<const Candidate*> rows = ranked(candidates);
-  // Fits to the circle alone are a group of their own, between those of all of the lens and those of less.
-  const auto group = [](const Candidate* each) { return reaches_all(*each) ? (each->in_circle ? 1 : 0) : 2; };
-  std::ranges::stable_sort(rows, {}, group);
+  std::ranges::stable_sort(rows, {}, &group_of);
+  RowGroup before = RowGroup::kWholeLens;
   for (const Candidate* candidate : rows) {
-    if (candidate->in_circle && reaches_all(*candidate) && !circle_before) {
-      text += "  fitted to the circle alone (--max-angle " + text::format_short(candidate->in_circle->max_angle_deg) +
-              "), worse beyond it:\n";
-    }
-    circle_before = circle_before || candidate->in_circle.has_value();
-    if (all_before && !reaches_all(*candidate)) text += "  not all of the lens:\n";
-    all_before = reaches_all(*candidate);
+    const RowGroup group = group_of(candidate);
+    if (group != before) text += heading(group, *candidate);
+    before = group;
     text += row_text(*candidate);
   }
   for (const Candidate& candidate : candidates) {

@@ -59,8 +59,7 @@ std::optional<std::string> usage_error(const RemapArguments& arguments) {
     return "--model, --like, --pinhole and --equirectangular each say what the image is to look like; give one of them";
   if (arguments.views == 0 && !request.turn) {
     return "say what the image is to look like: --pinhole FULL_FOV_DEG, --equirectangular, --model MODEL, --like FILE or "
-           "--rotate "
-           "YAW,PITCH,ROLL";
+           "--rotate YAW,PITCH,ROLL";
   }
   const bool has_own_size =
       std::holds_alternative<PinholeView>(request.view) || std::holds_alternative<EquirectangularView>(request.view);

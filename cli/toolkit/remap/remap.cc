@@ -30,15 +30,16 @@ std::optional<Camera> source_of(const RemapRequest& request, Files& files, Diagn
   return cameras.front();
 }
 
+constexpr int kLongestSide = 32766;  // cv::remap counts in 16 bits
+
 bool sides_are_mapped(const Camera& camera, Diagnostics& diagnostics) {
-  constexpr int kLongest = 32766;  // cv::remap counts in 16 bits
   if (!camera.image_size) {
     diagnostics.add(Code::kCameraWithoutSize, {camera.name});
     return false;
   }
   const auto& [width, height] = *camera.image_size;
-  if (std::max(width, height) <= kLongest && std::int64_t{width} * height <= kMostPixels) return true;
-  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongest});
+  if (std::max(width, height) <= kLongestSide && std::int64_t{width} * height <= kMostPixels) return true;
+  diagnostics.add(Code::kImagesTooLarge, {width, height, kLongestSide});
   return false;
 }
 
@@ -90,6 +91,14 @@ std::optional<Camera> as_model(const RemapRequest& request, const ModelInfo& mod
   return std::move(conversion->camera);
 }
 
+/// 2 : 1, with as many pixels per radian as the middle of the image, as far as images may be that large.
+ImageSize equirectangular_size(const Camera& source) {
+  const auto [f_u, f_v] = central_focal_lengths(source.model);
+  const double height = std::round(std::numbers::pi * std::max(f_u, f_v));
+  const int rows = static_cast<int>(std::clamp(height, 1.0, 0.5 * kLongestSide));
+  return {2 * rows, rows};
+}
+
 /// Its size and model; nothing with errors.
 std::optional<Camera> view_camera(const RemapRequest& request, const Camera& source, Files& files, Diagnostics& diagnostics) {
   if (const auto* file = std::get_if<CameraOfFile>(&request.view)) return like(file->path, source.name, files, diagnostics);
@@ -99,17 +108,9 @@ std::optional<Camera> view_camera(const RemapRequest& request, const Camera& sou
     if (pinhole->size) camera.image_size = pinhole->size;
     camera.model = pinhole_of_view(*camera.image_size, pinhole->full_fov_rad);
   }
+  if (const auto* all = std::get_if<EquirectangularView>(&request.view))
+    camera.image_size = all->size.value_or(equirectangular_size(source));
   return camera;
-}
-
-/// 2 : 1, with as many pixels per radian as the middle of the image.
-ImageSize equirectangular_size(const Camera& source) {
-  const auto [f_u, f_v] = central_focal_lengths(source.model);
-  const double height = std::round(std::numbers::pi * std::max(f_u, f_v));
-  constexpr double kLeast = 2.0;
-  constexpr double kMost = 16000.0;  // what sides_are_mapped() allows of the width
-  const int rows = static_cast<int>(std::clamp(height, kLeast, kMost));
-  return {2 * rows, rows};
 }
 
 /// False with errors.
@@ -117,22 +118,17 @@ bool make_map(const RemapRequest& request, Files& files, RemapResult& result) {
   const std::optional<Camera> source = source_of(request, files, result.diagnostics);
   if (!source) return false;
   result.source = *source;
-  if (request.turn) result.T_source_view = turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
-  if (const auto* all = std::get_if<EquirectangularView>(&request.view)) {
-    result.is_equirectangular = true;
-    result.view.name = source->name;
-    result.view.image_size = all->size.value_or(equirectangular_size(*source));
-    if (!sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(result.view, result.diagnostics)) return false;
-    const std::optional<ImageMapper> mapper = ImageMapper::to_equirectangular(
-        *source, *result.view.image_size, result.T_source_view, request.inputs.max_angle_rad, result.diagnostics);
-    if (mapper) result.map = map_of(*mapper, request.jobs);
-    return mapper.has_value();
-  }
   std::optional<Camera> view = view_camera(request, *source, files, result.diagnostics);
   if (!view || !sides_are_mapped(*source, result.diagnostics) || !sides_are_mapped(*view, result.diagnostics)) return false;
   result.view = *std::move(view);
+  result.is_equirectangular = std::holds_alternative<EquirectangularView>(request.view);
+  if (request.turn) result.T_source_view = turned(request.turn->yaw_rad, request.turn->pitch_rad, request.turn->roll_rad);
+  const std::optional<double>& limit_rad = request.inputs.max_angle_rad;
   const std::optional<ImageMapper> mapper =
-      ImageMapper::between(*source, result.view, result.T_source_view, request.inputs.max_angle_rad, result.diagnostics);
+      result.is_equirectangular
+          ? ImageMapper::to_equirectangular(*source, *result.view.image_size, result.T_source_view, limit_rad,
+                                            result.diagnostics)
+          : ImageMapper::between(*source, result.view, result.T_source_view, limit_rad, result.diagnostics);
   if (!mapper) return false;
   result.map = map_of(*mapper, request.jobs);
   return true;

@@ -14,6 +14,8 @@ namespace fca {
 
 inline constexpr double kLongestDistance = 1e6;    ///< m: no two parts of a rig are farther apart.
 inline constexpr double kLongestTimeOffset = 1e6;  ///< s: eleven days.
+/// s: time offsets of two cameras that differ less move no image by a pixel (at 10 px per ms).
+inline constexpr double kSameClock = 1e-4;
 /// px: larger than any sensor and than JPEG can hold; keeps what is computed from it far from overflow.
 inline constexpr int kLargestImageSide = 100'000;
 /// Of one rig. The largest light stages have some hundred; poses are compared each with each.
