@@ -78,10 +78,11 @@ std::span<const CodeInfo> ocamcalib_codes() {
               "size; most images are wider than high"),
 
       clause(Code::kCalibResultsInverseFitted, "{0} coefficients, fitted to the direct one within {1:.2} px"),
-      reader_warning(Code::kCalibResultsInverseInexact, "inverse-inexact",
-              "{0}: no inverse polynomial of up to 64 coefficients comes nearer to the direct one than {1:.2} px; OCamCalib's "
-              "world2cam is off by as much",
-              "leave out the border, where the direct polynomial turns, by a smaller largest angle; or another model"),
+      reader_warning(
+          Code::kCalibResultsInverseInexact, "inverse-inexact",
+          "{0}: no inverse polynomial of up to 64 coefficients comes nearer to the direct one than {1:.2} px; OCamCalib's "
+          "world2cam is off by as much",
+          "leave out the border, where the direct polynomial turns, by a smaller largest angle; or another model"),
       clause(Code::kCalibResultsEndsWithSize, "a calib_results.txt ends with the image size"),
       clause(Code::kCalibResultsNoPlace, "a calib_results.txt has no place for it"),
       clause(Code::kCalibResultsHeadline, "a calib_results.txt for OCamCalib"),

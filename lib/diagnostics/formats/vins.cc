@@ -54,10 +54,11 @@ std::span<const CodeInfo> vins_codes() {
               "inv_poly_parameters is up to {0:.3} px from the inverse of poly_parameters: projecting and unprojecting see two "
               "different lenses; fca-io goes by poly_parameters",
               "fit it to poly_parameters again"),
-      reader_warning(Code::kVinsInverseInexact, "inverse-inexact",
-              "{0}: no inverse polynomial of the 20 coefficients that camodocal holds comes nearer to the direct one than "
-              "{1:.2} px; it projects off by as much",
-              "leave out the border, where the direct polynomial turns; or take another model"),
+      reader_warning(
+          Code::kVinsInverseInexact, "inverse-inexact",
+          "{0}: no inverse polynomial of the 20 coefficients that camodocal holds comes nearer to the direct one than "
+          "{1:.2} px; it projects off by as much",
+          "leave out the border, where the direct polynomial turns; or take another model"),
 
       // VINS-Fusion's configuration, as read.
       error(Code::kVinsCountMissing, "missing-key", "there is no num_of_cam: VINS-Fusion stops", "num_of_cam: 1 or 2"),
