@@ -47,8 +47,8 @@ constexpr std::array kInstantNgp = {Name("instant-ngp"), Name("ngp")};
 
 // Not written: what they read.
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
-constexpr std::array kSvo = {Name("svo"),     Name("svo-pro"), Name("vikit"),        Name("maplab"),
-                             Name("rovioli"), Name("rpg"),     Name("ultimate-slam")};
+constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("rpg"), Name("ultimate-slam")};
+constexpr std::array kMaplab = {Name("maplab"), Name("rovioli")};
 constexpr std::array kFastLivo = {Name("fast-livo"), Name("fast-livo2")};
 constexpr std::array kMsckfVio = {Name("msckf_vio")};
 constexpr std::array kStella = {Name("stella"), Name("stella_vslam"), Name("openvslam"), Name("plp-slam"), Name("360vslam")};
@@ -106,6 +106,7 @@ constexpr std::array kNames = {
                 "COLMAP's folders of undistorted images alone (PINHOLE, SIMPLE_PINHOLE; colmap image_undistorter makes them)"},
     ProgramName{kOkvis, "OKVIS", "kalibr", "", "", "a configuration of its own in YAML"},
     ProgramName{kSvo, "SVO", "kalibr", "", "", "an ncamera YAML"},
+    ProgramName{kMaplab, "maplab", "kalibr", "", "", "an ncamera YAML"},
     ProgramName{kFastLivo, "FAST-LIVO", "ros", "", "", "camera_pinhole.yaml, flat keys of ROS parameters"},
     ProgramName{kMsckfVio, "MSCKF-VIO", "kalibr", "", "", "Kalibr's keys with flat lists for its poses"},
     ProgramName{kStella, "stella_vslam", "orbslam3", "", "", "a configuration of its own in YAML"},

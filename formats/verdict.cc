@@ -68,8 +68,11 @@ void add_cameras(const ProofResult& proof, std::vector<Reason>& reasons) {
     if (pixels == VerdictWord::kReady && camera.misread && distance.max > kSeen)
       add(VerdictWord::kUseWithCare, Code::kVerdictMisread, {proof.program, distance.max, causes_of(camera, proof)}, distance);
     const PixelDistance& image = camera.distance.in_image;
+    std::vector<Message> of_circle;
+    if (camera.distance.is_wide) of_circle.push_back({Code::kVerdictOfCircle, {distance.no_rays}});
     add(word_of(distance.no_rays, kNoRays), Code::kVerdictNoRays,
-        {proof.program, image.region * image.no_rays, image.region * (1.0 - image.no_rays), why_no_rays(proof)}, image);
+        {proof.program, image.region * image.no_rays, image.region * (1.0 - image.no_rays), why_no_rays(proof), of_circle},
+        image);
   }
 }
 

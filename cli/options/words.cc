@@ -37,8 +37,9 @@ std::optional<ImageSize> parse_size(std::string_view text) {
 /// A program that fca-io knows and has no format for.
 std::string not_served(const ProgramName& program, std::string_view option) {
   const std::string what = std::string(program.title) + " reads " + std::string(program.reads) + ", which fca-io does not ";
-  if (option == "--from") return what + "read";
-  return what + "write; the nearest is " + std::string(option) + " " + std::string(program.format);
+  const std::string format(program.format);
+  if (option == "--from") return what + "read; the nearest format is " + format;
+  return what + "write; the nearest is " + std::string(option) + " " + format;
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ constexpr std::array kHints = {
                "give the camera of the rectified images (P1 of cv::stereoRectify); --sensor mono leaves the pair out"},
     OptionHint{Code::kOrbslam3NothingShared, text::Part::kFix,
                "is their pose right (show says it in words)? --sensor mono takes one camera"},
+    OptionHint{Code::kKimeraNothingShared, text::Part::kFix,
+               "is their pose right (show says it in words)? --camera {0} writes one, for Kimera-VIO's monocular mode"},
     OptionHint{Code::kOrbslam3ColumnsKept, text::Part::kFix, "--set KEY=VALUE writes another"},
     OptionHint{Code::kOrbslam3ColumnsComputed, text::Part::kFix, "--set KEY=VALUE writes another"},
     OptionHint{Code::kOrbslam3LacksSecond, text::Part::kText, "a second camera (--join CAM0 CAM1)"},
@@ -106,7 +108,7 @@ constexpr std::array kHints = {
                "a second camera (--join CAM0 CAM1): one camera and a baseline are a pair only where the images are rectified, "
                "without distortion, and {0} is {1} with distortion (rectify with cv::stereoRectify, or --sensor rgbd for a "
                "depth sensor)"},
-    OptionHint{Code::kVerdictNoPose, text::Part::kFix, "give a file that states it, too (--with extrinsics.yml)"},
+    OptionHint{Code::kVerdictNoPose, text::Part::kFix, "give a file that states it, too (--with FILE)"},
     OptionHint{Code::kOrbslam3LacksPose, text::Part::kText, "the pose of {0} to {1} (--with extrinsics.yml)"},
     OptionHint{Code::kOrbslam3LacksOneSize, text::Part::kText, "one image size for both cameras (--resize WxH)"},
     OptionHint{Code::kOrbslam3LacksBaseline, text::Part::kText, "the baseline (--baseline METRES)"},
@@ -242,6 +244,7 @@ constexpr std::array kHints = {
                "fca-io check {2:shell} tells whether the base itself is at fault; if not, --sensor takes a poorer mode"},
     OptionHint{Code::kVerdictNoReader, text::Part::kFix, "fca-io convert --anew writes the keys that {0} reads"},
     OptionHint{Code::kVerdictInvented, text::Part::kFix, "give a file that states it, too (--with FILE)"},
+    OptionHint{Code::kRewriteDemandsSize, text::Part::kText, "--anew --size WIDTHxHEIGHT writes a fresh file"},
     OptionHint{Code::kRewrittenIs, text::Part::kText, "--anew writes a fresh file: {0:px} px rms off, worst {1:px}"},
     OptionHint{Code::kNotProven, text::Part::kFix, "--anew writes the keys that {1} reads"},
     OptionHint{Code::kPartMissing, text::Part::kFix, "put that file there; --into needs it only for cameras that stay"},

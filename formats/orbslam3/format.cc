@@ -84,6 +84,7 @@ const Format kFormat = {
     .program = "ORB-SLAM3",
     .many_cameras = true,
     .most_cameras = 2,
+    .begins_with_pair = true,
     .one_model = true,
     .extrinsics = true,
     .imu = true,

@@ -20,11 +20,13 @@
 
 #include <fca/formats/file_name.h>
 #include <fca/formats/text/numbers.h>
+#include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 namespace fca::kimera {
 
@@ -213,12 +215,25 @@ void list_losses(const text::Document* base, const Rig& rig, Written& written) {
   }
 }
 
+/// Kimera-VIO takes LeftCameraParams.yaml and RightCameraParams.yaml for a stereo pair, and opens no further camera's file.
+void tell_of_pair(const Rig& rig, Written& written, Diagnostics& diagnostics) {
+  const Camera& left = rig.cameras[0];
+  const Camera& right = rig.cameras[1];
+  std::vector<std::string> unread;
+  for (const Camera& camera : std::span(rig.cameras).subspan(2)) unread.push_back(camera.name);
+  std::vector<Message> others;
+  if (!unread.empty()) others.push_back({Code::kKimeraPairOfSeveral, {unread}});
+  written.headline = {Code::kKimeraWrotePair, {written.headline, left.name, right.name, others}};
+  written.first_is_left = {Code::kKimeraFirstIsLeft};
+  if (!may_be_stereo(rig, left, right)) diagnostics.add(Code::kKimeraNothingShared, {left.name, right.name});
+}
+
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
                              Diagnostics& diagnostics) {
   std::optional<Written> written = sensors::write(files(), base, rig, options, diagnostics);
   if (!written) return written;
   list_losses(base, rig, *written);
-  if (rig.cameras.size() == 2) written->first_is_left = {Code::kKimeraFirstIsLeft};
+  if (rig.cameras.size() > 1) tell_of_pair(rig, *written, diagnostics);
   return written;
 }
 
@@ -268,6 +283,7 @@ const Format kFormat = {
     .program = "Kimera-VIO",
     .main_file = "LeftCameraParams.yaml",
     .many_cameras = false,
+    .begins_with_pair = true,
     .extrinsics = true,
     .imu = true,
     .needs_imu = true,

@@ -145,6 +145,10 @@ DomainFit fit_domain(const FitTask& task) {
     result = fit_and_score(task);
     if (too_few(result.fitted.samples, task.target) || describes(task, result)) return result;
   }
+  if (!task.options.cone) {
+    result.fitted.model.reset();
+    return result;
+  }
   DomainFit cone = fit_largest_cone(task, ahead_only ? std::min(angle, kAhead) : angle);
   const Micros time = result.time + cone.time;
   if (cone.fitted.model && (!reaches(result) || describes(task, cone))) {

@@ -42,6 +42,8 @@ struct DomainFit {
 /// Are there too few samples to fit that model?
 [[nodiscard]] bool too_few(std::size_t samples, const ModelInfo& target);
 
+/// Without options.cone no model where it does not describe the whole domain.
+///
 /// Fits on options.samples samples, and on twice as many while the model is worse or better between them and that helps.
 ///
 /// The whole domain or a cone: the largest that the target describes, and "describes" means the same for both.

@@ -13,7 +13,9 @@ std::span<const CodeInfo> verdict_codes() {
       clause(Code::kVerdictCause, "; {0}"),
       reader_warning(Code::kVerdictMisread, "program-misreads",
                      "{0} takes other numbers than the file's: worst pixel {1:px} px off{2}"),
-      reader_warning(Code::kVerdictNoRays, "no-right-rays", "{0} has no right ray for {1:%} of the image; {2:%} compared{3}"),
+      reader_warning(Code::kVerdictNoRays, "no-right-rays",
+                     "{0} has no right ray for {1:%} of the image{4}; {2:%} compared{3}"),
+      clause(Code::kVerdictOfCircle, " and {0:%} of its inscribed circle"),
       about_reader(error(Code::kVerdictRefused, "program-refuses", "{0} refuses it: {1:and}")),
       reader_warning(Code::kVerdictNeedsProgram, "needs-program", "only {0:and} reads it, {1} does not"),
       about_reader(error(Code::kVerdictPosesDiffer, "proof-failed", "an element of {0}'s poses differs by {1:.3}")),
@@ -32,6 +34,7 @@ std::span<const CodeInfo> verdict_codes() {
                      "{0} reads {2} since {1}; its readers before refuse the file"),
       clause(Code::kOlderVersionsRead, "for those the model {0}: {1:px} px rms off, worst {2:px}"),
       clause(Code::kFitInsideAngle, "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}"),
+      clause(Code::kRewriteDemandsSize, "write a fresh file, which demands the size of the images"),
       clause(Code::kRewrittenIs, "written anew: {0:px} px rms off, worst {1:px}"),
   };
   return kRows;

@@ -27,7 +27,10 @@ TEST(Names, EveryProgramIsServedOrAnswered) {
       EXPECT_EQ(run.code, 3) << typed;
       for (const std::string& value : {std::string(program.title), "--to " + std::string(program.format)})
         EXPECT_TRUE(contains(run.err, value)) << typed << ": " << run.err;
-      EXPECT_EQ(run_program({"show", kTumvi, "--from", typed}).code, 3) << typed;
+      const RunResult from = run_program({"show", kTumvi, "--from", typed});
+      EXPECT_EQ(from.code, 3) << typed;
+      for (const std::string_view value : {program.title, program.reads, program.format})
+        EXPECT_TRUE(contains(from.err, std::string(value))) << typed << ": " << from.err;
     }
   }
 }

@@ -169,6 +169,20 @@ TEST(VerdictFirst, ThePairIsTheTwoThatSeeTheSame) {
   EXPECT_STREQ(chosen.json()["cameras"][1]["input_name"].GetString(), "cam1");
 }
 
+// Kimera-VIO reads two files by their names, and nothing asks whether their cameras see the same.
+TEST(VerdictFirst, ThePairOfNamedFilesIsTheTwoThatSeeTheSame) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("three.yaml", chain_of_three());
+  const std::string out = (folder.path() / "out").string() + "/";
+  const Told run({"convert", chain, "--to", "kimera", "-o", out});
+  EXPECT_TRUE(contains(read_file(out + "LeftCameraParams.yaml"), "camera_id: cam0")) << run.text();
+  EXPECT_TRUE(contains(read_file(out + "RightCameraParams.yaml"), "camera_id: cam2")) << run.text();
+  EXPECT_FALSE(codes_of(run).contains("nothing-shared")) << run.text();
+  const Told chosen({"convert", chain, "--camera", "0,1", "--to", "kimera", "-o", out, "--force"});
+  EXPECT_TRUE(codes_of(chosen).contains("nothing-shared")) << chosen.text();
+  EXPECT_EQ(word_of(chosen), "use-with-care");
+}
+
 TEST(VerdictFirst, AFileThatItsOwnProgramRefusesIsNotWrittenAgain) {
   const std::string chain = testdata("formats/kalibr/good/opencv-header.yaml");
   const Told run({"convert", chain, "--to", "kalibr"});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "choose_model.h"
 
-#include "models/model_advice.h"
 #include "parallel_for.h"
 
 #include <fca/code.h>
@@ -36,9 +35,15 @@ ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice)
   options.max_angle_rad = choice.max_angle_rad;
   options.every_pixel = choice.every_pixel;
   options.objective = choice.objective;
+  options.cone = choice.partial == Partial::kCone;
   if (find_model(stored.model)->least_degree > 0) options.degree = choice.degree;
   options.ranges.assign(stored.ranges.begin(), stored.ranges.end());
   return options;
+}
+
+std::optional<Conversion> converted(const Camera& camera, const ConvertOptions& options, const ModelChoice& choice,
+                                    Diagnostics& diagnostics) {
+  return choice.known != nullptr ? choice.known->convert(camera, options, diagnostics) : convert(camera, options, diagnostics);
 }
 
 namespace {
@@ -56,7 +61,8 @@ std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredMod
                                            Diagnostics& diagnostics) {
   if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty())
     return ConvertedCamera{camera, camera, std::nullopt};
-  std::optional<Conversion> conversion = convert(camera, options_for(stored, choice), diagnostics);
+  ConvertOptions options = options_for(stored, choice);
+  std::optional<Conversion> conversion = converted(camera, options, choice, diagnostics);
   if (!conversion) return std::nullopt;
   return ConvertedCamera{camera, std::move(conversion->camera), std::move(conversion->report)};
 }
@@ -136,8 +142,17 @@ double share_behind(const std::vector<ConvertedCamera>& outcomes) {
   return share;
 }
 
+/// All of the lens, with errors that need no better model?
+bool is_good_everywhere(const std::vector<ConvertedCamera>& outcomes) {
+  constexpr double kGoodRms = 0.25;  // px
+  return std::ranges::all_of(outcomes, [](const ConvertedCamera& outcome) {
+    const Judgement* judgement = outcome.report ? &outcome.report->judgement : nullptr;
+    return judgement != nullptr && judgement->coverage.unrepresentable <= kSameCoverage && judgement->error.rms <= kGoodRms;
+  });
+}
+
 /// All cameras in the best of the models that may be chosen. One that sees only ahead is not tried where another
-/// covers what lies behind: its fit to a cone is the slowest of all.
+/// covers what lies behind, nor fitted to a cone where another is good everywhere: that fit is the slowest of all.
 std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>& cameras, const Format& format,
                                                        const ModelChoice& choice, Diagnostics& diagnostics) {
   struct Candidate {
@@ -152,10 +167,12 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
   }
   double uncovered = std::numeric_limits<double>::infinity();
   double behind = 0.0;
+  ModelChoice next = choice;
   const auto try_out = [&](Candidate& candidate) {
     candidate.tried = true;
-    candidate.outcomes = convert_all(cameras, *candidate.stored, choice, candidate.diagnostics);
+    candidate.outcomes = convert_all(cameras, *candidate.stored, next, candidate.diagnostics);
     if (!candidate.outcomes) return;
+    if (is_good_everywhere(*candidate.outcomes)) next.partial = Partial::kNothing;
     uncovered = std::min(uncovered, merit_of(*candidate.outcomes, choice.objective).unrepresentable);
     behind = std::max(behind, share_behind(*candidate.outcomes));
   };
@@ -245,12 +262,7 @@ std::optional<std::vector<ConvertedCamera>> convert_cameras(const std::vector<Ca
   std::optional<std::vector<ConvertedCamera>> outcomes = all_cameras(cameras, format, choice, diagnostics);
   if (!outcomes) return std::nullopt;
   for (const ConvertedCamera& camera : *outcomes) {
-    for (Diagnostic entry : camera.found.entries()) {
-      // The library does not know which models the program reads.
-      if (entry.facts.code == Code::kTargetCannotReach && camera.report)
-        entry.remedy = {Code::kBetterModelsExist, {better_models(camera.source, *camera.report, format, choice)}};
-      diagnostics.add(std::move(entry));
-    }
+    for (const Diagnostic& entry : camera.found.entries()) diagnostics.add(entry);
   }
   return outcomes;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "known_conversions.h"
+
 #include <fca/convert/convert.h>
 #include <fca/formats/format.h>
 #include <fca/toolkit/convert.h>
@@ -14,6 +16,9 @@
 
 namespace fca {
 
+/// What a model gets that cannot describe the whole lens.
+enum class Partial : std::uint8_t { kCone, kNothing };
+
 struct ModelChoice {
   const ModelInfo* model = nullptr;  ///< As asked for; null: chosen for the stock program.
   std::optional<double> max_angle_rad;
@@ -22,8 +27,10 @@ struct ModelChoice {
   std::optional<int> degree = {};       ///< Of those that are polynomials.
   std::size_t most_cameras = SIZE_MAX;  ///< Further ones are not converted: no file will hold them.
   std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
-  std::size_t jobs = 0;                 ///< Cameras fitted at the same time; 0: as many as there are processors.
-  bool same_format = false;             ///< The cameras come from a file of the format they are written to.
+  Partial partial = Partial::kCone;
+  std::size_t jobs = 0;               ///< Cameras fitted at the same time; 0: as many as there are processors.
+  KnownConversions* known = nullptr;  ///< Where conversions of the same request are remembered; null: nowhere.
+  bool same_format = false;           ///< The cameras come from a file of the format they are written to.
 };
 
 /// Does a fresh file in that layout, one of the format's, hold the model?
@@ -34,6 +41,10 @@ struct ModelChoice {
 
 /// What lib/convert is to be asked for, to fit a camera to what `stored` can hold.
 [[nodiscard]] ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice);
+
+/// As fca::convert(), or remembered.
+[[nodiscard]] std::optional<Conversion> converted(const Camera& camera, const ConvertOptions& options,
+                                                  const ModelChoice& choice, Diagnostics& diagnostics);
 
 /// The cameras as `format` will store them. Without a model asked for: each keeps its model if the stock program reads it
 /// exactly and all agree, else all take the stock model that covers most of the images and, among equals, fits best by

@@ -30,12 +30,33 @@ std::vector<Finding> findings_since(const ConvertResult& before, const ConvertRe
 }
 
 /// The model that older versions of the program read, and what it costs; nothing if none does.
-Message remedy_of_version(const ConvertRequest& request, const ConvertResult& result) {
+Message remedy_of_version(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
   std::vector<Camera> sources;
   for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
-  const ModelChoice choice = {
-      .max_angle_rad = request.inputs.max_angle_rad, .objective = request.objective, .degree = request.degree};
+  const ModelChoice choice = {.max_angle_rad = request.inputs.max_angle_rad,
+                              .objective = request.objective,
+                              .degree = request.degree,
+                              .known = start.known.get()};
   return best_of_every_version(sources, *result.to, choice).value_or(Message());
+}
+
+/// Of lenses that their models do not reach all of: what would describe them better. The library does not know which models the
+/// program reads.
+void name_better_models(const ConvertRequest& request, const Start& start, ConvertResult& result) {
+  ConvertRequest chosen = request;
+  if (!result.layout.empty()) chosen.layout = {result.to, result.layout};
+  const ModelChoice choice = choice_of(chosen, start, *result.to);
+  Diagnostics named;
+  for (Diagnostic entry : result.diagnostics.entries()) {
+    for (const ConvertedCamera& camera : result.cameras) {
+      const bool is_of_camera =
+          std::ranges::find(camera.found.entries(), entry.facts, &Diagnostic::facts) != camera.found.entries().end();
+      if (entry.facts.code == Code::kTargetCannotReach && camera.report && is_of_camera)
+        entry.remedy = {Code::kBetterModelsExist, {better_models(camera.source, *camera.report, *result.to, choice)}};
+    }
+    named.add(std::move(entry));
+  }
+  result.diagnostics = std::move(named);
 }
 
 /// A fresh file in place of the edited text of the input, if the programs load that.
@@ -85,9 +106,12 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
   const bool is_unusable = verdict.word == VerdictWord::kDoNotUse && is_edited && request.verify;
   if (refused == entries.end() && !is_unusable) return;
   const std::optional<ConvertResult> fresh = rewritten(request, start, before);
-  if (!fresh) return;
+  const bool lacks_size = std::ranges::any_of(start.input.rig.cameras, [](const Camera& each) { return !each.image_size; });
+  if (!fresh && !lacks_size) return;
+  const Message remedy = fresh && refused != entries.end() ? refused->facts : Message{Code::kRewriteDemandsSize};
   for (Reason& reason : verdict.reasons) {
-    if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused) reason.remedy = refused->facts;
+    if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused) reason.remedy = remedy;
+    if (!fresh) continue;
     const bool is_far_off = reason.distance && word_of(*reason.distance) == VerdictWord::kDoNotUse;
     if (is_far_off && request.into.empty() && fresh->rms_px < result.rms_px)
       reason.remedy = {Code::kRewrittenIs, {fresh->rms_px, fresh->max_px}};
@@ -99,7 +123,7 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
   offer_fresh_file(request, start, before, result, verdict);
   const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };
   const bool needs_one = std::ranges::any_of(verdict.reasons, needs_version);
-  const Message older = needs_one ? remedy_of_version(request, result) : Message();
+  const Message older = needs_one ? remedy_of_version(request, start, result) : Message();
   for (Reason& reason : verdict.reasons) {
     if (needs_version(reason)) reason.remedy = older;
     if (result.nearer && reason.facts.code == Code::kVerdictPixelsOff)
@@ -141,6 +165,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
     try_other_layouts(request, start, before, result);
     try_nearer_fit(request, start, before, result);
   }
+  name_better_models(request, start, result);
   result.rms_px = worst_rms_px(result);
   result.max_px = worst_max_px(result);
   for (Loss& loss : result.losses) loss.matters = matters(loss, *result.to, result.mode);

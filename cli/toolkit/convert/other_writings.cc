@@ -37,9 +37,9 @@ bool serves_the_same(const ConvertResult& other, const ConvertResult& result) {
 }
 
 std::optional<ConvertResult> written_as(const ConvertRequest& request, const Start& start, const ConvertResult& before,
-                                        const ConvertResult& result) {
+                                        const ConvertResult& result, Partial partial = Partial::kCone) {
   ConvertResult other = before;
-  if (!write_as_asked(request, start, other) || !serves_the_same(other, result)) return std::nullopt;
+  if (!write_as_asked(request, start, other, partial) || !serves_the_same(other, result)) return std::nullopt;
   return other;
 }
 
@@ -177,6 +177,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
     other.layout = {result.to, std::string(layout)};
     choice.consider(written_as(other, start, before, result), layout);
   }
+  // A model that leaves a part of the lens out is no better way.
   if (!choice.is_good() && request.model == nullptr) {
     for (const std::string_view layout : choice.layouts_left()) {
       for (const StoredModel& stored : result.to->models) {
@@ -184,7 +185,7 @@ void try_other_layouts(const ConvertRequest& request, const Start& start, const 
         if (!layout_stores(*result.to, layout, stored.model)) continue;
         other.layout = {result.to, std::string(layout)};
         other.model = find_model(stored.model);
-        choice.consider(written_as(other, start, before, result), layout);
+        choice.consider(written_as(other, start, before, result, Partial::kNothing), layout);
       }
     }
   }

@@ -89,12 +89,12 @@ void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, st
   });
 }
 
-/// Of more cameras than the target's program uses it takes the stereo pair. A choice of the user's stays, and a file of the
-/// target's own format says itself which cameras come first.
+/// Of several cameras the stereo pair comes first where the target's program takes the first two for one. A choice of the
+/// user's stays, and a file of the target's own format says itself which cameras come first.
 void put_pair_first(const ConvertRequest& request, const Format& to, Calibration& input) {
   constexpr std::size_t kPair = 2;
   std::vector<Camera>& cameras = input.rig.cameras;
-  if (to.most_cameras != kPair || cameras.size() <= kPair || request.inputs.cameras || input.format == &to) return;
+  if (!to.begins_with_pair || cameras.size() <= kPair || request.inputs.cameras || input.format == &to) return;
   const auto pair = stereo_pair(input.rig);
   if (!pair) return;
   std::rotate(cameras.begin(), cameras.begin() + static_cast<std::ptrdiff_t>(pair->first),

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "base.h"
+#include "known_conversions.h"
 
 #include <fca/formats/check.h>
 
+#include <memory>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -17,6 +19,7 @@ struct Start {
   Calibration input;
   Base base;                      ///< Points into the two above.
   std::vector<Finding> findings;  ///< About the meaning of the input.
+  std::unique_ptr<KnownConversions> known = std::make_unique<KnownConversions>();
 };
 
 /// False with errors. `programs`: who reads the target gets ready meanwhile.

@@ -18,6 +18,7 @@
 #include <fca/convert/reach.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fca {
 
@@ -93,8 +94,13 @@ void put_first(const consumers::Consumer& program, Written& written) {
 /// Step by step: each of them is false where there are errors.
 class Writing {
  public:
-  Writing(const ConvertRequest& request, const Start& start, ConvertResult& result)
-      : request_(request), input_(start.input), into_(start.into), base_(start.base), result_(result) {}
+  Writing(const ConvertRequest& request, const Start& start, ModelChoice choice, ConvertResult& result)
+      : request_(request),
+        input_(start.input),
+        into_(start.into),
+        base_(start.base),
+        choice_(std::move(choice)),
+        result_(result) {}
 
   [[nodiscard]] bool run() {
     if (!fit() || !write() || !place()) return false;
@@ -103,7 +109,6 @@ class Writing {
   }
 
  private:
-  [[nodiscard]] ModelChoice choice() const;
   /// Into the result's cameras.
   [[nodiscard]] bool fit();
   /// Into rig_: the cameras that were fitted, in the rig of the input, or of the base.
@@ -118,49 +123,26 @@ class Writing {
   const Calibration& input_;
   const std::optional<Calibration>& into_;
   const Base& base_;
+  ModelChoice choice_;
   ConvertResult& result_;
   Rig rig_;    ///< What is written.
   Kept kept_;  ///< Of the base.
   Written written_;
 };
 
-ModelChoice Writing::choice() const {
-  ModelChoice choice;
-  choice.model = request_.model;
-  choice.max_angle_rad = request_.inputs.max_angle_rad;
-  choice.every_pixel = request_.every_pixel;
-  choice.jobs = request_.jobs;
-  choice.objective = request_.objective;
-  choice.degree = request_.degree;
-  choice.among = request_.layout.name.empty() ? models_for(request_, base_, input_.rig, *result_.to)
-                                              : models_of_layout(*result_.to, request_.layout.name);
-  const bool is_fresh = base_.document == nullptr && result_.to->cameras_held != nullptr;
-  choice.most_cameras =
-      is_fresh ? result_.to->cameras_held(input_.rig, request_.mode, request_.layout.name) : result_.to->most_cameras;
-  choice.same_format = input_.format == result_.to && input_.one_format;
-  if (request_.program == nullptr) return choice;
-  if (const std::vector<std::string> taken = taken_by(*request_.program, *result_.to); !taken.empty()) {
-    if (choice.among.empty()) choice.among = taken;
-    std::erase_if(choice.among, [&taken](const std::string& model) { return std::ranges::find(taken, model) == taken.end(); });
-    choice.same_format = false;
-  }
-  return choice;
-}
-
 bool Writing::fit() {
   if (!holds_model(request_, base_, input_.rig, *result_.to, result_.diagnostics)) return false;
-  const ModelChoice chosen = choice();
   const std::vector<std::string> taken =
       request_.program != nullptr ? taken_by(*request_.program, *result_.to) : std::vector<std::string>();
-  if (chosen.model != nullptr && !taken.empty() && std::ranges::find(taken, chosen.model->id) == taken.end()) {
-    result_.diagnostics.add(Code::kModelNotStorable, {request_.program->program, chosen.model->id, taken});
+  if (choice_.model != nullptr && !taken.empty() && std::ranges::find(taken, choice_.model->id) == taken.end()) {
+    result_.diagnostics.add(Code::kModelNotStorable, {request_.program->program, choice_.model->id, taken});
     return false;
   }
   std::optional<std::vector<ConvertedCamera>> cameras =
-      convert_cameras(input_.rig.cameras, *result_.to, chosen, result_.diagnostics);
+      convert_cameras(input_.rig.cameras, *result_.to, choice_, result_.diagnostics);
   if (!cameras) return false;
   result_.cameras = *std::move(cameras);
-  if (request_.in_detail) add_reach(*result_.to, chosen, result_.cameras);
+  if (request_.in_detail) add_reach(*result_.to, choice_, result_.cameras);
   return put_together();
 }
 
@@ -226,8 +208,33 @@ void Writing::prove() {
 
 }  // namespace
 
-bool write_as_asked(const ConvertRequest& request, const Start& start, ConvertResult& result) {
-  return Writing(request, start, result).run();
+ModelChoice choice_of(const ConvertRequest& request, const Start& start, const Format& to) {
+  ModelChoice choice;
+  choice.model = request.model;
+  choice.max_angle_rad = request.inputs.max_angle_rad;
+  choice.every_pixel = request.every_pixel;
+  choice.jobs = request.jobs;
+  choice.objective = request.objective;
+  choice.degree = request.degree;
+  choice.known = start.known.get();
+  choice.among = request.layout.name.empty() ? models_for(request, start.base, start.input.rig, to)
+                                             : models_of_layout(to, request.layout.name);
+  const bool is_fresh = start.base.document == nullptr && to.cameras_held != nullptr;
+  choice.most_cameras = is_fresh ? to.cameras_held(start.input.rig, request.mode, request.layout.name) : to.most_cameras;
+  choice.same_format = start.input.format == &to && start.input.one_format;
+  if (request.program == nullptr) return choice;
+  if (const std::vector<std::string> taken = taken_by(*request.program, to); !taken.empty()) {
+    if (choice.among.empty()) choice.among = taken;
+    std::erase_if(choice.among, [&taken](const std::string& model) { return std::ranges::find(taken, model) == taken.end(); });
+    choice.same_format = false;
+  }
+  return choice;
+}
+
+bool write_as_asked(const ConvertRequest& request, const Start& start, ConvertResult& result, Partial partial) {
+  ModelChoice choice = choice_of(request, start, *result.to);
+  choice.partial = partial;
+  return Writing(request, start, std::move(choice), result).run();
 }
 
 }  // namespace fca

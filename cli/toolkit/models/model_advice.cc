@@ -45,7 +45,7 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
   options.every_pixel = false;
   options.bound = false;
   Diagnostics unheard;
-  std::optional<Conversion> conversion = convert(camera, options, unheard);
+  std::optional<Conversion> conversion = converted(camera, options, choice, unheard);
   return conversion ? std::optional(std::move(conversion->report)) : std::nullopt;
 }
 

@@ -70,6 +70,7 @@ enum class Code : std::uint16_t {
   kVerdictCause,
   kVerdictMisread,
   kVerdictNoRays,
+  kVerdictOfCircle,
   kVerdictRefused,
   kVerdictNeedsProgram,
   kVerdictPosesDiffer,
@@ -84,6 +85,7 @@ enum class Code : std::uint16_t {
   kOlderVersionsRead,
   kFitInsideAngle,
   kRewrittenIs,
+  kRewriteDemandsSize,
 
   // What the options of a format's layouts are, for help.
   kOpencvLayouts,
@@ -656,6 +658,9 @@ enum class Code : std::uint16_t {
   kKimeraOneOffset,
   kKimeraNoImuFile,
   kKimeraFirstIsLeft,
+  kKimeraNothingShared,
+  kKimeraWrotePair,
+  kKimeraPairOfSeveral,
   kKimeraWrote,
   kKimeraWroteImu,
 

@@ -206,6 +206,26 @@ TEST(Convert, ATargetThatCannotReachTheLensIsFittedToACone) {
   EXPECT_GE(max_angle(conversion->camera.model), 60.0 * test::kRadians);
 }
 
+TEST(Convert, WithoutConesATargetReachesAllOrNothing) {
+  const auto converted = [](const std::string& model, double degrees, bool cone) {
+    ConvertOptions options;
+    options.model = model;
+    options.max_angle_rad = degrees * test::kRadians;
+    options.cone = cone;
+    Diagnostics diagnostics;
+    return convert(test::tumvi(), options, diagnostics);
+  };
+  EXPECT_FALSE(converted("radtan", 97.5, false)) << "it ends beyond 90 degrees";
+  EXPECT_FALSE(converted("radtan", 75.0, false)) << "more than 1 px rms";
+  EXPECT_TRUE(converted("radtan", 75.0, true));
+  for (const auto& [model, degrees] : {std::pair{"radtan", 66.0}, std::pair{"eucm", 97.5}}) {
+    const std::optional<Conversion> all = converted(model, degrees, false);
+    const std::optional<Conversion> same = converted(model, degrees, true);
+    ASSERT_TRUE(all && same) << model;
+    EXPECT_EQ(all->camera.model, same->camera.model);
+  }
+}
+
 TEST(Convert, APlaneGetsAConeWhereverTheLensEndsBeyond) {
   // Close to 90 degrees a plane is so large that a camera may be near all samples and a thousand pixels off between the last
   // one and the edge; and a pinhole reaches all, but describes nothing.

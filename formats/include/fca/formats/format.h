@@ -160,6 +160,7 @@ struct Format {
   std::string_view layout_of = {};      ///< Id of the format whose files its own are, with habits of their own; may be empty.
   bool many_cameras = true;             ///< In one file; else a rig is written as one file per camera.
   std::size_t most_cameras = SIZE_MAX;  ///< That its program uses at once; further ones are not converted.
+  bool begins_with_pair = false;        ///< Its program takes the first two cameras for a stereo pair.
   bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
   bool poses_apart = false;      ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.

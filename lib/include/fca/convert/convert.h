@@ -21,10 +21,12 @@ struct ConvertOptions {
   std::optional<int> degree = {};  ///< Of a target that is a polynomial (ModelInfo::least_degree); default: the lowest that is
                                    ///< nearly as good as any.
   Objective objective = Objective::kRms;
+  bool cone = true;          ///< What cannot describe the whole domain is fitted to a cone of it; else to nothing: an error.
   bool every_pixel = false;  ///< The report counts each pixel instead of a lattice.
   bool bound = true;         ///< The report proves ErrorSummary::bound.
   bool reach = false;        ///< The report holds the table of reach.h, at the price of one more fit per row.
   int samples = 200;         ///< To begin with; more where the target turns out to be worse between them.
+  bool operator==(const ConvertOptions&) const = default;
 };
 
 /// A converted camera (everything but the model is the source's) and how good it is.
