@@ -2,7 +2,6 @@
 #include "colour_scale.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 namespace fca::cli {
@@ -14,8 +13,8 @@ Rgb viridis(double share) {
   const double part = place - static_cast<double>(below);
   Rgb colour{};
   for (std::size_t i = 0; i < colour.size(); ++i) {
-    const double value = (1.0 - part) * kViridis.at(below).at(i) + part * kViridis.at(below + 1).at(i);
-    colour.at(i) = static_cast<std::uint8_t>(std::lround(value));
+    const double value = (1.0 - part) * kViridis[below][i] + part * kViridis[below + 1][i];
+    colour[i] = static_cast<std::uint8_t>(value + 0.5);
   }
   return colour;
 }

@@ -3,6 +3,7 @@
 
 #include <fca/formats/text/source.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -14,6 +15,10 @@ namespace {
 /// Characters that mean something in HTML, and those that would turn the rest of a line around (U+202A to U+202E, U+2066 to
 /// U+2069): a name must not change what stands beside it.
 std::string escaped(std::string_view content) {
+  const auto means_itself = [](char each) {
+    return each >= ' ' && each <= '~' && std::string_view("&<>\"'").find(each) == std::string_view::npos;
+  };
+  if (std::ranges::all_of(content, means_itself)) return std::string(content);
   std::string result;
   const std::string clean = text::printable(content, true);
   for (std::size_t i = 0; i < clean.size(); ++i) {

@@ -35,7 +35,8 @@ double share_of(const ColourScale& scale, double value) {
 Picture picture_of(const MapFigure& figure) {
   const ImageField& field = figure.field;
   Picture picture{field.columns, field.rows, {}};
-  picture.rgba.reserve(4 * field.parts.size());
+  picture.rgba.resize(4 * field.parts.size());
+  auto pixel = picture.rgba.begin();
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const std::size_t i = field.index(column, row);
@@ -43,9 +44,9 @@ Picture picture_of(const MapFigure& figure) {
       if (field.parts[i] == Part::kUnrepresentable)
         colour = (column + row) % kStripePeriod < kStripeWidth ? kStripe : kBetweenStripes;
       if (field.parts[i] == Part::kScored) colour = viridis(share_of(figure.scale, field.values[i]));
-      picture.rgba.insert(picture.rgba.end(), colour.begin(), colour.end());
+      pixel = std::ranges::copy(colour, pixel).out;
       // Outside the lens the page shows through.
-      picture.rgba.push_back(field.parts[i] == Part::kOutsideLens ? 0 : 0xFF);
+      *pixel++ = field.parts[i] == Part::kOutsideLens ? 0 : 0xFF;
     }
   }
   return picture;

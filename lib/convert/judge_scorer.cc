@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -20,13 +19,6 @@ constexpr double kNowhere = 2.0;
 
 }  // namespace
 
-Scorer::Limit::Limit(double angle_rad) : angle(angle_rad), cosine(angle_rad < std::numbers::pi ? std::cos(angle_rad) : -2.0) {}
-
-bool Scorer::Limit::admits(const Ray& unit_ray) const {
-  const double difference = unit_ray[2] - cosine;
-  return std::abs(difference) > kClose ? difference > 0.0 : angle_from_axis(unit_ray) <= angle;
-}
-
 Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program, const Domain& domain, double target_reach_rad)
     : source_(std::move(source)),
       model_(model),
@@ -39,10 +31,10 @@ Scorer::Scorer(Lens source, const CameraModel* model, const Projection* program,
   if (source_.model() != nullptr && validate(*source_.model()).empty()) rays_.emplace(*source_.model(), lens_.angle);
   if (model_ == nullptr) return;
   const double last = max_angle(*model_);
-  reach_ = Limit(std::min(target_reach_rad, last + kLastAngleSlack));
-  surely_reached_ = Limit(std::min(target_reach_rad, last - kLastAngleSlack));
+  reach_ = AngleLimit(std::min(target_reach_rad, last + kLastAngleSlack));
+  surely_reached_ = AngleLimit(std::min(target_reach_rad, last - kLastAngleSlack));
   if (validate(*model_).empty()) errors_.emplace(*model_, std::min(lens_.angle, surely_reached_.angle));
-  surely_scored_ = std::max(lens_.cosine, surely_reached_.cosine) + Limit::kClose;
+  surely_scored_ = std::max(lens_.cosine, surely_reached_.cosine) + AngleLimit::kClose;
 }
 
 void Scorer::find_rays(Batch& batch, std::size_t count) const {

@@ -4,6 +4,7 @@
 
 #include "batch.h"
 
+#include <fca/convert/angle_limit.h>
 #include <fca/convert/judge.h>
 
 #include <optional>
@@ -32,17 +33,6 @@ class Scorer {
   [[nodiscard]] double target_reach_rad() const { return reach_.angle; }
 
  private:
-  /// "Not further from the axis than", decided by the cosine of a unit ray, and by the angle itself where that is close.
-  struct Limit {
-    double angle;
-    double cosine;
-    explicit Limit(double angle_rad);
-    [[nodiscard]] bool admits(const Ray& unit_ray) const;
-    /// By the cosine alone: true only where that is not close.
-    [[nodiscard]] bool surely_admits(double ray_cosine) const { return ray_cosine - cosine > kClose; }
-    static constexpr double kClose = 1e-9;
-  };
-
   /// Asks the models for what the batch has not found, and decides.
   [[nodiscard]] Verdict look_closer(Batch& batch, std::size_t i) const;
   [[nodiscard]] std::optional<Pixel> image_of(const Ray& ray) const;
@@ -51,9 +41,9 @@ class Scorer {
   const CameraModel* model_;
   const Projection* program_;
   const Domain& domain_;
-  Limit lens_;
-  Limit reach_;
-  Limit surely_reached_;               ///< Within it, a batch needs not ask the model for its domain.
+  AngleLimit lens_;
+  AngleLimit reach_;
+  AngleLimit surely_reached_;          ///< Within it, a batch needs not ask the model for its domain.
   double surely_scored_;               ///< The cosine above which both limits hold.
   std::optional<BatchRays> rays_;      ///< Of a source of the list.
   std::optional<BatchErrors> errors_;  ///< Of a target of the list.

@@ -44,7 +44,7 @@ TEST(KnownConversions, ThatFailedFailAgain) {
   KnownConversions known;
   for (int round = 0; round < 2; ++round) {
     Diagnostics found;
-    EXPECT_FALSE(known.convert(tumvi(), {.model = "none"}, found));
+    EXPECT_FALSE(known.convert(tumvi(), {.model = "no-such-model"}, found));
     EXPECT_TRUE(found.has_errors());
   }
 }

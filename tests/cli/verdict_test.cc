@@ -175,8 +175,8 @@ TEST(VerdictFirst, ThePairOfNamedFilesIsTheTwoThatSeeTheSame) {
   const std::string chain = folder.write("three.yaml", chain_of_three());
   const std::string out = (folder.path() / "out").string() + "/";
   const Told run({"convert", chain, "--to", "kimera", "-o", out});
-  EXPECT_TRUE(contains(read_file(out + "LeftCameraParams.yaml"), "camera_id: cam0")) << run.text();
-  EXPECT_TRUE(contains(read_file(out + "RightCameraParams.yaml"), "camera_id: cam2")) << run.text();
+  EXPECT_TRUE(contains(read_file(out + "LeftCameraParams.yaml"), "camera_id: \"cam0\"")) << run.text();
+  EXPECT_TRUE(contains(read_file(out + "RightCameraParams.yaml"), "camera_id: \"cam2\"")) << run.text();
   EXPECT_FALSE(codes_of(run).contains("nothing-shared")) << run.text();
   const Told chosen({"convert", chain, "--camera", "0,1", "--to", "kimera", "-o", out, "--force"});
   EXPECT_TRUE(codes_of(chosen).contains("nothing-shared")) << chosen.text();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "words.h"
 
+#include <fca/convert/angle_limit.h>
 #include <fca/convert/domain.h>
 #include <fca/toolkit/image_field.h>
 
@@ -35,11 +36,12 @@ std::optional<ImageField> field_of(const Camera& camera, std::optional<double> l
   field.values.assign(cells, kNone);
   field.parts.assign(cells, Part::kOutsideLens);
   const Lens lens(camera.model);
+  const AngleLimit limit(domain->max_angle_rad);
   for (int row = 0; row < field.rows; ++row) {
     for (int column = 0; column < field.columns; ++column) {
       const Pixel pixel = field.pixel(column, row);
-      const std::optional<Ray> ray = domain->ray(lens, pixel);
-      if (!ray) continue;
+      const std::optional<Ray> ray = domain->is_lit(pixel) ? lens.ray(pixel) : std::nullopt;
+      if (!ray || !limit.admits(*ray)) continue;
       const std::optional<double> value = value_of(pixel, *ray);
       field.parts[field.index(column, row)] = value ? Part::kScored : Part::kUnrepresentable;
       if (value) field.values[field.index(column, row)] = *value;
@@ -69,8 +71,9 @@ double around(int i) { return 2.0 * std::numbers::pi * i / kAround; }
 
 std::optional<ImageField> error_field(const Camera& source, const CameraModel& target, std::optional<double> limit_rad,
                                       double reach_rad, int most_cells) {
+  const AngleLimit reach(reach_rad + kSameAngle);
   return field_of(source, limit_rad, most_cells, [&](const Pixel& pixel, const Ray& ray) -> std::optional<double> {
-    if (angle_from_axis(ray) > reach_rad + kSameAngle) return std::nullopt;
+    if (!reach.admits(ray)) return std::nullopt;
     const std::optional<Pixel> there = project(target, ray);
     if (!there) return std::nullopt;
     return std::hypot((*there)[0] - pixel[0], (*there)[1] - pixel[1]);

@@ -55,7 +55,7 @@ std::span<const CodeInfo> sensor_codes() {
       clause(Code::kEurocWroteImu, "an IMU's sensor.yaml, as EuRoC has it"),
       clause(Code::kKimeraWrote, "CameraParams and ImuParams for Kimera-VIO"),
       clause(Code::kKimeraWrotePair, "{0}; {1} is left and {2} right{3}"),
-      clause(Code::kKimeraPairOfSeveral, ", it opens no file of {0:and}"),
+      clause(Code::kKimeraPairOfSeveral, "; it opens no file of {0:and}"),
       clause(Code::kKimeraWroteImu, "an ImuParams.yaml for Kimera-VIO"),
   };
   return kRows;
