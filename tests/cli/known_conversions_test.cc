@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A conversion that is remembered is the one that would be made.
-#include "lib/convert/known_cameras.h"
 #include "toolkit/convert/known_conversions.h"
+#include "lib/convert/known_cameras.h"
 
 #include <gtest/gtest.h>
 
