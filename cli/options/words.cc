@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "words.h"
 
+#include <fca/formats/program_names.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/text/prose.h>
+#include <fca/toolkit/target.h>
 
 #include <algorithm>
-
-#include <fca/formats/program_names.h>
+#include <utility>
 
 namespace fca::cli {
 
@@ -74,23 +75,30 @@ std::vector<std::string> split(std::string_view list) {
   return parts;
 }
 
-std::optional<std::string> take_format(const std::string& option, const std::string& word, const Format*& target) {
-  target = find_format(word);
-  if (target != nullptr) return std::nullopt;
+namespace {
+
+/// Of a name that is no target.
+std::string unknown_target(const std::string& option, const std::string& word) {
   const ProgramName* program = find_program_name(word);
-  if (program == nullptr) return unknown_format(word);
-  if (!program->is_served()) return not_served(*program, option);
-  target = find_format(program->format);
+  return program != nullptr ? not_served(*program, option) : unknown_format(word);
+}
+
+}  // namespace
+
+std::optional<std::string> take_format(const std::string& option, const std::string& word, const Format*& target) {
+  const std::optional<Target> found = find_target(word);
+  if (!found) return unknown_target(option, word);
+  target = found->format;
   return std::nullopt;
 }
 
 std::optional<std::string> take_target(const std::string& word, ConvertRequest& request) {
-  const ProgramName* program = find_format(word) == nullptr ? find_program_name(word) : nullptr;
-  std::optional<std::string> problem = take_format("--to", word, request.to);
-  if (problem || program == nullptr) return problem;
-  if (!program->layout.empty() && request.layout.name.empty()) request.layout = {request.to, std::string(program->layout)};
-  request.extension = program->extension;
-  if (!program->consumer.empty()) request.program = consumers::find_consumer(program->consumer);
+  std::optional<Target> found = find_target(word);
+  if (!found) return unknown_target("--to", word);
+  request.to = found->format;
+  request.program = found->program;
+  request.extension = std::move(found->extension);
+  if (request.layout.name.empty()) request.layout = std::move(found->layout);
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace fca {
@@ -111,26 +112,58 @@ bool set_parameter(CameraModel& model, ParameterId id, double value) {
   return true;
 }
 
-std::optional<Pixel> project(const CameraModel& model, const Ray& ray) {
+namespace {
+
+template <CameraModelType M>
+std::optional<Pixel> projected(const Intrinsics<M>& model, const Ray& ray) {
   if (!is_finite(ray)) return std::nullopt;
   const Ray usable = of_usable_length(ray);
-  return std::visit(
-      [&]<class M>(const Intrinsics<M>& m) -> std::optional<Pixel> {
-        Pixel pixel{};
-        if (!M::project(m.values.data(), usable.data(), pixel.data())) return std::nullopt;
-        if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;
-        return pixel;
-      },
-      model);
+  Pixel pixel{};
+  if (!M::project(model.values.data(), usable.data(), pixel.data())) return std::nullopt;
+  if (!std::isfinite(pixel[0]) || !std::isfinite(pixel[1])) return std::nullopt;
+  return pixel;
+}
+
+template <CameraModelType M>
+std::optional<Ray> unprojected(const Intrinsics<M>& model, const Pixel& pixel) {
+  Ray ray{};
+  if (!M::unproject(model.values.data(), pixel.data(), ray.data())) return std::nullopt;
+  return ray;
+}
+
+/// Asks `answer` about each of the places in `from`; what it does not answer is not a number.
+template <class From, class To, class Answer>
+void answer_all(std::span<const double> from, std::span<double> to, const Answer& answer) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t count = std::min(from.size() / From{}.size(), to.size() / To{}.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    From asked{};
+    std::ranges::copy(from.subspan(i * asked.size(), asked.size()), asked.begin());
+    To none{};
+    none.fill(kNone);
+    const std::optional<To> found = answer(asked);
+    std::ranges::copy(found ? *found : none, to.subspan(i * none.size()).begin());
+  }
+}
+
+}  // namespace
+
+std::optional<Pixel> project(const CameraModel& model, const Ray& ray) {
+  return std::visit([&ray](const auto& m) { return projected(m, ray); }, model);
 }
 
 std::optional<Ray> unproject(const CameraModel& model, const Pixel& pixel) {
-  return std::visit(
-      [&]<class M>(const Intrinsics<M>& m) -> std::optional<Ray> {
-        Ray ray{};
-        if (!M::unproject(m.values.data(), pixel.data(), ray.data())) return std::nullopt;
-        return ray;
-      },
+  return std::visit([&pixel](const auto& m) { return unprojected(m, pixel); }, model);
+}
+
+void project_all(const CameraModel& model, std::span<const double> rays, std::span<double> pixels) {
+  std::visit([&](const auto& m) { answer_all<Ray, Pixel>(rays, pixels, [&m](const Ray& ray) { return projected(m, ray); }); },
+             model);
+}
+
+void unproject_all(const CameraModel& model, std::span<const double> pixels, std::span<double> rays) {
+  std::visit(
+      [&](const auto& m) { answer_all<Pixel, Ray>(pixels, rays, [&m](const Pixel& pixel) { return unprojected(m, pixel); }); },
       model);
 }
 

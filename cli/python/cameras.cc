@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bindings.h"
+
+#include <fca/code.h>
+#include <fca/formats/text/message.h>
+#include <fca/formats/text/prose.h>
+#include <fca/models/camera_model.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numbers>
+#include <string_view>
+
+namespace fca::python {
+
+namespace {
+
+const ModelInfo& model_named(const std::string& name) {
+  if (const ModelInfo* model = find_model(name)) return *model;
+  std::vector<std::string> known;
+  for (const ModelInfo& model : all_models()) known.emplace_back(model.id);
+  raise_value_error("unknown camera model '" + name + "'; there are " + text::enumerated(known));
+}
+
+void set(CameraModel& model, const std::string& name, double value) {
+  const std::optional<ParameterId> id = ParameterId::find(name);
+  if (!id || !set_parameter(model, *id, value))
+    raise_value_error(std::string(model_info(model).id) + " has no parameter '" + name + "'");
+}
+
+void check(const Camera& camera) {
+  const std::vector<Message> problems = validate(camera.model);
+  if (!problems.empty()) raise_value_error(text::text_of(problems.front()));
+}
+
+Camera camera_of(const std::string& model, const std::map<std::string, double>& parameters, const std::optional<Size>& size,
+                 const std::string& name) {
+  Camera camera;
+  camera.name = name;
+  camera.image_size = size_of(size);
+  camera.model = *make_model(model_named(model).id);
+  for (const auto& [key, value] : parameters) set(camera.model, key, value);
+  check(camera);
+  return camera;
+}
+
+py::dict parameters_of(const Camera& camera) {
+  py::dict result;
+  const std::span<const double> values = parameter_values(camera.model);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    result[py::str(std::string(model_info(camera.model).parameters[i].name))] = values[i];
+  return result;
+}
+
+/// The order of OpenCV's coefficients of its two models.
+constexpr std::array<std::string_view, 8> kPlane = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+constexpr std::array<std::string_view, 4> kFisheye = {"k1", "k2", "k3", "k4"};
+
+std::string model_for(std::size_t coefficients) {
+  switch (coefficients) {
+    case 0:
+      return "pinhole";
+    case 4:
+    case 5:
+      return "radtan";
+    case 8:
+      return "rational";
+    default:
+      raise_value_error("D has " + std::to_string(coefficients) + " coefficients; fca-io reads 0, 4, 5 and 8");
+  }
+}
+
+Camera from_opencv(const Array& K, const Array& D, const std::optional<Size>& size, std::string model,
+                   const std::string& name) {
+  if (K.ndim() != 2 || K.shape(0) != 3 || K.shape(1) != 3) raise_value_error("K is a matrix of 3 x 3");
+  const double* k = K.data();
+  if (k[1] != 0.0) raise_value_error("K has a skew (K[0, 1]), which these models do not have");
+  const std::span<const double> coefficients(D.data(), static_cast<std::size_t>(D.size()));
+  if (model.empty()) model = model_for(coefficients.size());
+  const ModelInfo& info = model_named(model);
+  const std::span<const std::string_view> order =
+      info.id == "kb4" ? std::span<const std::string_view>(kFisheye) : std::span<const std::string_view>(kPlane);
+  std::map<std::string, double> parameters = {{"fx", k[0]}, {"fy", k[4]}, {"cx", k[2]}, {"cy", k[5]}};
+  if (coefficients.size() > order.size()) raise_value_error("D has more coefficients than " + std::string(info.id));
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    if (coefficients[i] != 0.0 || info.id != "pinhole") parameters[std::string(order[i])] = coefficients[i];
+  }
+  return camera_of(model, parameters, size, name);
+}
+
+/// (K, D)
+py::tuple to_opencv(const Camera& camera) {
+  const std::string_view id = model_info(camera.model).id;
+  std::span<const std::string_view> order;
+  if (id == "kb4") order = kFisheye;
+  if (id == "pinhole" || id == "radtan") order = std::span(kPlane).first(5);
+  if (id == "rational") order = kPlane;
+  if (order.empty())
+    raise_value_error("OpenCV's K and D hold pinhole, radtan, rational and kb4, not " + std::string(id) +
+                      "; fca_io.fit(camera, 'kb4') fits one of them");
+  const auto value = [&camera](std::string_view name) {
+    return parameter(camera.model, *ParameterId::find(name)).value_or(0.0);
+  };
+  Array K({3, 3});
+  std::ranges::copy(std::array{value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0}, K.mutable_data());
+  Array D(static_cast<py::ssize_t>(order.size()));
+  std::ranges::transform(order, D.mutable_data(), value);
+  return py::make_tuple(K, D);
+}
+
+Array project_rows(const Camera& camera, const Array& points) {
+  const std::span<const double> rays = rows_of(points, 3, "points");
+  Array pixels = rows_like(points, 2);
+  const std::span<double> out(pixels.mutable_data(), static_cast<std::size_t>(pixels.size()));
+  const py::gil_scoped_release released;
+  project_all(camera.model, rays, out);
+  return pixels;
+}
+
+Array unproject_rows(const Camera& camera, const Array& pixels) {
+  const std::span<const double> asked = rows_of(pixels, 2, "pixels");
+  Array rays = rows_like(pixels, 3);
+  const std::span<double> out(rays.mutable_data(), static_cast<std::size_t>(rays.size()));
+  const py::gil_scoped_release released;
+  unproject_all(camera.model, asked, out);
+  return rays;
+}
+
+std::optional<Size> size_as_pair(const Camera& camera) {
+  if (!camera.image_size) return std::nullopt;
+  return Size{camera.image_size->width, camera.image_size->height};
+}
+
+std::string described(const Camera& camera) {
+  std::string text = "<fca_io.Camera " + camera.name + ": " + std::string(model_info(camera.model).id);
+  if (camera.image_size)
+    text += ", " + std::to_string(camera.image_size->width) + " x " + std::to_string(camera.image_size->height);
+  return text + ">";
+}
+
+}  // namespace
+
+void add_cameras(py::module_& module) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  py::class_<Camera>(module, "Camera", R"(One camera: a model with its parameters.
+
+Pixels are (u, v), with (0, 0) at the centre of the top-left pixel. Rays are (x right, y down, z forward), of any length.)")
+      .def(py::init(&camera_of), py::arg("model"), py::arg("parameters"), py::arg("image_size") = py::none(),
+           py::arg("name") = "cam0",
+           "A camera of a model ('kb4') with parameters by name ({'fx': 190.0, ...}); those left out are 0.")
+      .def_static("from_opencv", &from_opencv, py::arg("K"), py::arg("D"), py::arg("image_size") = py::none(),
+                  py::arg("model") = "", py::arg("name") = "cam0",
+                  "A camera from OpenCV's matrix (3, 3) and coefficients: 0, 4, 5 or 8 of cv2.projectPoints, or four of "
+                  "cv2.fisheye with model='kb4'.")
+      .def("to_opencv", &to_opencv, "(K, D) as cv2 takes them: of kb4 for cv2.fisheye. ValueError for other models.")
+      .def_readonly("name", &Camera::name, "By which the rig and its poses know it.")
+      .def_property_readonly(
+          "model", [](const Camera& camera) { return std::string(model_info(camera.model).id); }, "'kb4', 'ds', ...")
+      .def_property_readonly("parameters", &parameters_of, "By name, in the model's order.")
+      .def_property_readonly("image_size", &size_as_pair, "(width, height), or None where nothing states it.")
+      .def_readonly("time_offset", &Camera::time_offset_s, "Seconds: t_imu = t_cam + time_offset. None: not stated.")
+      .def_readonly("topic", &Camera::topic)
+      .def_property_readonly(
+          "max_angle", [](const Camera& camera) { return max_angle(camera.model) * kDegrees; },
+          "Degrees from the axis at which the model ends.")
+      .def("project", &project_rows, py::arg("points"),
+           "Pixels (N, 2) of points (N, 3) in front of or around the camera; NaN where the model has none. One point gives one "
+           "pixel.")
+      .def("unproject", &unproject_rows, py::arg("pixels"),
+           "Unit rays (N, 3) of pixels (N, 2); NaN where the model has none. One pixel gives one ray.")
+      .def("__eq__", [](const Camera& a, const Camera& b) { return a == b; })
+      .def("__repr__", &described);
+}
+
+}  // namespace fca::python

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bindings.h"
+
+#include <fca/formats/text/message.h>
+#include <fca/toolkit/compare.h>
+#include <fca/toolkit/models.h>
+
+#include <memory>
+#include <numbers>
+
+namespace fca::python {
+
+namespace {
+
+RigComparison compare_sources(const py::object& reference, const py::object& other, const std::optional<double>& max_angle) {
+  CompareRequest request;
+  request.reference = inputs_of(reference);
+  const Inputs inputs = inputs_of(other);
+  request.files = inputs.files;
+  request.parts = inputs.parts;
+  if (max_angle) request.reference.max_angle_rad = *max_angle * std::numbers::pi / 180.0;
+  Files files;
+  CompareResult result;
+  {
+    const py::gil_scoped_release released;
+    result = compare(request, files);
+  }
+  if (!result.reference.calibration) raise(result.reference.diagnostics, files.sources());
+  ComparedFile& compared = result.files.front();
+  if (!compared.comparison) raise(compared.diagnostics, files.sources());
+  return *std::move(compared.comparison);
+}
+
+/// (name, reference, other) of the parameters that differ.
+std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>>> differing(const CameraComparison& camera) {
+  std::vector<std::tuple<std::string, std::optional<double>, std::optional<double>>> rows;
+  for (const ParameterComparison& row : camera.parameters) {
+    if (!row.same_but_for_rounding()) rows.emplace_back(row.name, row.reference, row.other);
+  }
+  return rows;
+}
+
+std::vector<std::string> mistakes_of(const RigComparison& comparison) {
+  std::vector<std::string> texts;
+  for (const Mistake& mistake : comparison.mistakes) texts.push_back(text::text_of(mistake.message));
+  return texts;
+}
+
+/// One model as a target.
+struct ModelRow {
+  std::string model;
+  std::optional<ErrorSummary> error;  ///< Over the whole image; nothing where it does not fit.
+  double decisive_rms = 0.0;
+  bool exact = false;
+  bool reaches_all = false;
+};
+
+std::vector<ModelRow> models_of(const Camera& camera, const std::optional<double>& max_angle) {
+  Diagnostics diagnostics;
+  std::optional<std::vector<ModelsResult::OfCamera>> found;
+  {
+    const py::gil_scoped_release released;
+    found = compare_models(std::vector<Camera>{camera},
+                           max_angle ? std::optional(*max_angle * std::numbers::pi / 180.0) : std::nullopt, diagnostics);
+  }
+  if (!found) raise(diagnostics);
+  std::vector<ModelRow> rows;
+  for (const Candidate* candidate : ranked(found->front().candidates)) {
+    const ConversionReport& report = candidate->conversion->report;
+    rows.push_back({std::string(candidate->model->id), report.judgement.error, candidate->decisive().rms, report.exact,
+                    reaches_all(*candidate)});
+  }
+  return rows;
+}
+
+}  // namespace
+
+void add_compare(py::module_& module) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  py::class_<CameraComparison>(module, "CameraComparison", "Two cameras, in pixels of the reference's image.")
+      .def_readonly("reference", &CameraComparison::reference, "Name.")
+      .def_readonly("other", &CameraComparison::other, "Name.")
+      .def_readonly("identical", &CameraComparison::identical)
+      .def_property_readonly("error", [](const CameraComparison& each) { return each.difference.judgement.error; })
+      .def_property_readonly("differing", &differing, "(parameter, reference's, other's) of those that differ.");
+  py::class_<PoseComparison>(module, "PoseComparison", "How the same two things sit to each other in the two rigs.")
+      .def_readonly("a", &PoseComparison::a)
+      .def_readonly("b", &PoseComparison::b)
+      .def_property_readonly(
+          "angle", [](const PoseComparison& each) { return each.angle_rad * kDegrees; }, "Degrees.")
+      .def_readonly("distance", &PoseComparison::distance_m, "Metres.");
+  py::class_<RigComparison>(module, "Comparison", "How two calibrations differ.")
+      .def_readonly("cameras", &RigComparison::cameras)
+      .def_readonly("poses", &RigComparison::poses)
+      .def_property_readonly("identical", &RigComparison::identical)
+      .def_property_readonly("mistakes", &mistakes_of, "Slips of the pen that explain a difference.");
+  module.def("compare", &compare_sources, py::arg("reference"), py::arg("other"), py::kw_only(),
+             py::arg("max_angle") = py::none(), "How two calibrations, of any formats and models, differ: paths or Rigs.");
+  py::class_<ModelRow>(module, "ModelFit", "One camera model as a target.")
+      .def_readonly("model", &ModelRow::model)
+      .def_readonly("error", &ModelRow::error, "PixelError over the whole image.")
+      .def_readonly("decisive_rms", &ModelRow::decisive_rms, "Pixels, in the region that decides: of a wide lens its circle.")
+      .def_readonly("exact", &ModelRow::exact)
+      .def_readonly("reaches_all", &ModelRow::reaches_all);
+  module.def("models", &models_of, py::arg("camera"), py::kw_only(), py::arg("max_angle") = py::none(),
+             "Every model that the camera could be written as, the best first.");
+}
+
+}  // namespace fca::python

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""README's example in Python runs beside the files that it names."""
+import os
+import pathlib
+import re
+import shutil
+
+import numpy as np
+
+EXAMPLES = pathlib.Path(os.environ["FCA_EXAMPLES"])
+
+
+def test_the_example_runs(tmp_path, monkeypatch):
+    [code] = re.findall(r"```python\n(import fca_io.*?)```", (EXAMPLES.parent / "README.md").read_text(), re.DOTALL)
+    shutil.copytree(EXAMPLES / "tumvi", tmp_path / "tumvi")
+    monkeypatch.chdir(tmp_path / "tumvi")
+    names = {}
+    exec(compile(code, "README.md", "exec"), names)  # pylint: disable=exec-used
+    assert names["pixels"].shape == (1, 2) and np.isfinite(names["pixels"]).all()
+    assert names["conversion"].verdict == "ready"
+    assert [path.suffix for path in pathlib.Path("settings").iterdir()] == [".yaml"]
+    assert names["D"].shape == (4,)
