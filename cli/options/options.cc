@@ -102,24 +102,29 @@ void Options::flag(const std::string& name, const std::string& help, bool& targe
 
 void Options::flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
                         bool& target) {
-  CLI::Option* const first = command_.add_flag_function(
-      on, [](std::int64_t) {}, on_help);
+  CLI::Option* const first = command_
+                                 .add_flag_function(
+                                     on, [](std::int64_t) {}, on_help)
+                                 ->disable_flag_override();
   command_
       .add_flag_function(
           off, [&target](std::int64_t) { target = false; }, off_help)
+      ->disable_flag_override()
       ->excludes(first);
 }
 
 void Options::exclusive_flags(const std::vector<Flag>& flags, const std::string& problem) {
   const auto given = std::make_shared<int>(0);
   for (const Flag& flag : flags) {
-    command_.add_flag_function(
-        flag.name,
-        [given, problem, take = flag.take](std::int64_t) {
-          if (++*given > 1) throw UsageProblem{problem};
-          take();
-        },
-        flag.help);
+    command_
+        .add_flag_function(
+            flag.name,
+            [given, problem, take = flag.take](std::int64_t) {
+              if (++*given > 1) throw UsageProblem{problem};
+              take();
+            },
+            flag.help)
+        ->disable_flag_override();
   }
 }
 

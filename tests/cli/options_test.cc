@@ -21,6 +21,12 @@ TEST(Options, EmptyValuesAreRefused) {
     expect_usage({"convert", kTumvi, "--to", "orbslam3", option, ""}, option);
 }
 
+TEST(Options, FlagsHaveNoValues) {
+  for (const char* flag :
+       {"--provenance=none", "--no-provenance=1", "--progress=maybe", "--no-verify=x", "--strict=maybe", "-v=2"})
+    EXPECT_EQ(run_program({"convert", kTumvi, "--to", "opencv", flag}).code, 3) << flag;
+}
+
 TEST(Options, AnObjectiveIsRmsOrMax) {
   for (const char* value : {"min", "MAX", "rms,max"})
     expect_usage({"convert", kTumvi, "--to", "orbslam3", "--objective", value}, value);
