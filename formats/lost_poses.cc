@@ -88,14 +88,23 @@ std::string program_of(const Format& format, const Written& written) {
 }
 
 constexpr std::string_view kOfCameras = "T_cam_cam";  // weighs most
+constexpr std::string_view kOfImu = "T_cam_imu";
 
-/// What pose it is: that, or "T_cam_imu"; nothing of other frames.
+/// What pose it is: one of the two; nothing of other frames.
 std::string_view kind_of(const Rig& rig, const PoseEdge& edge) {
   const FrameKind a = rig.kind_of(edge.a);
   const FrameKind b = rig.kind_of(edge.b);
   if (a == FrameKind::kCamera && b == FrameKind::kCamera) return kOfCameras;
   const bool with_camera = a == FrameKind::kCamera || b == FrameKind::kCamera;
-  return with_camera && (a == FrameKind::kImu || b == FrameKind::kImu) ? "T_cam_imu" : "";
+  return with_camera && (a == FrameKind::kImu || b == FrameKind::kImu) ? kOfImu : "";
+}
+
+/// A camera's pose in an IMU, by which alone it stands somewhere to another camera: then the file loses that, too.
+bool places_cameras(const Rig& rig, const Rig& kept, const PoseEdge& edge) {
+  const std::string& camera = rig.find_camera(edge.a) != nullptr ? edge.a : edge.b;
+  return std::ranges::any_of(rig.cameras, [&](const Camera& other) {
+    return other.name != camera && rig.resolve(camera, other.name) && !kept.resolve(camera, other.name);
+  });
 }
 
 Loss loss_of(std::string key, const std::vector<std::string>& poses, const Group& a, const Group& b, const std::string& program,
@@ -146,7 +155,8 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
     auto row = std::ranges::find(lost, groups, &Row::groups);
     if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}, {}});
     row->poses.push_back("T_" + edge.a + "_" + edge.b);
-    const std::string_view kind = kind_of(rig, edge);
+    std::string_view kind = kind_of(rig, edge);
+    if (kind == kOfImu && places_cameras(rig, kept, edge)) kind = kOfCameras;
     if (kind == kOfCameras || row->key.empty()) row->key = kind;
   }
   std::vector<Loss> losses;

@@ -14,8 +14,8 @@ using Name = std::string_view;
 // Served by a format.
 constexpr std::array kKalibr = {Name("camchain")};
 constexpr std::array kDso = {Name("dso"), Name("ldso"), Name("stereo-dso"), Name("dm-vio"), Name("vi-dso"), Name("tandem")};
-constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camodocal"),
-                              Name("gvins"),     Name("d2slam"),      Name("lvi-sam")};
+constexpr std::array kVins = {Name("vins-mono"), Name("vins-fusion"), Name("camodocal"),        Name("gvins"),
+                              Name("d2slam"),    Name("lvi-sam"),     Name("kitti-360-fisheye")};
 constexpr std::array kOrbslam3 = {Name("orbslam"), Name("orb-slam"), Name("orb_slam3_ros"), Name("visual-sgraphs")};
 constexpr std::array kOrbslam2 = {Name("orbslam2"), Name("orb-slam2")};
 constexpr std::array kSlamNoOpt = {Name("slam_no_opt")};
@@ -23,11 +23,12 @@ constexpr std::array kOpenvins = {Name("ov_msckf"), Name("sqrtvins")};
 constexpr std::array kBasalt = {Name("monado"), Name("xrtslam"), Name("granite")};
 constexpr std::array kRos = {Name("ros2"),         Name("camera_info"), Name("rtabmap"),  Name("isaac-ros"),
                              Name("apriltag_ros"), Name("image_proc"),  Name("autoware"), Name("rovio")};
-constexpr std::array kOpencv = {Name("cv2"), Name("filestorage"), Name("uco-slam"), Name("lensboy")};
+constexpr std::array kOpencv = {Name("cv2"),      Name("filestorage"), Name("uco-slam"),  Name("lensboy"),
+                                Name("mc-calib"), Name("omnidir"),     Name("cv-fisheye")};
 constexpr std::array kOcamcalib = {Name("ocam"), Name("scaramuzza"), Name("py-ocamcalib"), Name("multicol-slam")};
 constexpr std::array kWoodscape = {Name("synwoodscape")};
-constexpr std::array kEuroc = {Name("asl"), Name("mav0")};
-constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam")};
+constexpr std::array kEuroc = {Name("asl"), Name("mav0"), Name("tum-vi-mav0")};
+constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam"), Name("pycuvslam-euroc")};
 constexpr std::array kKimera = {Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
 constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("glomap"),
@@ -35,7 +36,8 @@ constexpr std::array kColmap = {Name("pycolmap"),
                                 Name("postshot"),
                                 Name("brush"),
                                 Name("opensplat"),
-                                Name("realitycapture-colmap")};
+                                Name("realitycapture-colmap"),
+                                Name("realitycapture")};
 
 constexpr std::array kGraphdeco = {Name("3dgs"), Name("inria-gs"), Name("gaussian-splatting"), Name("graphdeco")};
 constexpr std::array kGsplat = {Name("gsplat")};

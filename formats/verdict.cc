@@ -108,10 +108,11 @@ void add_disagreement(const ProofResult& proof, std::vector<Reason>& reasons) {
 }
 
 void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  const VerdictWord for_others = facts.is_named ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
   if (!facts.is_asked) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNotAsked}});
   if (!facts.not_for.empty() && !facts.proofs.empty() && facts.proofs.front().loads) {
     const std::vector<std::string> readers = {facts.proofs.front().program};
-    reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNeedsProgram, {readers, std::string(facts.not_for)}}});
+    reasons.push_back({for_others, {Code::kVerdictNeedsProgram, {readers, std::string(facts.not_for)}}});
   }
   if (!facts.has_reader) reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNoReader, {facts.to->program}}});
   for (const ProofResult& proof : facts.proofs) {
@@ -122,7 +123,7 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
       continue;
     }
     if (!proof.read_by.empty()) {
-      reasons.push_back({VerdictWord::kUseWithCare, {Code::kVerdictNeedsProgram, {proof.read_by, proof.program}}});
+      reasons.push_back({for_others, {Code::kVerdictNeedsProgram, {proof.read_by, proof.program}}});
       continue;
     }
     const VerdictWord word = weighed(VerdictWord::kDoNotUse, proof.is_first);
@@ -198,6 +199,7 @@ void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     const auto* clauses = std::get_if<std::vector<Message>>(&value.value.value);
     if (clauses != nullptr && clauses->front().code == Code::kTakenAsMetres) remedy = {Code::kGiveLengthUnit};
   }
+  if (remedy.is_said() && invented.size() > 1) remedy = {Code::kGiveFileAndUnit};
   if (invented.empty()) return;
   reasons.push_back({.word = needs_imu ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare,
                      .facts = {Code::kVerdictInvented, {invented}},
@@ -265,6 +267,18 @@ std::string camera_of(const Finding& finding, const Rig* rig) {
   return name != nullptr && rig->find_camera(*name) != nullptr ? *name : "";
 }
 
+/// Is the finding about the pose of an IMU that the written file does not state? `T_imu0_cam0` names it first.
+bool is_of_unwritten_imu(const Finding& finding, const VerdictFacts& facts) {
+  const bool uses_imu = facts.to->imu && (facts.to->modes.empty() || facts.mode.ends_with("inertial"));
+  if (uses_imu || facts.files.empty() || facts.rig == nullptr || finding.facts.arguments.empty()) return false;
+  const auto* pose = std::get_if<std::string>(&finding.facts.arguments.front().value);
+  if (pose == nullptr || !pose->starts_with("T_")) return false;
+  const auto is_named = [pose](const std::string& frame) { return pose->find("_" + frame) != std::string::npos; };
+  return std::ranges::any_of(facts.rig->imus, is_named, &Imu::name) ||
+         std::ranges::any_of(facts.rig->frames,
+                             [&is_named](const Frame& frame) { return frame.kind == FrameKind::kImu && is_named(frame.name); });
+}
+
 /// On which side the second camera stands follows from its pose: where that is wrong, it is no finding.
 void remove_side_of_wrong_pose(std::vector<Reason>& reasons) {
   const auto is_wrong_pose = [](const Reason& reason) {
@@ -285,6 +299,7 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
                         (cannot_be_asked && finding.severity == Severity::kError);
     if (!counts) continue;
     if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
+    if (about == About::kPoses && is_of_unwritten_imu(finding, facts)) continue;
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
     // Lengths that are no metres become wrong ones in a format of metres.
     if (kind == Code::kOpencvUnitsNotStated && is_of_one_camera(facts)) continue;  // of the second one's distance
@@ -343,7 +358,10 @@ bool may_be_accepted(std::string_view id) {
 }
 
 bool Acceptance::covers(const Reason& reason) const {
-  return id == id_of(reason) && (camera.empty() || camera == reason.camera);
+  // Of a pose both ends are meant.
+  const auto names_it = [this](const Argument& argument) { return argument == Argument(camera); };
+  return id == id_of(reason) && (camera.empty() || camera == reason.camera ||
+                                 (reason.camera.empty() && std::ranges::any_of(reason.facts.arguments, names_it)));
 }
 
 bool matters(const Loss& loss, const Format& to, std::string_view mode) {

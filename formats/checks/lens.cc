@@ -69,7 +69,9 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   const std::string_view model = model_info(camera.model).id;
   const bool of_tangent = model == "radtan" || model == "rational";
   const bool broken = uncovered.nearest_px < (of_tangent ? 1.0 : 0.5) * nearest_border;
-  const Severity severity = broken ? Severity::kError : circle ? Severity::kNote : Severity::kWarning;
+  constexpr double kNothingToSpeakOf = 0.01;
+  const bool is_less = circle || uncovered.share <= kNothingToSpeakOf;
+  const Severity severity = broken ? Severity::kError : is_less ? Severity::kNote : Severity::kWarning;
   findings.add(severity, circle && !broken ? Code::kFoldsAtCircle : Code::kFoldsInImage,
                {camera.name, ends * kDegreesPerRadian, uncovered.nearest_px, 100.0 * uncovered.share},
                place_of_lens(subject, camera));

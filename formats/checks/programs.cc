@@ -141,7 +141,9 @@ class ProgramsCheck {
     const bool file_per_camera =
         calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(program.format)->many_cameras;
     const bool has_several = calibration_ != nullptr && calibration_->rig.cameras.size() > 1;
-    if (file_per_camera || (has_several && !writing.file_name.empty())) how.push_back({Code::kConvertToFiles});
+    const bool has_imu_file =
+        calibration_ != nullptr && !calibration_->rig.imus.empty() && find_format(program.format)->imu_file;
+    if (file_per_camera || has_imu_file || (has_several && !writing.file_name.empty())) how.push_back({Code::kConvertToFiles});
     if (!has_several && !writing.file_name.empty()) how.push_back({Code::kConvertUnderName, {writing.file_name}});
     const ProgramName* name = find_program_name(program.id);
     const std::string_view to =
@@ -183,7 +185,11 @@ class ProgramsCheck {
       if (!mode.empty() && mode != "mono") in_mode = {{Code::kInMode, {mode}}};
       finding.facts = {Code::kProgramRefuses, {program.program, in_mode, complaint.facts}};
     }
-    if (has_fix(complaint)) finding.remedy = complaint.facts;
+    if (has_fix(complaint)) {
+      finding.remedy = complaint.facts;
+    } else if (calibration_ != nullptr && !calibration_->rig.cameras.empty()) {
+      finding.remedy = {Code::kCorrectOrRewrite, {how_to_write_for(program)}};
+    }
     say(std::move(finding), program, mode, complaint);
   }
 

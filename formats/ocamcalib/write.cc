@@ -60,7 +60,7 @@ void tell_inverse(const Camera& camera, const InversePolynomial& inverse, Writte
   constexpr double kNoticeable = 0.25;  // px
   const bool noticeable = inverse.error_px > kNoticeable;
   const Message fitted{Code::kCalibResultsInverseFitted, {inverse.coefficients.size(), inverse.error_px}};
-  written.defaults.push_back({camera.name + " " + std::string(kInverse), fitted, noticeable});
+  written.defaults.push_back({camera.name + " " + std::string(kInverse), fitted, false});
   const Severity severity = noticeable ? Severity::kWarning : Severity::kNote;
   if (inverse.error_px > kGoal) diagnostics.add(severity, Code::kCalibResultsInverseInexact, {camera.name, inverse.error_px});
 }

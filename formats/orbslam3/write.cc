@@ -385,7 +385,9 @@ std::optional<Written> write(const text::Document* base_document, const Rig& rig
   for (std::size_t i = 0; i < used; ++i) file.cameras.push_back(rig.cameras[i].name);
   file.programs = {std::string(audience.consumer)};
   // The first line people see: who reads the file, the mode, and what is missing for a richer one.
-  written.headline = {Code::kOrbslam3Headline, {headline_of(audience), target->sensor.id, next}};
+  // How the stock program's settings are to be had instead, a layout says of fresh files; of an edit, its verdict.
+  const Message readers = edited != nullptr ? headline_of(audience, {}) : headline_of(audience);
+  written.headline = {Code::kOrbslam3Headline, {readers, target->sensor.id, next}};
   written.sensor = target->sensor.id;
   if (target->sensor.two_cameras) written.first_is_left = {Code::kOrbslam3FirstIsLeft};
   return written;

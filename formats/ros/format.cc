@@ -61,6 +61,7 @@ const Format kFormat = {
     .extension = ".yaml",
     .program = "ROS",
     .many_cameras = false,
+    .begins_with_pair = true,
     .extrinsics = true,
     .pair_poses = true,
     .imu = false,

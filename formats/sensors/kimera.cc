@@ -159,7 +159,8 @@ constexpr std::array<std::string_view, 2> kCameraFiles = {"LeftCameraParams.yaml
 std::string camera_place(const Rig& rig, std::size_t camera, const text::Document* base) {
   const std::string own = base != nullptr ? std::filesystem::path(base->source().name).filename().string() : "";
   if (std::ranges::find(kCameraFiles, own) != kCameraFiles.end()) return own;
-  if (camera < kCameraFiles.size()) return std::string(kCameraFiles.at(camera));
+  const bool is_of_pair = camera == 0 || (camera == 1 && may_be_stereo(rig, rig.cameras[0], rig.cameras[1]));
+  if (is_of_pair) return std::string(kCameraFiles.at(camera));
   return as_file_name(rig.cameras[camera].name) + "CameraParams.yaml";
 }
 
@@ -215,17 +216,22 @@ void list_losses(const text::Document* base, const Rig& rig, Written& written) {
   }
 }
 
-/// Kimera-VIO takes LeftCameraParams.yaml and RightCameraParams.yaml for a stereo pair, and opens no further camera's file.
-void tell_of_pair(const Rig& rig, Written& written, Diagnostics& diagnostics) {
+/// Kimera-VIO takes LeftCameraParams.yaml and RightCameraParams.yaml for a stereo pair, the left one alone for a monocular
+/// camera, and opens no further camera's file.
+void tell_of_pair(const Rig& rig, Written& written) {
   const Camera& left = rig.cameras[0];
   const Camera& right = rig.cameras[1];
+  const bool is_pair = may_be_stereo(rig, left, right);
   std::vector<std::string> unread;
-  for (const Camera& camera : std::span(rig.cameras).subspan(2)) unread.push_back(camera.name);
+  for (const Camera& camera : std::span(rig.cameras).subspan(is_pair ? 2 : 1)) unread.push_back(camera.name);
   std::vector<Message> others;
-  if (!unread.empty()) others.push_back({Code::kKimeraPairOfSeveral, {unread}});
-  written.headline = {Code::kKimeraWrotePair, {written.headline, left.name, right.name, others}};
-  written.first_is_left = {Code::kKimeraFirstIsLeft};
-  if (!may_be_stereo(rig, left, right)) diagnostics.add(Code::kKimeraNothingShared, {left.name, right.name});
+  if (!unread.empty()) others.push_back({Code::kKimeraOpensNone, {unread}});
+  if (is_pair) {
+    written.headline = {Code::kKimeraWrotePair, {written.headline, left.name, right.name, others}};
+    written.first_is_left = {Code::kKimeraFirstIsLeft};
+  } else {
+    written.headline = {Code::kKimeraWroteOne, {written.headline, left.name, right.name, others}};
+  }
 }
 
 std::optional<Written> write(const text::Document* base, const Rig& rig, const WriteOptions& options,
@@ -233,7 +239,7 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
   std::optional<Written> written = sensors::write(files(), base, rig, options, diagnostics);
   if (!written) return written;
   list_losses(base, rig, *written);
-  if (rig.cameras.size() > 1) tell_of_pair(rig, *written, diagnostics);
+  if (rig.cameras.size() > 1) tell_of_pair(rig, *written);
   return written;
 }
 

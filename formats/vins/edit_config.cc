@@ -202,7 +202,13 @@ void warn_of_other_images(const text::Document& base, const Rig& old, const Rig&
   if (!old.cameras.empty() || rig.cameras.empty() || width == nullptr || height == nullptr) return;
   const ImageSize size = rig.cameras.front().image_size.value_or(ImageSize{});
   if (width->value == std::to_string(size.width) && height->value == std::to_string(size.height)) return;
-  diagnostics.add(Code::kVinsOtherImages, {width->value, height->value, size.width, size.height}, base.range(*width));
+  const double columns = text::parse_real(width->value).value_or(0.0);
+  const double rows = text::parse_real(height->value).value_or(0.0);
+  constexpr double kSameShape = 0.02;
+  const bool may_be_scaled = std::abs(columns * size.height - rows * size.width) <= kSameShape * columns * size.height;
+  std::vector<Message> scaled;
+  if (may_be_scaled) scaled.push_back({Code::kVinsIfScaled, {width->value, height->value}});
+  diagnostics.add(Code::kVinsOtherImages, {width->value, height->value, size.width, size.height, scaled}, base.range(*width));
 }
 
 bool same_size(const Rig& rig, Diagnostics& diagnostics) {

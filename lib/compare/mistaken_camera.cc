@@ -128,7 +128,8 @@ void add_other_name(const CameraModel& reference, const CameraModel& other, Cand
     std::vector<std::size_t> to = places_of_lens(right, with_mirror);
     add(from, to);
     // Double Sphere's two are xi alpha in most files, and alpha xi in some.
-    if (with_mirror && from.size() == 2 && to.size() == 2) add(from, {to[1], to[0]});
+    if (with_mirror && to.size() == 2) add(from, {to[1], to[0]});
+    if (with_mirror && from.size() == 2 && to.size() > 2) add({from[1], from[0]}, to);
   }
 }
 

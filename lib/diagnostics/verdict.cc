@@ -35,6 +35,7 @@ std::span<const CodeInfo> verdict_codes() {
       clause(Code::kOlderVersionsRead, "for those the model {0}: {1:px} px rms off, worst {2:px}"),
       clause(Code::kFitInsideAngle, "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}"),
       clause(Code::kRewriteDemandsSize, "write a fresh file, which demands the size of the images"),
+      clause(Code::kRewrittenFor, "write a fresh file, which is for {0}: {1:px} px rms off, worst {2:px}"),
       clause(Code::kRewrittenIs, "written anew: {0:px} px rms off, worst {1:px}"),
   };
   return kRows;

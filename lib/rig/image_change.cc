@@ -139,6 +139,12 @@ std::optional<Camera> with_changed_images(const Camera& camera, const ImageChang
   result.model = with_pixels(camera.model, changed->map);
   result.image_size = changed->size;
   if (camera.lens_circle) result.lens_circle = with_pixels(*camera.lens_circle, changed->map);
+  const auto [along_u, along_v] = changed->map.scale;
+  constexpr double kSameShape = 0.02;
+  if (std::abs(along_u - along_v) > kSameShape * along_v) {
+    diagnostics.add(Code::kImagesStretched, {camera.name, camera.image_size->width, camera.image_size->height,
+                                             changed->size.width, changed->size.height, along_u / along_v});
+  }
   if (camera.lens_circle && !result.lens_circle) {
     diagnostics.add(Code::kLensCircleStretched, {camera.name});
   }

@@ -177,10 +177,35 @@ TEST(VerdictFirst, ThePairOfNamedFilesIsTheTwoThatSeeTheSame) {
   const Told run({"convert", chain, "--to", "kimera", "-o", out});
   EXPECT_TRUE(contains(read_file(out + "LeftCameraParams.yaml"), "camera_id: \"cam0\"")) << run.text();
   EXPECT_TRUE(contains(read_file(out + "RightCameraParams.yaml"), "camera_id: \"cam2\"")) << run.text();
-  EXPECT_FALSE(codes_of(run).contains("nothing-shared")) << run.text();
-  const Told chosen({"convert", chain, "--camera", "0,1", "--to", "kimera", "-o", out, "--force"});
-  EXPECT_TRUE(codes_of(chosen).contains("nothing-shared")) << chosen.text();
-  EXPECT_EQ(word_of(chosen), "use-with-care");
+  // Two that look away from each other are no pair, whoever chose them.
+  const std::string other = (folder.path() / "other").string() + "/";
+  const Told chosen({"convert", chain, "--camera", "0,1", "--to", "kimera", "-o", other});
+  EXPECT_FALSE(fs::exists(other + "RightCameraParams.yaml")) << chosen.text();
+  EXPECT_TRUE(fs::exists(other + "cam1CameraParams.yaml")) << chosen.text();
+}
+
+// Whichever way a file states them: by poses between cameras or by each camera's in the IMU.
+TEST(VerdictFirst, LostPosesBetweenCamerasMatter) {
+  const TemporaryFolder folder;
+  const std::string between = folder.write("between.yaml", chain_of_three());
+  std::string in_imu = chain_of_three();
+  for (const char* pose : {"cam0:\n", "T_cn_cnm1"}) {
+    const bool is_first = std::string_view(pose) != "T_cn_cnm1";
+    const std::string identity =
+        "  T_cam_imu:\n  - [1.0, 0.0, 0.0, 0.0]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, "
+        "1.0]\n";
+    if (is_first) {
+      in_imu.insert(in_imu.find(pose) + 6, identity);
+    } else {
+      for (std::size_t at = in_imu.find(pose); at != std::string::npos; at = in_imu.find(pose))
+        in_imu.replace(at, 9, "T_cam_imu");
+    }
+  }
+  const std::string by_imu = folder.write("in_imu.yaml", in_imu);
+  const std::string first = word_of(Told({"convert", between, "--to", "ros", "-o", (folder.path() / "a").string() + "/"}));
+  const std::string second = word_of(Told({"convert", by_imu, "--to", "ros", "-o", (folder.path() / "b").string() + "/"}));
+  EXPECT_EQ(first, "use-with-care");
+  EXPECT_EQ(second, first);
 }
 
 TEST(VerdictFirst, AFileThatItsOwnProgramRefusesIsNotWrittenAgain) {

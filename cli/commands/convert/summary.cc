@@ -77,6 +77,16 @@ void add_limits(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   if (!text.empty()) lines.push_back({"limit", text});
 }
 
+/// What of the image the user's own limit leaves out, of the camera that loses most.
+void add_given_lens(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
+  double most = 0.01;  // less is nothing to speak of
+  for (const ConvertedCamera& camera : outcome.cameras) {
+    if (camera.report) most = std::max(most, camera.report->judgement.coverage.outside_lens);
+  }
+  if (outcome.lens_given && most > 0.01)
+    lines.push_back({"limit", percent(most) + " of the image lies outside the lens as it was given: not fitted, not compared"});
+}
+
 /// What the request does not allow (--strict, --max-error), and else speaks against writing.
 void add_refusals(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   for (const Diagnostic& entry : outcome.diagnostics.entries()) {
@@ -203,6 +213,7 @@ std::string summary_lines(const ConvertResult& outcome, bool with_tables) {
   for (SummaryLine& line : lines_of(verdict, false)) lines.push_back(std::move(line));
   add_refusals(outcome, lines);
   add_limits(outcome, lines);
+  add_given_lens(outcome, lines);
   add_other_writings(outcome, lines);
   add_better_ways(outcome, lines);
   add_left_out(outcome, lines);

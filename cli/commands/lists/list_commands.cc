@@ -186,21 +186,10 @@ std::string row_text(const Candidate& candidate) {
   }
   text += padded(report.exact ? "exact" : pixels(report.judgement.error.rms), kNumberWidth) +
           padded(report.exact ? "" : pixels(report.judgement.error.max), kNumberWidth);
+  if (candidate.in_circle && reaches_all(candidate))
+    return text + "circle (--max-angle " + text::format_short(candidate.in_circle->max_angle_deg) + ")\n";
   const std::string to = text::format_short(report.scored_to_deg, 3) + " deg";
   return text + (reaches_all(candidate) && !report.fitted_to_cone ? "all" : "to " + to) + "\n";
-}
-
-enum class RowGroup : std::uint8_t { kWholeLens, kCircleAlone, kLess };
-
-RowGroup group_of(const Candidate* candidate) {
-  if (!reaches_all(*candidate)) return RowGroup::kLess;
-  return candidate->in_circle ? RowGroup::kCircleAlone : RowGroup::kWholeLens;
-}
-
-std::string heading(RowGroup group, const Candidate& first) {
-  if (group == RowGroup::kLess) return "  not all of the lens:\n";
-  return "  fitted to the circle alone (--max-angle " + text::format_short(first.in_circle->max_angle_deg) +
-         "), worse beyond it:\n";
 }
 
 std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {
@@ -210,13 +199,10 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
   text += "  " + padded("", kModelWidth) + padded(is_wide ? "inscribed circle" : "image", 2 * kNumberWidth) +
           (is_wide ? "whole image" : "") + "\n  " + padded("model", kModelWidth) + padded("rms px", kNumberWidth) +
           padded("99 % px", kNumberWidth) + padded("rms px", kNumberWidth) + padded("max px", kNumberWidth) + "reaches\n";
-  std::vector<const Candidate*> rows = ranked(candidates);
-  std::ranges::stable_sort(rows, {}, &group_of);
-  RowGroup before = RowGroup::kWholeLens;
-  for (const Candidate* candidate : rows) {
-    const RowGroup group = group_of(candidate);
-    if (group != before) text += heading(group, *candidate);
-    before = group;
+  bool reaches_before = true;
+  for (const Candidate* candidate : ranked(candidates)) {
+    if (reaches_before && !reaches_all(*candidate)) text += "  not all of the lens:\n";
+    reaches_before = reaches_all(*candidate);
     text += row_text(*candidate);
   }
   for (const Candidate& candidate : candidates) {

@@ -15,13 +15,8 @@ ConvertResult preview_conversion(const std::string& file, const Inputs& inputs, 
   request.model = program.writing.model.empty() ? nullptr : find_model(program.writing.model);
   request.layout = {request.to, std::string(program.writing.layout)};
   request.extension = std::filesystem::path(program.writing.file_name).extension().string();
-  request.room = {false, false, false};
   request.rewrite = rewrite;
   ConvertResult result = convert(request, files);
-  if (result.diagnostics.has_errors() && request.extension.empty() && !request.to->many_cameras) {
-    request.room = {};  // for a file per camera
-    result = convert(request, files);
-  }
   result.files.clear();
   return result;
 }

@@ -94,6 +94,10 @@ std::string_view not_written_for(const ConvertRequest& request, const ConvertRes
   return is_for_another ? own->program : std::string_view();
 }
 
+bool lacks_size(const Start& start) {
+  return std::ranges::any_of(start.input.rig.cameras, [](const Camera& camera) { return !camera.image_size; });
+}
+
 /// What a fresh file would be in place of the edited text, where that is refused or not to be used.
 void offer_fresh_file(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                       const ConvertResult& result, Verdict& verdict) {
@@ -106,8 +110,7 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
   const bool is_unusable = verdict.word == VerdictWord::kDoNotUse && is_edited && request.verify;
   if (refused == entries.end() && !is_unusable) return;
   const std::optional<ConvertResult> fresh = rewritten(request, start, before);
-  const bool lacks_size = std::ranges::any_of(start.input.rig.cameras, [](const Camera& each) { return !each.image_size; });
-  if (!fresh && !lacks_size) return;
+  if (!fresh && !lacks_size(start)) return;
   const Message remedy = fresh && refused != entries.end() ? refused->facts : Message{Code::kRewriteDemandsSize};
   for (Reason& reason : verdict.reasons) {
     if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused) reason.remedy = remedy;
@@ -118,13 +121,34 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
   }
 }
 
+/// What a fresh file for the format's own program would be, where the input's text is another program's.
+void offer_own_program(const ConvertRequest& request, const Start& start, const ConvertResult& before, Verdict& verdict) {
+  const auto needs_another = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsProgram; };
+  const auto reason = std::ranges::find_if(verdict.reasons, needs_another);
+  if (reason == verdict.reasons.end() || start.base.document == nullptr || request.rewrite || !request.into.empty()) return;
+  const std::optional<ConvertResult> fresh = rewritten(request, start, before);
+  const auto* program = std::get_if<std::string>(&reason->facts.arguments.back().value);
+  if (program == nullptr) return;
+  if (fresh && not_written_for(request, *fresh).empty()) {
+    reason->remedy = {Code::kRewrittenFor, {*program, fresh->rms_px, fresh->max_px}};
+  } else if (!fresh && lacks_size(start)) {
+    reason->remedy = {Code::kRewriteDemandsSize};
+  }
+}
+
 void add_remedies(const ConvertRequest& request, const Start& start, const ConvertResult& before, const ConvertResult& result,
                   Verdict& verdict) {
   offer_fresh_file(request, start, before, result, verdict);
+  if (request.verify) offer_own_program(request, start, before, verdict);
   const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };
   const bool needs_one = std::ranges::any_of(verdict.reasons, needs_version);
   const Message older = needs_one ? remedy_of_version(request, start, result) : Message();
+  const auto& entries = result.diagnostics.entries();
   for (Reason& reason : verdict.reasons) {
+    const auto unreached = std::ranges::find_if(entries, [&reason](const Diagnostic& entry) {
+      return entry.facts.code == Code::kTargetCannotReach && entry.facts.arguments.front() == Argument(reason.camera);
+    });
+    if (reason.facts.code == Code::kVerdictNoRays && unreached != entries.end()) reason.remedy = unreached->remedy;
     if (needs_version(reason)) reason.remedy = older;
     if (result.nearer && reason.facts.code == Code::kVerdictPixelsOff)
       reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, result.rms_px}};
@@ -142,6 +166,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.is_asked = request.verify;
   facts.has_reader = result.unproven.empty();
   facts.not_for = not_written_for(request, result);
+  facts.is_named = request.into.empty();
   facts.losses = result.losses;
   facts.defaults = result.defaults;
   facts.findings = findings;

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -77,6 +78,13 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
   return findings;
 }
 
+/// What is odd about what was asked for beside the files (images that are stretched), among the findings.
+void add_warnings_since(std::size_t first, const Diagnostics& diagnostics, std::vector<Finding>& findings) {
+  for (const Diagnostic& entry : std::span(diagnostics.entries()).subspan(first)) {
+    if (entry.severity == Severity::kWarning) findings.push_back({.severity = entry.severity, .facts = entry.facts});
+  }
+}
+
 /// Nothing is written of a camera that the request leaves out, nor where a camera stands that is alone.
 void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, std::vector<Finding>& findings) {
   const bool is_alone = rig.cameras.size() == 1 && rig.imus.empty();
@@ -123,7 +131,9 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   if (!input) return false;
   start.findings = findings_of(*input, request, *result.to, found);
   const std::vector<Camera> read = input->rig.cameras;
+  const std::size_t before_choices = result.diagnostics.entries().size();
   if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
+  add_warnings_since(before_choices, result.diagnostics, start.findings);
   if (request.inputs.cameras && input->documents.size() == 1) drop_findings_of_others(read, input->rig, start.findings);
   put_pair_first(request, *result.to, *input);
   start.input = *std::move(input);

@@ -52,12 +52,13 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
 /// Of the camera as those models, what is better than `than`; the best first.
 std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
                                           const std::vector<StoredModel>& models) {
+  constexpr double kOfUse = 2.0;  // px: such a file is not to be used
   ModelChoice by_rms = choice;
   by_rms.objective = Objective::kRms;
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
     std::optional<ConversionReport> report = report_as(stored, camera, by_rms);
-    if (report && is_better(*report, than)) result.push_back(*std::move(report));
+    if (report && is_better(*report, than) && report->judgement.error.rms <= kOfUse) result.push_back(*std::move(report));
   }
   std::ranges::stable_sort(result, is_better);
   return result;

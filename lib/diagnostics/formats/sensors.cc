@@ -47,15 +47,13 @@ std::span<const CodeInfo> sensor_codes() {
       clause(Code::kKimeraInitialValue, "{0} (of Kimera-VIO's params/Euroc: it stops without one)"),
       clause(Code::kKimeraStockTuning, "as in Kimera-VIO's params/Euroc"),
 
-      warning(Code::kKimeraNothingShared, "nothing-shared",
-              "{0} and {1} share less than a quarter of their images, and Kimera-VIO matches the left and the right one",
-              "is their pose right? With one camera alone Kimera-VIO is monocular"),
       clause(Code::kKimeraFirstIsLeft, "Kimera-VIO's left camera is the first one"),
       clause(Code::kEurocWrote, "a sensor.yaml for each sensor, as EuRoC has them"),
       clause(Code::kEurocWroteImu, "an IMU's sensor.yaml, as EuRoC has it"),
       clause(Code::kKimeraWrote, "CameraParams and ImuParams for Kimera-VIO"),
       clause(Code::kKimeraWrotePair, "{0}; {1} is left and {2} right{3}"),
-      clause(Code::kKimeraPairOfSeveral, "; it opens no file of {0:and}"),
+      clause(Code::kKimeraWroteOne, "{0}, monocular with {1} (it shares less than a quarter of its image with {2}){3}"),
+      clause(Code::kKimeraOpensNone, "; it opens no file of {0:and}"),
       clause(Code::kKimeraWroteImu, "an ImuParams.yaml for Kimera-VIO"),
   };
   return kRows;

@@ -40,6 +40,7 @@ std::span<const CodeInfo> convert_codes() {
                   "{0} = {1} and the frame rate of {2} Hz contradict each other"),
       clause(Code::kTakenAsMetres, "taken as metres"),
       clause(Code::kGiveLengthUnit, "say in which unit the translations are"),
+      clause(Code::kGiveFileAndUnit, "give a file that states it, too, and say in which unit the translations are"),
 
       // The file that is written into.
       bad_request(Code::kIntoWithoutCamera, "into-without-camera",

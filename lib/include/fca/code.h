@@ -19,6 +19,7 @@ enum class Code : std::uint16_t {
   kCropOutside,
   kBinningImpossible,
   kResizeImpossible,
+  kImagesStretched,
   kImageSizeNotStated,
   kLensCircleStretched,
 
@@ -86,6 +87,7 @@ enum class Code : std::uint16_t {
   kFitInsideAngle,
   kRewrittenIs,
   kRewriteDemandsSize,
+  kRewrittenFor,
 
   // What the options of a format's layouts are, for help.
   kOpencvLayouts,
@@ -658,9 +660,9 @@ enum class Code : std::uint16_t {
   kKimeraOneOffset,
   kKimeraNoImuFile,
   kKimeraFirstIsLeft,
-  kKimeraNothingShared,
   kKimeraWrotePair,
-  kKimeraPairOfSeveral,
+  kKimeraWroteOne,
+  kKimeraOpensNone,
   kKimeraWrote,
   kKimeraWroteImu,
 
@@ -853,6 +855,7 @@ enum class Code : std::uint16_t {
   kVinsCameraMisplaced,
   kVinsCameraKept,
   kVinsOtherImages,
+  kVinsIfScaled,
   kVinsPoseKept,
   kVinsTimeOffsetKept,
   kVinsNoiseConverted,
@@ -1308,6 +1311,7 @@ enum class Code : std::uint16_t {
   kConvertWithLayout,
   kConvertAnew,
   kConvertWithSize,
+  kCorrectOrRewrite,
   kConvertToFiles,
   kConvertUnderName,
   kAddFileVersion,
@@ -1562,6 +1566,7 @@ enum class Code : std::uint16_t {
   kSettingContradictsRate,
   kTakenAsMetres,
   kGiveLengthUnit,
+  kGiveFileAndUnit,
   kIntoWithoutCamera,
   kIntoAnotherFormat,
   kIntoWithoutPose,

@@ -23,6 +23,7 @@ struct VerdictFacts {
   bool is_asked = true;                      ///< False: no program was asked on purpose.
   bool has_reader = true;                    ///< False: of some file no program is known that reads it.
   std::string_view not_for = {};             ///< The format's own program, where nobody asked for the one that is written for.
+  bool is_named = false;  ///< That program was asked for, so that a file which only others read is not to be used.
   std::span<const Loss> losses = {};
   std::span<const DefaultedValue> defaults = {};
   std::span<const Finding> findings = {};  ///< About the meaning of what the file states (findings_about_meaning).
