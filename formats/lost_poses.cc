@@ -71,10 +71,11 @@ std::optional<Transform> around(const Rig& rig, const PoseEdge& edge) {
 /// Frames whose poses to each other are kept.
 using Group = std::set<std::string>;
 
-Group group_of(const std::string& frame, const std::set<std::string>& frames, const Rig& kept) {
+Group group_of(const std::string& frame, const std::set<std::string>& frames, const Rig& rig, const Rig& kept) {
   Group group;
-  std::ranges::copy_if(frames, std::inserter(group, group.end()),
-                       [&](const std::string& other) { return kept.resolve(frame, other).has_value(); });
+  std::ranges::copy_if(frames, std::inserter(group, group.end()), [&](const std::string& other) {
+    return other == frame || same_pose(kept.resolve(frame, other), rig.resolve(frame, other));
+  });
   return group;
 }
 
@@ -103,7 +104,8 @@ std::string_view kind_of(const Rig& rig, const PoseEdge& edge) {
 bool places_cameras(const Rig& rig, const Rig& kept, const PoseEdge& edge) {
   const std::string& camera = rig.find_camera(edge.a) != nullptr ? edge.a : edge.b;
   return std::ranges::any_of(rig.cameras, [&](const Camera& other) {
-    return other.name != camera && rig.resolve(camera, other.name) && !kept.resolve(camera, other.name);
+    const std::optional<Transform> T = rig.resolve(camera, other.name);
+    return other.name != camera && T && !same_pose(kept.resolve(camera, other.name), T);
   });
 }
 
@@ -150,7 +152,7 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
     const std::optional<Transform> written_pose = kept.resolve(edge.a, edge.b);
     // Of poses that contradict each other a file may keep either.
     if (same_pose(written_pose, edge.T_a_b) || same_pose(written_pose, around(rig, edge))) continue;
-    std::pair<Group, Group> groups = {group_of(edge.a, frames, kept), group_of(edge.b, frames, kept)};
+    std::pair<Group, Group> groups = {group_of(edge.a, frames, rig, kept), group_of(edge.b, frames, rig, kept)};
     if (groups.second < groups.first) std::swap(groups.first, groups.second);
     auto row = std::ranges::find(lost, groups, &Row::groups);
     if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}, {}});

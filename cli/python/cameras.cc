@@ -96,9 +96,10 @@ py::tuple to_opencv(const Camera& camera) {
   if (id == "kb4") order = kFisheye;
   if (id == "pinhole" || id == "radtan") order = std::span(kPlane).first(5);
   if (id == "rational") order = kPlane;
-  if (order.empty())
+  if (order.empty()) {
     raise_value_error("OpenCV's K and D hold pinhole, radtan, rational and kb4, not " + std::string(id) +
                       "; fca_io.fit(camera, 'kb4') fits one of them");
+  }
   const auto value = [&camera](std::string_view name) {
     return parameter(camera.model, *ParameterId::find(name)).value_or(0.0);
   };

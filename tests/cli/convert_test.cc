@@ -646,7 +646,7 @@ TEST(Convert, ASettingsFileWithoutASizeIsNotCalledWrong) {
   bytes = with_replaced(with_replaced(bytes, "Camera.width: 640\n", ""), "Camera.height:480\n", "");
   bytes = with_replaced(bytes, "ORBextractor.nFeatures: 1000\n",
                         "ORBextractor.nFeatures: 1000\nORBextractor.nLevels: 8\nORBextractor.scaleFactor: 1.2\n");
-  const RunResult run = run_program({"convert", folder.write("orbslam2.yaml", bytes), "--to", "orbslam3"});
+  const RunResult run = run_program({"convert", folder.write("orbslam2.yaml", bytes), "--to", "orbslam2"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out, bytes);
 }

@@ -82,9 +82,14 @@ TEST(VerdictReasons, WhatOnlyAnotherProgramReadsNeedsThat) {
     EXPECT_EQ(word_of(check), "use-with-care") << check.text();
     EXPECT_EQ(codes_of(check).count("needs-program"), 1U) << check.text();
   }
+  // Whoever names ORB-SLAM3 wants a file that it reads, and is told how to get one.
   const Told written({"convert", of_orbslam2, "--to", "orbslam3"});
-  EXPECT_EQ(word_of(written), "use-with-care") << written.text();
+  EXPECT_EQ(word_of(written), "do-not-use") << written.text();
   EXPECT_EQ(codes_of(written).count("needs-program"), 1U) << written.text();
+  EXPECT_TRUE(contains(verdict_in(written)["reasons"][0]["fix"].GetString(), "--anew")) << written.text();
+  const Told fresh({"convert", of_orbslam2, "--to", "orbslam3", "--anew"});
+  EXPECT_EQ(word_of(fresh), "ready") << fresh.text();
+  EXPECT_EQ(word_of(Told({"convert", of_orbslam2, "--to", "orbslam3", "--accept", "needs-program"})), "use-with-care");
   const Told asked({"convert", of_orbslam2, "--to", "orbslam2"});
   EXPECT_EQ(codes_of(asked).count("needs-program"), 0U) << asked.text();
 }

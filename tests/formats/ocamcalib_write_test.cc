@@ -136,7 +136,6 @@ TEST(OCamCalibWrite, ALensThatFoldsInsideTheImageIsSaid) {
   ASSERT_TRUE(written);
   ASSERT_EQ(diagnostics.entries().size(), 1U);
   EXPECT_EQ(id_of(diagnostics.entries().front()), "inverse-inexact");
-  EXPECT_TRUE(written->defaults.front().look_at_it);
   EXPECT_LE(inverse_in(bytes_of(*written)).size(), ocamcalib::kMostCoefficients);
 }
 

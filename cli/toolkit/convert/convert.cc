@@ -166,7 +166,8 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.is_asked = request.verify;
   facts.has_reader = result.unproven.empty();
   facts.not_for = not_written_for(request, result);
-  facts.is_named = request.into.empty();
+  // Whoever asks for a model that only forks read means them.
+  facts.is_named = request.into.empty() && request.model == nullptr;
   facts.losses = result.losses;
   facts.defaults = result.defaults;
   facts.findings = findings;

@@ -6,6 +6,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,16 @@ inline std::vector<std::string> all_between(std::string_view text, std::string_v
   return found;
 }
 
+/// With the opacity that it leaves out where all of it is opaque.
+inline cv::Mat4b with_opacity(const cv::Mat& picture) {
+  if (picture.type() == CV_8UC4) return picture;
+  EXPECT_EQ(picture.type(), CV_8UC3);
+  cv::Mat4b result(picture.size());
+  std::transform(picture.begin<cv::Vec3b>(), picture.end<cv::Vec3b>(), result.begin(),
+                 [](const cv::Vec3b& pixel) { return cv::Vec4b(pixel[0], pixel[1], pixel[2], 0xFF); });
+  return result;
+}
+
 /// The pictures of a page, decoded: four channels.
 inline std::vector<cv::Mat4b> pictures(const std::string& page) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -60,9 +71,7 @@ inline std::vector<cv::Mat4b> pictures(const std::string& page) {
       count -= 8;
       bytes.push_back(static_cast<std::uint8_t>(bits >> static_cast<unsigned>(count)));
     }
-    const cv::Mat picture = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-    EXPECT_EQ(picture.type(), CV_8UC4);
-    decoded.emplace_back(picture);
+    decoded.push_back(with_opacity(cv::imdecode(bytes, cv::IMREAD_UNCHANGED)));
   }
   return decoded;
 }

@@ -183,7 +183,7 @@ Converted convert(const Source& source, const std::string& target, const std::ve
   std::vector<std::string> words = source.words();
   // What a poor model costs is measured here, whatever the verdict on it.
   words.insert(words.begin(), {"convert", "--accept", "pixels-off", "--accept", "no-right-rays", "--accept", "program-refuses",
-                               "--accept", "pose-missing"});
+                               "--accept", "pose-missing", "--accept", "needs-program"});
   words.insert(words.end(), {"--to", target, "-o", folder.path().string() + "/" + output, "--json"});
   words.insert(words.end(), options.begin(), options.end());
   result.run = test::run_program(words);
