@@ -236,7 +236,8 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     result.formats.resize(result.formats.size() + parts.size(), detected.format);
     i += parts.size() - 1;
     const auto own = std::span(result.rig.poses).subspan(files.size());
-    if (detected.format->any_length_unit && options.length_unit_m) {
+    const bool leaves_unit_open = detected.format->any_length_unit || detected.format->metres_by_custom;
+    if (leaves_unit_open && options.length_unit_m) {
       for (PoseEdge& edge : own) scale_translation(*options.length_unit_m, edge.T_a_b);
       result.poses_in_told_unit += own.size();
     } else if (detected.format->any_length_unit) {

@@ -148,13 +148,13 @@ class Comparison {
     const SeenPixel seen = {pixel, pixel_at(pixel, *ray)};
     const std::optional<double> distance = seen.program ? std::optional(fca::distance(*seen.program, pixel)) : std::nullopt;
     const double points = lattice_.to_next_ray * lattice_.to_next_ray;  // for which one that is asked stands
-    const double wrong_rays = distance && ask_for_ray && wrong_ray_px(pixel, reader_) > kWrongPx ? points * share.area : 0.0;
+    const bool has_wrong_ray = distance && ask_for_ray && wrong_ray_px(pixel, reader_) > kWrongPx;
     for (Region* region : {&in_image_, &in_circle_}) {
       if (region == &in_circle_ && !in_circle) continue;
       region->add(share, distance);
-      region->add_wrong_rays(wrong_rays);
+      if (has_wrong_ray) region->add_wrong_rays(points * share.area);
     }
-    return seen;
+    return has_wrong_ray ? SeenPixel{pixel, std::nullopt} : seen;
   }
 
   /// The program's, in the file's pixels; nothing where the model of the file or the program has no right one.

@@ -177,7 +177,8 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
       for (const Message& cause : causes_of(reason)) lines.push_back({"misread", text::text_of(cause, with_options)});
       continue;
     }
-    const auto is_like = [&](const Reason& other) { return !with_distances && is_likewise(reason, other); };
+    const bool may_merge = !with_distances || reason.facts.code == Code::kVerdictLost;
+    const auto is_like = [&](const Reason& other) { return may_merge && is_likewise(reason, other); };
     // Two programs of one file may end at the same angle.
     const auto is_no_more = [&](const Reason& other) {
       return reason.facts.code == Code::kVerdictNoRays && other.facts.code == reason.facts.code &&
@@ -197,7 +198,7 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
     lines.push_back(
         {names_camera ? reason.camera : std::string(label_of(reason)),
          sentence_of(reason) +
-             (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise" + (has_others ? " (see -v)" : ""))});
+             (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise" + (has_others && !with_distances ? " (see -v)" : ""))});
   }
   for (const Reason& reason : verdict.reasons) {
     const bool has_line = with_distances || reason.facts.code != Code::kVerdictPixelsOff;

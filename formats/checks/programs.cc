@@ -112,7 +112,8 @@ class ProgramsCheck {
   /// The program has no unit of lengths: what the file says is compared, in its own unit.
   [[nodiscard]] Rig rig_in_stated_unit() const {
     Rig rig = calibration_->rig;
-    const double unit_m = format_.any_length_unit ? options_.reading.length_unit_m.value_or(1.0) : 1.0;
+    const bool leaves_unit_open = format_.any_length_unit || format_.metres_by_custom;
+    const double unit_m = leaves_unit_open ? options_.reading.length_unit_m.value_or(1.0) : 1.0;
     for (PoseEdge& edge : rig.poses) scale_translation(1.0 / unit_m, edge.T_a_b);
     return rig;
   }

@@ -380,6 +380,7 @@ const Format kFormat = {
     .many_cameras = true,
     .extrinsics = true,
     .poses_apart = true,
+    .metres_by_custom = true,
     .imu = false,
     .image_size = true,
     .own_facts = kOwnFacts,

@@ -123,6 +123,21 @@ TEST(Names, AUnitIsForTranslationsWithoutOne) {
   EXPECT_EQ(run_program({"convert", kTumvi, "--to", "opencv", "--unit", "mm"}).code, 3) << "Kalibr's are metres";
 }
 
+// COLMAP's are metres by custom, which no file says.
+TEST(Names, AUnitMayBeToldOfARigOfColmaps) {
+  const auto x_in = [](std::vector<std::string> further) {
+    std::vector<std::string> words = {
+        "convert", testdata("formats/colmap/good/fisheye-pair-rig.json"), "--size", "640x480", "--to", "kalibr"};
+    words.insert(words.end(), further.begin(), further.end());
+    const Told run(words);
+    EXPECT_FALSE(run.made_up("translation unit")) << run.text();
+    return (*rig_in(run.bytes()).resolve("cam1", "cam0"))(0, 3);
+  };
+  const double metres = x_in({});
+  EXPECT_NE(metres, 0.0);
+  EXPECT_NEAR(x_in({"--unit", "cm"}), 1e-2 * metres, 1e-12);
+}
+
 /// cv::stereoCalibrate's of a board in millimetres: T is 120 long.
 std::string pair_in_millimetres() {
   const std::string pair = read_file(testdata("formats/opencv/good/stereo-14.yml"));

@@ -25,7 +25,7 @@ struct PixelDistance {
 /// A pixel of the camera's image, and the program's for the same ray.
 struct SeenPixel {
   Pixel camera{};
-  std::optional<Pixel> program = {};  ///< Nothing: it has none, or one on the other side of the image.
+  std::optional<Pixel> program = {};  ///< Nothing: it has none, one on the other side of the image, or another ray for it.
 };
 
 struct CameraDistance {
