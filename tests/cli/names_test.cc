@@ -126,12 +126,13 @@ TEST(Names, AUnitIsForTranslationsWithoutOne) {
 // COLMAP's are metres by custom, which no file says.
 TEST(Names, AUnitMayBeToldOfARigOfColmaps) {
   const auto x_in = [](std::vector<std::string> further) {
+    const std::string good = "formats/colmap/good/";
     std::vector<std::string> words = {
-        "convert", testdata("formats/colmap/good/fisheye-pair-rig.json"), "--size", "640x480", "--to", "kalibr"};
+        "convert", testdata(good + "fisheye-pair.txt"), "--with", testdata(good + "fisheye-pair-rig.json"), "--to", "kalibr"};
     words.insert(words.end(), further.begin(), further.end());
     const Told run(words);
     EXPECT_FALSE(run.made_up("translation unit")) << run.text();
-    return (*rig_in(run.bytes()).resolve("cam1", "cam0"))(0, 3);
+    return rig_in(run.bytes()).resolve("cam1", "cam0").value()(0, 3);
   };
   const double metres = x_in({});
   EXPECT_NE(metres, 0.0);
