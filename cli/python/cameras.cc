@@ -110,22 +110,23 @@ py::tuple to_opencv(const Camera& camera) {
   return py::make_tuple(K, D);
 }
 
-Array project_rows(const Camera& camera, const Array& points) {
-  const std::span<const double> rays = rows_of(points, 3, "points");
-  Array pixels = rows_like(points, 2);
-  const std::span<double> out(pixels.mutable_data(), static_cast<std::size_t>(pixels.size()));
+using ForAll = void (*)(const CameraModel& model, std::span<const double> asked, std::span<double> answers);
+
+/// Rows of `asked`, each with its answer of so many numbers; other threads run meanwhile.
+Array answered(const Camera& camera, const Array& asked, std::span<const double> rows, py::ssize_t columns, ForAll for_all) {
+  Array answers = rows_like(asked, columns);
+  const std::span<double> out(answers.mutable_data(), static_cast<std::size_t>(answers.size()));
   const py::gil_scoped_release released;
-  project_all(camera.model, rays, out);
-  return pixels;
+  for_all(camera.model, rows, out);
+  return answers;
+}
+
+Array project_rows(const Camera& camera, const Array& points) {
+  return answered(camera, points, rows_of(points, 3, "points"), 2, &project_all);
 }
 
 Array unproject_rows(const Camera& camera, const Array& pixels) {
-  const std::span<const double> asked = rows_of(pixels, 2, "pixels");
-  Array rays = rows_like(pixels, 3);
-  const std::span<double> out(rays.mutable_data(), static_cast<std::size_t>(rays.size()));
-  const py::gil_scoped_release released;
-  unproject_all(camera.model, asked, out);
-  return rays;
+  return answered(camera, pixels, rows_of(pixels, 2, "pixels"), 3, &unproject_all);
 }
 
 std::optional<Size> size_as_pair(const Camera& camera) {
