@@ -130,26 +130,25 @@ class ProgramsCheck {
 
   [[nodiscard]] Message how_to_write_for(const Consumer& program) const {
     const consumers::Writing& writing = program.writing;
+    const Format& to = *find_format(program.format);
     std::vector<Message> how;
     if (!writing.model.empty()) how.push_back({Code::kConvertWithModel, {writing.model}});
     if (!writing.layout.empty()) how.push_back({Code::kConvertWithLayout, {program.format, writing.layout}});
     // An input of that very format keeps its own text, where nothing else is asked for.
-    if (find_format(program.format) == &format_ && writing.layout.empty()) how.push_back({Code::kConvertAnew});
+    if (&to == &format_ && writing.layout.empty()) how.push_back({Code::kConvertAnew});
     const bool has_size = calibration_ == nullptr || std::ranges::all_of(calibration_->rig.cameras, [](const Camera& camera) {
                             return camera.image_size.has_value();
                           });
     if (!has_size) how.push_back({Code::kConvertWithSize});
-    const bool file_per_camera =
-        calibration_ != nullptr && calibration_->rig.cameras.size() > 1 && !find_format(program.format)->many_cameras;
     const bool has_several = calibration_ != nullptr && calibration_->rig.cameras.size() > 1;
-    const bool has_imu_file =
-        calibration_ != nullptr && !calibration_->rig.imus.empty() && find_format(program.format)->imu_file;
-    if (file_per_camera || has_imu_file || (has_several && !writing.file_name.empty())) how.push_back({Code::kConvertToFiles});
+    const bool has_imu_file = calibration_ != nullptr && !calibration_->rig.imus.empty() && to.imu_file;
+    const bool has_further_files = has_several && (!to.many_cameras || to.poses_apart || !writing.file_name.empty());
+    if (has_imu_file || has_further_files) how.push_back({Code::kConvertToFiles});
     if (!has_several && !writing.file_name.empty()) how.push_back({Code::kConvertUnderName, {writing.file_name}});
     const ProgramName* name = find_program_name(program.id);
-    const std::string_view to =
+    const std::string_view name_of_it =
         name != nullptr && (name->consumer == program.id || !name->extension.empty()) ? program.id : program.format;
-    return {Code::kConvertFor, {document_.source().name, to, how}};
+    return {Code::kConvertFor, {document_.source().name, name_of_it, how}};
   }
 
   /// " (and 3 more)" behind the first of several.
