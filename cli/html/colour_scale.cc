@@ -2,7 +2,6 @@
 #include "colour_scale.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 namespace fca::cli {
@@ -15,8 +14,8 @@ Rgb viridis(double share) {
   Rgb colour{};
   for (std::size_t i = 0; i < colour.size(); ++i) {
     const double value = (1.0 - part) * kViridis[below][i] + part * kViridis[below + 1][i];
-    constexpr double kHalf = 0.5;  // never negative: what lround would take much longer for
-    colour[i] = static_cast<std::uint8_t>(std::floor(value + kHalf));
+    // To the nearest: no value is negative.
+    colour[i] = static_cast<std::uint8_t>(static_cast<unsigned>(2.0 * value + 1.0) / 2U);
   }
   return colour;
 }

@@ -101,7 +101,8 @@ void add_input_options(Options& options, Inputs& inputs) {
   });
   options.value("--size", "WxH", "Image size of an input that does not state one: 640x480",
                 [&inputs](const std::string& word) { return take_size("--size", word, inputs.image_size); });
-  options.value("--unit", "m|cm|mm", "The unit of translations in files that do not state it (OpenCV's, COLMAP's; default: metres)",
+  options.value("--unit", "m|cm|mm",
+                "The unit of translations in files that do not state it (OpenCV's, COLMAP's; default: metres)",
                 [&inputs](const std::string& word) { return take_unit(word, inputs.length_unit_m); });
   options.value("--crop", "X,Y,W,H", "The images are this part of the calibrated ones; before --binning and --resize",
                 [&inputs](const std::string& word) { return take_region(word, inputs.change.crop); });

@@ -195,10 +195,10 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
     const bool is_of_camera =
         is_distance || reason.facts.code == Code::kVerdictNoRays || reason.facts.code == Code::kVerdictNumbersDiffer;
     const bool names_camera = is_of_camera && !reason.camera.empty();
-    lines.push_back(
-        {names_camera ? reason.camera : std::string(label_of(reason)),
-         sentence_of(reason) +
-             (likewise.empty() ? "" : "; " + enumerated(likewise) + " likewise" + (has_others && !with_distances ? " (see -v)" : ""))});
+    lines.push_back({names_camera ? reason.camera : std::string(label_of(reason)),
+                     sentence_of(reason) + (likewise.empty() ? ""
+                                                             : "; " + enumerated(likewise) + " likewise" +
+                                                                   (has_others && !with_distances ? " (see -v)" : ""))});
   }
   for (const Reason& reason : verdict.reasons) {
     const bool has_line = with_distances || reason.facts.code != Code::kVerdictPixelsOff;

@@ -163,9 +163,9 @@ struct Format {
   bool begins_with_pair = false;        ///< Its program takes the first two cameras for a stereo pair.
   bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
-  bool poses_apart = false;      ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
-  bool pair_poses = false;       ///< Of the poses between cameras it states that of a stereo pair only, the rig's first two.
-  bool any_length_unit = false;  ///< Its files do not say in what unit translations are; metres elsewhere.
+  bool poses_apart = false;       ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
+  bool pair_poses = false;        ///< Of the poses between cameras it states that of a stereo pair only, the rig's first two.
+  bool any_length_unit = false;   ///< Its files do not say in what unit translations are; metres elsewhere.
   bool metres_by_custom = false;  ///< Translations are metres unless a unit is told: the files do not say it.
   bool imu = true;
   bool noise_of_samples = false;  ///< Its IMU noise is one sample's; its reader makes densities of it.
