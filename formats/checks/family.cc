@@ -109,12 +109,13 @@ bool check_family(const Subject& subject, Findings& findings) {
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
     const std::string_view model = model_info(camera.model).id;
-    if (model == "radtan" || model == "rational" || model == "mei") check_tangential(subject, camera, findings);
+    const bool has_tangential = model == "radtan" || model == "rational" || model == "opencv14" || model == "mei";
+    if (has_tangential) check_tangential(subject, camera, findings);
     if (model == "radtan") check_rectilinear(subject, camera, findings);
     if (model == "radtan") check_unified(subject, camera, findings);
     check_repeated(subject, camera, findings);
     if (model == "kb4") check_equidistant(subject, camera, findings);
-    any = any || model == "radtan" || model == "rational" || model == "mei" || model == "kb4";
+    any = any || has_tangential || model == "kb4";
   }
   return any;
 }

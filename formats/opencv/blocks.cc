@@ -87,6 +87,13 @@ std::vector<double> coefficients(const CameraModel& model, std::size_t there) {
   const std::string_view id = model_info(model).id;
   if (id == "kb4") return values_of(model, {"k1", "k2", "k3", "k4"});
   if (id == "mei") return values_of(model, {"k1", "k2", "p1", "p2"});
+  if (id == "opencv14") {
+    std::vector<double> values =
+        values_of(model, {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"});
+    constexpr std::size_t kWithoutTilt = 12;
+    if (there <= kWithoutTilt && values[12] == 0.0 && values[13] == 0.0) values.resize(kWithoutTilt);
+    return values;
+  }
   std::vector<double> zeros(there > 5 ? there : 5, 0.0);
   if (id == "pinhole") return zeros;
   std::vector<double> values = values_of(model, {"k1", "k2", "p1", "p2", "k3"});

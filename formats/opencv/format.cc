@@ -14,6 +14,7 @@ constexpr std::array kOwnFacts = {OwnFact{"keys of its own (calibration_time, fl
 constexpr std::array kModels = {
     StoredModel{"radtan", "5 coefficients", true, "cv::projectPoints", {}},
     StoredModel{"rational", "8 coefficients", true, "cv::projectPoints", {}},
+    StoredModel{"opencv14", "12 or 14 coefficients", true, "cv::projectPoints", {}},
     StoredModel{"pinhole", "5 zeros", true, "cv::projectPoints", {}},
     StoredModel{"kb4", "fisheye", true, "cv::fisheye (rays inside 90 deg)", {}},
     StoredModel{"mei", "omnidir", true, "cv::omnidir", {}, {}, true},

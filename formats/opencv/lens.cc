@@ -98,30 +98,17 @@ class LensReader {
       reader_.say(node, Code::kOpencvCoefficientCount, {what, count});
       return std::nullopt;
     }
-    if (!check_no_prism(what, D)) return std::nullopt;
     const auto all_zero = [&D](std::size_t from, std::size_t to) {
       return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from),
                          D.values.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0.0; });
     };
+    if (count > 8 && !all_zero(8, count)) {
+      return with("opencv14", {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"}, D,
+                  what);
+    }
     if (all_zero(0, std::min<std::size_t>(count, 8))) return make_model("pinhole");
     if (count == 5 || (count > 8 && all_zero(5, 8))) return with("radtan", {"k1", "k2", "p1", "p2", "k3"}, D, what);
     return with("rational", {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}, D, what);
-  }
-
-  /// s1..s4 and tau_x, tau_y: no model of ours has them.
-  bool check_no_prism(const std::string& what, const Numbers& D) {
-    constexpr std::array<std::string_view, 6> kTerms = {"s1", "s2", "s3", "s4", "tau_x", "tau_y"};
-    std::vector<Message> found;
-    const Node* first = nullptr;
-    for (std::size_t i = 8; i < D.values.size(); ++i) {
-      if (D.values[i] == 0.0) continue;
-      if (first == nullptr) first = D.nodes[i];
-      found.push_back({found.empty() ? Code::kOpencvTerm : Code::kOpencvFurtherTerm, {kTerms.at(i - 8), D.values[i]}});
-    }
-    if (found.empty()) return true;
-    const bool tilt = D.values.size() > 12 && (D.values[12] != 0.0 || D.values[13] != 0.0);
-    reader_.say(*first, tilt ? Code::kOpencvTiltedSensor : Code::kOpencvThinPrism, {what, found});
-    return false;
   }
 
   /// What the file says of a camera's four numbers.

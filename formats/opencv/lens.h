@@ -13,7 +13,7 @@
 namespace fca::opencv {
 
 /// The camera's model with its coefficients, the camera matrix still to be read. Nothing, with an error, where four numbers are
-/// ambiguous or no model of ours has the terms. `map`: the mapping that holds the camera's keys.
+/// ambiguous or their count is nobody's. `map`: the mapping that holds the camera's keys.
 [[nodiscard]] std::optional<CameraModel> read_lens(const Layout& layout, const CameraKeys& keys, const text::Node& map,
                                                    const ReadOptions& options, fields::Reader& reader);
 

@@ -17,6 +17,7 @@ namespace {
 constexpr std::array kModels = {
     StoredModel{"radtan", "plumb_bob", true, "image_geometry", {}},
     StoredModel{"rational", "rational_polynomial", true, "image_geometry", {}},
+    StoredModel{"opencv14", "rational_polynomial of 12 or 14", true, "image_geometry", {}},
     StoredModel{"kb4", "equidistant", true, "image_geometry (rays inside 90 deg)", {}},
     StoredModel{"pinhole", "plumb_bob with zeros", true, "image_geometry", {}},
 };

@@ -15,7 +15,8 @@ struct Names {
 };
 /// In the order in which a model of ours looks for its name.
 constexpr std::array kNames = {Names{"plumb_bob", "radtan"}, Names{"plumb_bob", "pinhole"},
-                               Names{"rational_polynomial", "rational"}, Names{"equidistant", "kb4"}};
+                               Names{"rational_polynomial", "rational"}, Names{"rational_polynomial", "opencv14"},
+                               Names{"equidistant", "kb4"}};
 
 constexpr std::string_view kFrame = "rectified";
 
@@ -33,8 +34,8 @@ std::string_view name_of(const CameraModel& model) {
 
 std::vector<double> coefficients_of(const CameraModel& model) {
   constexpr std::size_t kPlumbBob = 5;
-  constexpr std::array<ParameterId, 8> kOpenCv = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
-  constexpr std::array<ParameterId, 4> kFisheye = {"k1", "k2", "k3", "k4"};
+  constexpr std::size_t kRational = 8;
+  constexpr std::size_t kThinPrism = 12;
   std::vector<double> values;
   const auto add = [&](std::span<const ParameterId> coefficients) {
     for (const ParameterId coefficient : coefficients) values.push_back(parameter(model, coefficient).value());
@@ -43,9 +44,12 @@ std::vector<double> coefficients_of(const CameraModel& model) {
   std::vector<double> zeros(kPlumbBob, 0.0);
   if (id == "pinhole") return zeros;
   if (id == "kb4") {
-    add(kFisheye);
+    add(kFisheyeCoefficients);
+  } else if (id == "opencv14") {
+    add(kOpenCvCoefficients);
+    if (values[12] == 0.0 && values[13] == 0.0) values.resize(kThinPrism);
   } else {
-    add(std::span(kOpenCv).first(id == "rational" ? kOpenCv.size() : kPlumbBob));
+    add(std::span(kOpenCvCoefficients).first(id == "rational" ? kRational : kPlumbBob));
   }
   return values;
 }

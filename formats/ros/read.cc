@@ -131,26 +131,22 @@ class CameraReader {
       reader_.say(*info_.D->place, Code::kRosOpenCvCount, {d.size()});
       return std::nullopt;
     }
-    for (std::size_t i = kRational; i < d.size(); ++i) {
-      if (d[i] == 0.0) continue;
-      reader_.say(*info_.D->nodes[i], i >= kThinPrism ? Code::kRosTiltedSensor : Code::kRosThinPrism, {i, d[i]});
-      return std::nullopt;
-    }
     if (info_.D->all_zero()) return make_model("pinhole");
     const bool named_rational = info_.counted || (info_.model != nullptr && model_of(info_.model->value) == "rational");
     const bool eight = d.size() >= kRational && (d[5] != 0.0 || d[6] != 0.0 || d[7] != 0.0);
     if (eight && !named_rational) reader_.say(*info_.D->nodes[kRadtan], Code::kRosRationalUnderPlumbBob, {d.size()});
+    const auto is_set = [](double value) { return value != 0.0; };
+    if (d.size() > kRational && std::any_of(d.begin() + kRational, d.end(), is_set))
+      return with_coefficients(*make_model("opencv14"), d.size());
     const bool rational = eight || (named_rational && d.size() >= kRational);
     return with_coefficients(*make_model(rational ? "rational" : "radtan"), rational ? kRational : kRadtan);
   }
 
   /// The coefficients under their names; those that the file leaves out are 0.
   std::optional<CameraModel> with_coefficients(CameraModel model, std::size_t count) {
-    constexpr std::array<ParameterId, 8> kOpenCv = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
-    constexpr std::array<ParameterId, 4> kFisheye = {"k1", "k2", "k3", "k4"};
     const bool fisheye = model_info(model).id == "kb4";
     for (std::size_t i = 0; i < std::min(count, info_.D->values.size()); ++i) {
-      const ParameterId id = fisheye ? kFisheye.at(i) : kOpenCv.at(i);
+      const ParameterId id = fisheye ? kFisheyeCoefficients.at(i) : kOpenCvCoefficients.at(i);
       if (!reader_.parameter(*info_.D->nodes[i], kCoefficients, id, info_.D->values[i], model)) return std::nullopt;
     }
     return model;

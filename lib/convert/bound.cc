@@ -24,20 +24,22 @@ using Vector = std::array<double, 2>;
 /// Of what is far from overflow, or infinite. Shorter by rounding than the widenings below allow for.
 double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
+using Polynomial = std::array<double, kOrder>;
+
 /// A pixel as a function of the angle, t from the centre of a strip, and the azimuth: polynomials in t, exact as they stand
 /// here, and how far each component can be from them anywhere in the strip.
+template <std::size_t N>
 struct Field {
-  using Polynomial = std::array<double, kOrder>;
-  std::array<std::array<Polynomial, kHarmonics>, 2> of{};
+  std::array<std::array<Polynomial, N>, 2> of{};
   /// Of each polynomial, a bound of its third derivative in the strip.
-  std::array<std::array<double, kHarmonics>, 2> third{};
-  std::array<std::array<std::size_t, kHarmonics>, 2> terms{};  ///< Of each polynomial; 0: it is 0.
+  std::array<std::array<double, N>, 2> third{};
+  std::array<std::array<std::size_t, N>, 2> terms{};  ///< Of each polynomial; 0: it is 0.
   Vector remainder{};
   double truncation = 0.0;  ///< The part of the remainder that a narrower strip makes smaller; the rest is rounding.
 };
 
 /// How many coefficients of a polynomial there are up to the last that is not 0.
-std::size_t terms_of(const Field::Polynomial& polynomial) {
+std::size_t terms_of(const Polynomial& polynomial) {
   std::size_t terms = polynomial.size();
   while (terms > 0 && polynomial[terms - 1] == 0.0) --terms;
   return terms;
@@ -45,13 +47,14 @@ std::size_t terms_of(const Field::Polynomial& polynomial) {
 
 /// Taylor polynomials from the series at the centre, their remainders from the series over the whole strip (of which the
 /// lowest coefficient is a plain enclosure: all there is where the remainder is infinite).
-Field field_of(const PolarSeries& centre, const PolarSeries& strip, double half) {
-  Field field;
+template <std::size_t N>
+Field<N> field_of(const PolarSeriesOf<N>& centre, const PolarSeriesOf<N>& strip, double half) {
+  Field<N> field;
   for (std::size_t i = 0; i < 2; ++i) {
-    for (std::size_t j = 0; j < kHarmonics; ++j) {
+    for (std::size_t j = 0; j < N; ++j) {
       if (!centre.used[i][j]) continue;
       const Series& point = centre.of[i][j];
-      Field::Polynomial& polynomial = field.of[i][j];
+      Polynomial& polynomial = field.of[i][j];
       double power = 1.0;
       double remainder = 0.0;
       double size = 0.0;
@@ -80,16 +83,19 @@ Field field_of(const PolarSeries& centre, const PolarSeries& strip, double half)
       }
       field.third[i][j] = third;
     }
+    field.remainder[i] += strip.beyond[i];
   }
   return field;
 }
 
 /// Angles around a centre on which both models are polynomials.
+template <std::size_t N>
 struct Strip {
   double centre = 0.0;
   double half = 0.0;
-  Field source;
-  Field error;  ///< target - source
+  Field<N> source;
+  Field<N> error;       ///< target - source
+  double beyond = 0.0;  ///< The part of the error's remainder that no division makes smaller.
   [[nodiscard]] double remainder() const { return length(error.remainder[0], error.remainder[1]); }
   [[nodiscard]] bool finite() const {
     return std::isfinite(remainder()) && std::isfinite(source.remainder[0]) && std::isfinite(source.remainder[1]);
@@ -108,21 +114,31 @@ struct Cell {
 };
 
 /// The harmonics and their first two derivatives at a cell's centre, and how large they become in the cell.
+template <std::size_t N>
 struct Harmonics {
-  std::array<double, kHarmonics> value;
-  std::array<double, kHarmonics> first;
-  std::array<double, kHarmonics> value_max;
-  std::array<double, kHarmonics> first_max;
+  std::array<double, N> value;
+  std::array<double, N> first;
+  std::array<double, N> value_max;
+  std::array<double, N> first_max;
 
-  static constexpr std::array<double, kHarmonics> kFrequency = {0.0, 1.0, 1.0, 2.0, 2.0};
+  static constexpr double frequency(std::size_t harmonic) { return static_cast<double>((harmonic + 1) / 2); }
 
   Harmonics(double phi, double dphi) {
     const double c = std::cos(phi);
     const double s = std::sin(phi);
-    value = {1.0, c, s, c * c - s * s, 2.0 * s * c};
-    first = {0.0, -s, c, -4.0 * s * c, 2.0 * (c * c - s * s)};
-    for (std::size_t j = 0; j < kHarmonics; ++j) {
-      const double n = kFrequency[j];
+    const double c2 = c * c - s * s;
+    const double s2 = 2.0 * s * c;
+    std::ranges::copy(std::array{1.0, c, s, c2, s2}, value.begin());
+    std::ranges::copy(std::array{0.0, -s, c, -4.0 * s * c, 2.0 * c2}, first.begin());
+    for (std::size_t j = kHarmonics; j < N; j += 2) {
+      const double n = frequency(j);
+      value[j] = std::cos(n * phi);
+      value[j + 1] = std::sin(n * phi);
+      first[j] = -n * value[j + 1];
+      first[j + 1] = n * value[j];
+    }
+    for (std::size_t j = 0; j < N; ++j) {
+      const double n = frequency(j);
       value_max[j] = std::min(1.0, std::abs(value[j]) + n * dphi);
       first_max[j] = std::min(n, std::abs(first[j]) + n * n * dphi);
     }
@@ -145,8 +161,9 @@ struct Plane {
 
 /// A field's coefficients around the centre of a range of angles, t +- dt from that of the strip: what the cells of all
 /// azimuths there have in common.
+template <std::size_t N>
 struct Radial {
-  using PerHarmonic = std::array<std::array<double, kHarmonics>, 2>;
+  using PerHarmonic = std::array<std::array<double, N>, 2>;
   PerHarmonic value{};
   PerHarmonic first{};
   // The largest in the range:
@@ -154,10 +171,10 @@ struct Radial {
   PerHarmonic first_max{};
   PerHarmonic second_max{};
 
-  Radial(const Field& field, double t, double dt) {
+  Radial(const Field<N>& field, double t, double dt) {
     for (std::size_t i = 0; i < 2; ++i) {
-      for (std::size_t j = 0; j < kHarmonics; ++j) {
-        const Field::Polynomial& c = field.of[i][j];
+      for (std::size_t j = 0; j < N; ++j) {
+        const Polynomial& c = field.of[i][j];
         double half_second = 0.0;
         for (std::size_t k = field.terms[i][j]; k-- > 0;) {
           half_second = half_second * t + first[i][j];
@@ -172,7 +189,8 @@ struct Radial {
   }
 };
 
-Plane plane_of(const Field& field, const Radial& radial, const Cell& cell, const Harmonics& harmonics) {
+template <std::size_t N>
+Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell, const Harmonics<N>& harmonics) {
   Plane plane;
   const double dt = cell.dt;
   const double dphi = cell.dphi;
@@ -180,9 +198,9 @@ Plane plane_of(const Field& field, const Radial& radial, const Cell& cell, const
     double angle_rest = 0.0;
     double azimuth_rest = 0.0;
     double mixed_rest = 0.0;
-    for (std::size_t j = 0; j < kHarmonics; ++j) {
+    for (std::size_t j = 0; j < N; ++j) {
       if (field.terms[i][j] == 0) continue;
-      const double n = Harmonics::kFrequency[j];
+      const double n = Harmonics<N>::frequency(j);
       plane.value[i] += radial.value[i][j] * harmonics.value[j];
       plane.by_angle[i] += radial.first[i][j] * harmonics.value[j];
       plane.by_azimuth[i] += radial.value[i][j] * harmonics.first[j];
@@ -197,13 +215,32 @@ Plane plane_of(const Field& field, const Radial& radial, const Cell& cell, const
 }
 
 /// Both fields of a strip.
+template <std::size_t N>
 struct RadialPair {
-  Radial source;
-  Radial error;
-  RadialPair(const Strip& strip, double t, double dt) : source(strip.source, t, dt), error(strip.error, t, dt) {}
+  Radial<N> source;
+  Radial<N> error;
+  RadialPair(const Strip<N>& strip, double t, double dt) : source(strip.source, t, dt), error(strip.error, t, dt) {}
 };
 
+/// The same in more harmonics.
+template <std::size_t N>
+PolarSeriesOf<N> widened(const PolarSeries& form) {
+  PolarSeriesOf<N> wide;
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::ranges::copy(form.of[i], wide.of[i].begin());
+    std::ranges::copy(form.used[i], wide.used[i].begin());
+  }
+  return wide;
+}
+
+/// Of forms with N harmonics.
+template <std::size_t N>
 class Bounder {
+  using Form = PolarSeriesOf<N>;
+  using Harmonics = internal::Harmonics<N>;
+  using Strip = internal::Strip<N>;
+  using RadialPair = internal::RadialPair<N>;
+
  public:
   Bounder(const CameraModel& source, const CameraModel& target, const Domain& domain, double reach, double seen, int budget)
       : source_(source),
@@ -304,27 +341,38 @@ class Bounder {
     Strip strip;
     strip.centre = centre;
     strip.half = half;
-    const PolarSeries source_centre = form_of(source_, at_centre);
-    const PolarSeries source_strip = form_of(source_, over_strip);
+    const Form source_centre = form_of(source_, at_centre);
+    const Form source_strip = form_of(source_, over_strip);
     strip.source = field_of(source_centre, source_strip, half);
     if (source_ == target_) return strip;  // the error is 0, but for the rays' rounding
-    strip.error = field_of(difference(form_of(target_, at_centre), source_centre),
-                           difference(form_of(target_, over_strip), source_strip), half);
+    const Form error_strip = difference(form_of(target_, over_strip), source_strip);
+    strip.error = field_of(difference(form_of(target_, at_centre), source_centre), error_strip, half);
+    strip.beyond = length(error_strip.beyond[0], error_strip.beyond[1]);
     return strip;
   }
 
-  [[nodiscard]] static PolarSeries form_of(const CameraModel& model, const AngleSeries& angle) {
+  [[nodiscard]] static Form form_of(const CameraModel& model, const AngleSeries& angle) {
+    if constexpr (N == kTiltedHarmonics) {
+      const auto* tilted = std::get_if<Intrinsics<Opencv14>>(&model);
+      if (tilted != nullptr && is_tilted(*tilted)) {
+        Form form;
+        polar_form(*tilted, angle, form);
+        return form;
+      }
+    }
     PolarSeries form;
     std::visit([&](const auto& m) { polar_form(m, angle, form); }, model);
-    return form;
+    if constexpr (N == kHarmonics) return form;
+    return widened<N>(form);
   }
 
-  [[nodiscard]] static PolarSeries difference(const PolarSeries& a, const PolarSeries& b) {
-    PolarSeries result = a;
+  [[nodiscard]] static Form difference(const Form& a, const Form& b) {
+    Form result = a;
     for (std::size_t i = 0; i < 2; ++i) {
-      for (std::size_t j = 0; j < kHarmonics; ++j) {
+      for (std::size_t j = 0; j < N; ++j) {
         if (b.used[i][j]) result.set(i, j, result.of[i][j] - b.of[i][j]);
       }
+      result.beyond[i] += b.beyond[i];
     }
     return result;
   }
@@ -400,7 +448,8 @@ class Bounder {
     }
     // Nor does it help to divide what is mostly the rounding of its strip.
     constexpr double kMostlyRemainder = 1.5;
-    if (cell.bound <= std::max(good_enough(), kMostlyRemainder * strip.remainder()) && std::isfinite(cell.bound)) {
+    if (cell.bound <= std::max(good_enough() + strip.beyond, kMostlyRemainder * strip.remainder()) &&
+        std::isfinite(cell.bound)) {
       done_ = std::max(done_, cell.bound);
       return;
     }
@@ -451,7 +500,10 @@ ErrorBound bound_error(const CameraModel& source, const CameraModel& target, con
       []<class S, class T>(const Intrinsics<S>&, const Intrinsics<T>&) { return HasPolarForm<S> && HasPolarForm<T>; }, source,
       target);
   if (!bounded) return {};
-  ErrorBound result = Bounder(source, target, domain, target_reach_rad, seen, budget).bound();
+  const auto has_tilt = [](const auto& model) { return is_tilted(model); };
+  const bool tilted = std::visit(has_tilt, source) || std::visit(has_tilt, target);
+  ErrorBound result = tilted ? Bounder<kTiltedHarmonics>(source, target, domain, target_reach_rad, seen, budget).bound()
+                             : Bounder<kHarmonics>(source, target, domain, target_reach_rad, seen, budget).bound();
   result.bound += rounding_of(source, target, domain.size);
   return result;
 }

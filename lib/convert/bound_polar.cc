@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace fca::internal {
@@ -43,6 +44,91 @@ Series polynomial_of_angle(const std::array<double, N>& coefficients, const Ball
   for (std::size_t k = N - 1; k-- > 0;) result = exactly(coefficients[k]) + times_variable(result, angle);
   return times_variable(result, angle);
 }
+
+/// The model without thin prism and tilt.
+Intrinsics<Rational> rational_part(const Intrinsics<Opencv14>& model) {
+  Intrinsics<Rational> part;
+  std::copy_n(model.values.begin(), part.values.size(), part.values.begin());
+  return part;
+}
+
+/// A trigonometric polynomial of the azimuth: a series for each of 1, cos phi, sin phi, cos 2phi, ..., none beyond
+/// kTiltedHarmonics.
+class Waves {
+ public:
+  Waves() = default;
+  Waves(const std::array<Series, kHarmonics>& of, const std::array<bool, kHarmonics>& used) {
+    for (std::size_t j = 0; j < kHarmonics; ++j) {
+      if (used[j]) add(j, of[j]);
+    }
+  }
+
+  void add(std::size_t harmonic, const Series& series) {
+    of_[harmonic] = used_[harmonic] ? of_[harmonic] + series : series;
+    used_[harmonic] = true;
+  }
+
+  friend Waves operator*(const Ball& a, Waves b) {
+    for (std::size_t j = 0; j < kTiltedHarmonics; ++j) {
+      if (b.used_[j]) b.of_[j] = a * b.of_[j];
+    }
+    return b;
+  }
+  friend Waves operator+(Waves a, const Waves& b) {
+    for (std::size_t j = 0; j < kTiltedHarmonics; ++j) {
+      if (b.used_[j]) a.add(j, b.of_[j]);
+    }
+    return a;
+  }
+  friend Waves operator*(const Waves& a, const Waves& b) {
+    Waves product;
+    for (std::size_t i = 0; i < kTiltedHarmonics; ++i) {
+      for (std::size_t j = 0; j < kTiltedHarmonics; ++j) {
+        if (a.used_[i] && b.used_[j]) product.add_product(i, j, a.of_[i] * b.of_[j]);
+      }
+    }
+    return product;
+  }
+
+  /// No value for any azimuth, and any angle of the ball, is larger.
+  [[nodiscard]] double magnitude() const {
+    const auto size = [this](std::size_t harmonic) { return used_[harmonic] ? of_[harmonic][0].magnitude() : 0.0; };
+    double sum = size(0);
+    for (std::size_t j = 1; j < kTiltedHarmonics; j += 2) sum += std::hypot(size(j), size(j + 1));
+    return sum * (1.0 + 1e-12);
+  }
+
+  void store(std::array<Series, kTiltedHarmonics>& of, std::array<bool, kTiltedHarmonics>& used) const {
+    of = of_;
+    used = used_;
+  }
+
+ private:
+  static std::size_t frequency(std::size_t harmonic) { return (harmonic + 1) / 2; }
+  static bool is_sine(std::size_t harmonic) { return harmonic > 0 && harmonic % 2 == 0; }
+
+  /// cos a cos b = (cos(a - b) + cos(a + b)) / 2 and its like.
+  void add_product(std::size_t i, std::size_t j, const Series& series) {
+    if (i == 0 || j == 0) return add(std::max(i, j), series);
+    const std::size_t a = frequency(i);
+    const std::size_t b = frequency(j);
+    const std::size_t difference = a > b ? a - b : b - a;
+    const Series half = exactly(0.5) * series;
+    const Series minus = exactly(-0.5) * series;
+    if (is_sine(i) == is_sine(j)) {
+      add(difference == 0 ? 0 : 2 * difference - 1, half);
+      add(2 * (a + b) - 1, is_sine(i) ? minus : half);
+      return;
+    }
+    add(2 * (a + b), half);
+    // sin(a - b), of the sine's frequency first
+    const bool is_negative = (is_sine(i) ? a : b) < (is_sine(i) ? b : a);
+    if (difference > 0) add(2 * difference, is_negative ? minus : half);
+  }
+
+  std::array<Series, kTiltedHarmonics> of_{};
+  std::array<bool, kTiltedHarmonics> used_{};
+};
 
 }  // namespace
 
@@ -128,6 +214,51 @@ void polar_form(const Intrinsics<Fov>& model, const AngleSeries& angle, PolarSer
 void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, PolarSeries& form) {
   const double* p = model.values.data();
   set_radial(form, {p[5], p[6]}, {1.0, 0.0, 0.0, p[4]}, polynomial_of_angle(std::array{p[0], p[1], p[2], p[3]}, angle.at));
+}
+
+void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeries& form) {
+  const double* p = model.values.data();
+  polar_form(rational_part(model), angle, form);
+  const Series r = angle.sine / angle.cosine;
+  const Series r2 = r * r;
+  for (const std::size_t component : {0, 1}) {
+    const double* prism = p + 12 + 2 * component;
+    form.set(component, 0,
+             form.of[component][0] + exactly(p[component]) * (r2 * polynomial(std::array{prism[0], prism[1]}, r2)));
+  }
+}
+
+void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeriesOf<kTiltedHarmonics>& form) {
+  const double* p = model.values.data();
+  Intrinsics<Opencv14> plane = model;
+  std::ranges::copy(std::array{1.0, 1.0, 0.0, 0.0}, plane.values.begin());
+  PolarSeries distorted;
+  polar_form(plane, angle, distorted);
+  const Waves mx(distorted.of[0], distorted.used[0]);
+  const Waves my(distorted.of[1], distorted.used[1]);
+  const Ball sx = from_library(std::sin(p[16]));
+  const Ball cx = from_library(std::cos(p[16]));
+  const Ball sy = from_library(std::sin(p[17]));
+  const Ball cy = from_library(std::cos(p[17]));
+  const Ball at_centre = inverse(cx * cy);
+  const Waves x = (cx * at_centre) * mx;
+  const Waves y = (cy * at_centre) * my + (exactly(-1.0) * sx * sy * at_centre) * mx;
+  const Waves w = (sy * at_centre) * mx + (exactly(-1.0) * sx * cy * at_centre) * my;
+  Waves one;
+  one.add(0, constant(exactly(1.0)));
+  // 1 - w (1 - w (1 - w))
+  const Waves minus_w = exactly(-1.0) * w;
+  const Waves inverse_plane = one + minus_w * (one + minus_w * (one + minus_w));
+  const double largest = w.magnitude();
+  const double rest = largest < 1.0 ? std::pow(largest, 4) / (1.0 - largest) : std::numeric_limits<double>::infinity();
+  for (const std::size_t component : {0, 1}) {
+    const Waves& of_plane = component == 0 ? x : y;
+    Waves pixel = exactly(p[component]) * (of_plane * inverse_plane);
+    pixel.add(0, constant(exactly(p[2 + component])));
+    pixel.store(form.of[component], form.used[component]);
+    constexpr double kRounding = 1.0 + 1e-12;
+    form.beyond[component] = std::abs(p[component]) * of_plane.magnitude() * rest * kRounding;
+  }
 }
 
 namespace {

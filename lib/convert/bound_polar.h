@@ -8,6 +8,9 @@
 // rational and mei, with 2xy = r^2 sin 2phi and r^2 + 2x^2 = r^2 (2 + cos 2phi). So is the difference of any two models, and
 // that is why a bound needs enclosures of functions of one variable only.
 //
+// A tilted image plane (opencv14) divides by 1 + w(angle, phi), small: the series 1 - w + w^2 - w^3 leaves a rest below
+// |w|^4 / (1 - |w|), and makes harmonics up to 8 phi of it.
+//
 // A model of the list without polar_form() is one whose conversions have no bound.
 #pragma once
 
@@ -16,22 +19,28 @@
 #include <fca/models/camera_model.h>
 
 #include <array>
+#include <type_traits>
 
 namespace fca::internal {
 
-/// The harmonics, in this order: 1, cos phi, sin phi, cos 2phi, sin 2phi.
+/// The harmonics, in this order: 1, cos phi, sin phi, cos 2phi, sin 2phi, ...
 inline constexpr std::size_t kHarmonics = 5;
+/// Those of a tilted image plane.
+inline constexpr std::size_t kTiltedHarmonics = 17;
 
 /// Both components of a pixel, one series per harmonic; those that are not `used` are 0.
-struct PolarSeries {
-  std::array<std::array<Series, kHarmonics>, 2> of{};
-  std::array<std::array<bool, kHarmonics>, 2> used{};
+template <std::size_t N>
+struct PolarSeriesOf {
+  std::array<std::array<Series, N>, 2> of{};
+  std::array<std::array<bool, N>, 2> used{};
+  std::array<double, 2> beyond{};  ///< How far the pixel may be from them, at most.
 
   void set(std::size_t component, std::size_t harmonic, const Series& series) {
     of[component][harmonic] = series;
     used[component][harmonic] = true;
   }
 };
+using PolarSeries = PolarSeriesOf<kHarmonics>;
 
 /// centre + A (cos phi, sin phi) R, A row by row.
 void set_radial(PolarSeries& form, const std::array<double, 2>& centre, const std::array<double, 4>& a, const Series& radius);
@@ -48,6 +57,17 @@ void polar_form(const Intrinsics<Mei>& model, const AngleSeries& angle, PolarSer
 void polar_form(const Intrinsics<Fov>& model, const AngleSeries& angle, PolarSeries& form);
 void polar_form(const Intrinsics<Ocamcalib>& model, const AngleSeries& angle, PolarSeries& form);
 void polar_form(const Intrinsics<Woodscape>& model, const AngleSeries& angle, PolarSeries& form);
+/// Without its tilt: that of the plane.
+void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeries& form);
+/// With it.
+void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeriesOf<kTiltedHarmonics>& form);
+
+/// Has it a tilted image plane?
+template <class M>
+bool is_tilted(const Intrinsics<M>& model) {
+  if constexpr (std::is_same_v<M, Opencv14>) return M::is_tilted(model.values.data());
+  return false;
+}
 
 template <class M>
 concept HasPolarForm = requires(const Intrinsics<M>& model, const AngleSeries& angle, PolarSeries& form) {

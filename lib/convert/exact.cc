@@ -16,10 +16,21 @@ bool all_zero(std::span<const double> values) {
   return std::ranges::all_of(values, [](double v) { return v == 0.0; });
 }
 
+/// The source as rational, where it is one and no simpler model of the list.
+std::optional<Intrinsics<Rational>> as_rational(const CameraModel& source) {
+  if (const auto* m = std::get_if<Intrinsics<Rational>>(&source)) return *m;
+  if (const auto* m = std::get_if<Intrinsics<Opencv14>>(&source)) {
+    Intrinsics<Rational> rational;
+    std::copy_n(m->values.begin(), rational.values.size(), rational.values.begin());
+    if (all_zero(std::span(m->values).subspan(rational.values.size()))) return rational;
+  }
+  return std::nullopt;
+}
+
 /// The source as radtan, where it is one.
 std::optional<Intrinsics<Radtan>> as_radtan(const CameraModel& source) {
   if (const auto* m = std::get_if<Intrinsics<Radtan>>(&source)) return *m;
-  if (const auto* m = std::get_if<Intrinsics<Rational>>(&source)) {
+  if (const std::optional<Intrinsics<Rational>> m = as_rational(source)) {
     const auto& [fx, fy, cx, cy, k1, k2, p1, p2, k3, k4, k5, k6] = m->values;
     const double denominator[] = {k4, k5, k6};
     if (all_zero(denominator)) return Intrinsics<Radtan>{{fx, fy, cx, cy, k1, k2, p1, p2, k3}};
@@ -120,7 +131,14 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
     const auto& [fx, fy, cx, cy, k1, k2, p1, p2, k3] = radtan->values;
     if (target_id == Radtan::kId) return *radtan;
     if (target_id == Rational::kId) return Intrinsics<Rational>{{fx, fy, cx, cy, k1, k2, p1, p2, k3, 0, 0, 0}};
+    if (target_id == Opencv14::kId) return Intrinsics<Opencv14>{{fx, fy, cx, cy, k1, k2, p1, p2, k3}};
     if (target_id == Mei::kId && k3 == 0.0) return Intrinsics<Mei>{{fx, fy, cx, cy, 0.0, k1, k2, p1, p2}};
+  }
+  if (const std::optional<Intrinsics<Rational>> rational = as_rational(source)) {
+    if (target_id == Rational::kId) return *rational;
+    Intrinsics<Opencv14> outer{};
+    std::ranges::copy(rational->values, outer.values.begin());
+    if (target_id == Opencv14::kId) return outer;
   }
   if (ucm) {
     const auto& [fx, fy, cx, cy, alpha] = ucm->values;
@@ -161,7 +179,7 @@ std::string_view contained_model(std::string_view id) {
   };
   static constexpr Containment kContainments[] = {
       {Radtan::kId, Pinhole::kId}, {Rational::kId, Radtan::kId}, {Ucm::kId, Pinhole::kId},       {Eucm::kId, Ucm::kId},
-      {Ds::kId, Ucm::kId},         {Mei::kId, Ucm::kId},         {Ocamcalib::kId, Pinhole::kId},
+      {Ds::kId, Ucm::kId},         {Mei::kId, Ucm::kId},         {Ocamcalib::kId, Pinhole::kId}, {Opencv14::kId, Rational::kId},
   };
   for (const Containment& c : kContainments) {
     if (c.outer == id) return c.inner;

@@ -20,6 +20,7 @@ constexpr ModelInfo info_of() {
     info.least_degree = M::kLeastDegree;
     info.most_degree = M::kLeastDegree + static_cast<int>(M::kHigherTerms.size());
   }
+  if constexpr (requires { M::kKeptOnly; }) info.kept_only = M::kKeptOnly;
   return info;
 }
 

@@ -711,5 +711,42 @@ TEST(Convert, PrintsWhatColmapTakesOnItsCommandLine) {
   EXPECT_EQ(run_program({"convert", kDs, "--to", "colmap", "--model", "ds", "--print"}).out, "");
 }
 
+/// The factory calibration of an OAK-D-Pro's left camera: 14 coefficients, a tilt of 0.2 degrees.
+const std::string kOak =
+    "%YAML:1.0\nimage_width: 1280\nimage_height: 800\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+    "   data: [ 799.3952026367188, 0., 642.171875, 0., 799.3013916015625, 384.5967102050781, 0., 0., 1. ]\n"
+    "distortion_coefficients: !!opencv-matrix\n   rows: 1\n   cols: 14\n   dt: d\n"
+    "   data: [ 27.344240188598633, -47.42519760131836, 0.000490090693347156, 0.00024394151114393026, 24.723031997680664,\n"
+    "       26.633960723876953, -45.357730865478516, 23.19692611694336, 0., 0., 0., 0., -0.0032038954086601734,\n"
+    "       0.0018769855378195643 ]\n";
+
+// Factory calibrations have a tilted sensor: it is fitted away at a proven price, and stays where the format has it.
+TEST(Convert, FourteenCoefficientsAreACamera) {
+  const TemporaryFolder folder;
+  const std::string oak = folder.write("oak.yml", kOak);
+  const Told kalibr({"convert", oak, "--to", "kalibr"});
+  ASSERT_EQ(kalibr.code(), 0) << kalibr.text();
+  const auto& camera = kalibr.json()["cameras"][0];
+  EXPECT_STREQ(camera["from_model"].GetString(), "opencv14");
+  EXPECT_LT(camera["error_px"]["rms"].GetDouble(), 1.0);
+  ASSERT_TRUE(camera["error_px"]["bound"].IsNumber()) << kalibr.text();
+  EXPECT_LT(camera["error_px"]["bound"].GetDouble(), 1.1 * camera["error_px"]["max"].GetDouble());
+  const Told ros({"convert", oak, "--to", "ros", "-o", folder / "ros.yaml"});
+  EXPECT_TRUE(ros.json()["cameras"][0]["exact"].GetBool()) << ros.text();
+  EXPECT_STREQ(ros.json()["verdict"]["word"].GetString(), "ready") << ros.text();
+  const Told back({"convert", folder / "ros.yaml", "--to", "opencv"});
+  EXPECT_TRUE(back.json()["cameras"][0]["exact"].GetBool()) << back.text();
+  EXPECT_STREQ(back.json()["cameras"][0]["to_model"].GetString(), "opencv14");
+}
+
+// Nobody looks for the best model among those that only keep a camera.
+TEST(Convert, NothingIsFittedToFourteenCoefficients) {
+  const Told run({"convert", kTumvi, "--camera", "cam0", "--to", "opencv"});
+  EXPECT_STREQ(run.json()["cameras"][0]["to_model"].GetString(), "kb4");
+  const Told models({"models", kTumvi, "--camera", "0"});
+  for (const auto& target : models.json()["cameras"][0]["targets"].GetArray())
+    EXPECT_STRNE(target["model"].GetString(), "opencv14");
+}
+
 }  // namespace
 }  // namespace fca::test

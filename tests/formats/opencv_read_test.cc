@@ -78,15 +78,12 @@ TEST(OpenCvRead, TheLengthOfDChoosesTheModel) {
 
 TEST(OpenCvRead, NoTermIsDropped) {
   const std::string head = kHead + kSize + K();
-  const auto fact = [](Code code, const char* term, double value) {
-    return Message{code, {"distortion_coefficients", Message{Code::kOpencvTerm, {term, value}}}};
+  const auto opencv14 = [](double s3, double tau_y) {
+    return model_of("opencv14",
+                    {500.0, 501.0, 320.0, 240.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.0, 0.0, s3, 0.0, 0.0, tau_y});
   };
-  const std::string prism = head + D(12, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0., 0., 0.25, 0.");
-  EXPECT_EQ(codes(prism), "thin-prism");
-  EXPECT_EQ(said(prism), fact(Code::kOpencvThinPrism, "s3", 0.25));
-  const std::string tilt = head + D(14, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0., 0., 0., 0., 0., 0.125");
-  EXPECT_EQ(codes(tilt), "tilted-sensor");
-  EXPECT_EQ(said(tilt), fact(Code::kOpencvTiltedSensor, "tau_y", 0.125));
+  EXPECT_EQ(model(head + D(12, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0., 0., 0.25, 0.")), opencv14(0.25, 0.0));
+  EXPECT_EQ(model(head + D(14, "0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0., 0., 0., 0., 0., 0.125")), opencv14(0.0, 0.125));
   EXPECT_EQ(codes(kHead + K("camera_matrix", "500., 0.5, 320., 0., 501., 240., 0., 0., 1.") + D(5, "0., 0., 0., 0., 0.")),
             "skew");
   EXPECT_EQ(

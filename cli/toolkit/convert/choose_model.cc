@@ -48,9 +48,13 @@ std::optional<Conversion> converted(const Camera& camera, const ConvertOptions& 
 
 namespace {
 
-bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
+bool may_be_kept(const StoredModel& stored, const ModelChoice& choice) {
   if (choice.among.empty()) return stored.stock;
   return std::ranges::find(choice.among, stored.model) != choice.among.end();
+}
+
+bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
+  return may_be_kept(stored, choice) && !find_model(stored.model)->kept_only;
 }
 
 bool keeps(const Camera& camera, const StoredModel& stored) {
@@ -122,7 +126,7 @@ std::vector<std::string> storable(const Format& format) {
 /// format.
 std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, const ModelChoice& choice) {
   for (const StoredModel& stored : format.models) {
-    if ((may_be_chosen(stored, choice) || choice.same_format) && keeps(camera, stored)) return stored;
+    if ((may_be_kept(stored, choice) || choice.same_format) && keeps(camera, stored)) return stored;
   }
   const std::string_view model = model_info(camera.model).id;
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;

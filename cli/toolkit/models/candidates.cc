@@ -100,6 +100,7 @@ std::vector<const Candidate*> ranked(const std::vector<Candidate>& candidates) {
 std::vector<Candidate> candidates(const Camera& camera, std::optional<double> max_angle_rad) {
   std::vector<Candidate> result;
   for (const ModelInfo& model : all_models()) {
+    if (model.kept_only && model.id != model_info(camera.model).id) continue;
     Candidate candidate;
     candidate.model = &model;
     ConvertOptions options;

@@ -28,6 +28,22 @@ inline Camera lit_in(Camera camera, const Pixel& centre, double radius_px) {
   return camera;
 }
 
+/// The factory calibration of an OAK-D-Pro's left camera: 14 coefficients, a tilt of 0.2 degrees.
+inline Camera oak_tilted() {
+  return make_camera(Intrinsics<Opencv14>{{799.3952026367188, 799.3013916015625, 642.171875, 384.5967102050781,
+                                           27.344240188598633, -47.42519760131836, 0.000490090693347156, 0.00024394151114393026,
+                                           24.723031997680664, 26.633960723876953, -45.357730865478516, 23.19692611694336, 0.0,
+                                           0.0, 0.0, 0.0, -0.0032038954086601734, 0.0018769855378195643}},
+                     {1280, 800});
+}
+
+/// Tilted on purpose, with a prism.
+inline Camera scheimpflug() {
+  return make_camera(Intrinsics<Opencv14>{{700.0, 705.0, 640.0, 360.0, -0.15, 0.03, 5e-4, -2e-4, 0.0, 0.0, 0.0, 0.0, 1e-3, 0.0,
+                                           -5e-4, 0.0, 0.05, -0.03}},
+                     {1280, 720});
+}
+
 /// Kalibr's sample data set, calibrated with ds (Kalibr's authors).
 inline Camera kalibr_ds() {
   return make_camera(Intrinsics<Ds>{{348.112754378549, 347.1109973814674, 365.8121721753254, 249.3555778487899,

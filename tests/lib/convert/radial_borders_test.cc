@@ -17,7 +17,7 @@ using internal::LineSpan;
 using internal::RadialBorders;
 
 RC_GTEST_PROP(RadialBorders, LieWhereTheModelHasThatAngle, ()) {
-  const CameraModel model = test::random_model(*rc::gen::inRange<std::size_t>(0, 11));
+  const CameraModel model = test::random_model(*rc::gen::inRange<std::size_t>(0, all_models().size()));
   const double last = max_angle(model);
   const double angle = last * (*rc::gen::inRange(1, 90)) / 100.0;
   const std::vector<double> angles = {angle};

@@ -43,6 +43,17 @@ inline CameraModel random_model(std::size_t kind) {
       return Intrinsics<Ocamcalib>{{cx, cy, uniform(0.98, 1.02), uniform(-0.01, 0.01), uniform(-0.01, 0.01), -f, 0.0,
                                     uniform(0.2, 0.6) / f, uniform(-0.2, 0.2) / (f * f), uniform(-0.2, 0.2) / (f * f * f), 0, 0,
                                     0, 0}};
+    case 11: {
+      Intrinsics<Opencv14> model{{f, g, cx, cy, uniform(0.0, 0.6), uniform(-0.1, 0.1), uniform(-0.004, 0.004),
+                                  uniform(-0.004, 0.004), uniform(-0.01, 0.01), uniform(0.2, 0.9), uniform(0.0, 0.2),
+                                  uniform(0.0, 0.05), uniform(-0.005, 0.005), uniform(-0.002, 0.002), uniform(-0.005, 0.005),
+                                  uniform(-0.002, 0.002)}};
+      // Half of them are tilted.
+      if (uniform(0.0, 1.0) < 0.5) return model;
+      model.values[16] = uniform(-0.03, 0.03);
+      model.values[17] = uniform(-0.03, 0.03);
+      return model;
+    }
     default:
       return Intrinsics<Woodscape>{
           {f, uniform(-0.1, 0.1) * f, uniform(-0.1, 0.1) * f, uniform(-0.03, 0.03) * f, uniform(0.95, 1.05), cx, cy}};

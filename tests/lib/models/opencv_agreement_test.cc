@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// radtan, rational, kb4 and mei are OpenCV's cv::projectPoints, cv::fisheye and cv::omnidir, to 1e-9 px.
+// radtan, rational, opencv14, kb4 and mei are OpenCV's cv::projectPoints, cv::fisheye and cv::omnidir, to 1e-9 px.
 #include "model_test_support.h"
 
 #include <opencv2/calib3d.hpp>
@@ -65,6 +65,19 @@ TEST(OpenCvAgreement, RationalIsProjectPoints) {
     const double* p = camera.p();
     std::vector<cv::Point2d> theirs;
     cv::projectPoints(ours.points, kZero, kZero, matrix_of(p), std::vector<double>(p + 4, p + 12), theirs);
+    expect_equal(ours.pixels, theirs);
+  }
+}
+
+// With 12 coefficients where nothing is tilted, else with 14.
+TEST(OpenCvAgreement, Opencv14IsProjectPoints) {
+  for (const TestCamera<Opencv14>& camera : cameras_of<Opencv14>()) {
+    SCOPED_TRACE(camera.name);
+    const PointsAndPixels ours = projected_by_us(camera, 85 * kDegree);
+    const double* p = camera.p();
+    const int count = Opencv14::is_tilted(p) ? 14 : 12;
+    std::vector<cv::Point2d> theirs;
+    cv::projectPoints(ours.points, kZero, kZero, matrix_of(p), std::vector<double>(p + 4, p + 4 + count), theirs);
     expect_equal(ours.pixels, theirs);
   }
 }

@@ -10,6 +10,7 @@
 #include <fca/models/mei.h>
 #include <fca/models/model_traits.h>
 #include <fca/models/ocamcalib.h>
+#include <fca/models/opencv14.h>
 #include <fca/models/pinhole.h>
 #include <fca/models/radtan.h>
 #include <fca/models/rational.h>
@@ -49,7 +50,7 @@ struct TypeList {
 }  // namespace internal
 
 /// Every model fca knows, in the order in which they are listed to people.
-using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape>;
+using ModelList = internal::TypeList<Pinhole, Radtan, Rational, Kb4, Ucm, Eucm, Ds, Mei, Fov, Ocamcalib, Woodscape, Opencv14>;
 
 /// Any camera model with its parameters. Compares by value.
 using CameraModel = ModelList::Variant;
@@ -118,6 +119,7 @@ struct ModelInfo {
   bool focal_lengths_first = false;  ///< The parameters begin with fx, fy, cx, cy.
   int least_degree = 0;              ///< Of a polynomial whose degree a fit chooses; 0: it is none.
   int most_degree = 0;
+  bool kept_only = false;  ///< Nobody fits it, but where it is asked for by name: another model's fit is the same camera.
 };
 
 /// All models, in the order of ModelList.

@@ -28,12 +28,18 @@ namespace fca::internal {
 /// The length of a vector.
 inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
+/// A thin prism adds a shift that depends on r^2 alone. The Jacobian is then no longer symmetric, but where its symmetric part
+/// is positive definite on a disc, the map is injective there, too. The prism takes at most its gradient's length from each
+/// eigenvalue of that part, as if L and A were smaller by it.
+///
 /// `Radial` is the factor L:
 ///   kCount                      number of coefficients q
 ///   factor(q, r2)               L, for double and for automatic differentiation
 ///   factor_and_slope(q, r2, L, slope)   L and dL/d(r^2)
 ///   defined(q, r2)              does L have a value there?
 ///   inside(q, r), max_radius(q) the disc
+///   kPrism                      true: add(q, r2, m) adds a thin prism's shift, of which slopes(q, r2) are the derivatives by
+///                               r2, and longest(q, r2) is the length at most
 template <class Radial>
 struct TangentialOver {
   /// false outside the disc, if that is asked.
@@ -71,7 +77,9 @@ struct TangentialOver {
       double slope = 0.0;
       radial(limit, largest, slope);
       // The tangential terms are at most 3 P r^2 long.
-      if (!(radius < largest + 3.0 * length(q[2], q[3]) * limit * limit)) return false;
+      double moved = 3.0 * length(q[2], q[3]) * limit * limit;
+      if constexpr (Radial::kPrism) moved += Radial::longest(q, limit * limit);
+      if (!(radius < largest + moved)) return false;
       r = 0.999 * limit;
     }
     xy[0] = radius > 0.0 ? m[0] * (r / radius) : 0.0;
@@ -90,6 +98,7 @@ struct TangentialOver {
     const T xy2 = T(2.0) * x * y;
     m[0] = x * radial + q[2] * xy2 + q[3] * (r2 + T(2.0) * x * x);
     m[1] = y * radial + q[2] * (r2 + T(2.0) * y * y) + q[3] * xy2;
+    if constexpr (Radial::kPrism) Radial::add(q, r2, m);
   }
 
   static void jacobian(const double* q, double x, double y, double* j) {
@@ -99,7 +108,15 @@ struct TangentialOver {
     const double radial_slope = 2.0 * slope;  // dL/dx = x * this
     j[0] = radial + x * x * radial_slope + 2.0 * q[2] * y + 6.0 * q[3] * x;
     j[1] = x * y * radial_slope + 2.0 * q[2] * x + 2.0 * q[3] * y;
-    j[2] = radial + y * y * radial_slope + 6.0 * q[2] * y + 2.0 * q[3] * x;
+    j[2] = j[1];
+    j[3] = radial + y * y * radial_slope + 6.0 * q[2] * y + 2.0 * q[3] * x;
+    if constexpr (Radial::kPrism) {
+      const auto [u, v] = Radial::slopes(q, x * x + y * y);
+      j[0] += 2.0 * x * u;
+      j[1] += 2.0 * y * u;
+      j[2] += 2.0 * x * v;
+      j[3] += 2.0 * y * v;
+    }
   }
 
   /// Damped Newton from the given (x, y): halves the step until it stays inside the disc and the residual does not grow.
@@ -111,14 +128,14 @@ struct TangentialOver {
     double residual = length(value[0] - m[0], value[1] - m[1]);
     constexpr int kMaxSteps = 50;
     for (int i = 0; i < kMaxSteps && residual > 0.0; ++i) {
-      double j[3];  // xx, xy, yy
+      double j[4];  // row by row
       jacobian(q, xy[0], xy[1], j);
-      const double determinant = j[0] * j[2] - j[1] * j[1];
+      const double determinant = j[0] * j[3] - j[1] * j[2];
       if (!(determinant > 0.0)) return false;
       const double ex = value[0] - m[0];
       const double ey = value[1] - m[1];
-      double dx = (j[2] * ex - j[1] * ey) / determinant;
-      double dy = (j[0] * ey - j[1] * ex) / determinant;
+      double dx = (j[3] * ex - j[1] * ey) / determinant;
+      double dy = (j[0] * ey - j[2] * ex) / determinant;
       // The step after a very short one would be about its square.
       const double step = length(dx, dy) / (1.0 + length(xy[0], xy[1]));
       const bool last = step <= 1e-10;
@@ -150,6 +167,7 @@ struct TangentialOver {
 /// L = 1 + k1 r^2 + k2 r^4 + k3 r^6, q = k1 k2 p1 p2 k3: A = 1 + 3 k1 r^2 + 5 k2 r^4 + 7 k3 r^6.
 struct PolynomialFactor {
   static constexpr std::size_t kCount = 5;
+  static constexpr bool kPrism = false;
 
   template <class T>
   static T factor(const T* q, const T& r2) {

@@ -33,6 +33,7 @@ namespace internal {
 /// L = N / D, q = k1 k2 p1 p2 k3 k4 k5 k6.
 struct RationalFactor {
   static constexpr std::size_t kCount = 8;
+  static constexpr bool kPrism = false;
 
   template <class T>
   static T factor(const T* q, const T& t) {
@@ -54,15 +55,18 @@ struct RationalFactor {
   }
 
   static double max_radius(const double* q) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    // A hair before the pole, where the radius is finite.
-    const double pole = (1.0 - 1e-12) * std::sqrt(positive_until(denominator_of(q), kInfinity));
+    const double pole = before_pole(q);
     if (!has_tangential(q)) return std::sqrt(positive_until(product(q, kRadial), pole * pole));
     return positive_until(with_tangential(q, kOtherAzimuths, 16.0), positive_until(with_tangential(q, kRadial, 6.0), pole));
   }
 
- private:
+ protected:
   static bool has_tangential(const double* q) { return q[2] != 0.0 || q[3] != 0.0; }
+  /// A hair before the pole, where the radius is finite.
+  static double before_pole(const double* q) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return (1.0 - 1e-12) * std::sqrt(positive_until(denominator_of(q), kInfinity));
+  }
   static std::array<double, 4> numerator_of(const double* q) { return {1.0, q[0], q[1], q[4]}; }
   static std::array<double, 4> denominator_of(const double* q) { return {1.0, q[5], q[6], q[7]}; }
 
