@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/calibration.h>
 
+#include "pose_words.h"
+
 #include "known_formats.h"
 #include "lengths.h"
 #include "losses.h"
@@ -131,7 +133,7 @@ std::vector<std::string> names_of_path(const Rig& rig, const PoseLoop& loop) {
   const std::set<std::size_t> edges(loop.path.begin(), loop.path.end());
   std::vector<std::string> names;
   names.reserve(edges.size());
-  for (const std::size_t i : edges) names.push_back("T_" + rig.poses[i].a + "_" + rig.poses[i].b);
+  for (const std::size_t i : edges) names.push_back(name_of(rig.poses[i]));
   return names;
 }
 
@@ -151,7 +153,10 @@ void warn_of_contradictions(const Rig& rig, std::span<const std::string> files, 
       diagnostics.add(Code::kPoseInTwoFiles, {edge.a, edge.b, files[loop.edge], worst, files[i]}, {files[i], 0, 0});
       continue;
     }
-    diagnostics.add(Code::kPoseContradictsOthers, {edge.a, edge.b, names_of_path(rig, loop), worst}, {files[loop.edge], 0, 0});
+    diagnostics.add(Code::kPoseContradictsOthers,
+                    {edge.a, edge.b, names_of_path(rig, loop), in_degrees(loop.difference.angle_rad),
+                     in_metres(loop.difference.distance_m)},
+                    {files[loop.edge], 0, 0});
   }
 }
 
@@ -236,11 +241,10 @@ std::optional<Calibration> read_calibration(std::vector<text::Document> document
     result.formats.resize(result.formats.size() + parts.size(), detected.format);
     i += parts.size() - 1;
     const auto own = std::span(result.rig.poses).subspan(files.size());
-    const bool leaves_unit_open = detected.format->any_length_unit || detected.format->metres_by_custom;
-    if (leaves_unit_open && options.length_unit_m) {
+    if (detected.format->leaves_unit_open() && options.length_unit_m) {
       for (PoseEdge& edge : own) scale_translation(*options.length_unit_m, edge.T_a_b);
       result.poses_in_told_unit += own.size();
-    } else if (detected.format->any_length_unit) {
+    } else if (detected.format->leaves_unit_open()) {
       result.poses_without_unit.insert(result.poses_without_unit.end(), own.begin(), own.end());
     }
     files.resize(result.rig.poses.size(), document.source().name);

@@ -164,9 +164,11 @@ class Comparison {
     if (!theirs) return std::nullopt;
     const Pixel seen = in_file_pixels(*theirs, reader_);
     const double distance = fca::distance(seen, pixel);
-    // From 90 degrees on some programs mirror.
-    if (!std::isfinite(distance) || (ray[2] <= 0.0 && distance > kWrongPx)) return std::nullopt;
-    return seen;
+    if (!std::isfinite(distance)) return std::nullopt;
+    if (ray[2] > 0.0 || distance <= kWrongPx) return seen;
+    // From 90 degrees on some programs mirror; what the written model says there is only a fit's error.
+    const std::optional<Pixel> meant = project(written_, ray);
+    return meant && fca::distance(seen, *meant) <= kWrongPx ? std::optional(seen) : std::nullopt;
   }
 
   Lattice lattice_;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fca/formats/verdict.h>
 
+#include "pose_words.h"
+
 #include <fca/code.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 #include <fca/rig/limits.h>
+#include <fca/rig/stereo_pair.h>
 
 #include <algorithm>
 #include <array>
@@ -132,7 +135,7 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
 }
 
 /// Is the number, list or matrix one that changes nothing: zeros, or an identity?
-bool is_neutral(const std::string& value) {
+bool is_neutral(std::string_view value) {
   const std::vector<double> numbers = text::reals_in(value).value_or(std::vector<double>());
   if (numbers.empty()) return false;
   if (std::ranges::all_of(numbers, [](double number) { return number == 0.0; })) return true;
@@ -155,6 +158,21 @@ void add_clocks(const VerdictFacts& facts, std::vector<Reason>& reasons) {
       reasons.push_back({.facts = {Code::kVerdictLost, {warning.facts}}, .camera = camera});
     }
   }
+}
+
+/// ORB-SLAM2's rectification of the images as the cameras take them.
+bool rectifies(std::string_view key) { return key.starts_with("LEFT.") || key.starts_with("RIGHT."); }
+
+/// Basalt's vectors begin with biases, which every estimator estimates anew: what corrects comes behind those.
+std::string_view without_bias(std::string_view key, std::string_view value) {
+  constexpr int kBiases = 3;
+  if (!key.ends_with("calib_accel_bias") && !key.ends_with("calib_gyro_bias")) return value;
+  for (int i = 0; i < kBiases; ++i) {
+    const std::size_t comma = value.find(',');
+    if (comma == std::string_view::npos) return {};
+    value.remove_prefix(comma + 1);
+  }
+  return value;
 }
 
 /// What corrects an IMU's measurements, as Kalibr, OpenVINS and Basalt name it; and its clock.
@@ -185,6 +203,12 @@ const std::string* text_in(const Loss& loss, std::size_t index) {
   return index < loss.values.size() ? std::get_if<std::string>(&loss.values[index].value) : nullptr;
 }
 
+/// "rate_hz" of "IMU rate_hz" behind another key of the IMU.
+std::string without_owner(const std::string& key, const std::string& first) {
+  const std::string owner = first.substr(0, first.find(' ') + 1);
+  return !owner.empty() && key.starts_with(owner) ? key.substr(owner.size()) : key;
+}
+
 void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   for (const Loss& loss : facts.losses) {
     if (!matters(loss, *facts.to, facts.mode)) continue;
@@ -195,7 +219,7 @@ void add_facts(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   Message remedy;
   for (const DefaultedValue& value : facts.defaults) {
     if (!value.invented) continue;
-    invented.push_back(value.key);
+    invented.push_back(invented.empty() ? value.key : without_owner(value.key, invented.front()));
     const auto* clauses = std::get_if<std::vector<Message>>(&value.value.value);
     if (clauses != nullptr && clauses->front().code == Code::kTakenAsMetres) remedy = {Code::kGiveLengthUnit};
   }
@@ -251,6 +275,18 @@ void add_missing_poses(const VerdictFacts& facts, std::vector<Reason>& reasons) 
   }
 }
 
+/// A stereo pair that its user asked for, and that geometry would not take.
+void add_strange_pair(const VerdictFacts& facts, std::vector<Reason>& reasons) {
+  if (facts.rig == nullptr || !facts.mode.starts_with("stereo")) return;
+  for (const std::vector<std::string>& cameras : facts.files) {
+    if (cameras.size() < 2) continue;
+    const Camera* first = facts.rig->find_camera(cameras[0]);
+    const Camera* second = facts.rig->find_camera(cameras[1]);
+    if (first == nullptr || second == nullptr || may_be_stereo(*facts.rig, *first, *second)) continue;
+    reasons.push_back({.facts = {Code::kVerdictNoCommonView, {cameras[0], cameras[1]}}});
+  }
+}
+
 /// Does one of the written files hold the camera?
 bool is_written(const std::string& camera, const VerdictFacts& facts) {
   return facts.files.empty() || std::ranges::any_of(facts.files, [&camera](const std::vector<std::string>& cameras) {
@@ -267,16 +303,20 @@ std::string camera_of(const Finding& finding, const Rig* rig) {
   return name != nullptr && rig->find_camera(*name) != nullptr ? *name : "";
 }
 
-/// Is the finding about the pose of an IMU that the written file does not state? `T_imu0_cam0` names it first.
+/// Is the finding about the pose of an IMU, by its name, and does the written file state none?
 bool is_of_unwritten_imu(const Finding& finding, const VerdictFacts& facts) {
   const bool uses_imu = facts.to->imu && (facts.to->modes.empty() || facts.mode.ends_with("inertial"));
   if (uses_imu || facts.files.empty() || facts.rig == nullptr || finding.facts.arguments.empty()) return false;
-  const auto* pose = std::get_if<std::string>(&finding.facts.arguments.front().value);
-  if (pose == nullptr || !pose->starts_with("T_")) return false;
-  const auto is_named = [pose](const std::string& frame) { return pose->find("_" + frame) != std::string::npos; };
-  return std::ranges::any_of(facts.rig->imus, is_named, &Imu::name) ||
-         std::ranges::any_of(facts.rig->frames,
-                             [&is_named](const Frame& frame) { return frame.kind == FrameKind::kImu && is_named(frame.name); });
+  const auto is_imu = [&facts](const std::string& frame) { return facts.rig->kind_of(frame) == FrameKind::kImu; };
+  return std::ranges::any_of(facts.rig->poses, [&](const PoseEdge& edge) {
+    return (is_imu(edge.a) || is_imu(edge.b)) && finding.facts.arguments.front() == Argument(name_of(edge));
+  });
+}
+
+/// Is the finding about the pose that was left out, by its name?
+bool is_of_outvoted(const Finding& finding, const VerdictFacts& facts) {
+  return facts.outvoted != nullptr && !finding.facts.arguments.empty() &&
+         finding.facts.arguments.front() == Argument(name_of(facts.rig->poses[facts.outvoted->edge]));
 }
 
 /// On which side the second camera stands follows from its pose: where that is wrong, it is no finding.
@@ -299,6 +339,7 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
                         (cannot_be_asked && finding.severity == Severity::kError);
     if (!counts) continue;
     if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
+    if (about == About::kPoses && is_of_outvoted(finding, facts)) continue;
     if (about == About::kPoses && is_of_unwritten_imu(finding, facts)) continue;
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
     // Lengths that are no metres become wrong ones in a format of metres.
@@ -315,17 +356,26 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   remove_side_of_wrong_pose(reasons);
 }
 
+Message contradiction(const PoseEdge& edge, const PoseDifference& difference, std::vector<Message> decided) {
+  return {Code::kVerdictPosesContradict,
+          {edge.a, edge.b, in_degrees(difference.angle_rad), in_metres(difference.distance_m), std::move(decided)}};
+}
+
+/// A pose that was left out counts as decided; all others by how far they are apart.
 void add_contradictions(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   if (facts.rig == nullptr || !states_poses(facts)) return;
+  if (facts.outvoted != nullptr) {
+    const PoseEdge& edge = facts.rig->poses[facts.outvoted->edge];
+    const Code rule = facts.outvoted->by_order ? Code::kOrderOfThePair : Code::kOthersAgree;
+    const PoseDifference difference = difference_of(edge.T_a_b, facts.outvoted->T_a_b);
+    reasons.push_back({.facts = contradiction(edge, difference, {{rule, {name_of(edge)}}})});
+    return;  // without it there is none
+  }
   for (const PoseLoop& loop : contradictions(*facts.rig)) {
     const PoseEdge& edge = facts.rig->poses[loop.edge];
     const PoseDifference& difference = loop.difference;
     const VerdictWord word = worse(word_of(difference.angle_rad, kPoseRad), word_of(difference.distance_m, kPoseM));
-    if (word == VerdictWord::kReady) continue;
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
-    reasons.push_back({.word = word,
-                       .facts = {Code::kVerdictPosesContradict,
-                                 {edge.a, edge.b, difference.angle_rad * kDegrees, difference.distance_m * 100.0}}});
+    if (word != VerdictWord::kReady) reasons.push_back({.word = word, .facts = contradiction(edge, difference, {})});
   }
 }
 
@@ -365,8 +415,9 @@ bool Acceptance::covers(const Reason& reason) const {
 }
 
 bool matters(const Loss& loss, const Format& to, std::string_view mode) {
-  const bool uses_imu = to.imu && mode != kLensAlone && (to.modes.empty() || mode.ends_with("inertial"));
-  const bool uses_poses = to.extrinsics && mode != kLensAlone;
+  const bool has_imu = to.imu || to.facts_apart;
+  const bool uses_imu = has_imu && mode != kLensAlone && (to.modes.empty() || mode.ends_with("inertial"));
+  const bool uses_poses = (to.extrinsics || to.facts_apart) && mode != kLensAlone;
   switch (loss.kind) {
     case Code::kTimeOffsetDropped: {
       const double* seconds = number_in(loss, 0);
@@ -397,9 +448,12 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
     case Code::kBasaltStaleRadius:
     case Code::kWoodscapeStaleTranslation:
       return true;
+    case Code::kNotCarriedGroup:
+      return rectifies(loss.key);
     case Code::kNotCarriedValue: {
       const std::string* value = text_in(loss, 1);
-      return uses_imu && corrects_an_imu(loss.key) && value != nullptr && !is_neutral(*value);
+      const bool is_used = uses_imu && corrects_an_imu(loss.key);
+      return rectifies(loss.key) || (is_used && value != nullptr && !is_neutral(without_bias(loss.key, *value)));
     }
     default:
       return false;
@@ -409,8 +463,11 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
 Verdict decide(const VerdictFacts& facts) {
   Verdict verdict;
   add_programs(facts, verdict.reasons);
+  constexpr double kNearlyAll = 0.9;
+  if (facts.outside_lens > kNearlyAll) verdict.reasons.push_back({.facts = {Code::kVerdictLensGiven, {facts.outside_lens}}});
   add_contradictions(facts, verdict.reasons);
   add_missing_poses(facts, verdict.reasons);
+  add_strange_pair(facts, verdict.reasons);
   add_findings(facts, verdict.reasons);
   add_facts(facts, verdict.reasons);
   add_clocks(facts, verdict.reasons);

@@ -174,11 +174,12 @@ void put_bands(Html& html, const DrawnCamera& camera) {
     const ErrorBand& band = camera.judgement->bands[i];
     if (band.share <= 0.0) continue;
     std::vector<std::string>& row = table.rows.emplace_back();
-    row = {fixed(band.from_deg, 0) + " to " + fixed(band.to_deg, 0), percent(band.share), pixels(band.rms_px),
-           pixels(band.max_px)};
+    const std::optional<ImageSize>& size = camera.source.image_size;
+    row = {fixed(band.from_deg, 0) + " to " + fixed(band.to_deg, 0), percent(band.share), pixels(band.rms_px, size),
+           pixels(band.max_px, size)};
     if (camera.rotated == nullptr || i >= camera.rotated->bands.size()) continue;
-    row.push_back(pixels(camera.rotated->bands[i].rms_px));
-    row.push_back(pixels(camera.rotated->bands[i].max_px));
+    row.push_back(pixels(camera.rotated->bands[i].rms_px, size));
+    row.push_back(pixels(camera.rotated->bands[i].max_px, size));
   }
   html.element("figure", {}, [&] {
     html.element("figcaption", {},

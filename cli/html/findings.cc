@@ -47,7 +47,7 @@ void put_checked(Html& html, const CheckResult& file) {
 }  // namespace
 
 void put_said(Html& html, const Said& said) {
-  const std::string severity(severity_name(said.severity));
+  const std::string severity(name_of(said.severity));
   html.element("div", {{"class", "finding " + severity}}, [&] {
     html.element("p", {}, [&] {
       html.element("span", {{"class", "strong " + severity}}, severity + ": ");

@@ -37,7 +37,7 @@ void put_poses(Html& html, const ReportContents& contents) {
       for (const PoseEdge& edge : rig.poses) {
         const std::string words = pose_in_words(edge, rig, !has_assumed_unit(edge, calibration));
         html.element("li", {}, [&] {
-          html.element("code", {}, "T_" + edge.a + "_" + edge.b);
+          html.element("code", {}, name_of(edge));
           html.text(": " + (words.empty() ? "its 3 x 3 part is singular" : words));
         });
       }

@@ -4,6 +4,7 @@
 #include "commands/convert/convert_command.h"
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
+#include "shell/verdict_text.h"
 #include "shell/words.h"
 #include "table.h"
 #include "tile.h"
@@ -31,7 +32,7 @@ void put_rig_tile(Html& html, const Rig& rig) {
   put_tile(html, "In the file", counted(rig.cameras.size(), "camera"), lines);
 }
 
-void put_conversion_tile(Html& html, const ConvertedCamera& camera) {
+void put_conversion_tile(Html& html, const ConvertResult& result, const ConvertedCamera& camera) {
   const std::string title = name_in_words(camera) + ": " + camera_line(camera);
   if (!camera.report || camera.source.model == camera.target.model) {
     put_tile(html, title, "kept", {"the same model and parameters"});
@@ -39,10 +40,14 @@ void put_conversion_tile(Html& html, const ConvertedCamera& camera) {
   }
   const ConversionReport& report = *camera.report;
   const ErrorSummary& error = report.judgement.error;
-  put_tile(
-      html, title, "rms " + pixels(error.rms) + " px",
-      {"worst pixel " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " + fixed(error.max_at[1], 1) + ")",
-       coverage_text(report.judgement.coverage, report.scored_to_deg)});
+  std::vector<std::string> lines = {
+      "worst pixel " + pixels(error.max) + " px at (" + fixed(error.max_at[0], 1) + ", " + fixed(error.max_at[1], 1) + ")",
+      coverage_text(report.judgement.coverage, report.scored_to_deg)};
+  if (const CameraDistance* distance = distance_of(result, camera)) {
+    lines.push_back("as the program reads it: " + distance_in_words(distance->in_circle) + " in the inscribed circle, " +
+                    distance_in_words(distance->in_image) + " in the whole image");
+  }
+  put_tile(html, title, "rms " + pixels(error.rms) + " px", lines);
 }
 
 void put_findings_tile(Html& html, const ReportContents& contents) {
@@ -92,7 +97,8 @@ void put_summary(Html& html, const ReportContents& contents) {
   html.element("div", {{"class", "tiles"}}, [&] {
     put_rig_tile(html, calibration.rig);
     if (contents.conversion) {
-      for (const ConvertedCamera& camera : contents.conversion->cameras) put_conversion_tile(html, camera);
+      for (const ConvertedCamera& camera : contents.conversion->cameras)
+        put_conversion_tile(html, *contents.conversion, camera);
     }
     put_findings_tile(html, contents);
     if (contents.conversion && contents.to != nullptr) put_losses_tile(html, *contents.conversion);

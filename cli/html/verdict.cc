@@ -86,7 +86,7 @@ std::string limit_in_words(const std::vector<SeenCamera>& cameras) {
   const auto share = [](const SeenCamera& camera) { return share_without_rays(camera.proof.distance); };
   const auto most = std::ranges::max_element(cameras, {}, share);
   if (most == cameras.end() || share(*most) <= kNoticeable) return "";
-  return no_rays_outside_in_words(*most->by, share(*most));
+  return no_rays_outside_in_words(share(*most));
 }
 
 void put_settings(Html& html, const ReportContents& contents) {

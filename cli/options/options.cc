@@ -100,6 +100,13 @@ void Options::each(const std::string& name, const std::string& type, const std::
 
 void Options::flag(const std::string& name, const std::string& help, bool& target) { command_.add_flag(name, target, help); }
 
+void Options::count(const std::string& name, const std::string& help, int& target) {
+  command_
+      .add_flag_function(
+          name, [&target](std::int64_t times) { target = static_cast<int>(times); }, help)
+      ->disable_flag_override();
+}
+
 void Options::flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
                         bool& target) {
   CLI::Option* const first = command_

@@ -65,6 +65,8 @@ class Options {
   void each(const std::string& name, const std::string& type, const std::string& help, std::vector<std::string>& target);
 
   void flag(const std::string& name, const std::string& help, bool& target);
+  /// A flag that may come several times.
+  void count(const std::string& name, const std::string& help, int& target);
   /// A flag that sets `target` to false, beside its opposite, which is the default.
   void flag_pair(const std::string& on, const std::string& on_help, const std::string& off, const std::string& off_help,
                  bool& target);

@@ -75,15 +75,10 @@ std::vector<std::string> split(std::string_view list) {
   return parts;
 }
 
-namespace {
-
-/// Of a name that is no target.
 std::string unknown_target(const std::string& option, const std::string& word) {
   const ProgramName* program = find_program_name(word);
   return program != nullptr ? not_served(*program, option) : unknown_format(word);
 }
-
-}  // namespace
 
 std::optional<std::string> take_format(const std::string& option, const std::string& word, const Format*& target) {
   const std::optional<Target> found = find_target(word);

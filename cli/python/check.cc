@@ -25,10 +25,6 @@ struct PlacedFinding {
   std::optional<text::Position> place;
 };
 
-std::string_view name_of_severity(Severity severity) {
-  return severity == Severity::kError ? "error" : severity == Severity::kWarning ? "warning" : "note";
-}
-
 std::unique_ptr<Check> check_source(const py::object& source, const std::optional<Size>& image_size,
                                     const std::vector<std::string>& ignore) {
   CheckRequest request;
@@ -72,7 +68,7 @@ void add_check(py::module_& module) {
   py::class_<PlacedFinding>(module, "Finding", "Something that is, or may be, wrong with a file.")
       .def_property_readonly("code", [](const PlacedFinding& each) { return id_of(each.finding); })
       .def_property_readonly(
-          "severity", [](const PlacedFinding& each) { return std::string(name_of_severity(each.finding.severity)); },
+          "severity", [](const PlacedFinding& each) { return std::string(name_of(each.finding.severity)); },
           "'error', 'warning' or 'note'")
       .def_property_readonly("text", [](const PlacedFinding& each) { return message_of(each.finding); })
       .def_property_readonly(

@@ -6,7 +6,6 @@
 #include <fca/toolkit/models.h>
 
 #include <memory>
-#include <numbers>
 
 namespace fca::python {
 
@@ -18,7 +17,7 @@ RigComparison compare_sources(const py::object& reference, const py::object& oth
   const Inputs inputs = inputs_of(other);
   request.files = inputs.files;
   request.parts = inputs.parts;
-  if (max_angle) request.reference.max_angle_rad = *max_angle * std::numbers::pi / 180.0;
+  request.reference.max_angle_rad = radians(max_angle);
   Files files;
   CompareResult result;
   {
@@ -60,8 +59,7 @@ std::vector<ModelRow> models_of(const Camera& camera, const std::optional<double
   std::optional<std::vector<ModelsResult::OfCamera>> found;
   {
     const py::gil_scoped_release released;
-    found = compare_models(std::vector<Camera>{camera},
-                           max_angle ? std::optional(*max_angle * std::numbers::pi / 180.0) : std::nullopt, diagnostics);
+    found = compare_models(std::vector<Camera>{camera}, radians(max_angle), diagnostics);
   }
   if (!found) raise(diagnostics);
   std::vector<ModelRow> rows;
@@ -76,7 +74,6 @@ std::vector<ModelRow> models_of(const Camera& camera, const std::optional<double
 }  // namespace
 
 void add_compare(py::module_& module) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   py::class_<CameraComparison>(module, "CameraComparison", "Two cameras, in pixels of the reference's image.")
       .def_readonly("reference", &CameraComparison::reference, "Name.")
       .def_readonly("other", &CameraComparison::other, "Name.")
@@ -87,7 +84,7 @@ void add_compare(py::module_& module) {
       .def_readonly("a", &PoseComparison::a)
       .def_readonly("b", &PoseComparison::b)
       .def_property_readonly(
-          "angle", [](const PoseComparison& each) { return each.angle_rad * kDegrees; }, "Degrees.")
+          "angle", [](const PoseComparison& each) { return each.angle_rad * kDegreesPerRadian; }, "Degrees.")
       .def_readonly("distance", &PoseComparison::distance_m, "Metres.");
   py::class_<RigComparison>(module, "Comparison", "How two calibrations differ.")
       .def_readonly("cameras", &RigComparison::cameras)

@@ -10,9 +10,7 @@
 #include <fca/toolkit/target.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <numbers>
 
 namespace fca::python {
 
@@ -31,12 +29,6 @@ Target target_named(const std::string& name) {
   raise_value_error("fca-io writes no '" + name + "'; there are " + text::enumerated(known));
 }
 
-const ModelInfo* model_named(const std::optional<std::string>& name) {
-  if (!name) return nullptr;
-  if (const ModelInfo* model = find_model(*name)) return model;
-  raise_value_error("unknown camera model '" + *name + "'");
-}
-
 /// "CODE" or "CODE:CAMERA"
 Acceptance acceptance_of(const std::string& word) {
   const std::size_t colon = word.find(':');
@@ -53,7 +45,7 @@ std::unique_ptr<Conversion> convert_source(const py::object& source, const std::
   ConvertRequest request;
   request.inputs = inputs_of(source);
   for (const py::object& part : parts) request.inputs.parts.push_back(path_of(part));
-  if (max_angle) request.inputs.max_angle_rad = *max_angle * std::numbers::pi / 180.0;
+  request.inputs.max_angle_rad = radians(max_angle);
   Target target = target_named(to);
   request.to = target.format;
   request.program = target.program;
@@ -63,7 +55,7 @@ std::unique_ptr<Conversion> convert_source(const py::object& source, const std::
   const auto& layouts = request.to->layouts;
   if (!layout.empty() && std::ranges::find(layouts, layout) == layouts.end())
     raise_value_error(std::string(request.to->id) + " has no layout '" + layout + "'");
-  request.model = model_named(model);
+  request.model = model ? &model_named(*model) : nullptr;
   request.mode = sensor;
   for (const std::string& word : accept) request.accepted.push_back(acceptance_of(word));
   request.strict = strict;
@@ -81,14 +73,9 @@ std::unique_ptr<Conversion> convert_source(const py::object& source, const std::
   return conversion;
 }
 
-/// As save() names it.
-std::string name_of_file(const ConvertedFile& file) {
-  return file.place.empty() ? std::filesystem::path(file.name).filename().string() : file.place;
-}
-
 py::dict files_of(const Conversion& conversion) {
   py::dict files;
-  for (const ConvertedFile& file : conversion.result.files) files[py::str(name_of_file(file))] = py::bytes(file.bytes);
+  for (const ConvertedFile& file : conversion.result.files) files[py::str(name_in_folder(file))] = py::bytes(file.bytes);
   return files;
 }
 

@@ -9,18 +9,6 @@
 
 namespace fca::cli {
 
-inline std::string_view severity_name(Severity severity) {
-  switch (severity) {
-    case Severity::kNote:
-      return "note";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kError:
-      return "error";
-  }
-  return "";
-}
-
 /// Members of an open object: line and column; of a binary file the byte, from 0.
 inline void put_place(Json& json, const text::Source& source, std::size_t offset) {
   if (source.is_binary()) return json.put("byte", static_cast<long long>(offset));
@@ -33,7 +21,7 @@ inline void put_place(Json& json, const text::Source& source, std::size_t offset
 inline void put_diagnostics(Json& json, const Diagnostics& diagnostics, const Console& console) {
   json.array("diagnostics", diagnostics.entries(), [&](const Diagnostic& entry) {
     json.object([&] {
-      json.put("severity", severity_name(entry.severity));
+      json.put("severity", name_of(entry.severity));
       json.put("code", id_of(entry));
       const auto source = std::ranges::find(console.sources(), entry.where.file, &text::Source::name);
       if (!entry.where.file.empty()) json.put("file", entry.where.file);

@@ -48,7 +48,8 @@ std::string error_text(const Judgement& judgement, const std::optional<ImageSize
   if (image && is_larger_than(judgement, *image))
     return "further apart than the image is large (" + size_in_words(*image) + " px)";
   const bool all = judgement.coverage.unrepresentable == 0.0;
-  const std::string bound = std::isfinite(error.bound)
+  const bool is_in_image = !image || error.bound <= std::hypot(image->width, image->height);
+  const std::string bound = std::isfinite(error.bound) && is_in_image
                                 ? "proven below " + pixels(error.bound, image) + (all ? " everywhere" : " where it was scored")
                                 : "no bound is proven";
   return "rms " + pixels(error.rms, image) + " px, max " + pixels(error.max, image) + " px at (" + fixed(error.max_at[0], 1) +

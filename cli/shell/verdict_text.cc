@@ -117,8 +117,8 @@ double share_without_rays(const CameraDistance& distance) {
   return distance.in_image.no_rays * distance.in_image.region;
 }
 
-std::string no_rays_outside_in_words(const ProofResult& proof, double share) {
-  return "outside the inscribed circle " + proof.program + " has no right ray: " + percent(share) + " of the image";
+std::string no_rays_outside_in_words(double share) {
+  return "no right ray outside the inscribed circle: " + percent(share) + " of the image";
 }
 
 std::string VerdictCounts::in_words() const {
@@ -213,7 +213,7 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
 std::string distance_in_words(const PixelDistance& distance) {
   constexpr double kNothing = 0.001;  // px
   if (distance.max <= kNothing) return "understood within 0.001 px";
-  return pixels(distance.rms) + " px rms off (99 %: " + pixels(distance.p99) + ", worst " + pixels(distance.max) + " px)";
+  return pixels(distance.rms) + " px rms (p99 " + pixels(distance.p99) + ", max " + pixels(distance.max) + ")";
 }
 
 }  // namespace fca::cli

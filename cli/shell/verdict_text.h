@@ -40,8 +40,8 @@ struct SummaryLine {
 [[nodiscard]] std::string region_in_words(const CameraDistance& distance);
 /// The share of the image, outside the circle that decides, for which the program has no right ray; 0 where it decides anyway.
 [[nodiscard]] double share_without_rays(const CameraDistance& distance);
-/// "outside the inscribed circle OpenCV has no right ray: 20.2 % of the image"
-[[nodiscard]] std::string no_rays_outside_in_words(const ProofResult& proof, double share);
+/// "no right ray outside the inscribed circle: 20.2 % of the image"
+[[nodiscard]] std::string no_rays_outside_in_words(double share);
 /// What the line of lines_of() is about that says how to overrule the verdict.
 inline constexpr std::string_view kAnyway = "anyway";
 /// How many files got each word.

@@ -86,7 +86,7 @@ constexpr std::array kTopics = {
 /// What the reader reports and a topic says better, or says at its place.
 constexpr Code kSaidByTopics = Code::kAnyPosesContradict;
 /// Why the reader gives up, where the fault is ours: the file may be right.
-constexpr std::array kBeyondUs = {Code::kAnySkew, Code::kAnyThinPrism, Code::kAnyTiltedSensor};
+constexpr std::array kBeyondUs = {Code::kAnySkew};
 
 bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 
@@ -263,7 +263,11 @@ CheckReport looked_at(const text::Source& source, const CheckOptions& options, s
   return report;
 }
 
-Verdict verdict_on(const CheckReport& report, const Rig* rig) {
+bool is_ignored(const std::string& id, const CheckOptions& options) {
+  return std::ranges::find(options.ignored, id) != options.ignored.end();
+}
+
+Verdict verdict_on(const CheckReport& report, const Rig* rig, const CheckOptions& options) {
   VerdictFacts facts;
   facts.to = report.format;
   facts.mode = report.mode;
@@ -272,7 +276,11 @@ Verdict verdict_on(const CheckReport& report, const Rig* rig) {
   facts.findings = report.findings;
   facts.rig = report.format != nullptr ? rig : nullptr;
   facts.is_read = rig != nullptr;
-  return decide(facts);
+  Verdict verdict = decide(facts);
+  std::erase_if(verdict.reasons, [&options](const Reason& reason) { return is_ignored(id_of(reason), options); });
+  verdict.word = VerdictWord::kReady;
+  for (const Reason& reason : verdict.reasons) verdict.word = std::max(verdict.word, reason.word);
+  return verdict;
 }
 
 }  // namespace
@@ -281,12 +289,10 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   std::optional<Calibration> calibration;
   CheckReport report = looked_at(source, options, calibration);
   checks::tell_once(report);
-  std::erase_if(report.findings, [&options](const Finding& finding) {
-    return std::ranges::find(options.ignored, id_of(finding)) != options.ignored.end();
-  });
+  std::erase_if(report.findings, [&options](const Finding& finding) { return is_ignored(id_of(finding), options); });
   checks::sort_by_place(report.findings);
   checks::add_usual_fixes(report);
-  report.verdict = verdict_on(report, calibration ? &calibration->rig : nullptr);
+  report.verdict = verdict_on(report, calibration ? &calibration->rig : nullptr, options);
   return report;
 }
 

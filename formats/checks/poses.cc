@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../pose_words.h"
 #include "topics.h"
 
 #include <fca/code.h>
@@ -18,19 +19,6 @@ namespace fca::checks {
 namespace {
 
 constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
-
-std::string name_of(const PoseEdge& edge) { return "T_" + edge.a + "_" + edge.b; }
-
-/// Rounding is no difference: 6.8e-14 deg reads as 0.
-double without_rounding(double value) { return std::abs(value) < 1e-9 ? 0.0 : value; }
-
-double in_degrees(double radians) { return without_rounding(radians) * kDegreesPerRadian; }
-
-Message in_metres(double value) {
-  constexpr double kShort = 0.1;
-  const double metres = without_rounding(value);
-  return std::abs(metres) < kShort ? Message{Code::kInMillimetres, {metres * 1000.0}} : Message{Code::kInMetres, {metres}};
-}
 
 // Printed with three digits an element is off by 5e-4, and R^T R by 1e-3; with two by 2e-2.
 constexpr double kPrintedWithThreeDigits = 2e-3;
@@ -203,6 +191,36 @@ bool explain_one(const Subject& subject, const std::vector<PoseLoop>& loops, Rig
   return true;
 }
 
+/// The slip of all poses to an IMU: who writes one the wrong way round writes each of them so. Where undoing them all closes
+/// every loop, each is reported.
+bool explain_all_of_imu(const Subject& subject, const std::vector<PoseLoop>& loops, Findings& findings) {
+  const Rig& rig = subject.rig();
+  const auto is_explained = [&rig](const Suspect& each) { return explained(rig.poses[each.index], each).has_value(); };
+  if (std::ranges::any_of(suspects_in(rig, loops), is_explained)) return false;  // one alone is the simpler reason
+  std::vector<std::size_t> of_imu;
+  for (std::size_t i = 0; i < rig.poses.size(); ++i) {
+    const auto is_imu = [&rig](const std::string& frame) { return rig.kind_of(frame) == FrameKind::kImu; };
+    if (is_imu(rig.poses[i].a) || is_imu(rig.poses[i].b)) of_imu.push_back(i);
+  }
+  if (of_imu.size() < 2) return false;
+  for (const PoseSlip& slip : pose_slips()) {
+    Rig meant = rig;
+    const bool undone = std::ranges::all_of(of_imu, [&](std::size_t i) {
+      const std::optional<Transform> T = slip.undo(rig.poses[i].T_a_b);
+      if (T) meant.poses[i].T_a_b = *T;
+      return T.has_value();
+    });
+    const auto is_closed = [](const PoseLoop& loop) {
+      constexpr double kPrinted = 1e-5;  // rad, m
+      return loop.difference.angle_rad < kPrinted && loop.difference.distance_m < kPrinted;
+    };
+    if (!undone || !std::ranges::all_of(pose_loops(meant), is_closed)) continue;
+    for (const std::size_t i : of_imu) report_slip(subject, {{i, meant.poses[i].T_a_b}, slip.code}, findings);
+    return true;
+  }
+  return false;
+}
+
 /// Millimetres that were read as metres and scaled once more, or an identity that nobody has filled in. Two cameras behind one
 /// lens are at 0, but for rounding, and turned.
 void check_too_close(const Subject& subject, std::size_t index, Findings& findings) {
@@ -327,11 +345,12 @@ bool check_redundant_poses(const Subject& subject, Findings& findings) {
     findings.undecided(Code::kDirectionUndecided, {name_of(poses.front()), others});
   }
   if (!loops.empty() && name_millimetres(subject, findings)) return true;
+  if (!loops.empty() && explain_all_of_imu(subject, loops, findings)) return true;
   // What one slip explains is no contradiction besides.
   Rig meant = subject.rig();
   for (std::size_t slips = 0; slips < poses.size() && !loops.empty() && explain_one(subject, loops, meant, findings); ++slips)
     loops = contradictions(meant);
-  constexpr double kSmallAngle = 1.0 / kDegreesPerRadian;
+  constexpr double kSmallAngle = 0.5 / kDegreesPerRadian;
   constexpr double kSmallDistance = 0.01;
   for (const PoseLoop& loop : loops) {
     const double angle = loop.difference.angle_rad;

@@ -58,7 +58,7 @@ class ProgramsCheck {
   }
 
   void run() {
-    report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, load_options(options_.reading));
+    report_.readers = ask_readers(format_.id, document_.source().bytes, with_cameras_, asked());
     const Consumer* own =
         options_.program != nullptr ? options_.program : consumers::own_program(format_.id, with_cameras_.value_or(true));
     if (own == nullptr) {
@@ -87,12 +87,17 @@ class ProgramsCheck {
   }
 
  private:
+  [[nodiscard]] consumers::LoadOptions asked(std::string mode = {}) const {
+    consumers::LoadOptions options = load_options(options_.reading, std::move(mode));
+    if (options_.program != nullptr) options.file_name = document_.source().name;  // else another program is meant, perhaps
+    return options;
+  }
+
   [[nodiscard]] std::vector<Attempt> attempt(const Consumer& program) const {
     std::vector<Attempt> attempts;
     if (format_.modes.empty()) attempts.push_back({"", {}});
     for (const std::string_view mode : format_.modes) attempts.push_back({std::string(mode), {}});
-    for (Attempt& each : attempts)
-      each.view = program.load(document_.source().bytes, load_options(options_.reading, each.mode));
+    for (Attempt& each : attempts) each.view = program.load(document_.source().bytes, asked(each.mode));
     return attempts;
   }
 
@@ -101,7 +106,7 @@ class ProgramsCheck {
     if (calibration_ == nullptr) return;
     const std::string mode = format_.modes.empty() ? "" : meant_mode(document_);
     report_.mode = mode;
-    report_.proof = prove(program, document_.source().bytes, load_options(options_.reading, mode), rig_in_stated_unit(),
+    report_.proof = prove(program, document_.source().bytes, asked(mode), rig_in_stated_unit(),
                           options_.max_angle_rad.value_or(std::numbers::pi));
     if (report_.proof->loads || options_.program != nullptr) return;  // whoever asks for a program has that one
     for (const Readers::Program& other : report_.readers.programs) {
@@ -112,8 +117,7 @@ class ProgramsCheck {
   /// The program has no unit of lengths: what the file says is compared, in its own unit.
   [[nodiscard]] Rig rig_in_stated_unit() const {
     Rig rig = calibration_->rig;
-    const bool leaves_unit_open = format_.any_length_unit || format_.metres_by_custom;
-    const double unit_m = leaves_unit_open ? options_.reading.length_unit_m.value_or(1.0) : 1.0;
+    const double unit_m = format_.leaves_unit_open() ? options_.reading.length_unit_m.value_or(1.0) : 1.0;
     for (PoseEdge& edge : rig.poses) scale_translation(1.0 / unit_m, edge.T_a_b);
     return rig;
   }
@@ -164,7 +168,7 @@ class ProgramsCheck {
   /// One refusal or warning, at its place, with the mend if there is a certain one.
   void say(Finding finding, const Consumer& program, const std::string& mode, const Complaint& complaint) {
     finding.where = place_of(complaint);
-    if (const std::optional<Mend> mend = find_mend(document_, program, load_options(options_.reading, mode), complaint)) {
+    if (const std::optional<Mend> mend = find_mend(document_, program, asked(mode), complaint)) {
       finding.kind = mend->fix.code;
       const text::Span line = document_.source().line_at(mend->span.offset);
       // A line that is put in before is wanted where the first one stands.
@@ -255,7 +259,7 @@ class ProgramsCheck {
     for (std::size_t i = 0; i < std::min(kMostSaid, view.warnings.size()); ++i) {
       const Complaint& warning = view.warnings[i];
       Finding finding;
-      finding.severity = is_far_off(view, warning) ? Severity::kError : Severity::kWarning;
+      finding.severity = severity_of(view, warning);
       if (names_program(warning)) {
         finding.facts = {Code::kProgramMisreadsInItsWords, {warning.facts}};
       } else {
@@ -270,18 +274,26 @@ class ProgramsCheck {
     say_more(view.warnings.size(), Code::kProgramMisreadsMore);
   }
 
-  /// Is the warning about a camera that the program takes for one so different that the file is not to be used? Where no
-  /// warning names that camera, it may be any.
-  [[nodiscard]] bool is_far_off(const ConsumerView& view, const Complaint& warning) const {
+  /// As far as the program's pixels of the camera are off that the warning is about; where no warning names that camera, it may
+  /// be any. A warning where no camera is known to be misread.
+  [[nodiscard]] Severity severity_of(const ConsumerView& view, const Complaint& warning) const {
     const std::size_t known = report_.proof ? std::min(view.cameras.size(), report_.proof->cameras.size()) : 0;
+    std::optional<Severity> worst;
     for (std::size_t i = 0; i < known; ++i) {
       const consumers::ConsumerCamera& camera = view.cameras[i];
       const auto names_it = [&camera](const Complaint& each) { return each.key.starts_with(camera.name + "/"); };
       const bool is_about_it = names_it(warning) || std::ranges::none_of(view.warnings, names_it);
       const PixelDistance& distance = report_.proof->cameras[i].distance.decisive();
-      if (camera.misread && is_about_it && word_of(distance) == VerdictWord::kDoNotUse) return true;
+      if (!camera.misread || !is_about_it || !(distance.region > 0.0)) continue;
+      constexpr double kSeen = 1.0;  // px
+      const VerdictWord word = word_of(distance);
+      const bool is_small = word == VerdictWord::kReady && distance.max <= kSeen;
+      const Severity severity = word == VerdictWord::kDoNotUse ? Severity::kError
+                                : is_small                     ? Severity::kNote
+                                                               : Severity::kWarning;
+      worst = std::max(worst.value_or(severity), severity);
     }
-    return false;
+    return worst.value_or(Severity::kWarning);
   }
 
   /// It loads in some mode, but not in the one for which its keys stand there.
@@ -299,7 +311,7 @@ class ProgramsCheck {
     finding.severity = Severity::kWarning;
     finding.facts = {Code::kModeRefused, {mode, own.program, modes, refusals.front().facts, and_more(refusals)}};
     finding.where = place_of(refusals.front());
-    if (const std::optional<Mend> mend = find_mend(document_, own, load_options(options_.reading, mode), refusals.front())) {
+    if (const std::optional<Mend> mend = find_mend(document_, own, asked(mode), refusals.front())) {
       finding.remedy = mend->fix;
       finding.mend = SpanEdit{mend->span, mend->text};
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PyCuVSLAM's EuRoC example (NVlabs/PyCuVSLAM@f1fb2b8, examples/euroc) as a consumer of sensor.yaml, through PyYAML. The first
 // key that begins with T_ is the pose (T_BS or T_Cam0, 16 numbers below data). distortion_model is never read: the coefficients
-// of a sensor.yaml are k1 k2 p1 p2 of cuVSLAM's Brown model, those of a sensor_recalibrated.yaml of its Fisheye model. Bytes
-// have no name: a file with camera_model fisheye, as that example's, or with equidistant numbers is taken for the latter.
+// of a sensor.yaml are k1 k2 p1 p2 of cuVSLAM's Brown model, those of a sensor_recalibrated.yaml of its Fisheye model. A file
+// with camera_model fisheye, as that example's, is taken for the latter under any name; without a name (LoadOptions) the
+// numbers' own is meant.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -113,7 +114,7 @@ ConsumerCamera camera_of(const std::vector<double>& k, const std::vector<double>
 
 }  // namespace
 
-ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& /*options*/) {
+ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& options) {
   ConsumerView view;
   const pyyaml::ValuePtr root = load_map(bytes, view);
   if (!root) return view;
@@ -124,12 +125,17 @@ ConsumerView load_cuvslam(std::string_view bytes, const LoadOptions& /*options*/
   const auto size = sensor.numbers("resolution", 2);
   if (!view.loads() || !pose || !intrinsics || !coefficients || !size) return view;
   const std::string distortion = text_at(*root, "distortion_model");
-  const bool is_fisheye = text_at(*root, "camera_model") == "fisheye" || distortion == "equidistant";
-  if (distortion == "equidistant") {
+  const bool is_equidistant = distortion == "equidistant";
+  const bool has_right_name =
+      options.file_name.empty() ? is_equidistant : options.file_name.ends_with("sensor_recalibrated.yaml");
+  const bool is_fisheye = text_at(*root, "camera_model") == "fisheye" || has_right_name;
+  const bool is_misread = is_equidistant && !is_fisheye;
+  if (is_misread) {
     const std::string key = "distortion_model";
     view.warnings.emplace_back(Code::kCuvslamSaysTakenForBrown, key, std::vector<Argument>{key, distortion});
   }
   ConsumerCamera camera = camera_of(*intrinsics, *coefficients, is_fisheye);
+  camera.misread = is_misread;
   camera.width = static_cast<int>((*size)[0]);
   camera.height = static_cast<int>((*size)[1]);
   view.cameras.push_back(std::move(camera));

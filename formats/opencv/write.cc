@@ -74,7 +74,7 @@ void list_losses_beside_pose(const Rig& rig, const PoseEdge& kept, std::vector<L
   std::vector<std::string> poses;
   for (const PoseEdge& edge : rig.poses) {
     const bool of_camera = rig.find_camera(edge.a) != nullptr || rig.find_camera(edge.b) != nullptr;
-    if (of_camera && !stated.resolve(edge.a, edge.b)) poses.push_back("T_" + edge.a + "_" + edge.b);
+    if (of_camera && !stated.resolve(edge.a, edge.b)) poses.push_back(name_of(edge));
   }
   if (!poses.empty()) losses.push_back(lost(Code::kOpencvPosesDropped, "", "", {poses}));
 }

@@ -242,7 +242,7 @@ Message headline(const Rig& rig, const Rectification& rectification) {
   if (rig.cameras.size() == 1) return {Code::kRosWroteCamera};
   if (!rectification.chosen) return {Code::kRosWroteCameras};
   const Projection& P = rectification.cameras.front().P;
-  return {Code::kRosWrotePair, {P[0], P[2], P[6]}};
+  return {Code::kRosWrotePair, {P[0], P[2], P[6], rig.cameras[0].name, rig.cameras[1].name}};
 }
 
 }  // namespace

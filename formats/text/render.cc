@@ -10,18 +10,6 @@ namespace {
 
 constexpr std::size_t kLongestLine = 160;
 
-std::string_view severity_word(Severity severity) {
-  switch (severity) {
-    case Severity::kError:
-      return "error";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kNote:
-      return "note";
-  }
-  return "";
-}
-
 std::string_view severity_colour(Severity severity) {
   switch (severity) {
     case Severity::kError:
@@ -73,7 +61,7 @@ std::string render(const Shown& shown, std::span<const Source> sources, bool col
     text += printable(shown.where.file) + ": ";
   }
   if (colour) text += severity_colour(shown.severity);
-  text += severity_word(shown.severity);
+  text += name_of(shown.severity);
   if (colour) text += "\x1b[0m";
   text += ": " + printable(shown.message);
   if (!shown.id.empty()) text += " [" + shown.id + "]";

@@ -80,7 +80,6 @@ std::string valid_utf8(std::string_view bytes) {
 }
 
 std::string printable(std::string_view bytes, bool keep_line_breaks) {
-  if (std::ranges::all_of(bytes, [](char byte) { return byte >= ' ' && byte <= '~'; })) return std::string(bytes);
   std::string text = valid_utf8(bytes);
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);

@@ -54,6 +54,7 @@ const Format kFormat = {
     .program = "VINS-Fusion",
     .many_cameras = false,
     .extrinsics = false,
+    .facts_apart = true,
     .imu = false,
     .noise_of_samples = true,
     .image_size = true,

@@ -123,7 +123,7 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
     const PoseEdge& own = task.other.poses[i];  // in its own names
     // As near as two honest calibrations are, a slip is one only if without it nothing differs.
     double best = apart > kFar ? std::min(kNear, kExplainedShare * apart) : kExact;
-    const std::string name = "T_" + own.a + "_" + own.b;
+    const std::string name = name_of(own);
     std::optional<Mistake> mistake;
     for (const PoseSlip& slip : pose_slips()) {
       const std::optional<Transform> undone = slip.undo(stated);

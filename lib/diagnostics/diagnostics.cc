@@ -6,6 +6,18 @@
 
 namespace fca {
 
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::kNote:
+      return "note";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kError:
+      return "error";
+  }
+  return "";
+}
+
 std::string id_of(const Message& message) { return std::string(info(message.code).id); }
 
 std::string id_of(const Diagnostic& diagnostic) { return std::string(info(code_of(diagnostic)).id); }

@@ -61,7 +61,7 @@ std::span<const CodeInfo> file_codes() {
               "T_{0}_{1} is stated here and in {2}, and the two differ by up to {3:.3} in an element",
               "that of {4} is used; take out the one that is wrong"),
       warning(Code::kPoseContradictsOthers, kContradict,
-              "T_{0}_{1} as stated and as it follows from the other poses ({2}) differ by up to {3:.3} in an element",
+              "T_{0}_{1} as stated and as it follows from the other poses ({2}) differ by {3:.3} deg and {4}",
               "one of them is wrong; stated poses are used before derived ones"),
       warning(Code::kPoseOfEachUnstated, "pose-unstated",
               "the files of {0} say the same place for each, as a camera's alone does: how they sit to each other is not "

@@ -47,7 +47,7 @@ void check(const Imu& imu, Findings& findings) {
 }
 
 void check(const PoseEdge& edge, Findings& findings) {
-  const std::string name = "T_" + edge.a + "_" + edge.b;
+  const std::string name = name_of(edge);
   findings.add(name, problem_with_rotation(edge.T_a_b));
   for (int row = 0; row < 3; ++row) findings.add(name, problem_with_translation(edge.T_a_b(row, 3)));
 }

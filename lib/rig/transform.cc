@@ -53,4 +53,6 @@ double rotation_determinant(const Transform& T_a_b) {
   return R.determinant();
 }
 
+std::string name_of(const PoseEdge& edge) { return "T_" + edge.a + "_" + edge.b; }
+
 }  // namespace fca

@@ -378,7 +378,13 @@ TEST(Compare, NumbersUnderAnotherModelsNameAreRecognisedAndNoDistanceIsLargerTha
       ASSERT_EQ(mistakes.Size(), 1U) << told.text();
       EXPECT_STREQ(mistakes[0]["code"].GetString(), "wrong-model");
       const RunResult run = run_program({"compare", reference, other, "-v"});
-      EXPECT_LE(largest_px(run.out), std::ceil(std::hypot(1400.0, 1400.0))) << run.out;
+      const double diagonal = std::ceil(std::hypot(1400.0, 1400.0));
+      EXPECT_LE(largest_px(run.out), diagonal) << run.out;
+      const auto& camera = told.json()["files"][0]["cameras"][0];
+      const auto is_held = [diagonal](const auto& px) { return !px.IsNumber() || px.GetDouble() <= diagonal; };
+      ASSERT_TRUE(camera["error_px"].IsObject()) << told.text();
+      for (const char* key : {"rms", "p99", "max", "bound"}) EXPECT_TRUE(is_held(camera["error_px"][key])) << told.text();
+      for (const auto& band : camera["bands"].GetArray()) EXPECT_TRUE(is_held(band["max_px"])) << told.text();
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What lowers a verdict and what does not: a defect counts where the written file has the fact, and for the program that reads
 // it.
+#include "cli/read_rig.h"
 #include "cli/run_program.h"
 #include "cli/told.h"
 
@@ -94,6 +95,183 @@ TEST(VerdictReasons, WhatOnlyAnotherProgramReadsNeedsThat) {
   EXPECT_EQ(codes_of(asked).count("needs-program"), 0U) << asked.text();
 }
 
+// COLMAP's files have no place for an IMU: what is wrong with its pose is no reason against them.
+TEST(VerdictReasons, ThePoseOfAnImuCountsWhereItIsWritten) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write(
+      "sheared.yaml", with_replaced(pair_at("-0.1"), "  rostopic: /cam0/image_raw\n",
+                                    "  rostopic: /cam0/image_raw\n  T_cam_imu:\n  - [1.0, 0.03, 0.0, 0.01]\n"
+                                    "  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n"));
+  const std::string out = (folder.path() / "out").string() + "/";
+  const Told to_colmap({"convert", chain, "--to", "colmap", "-o", out});
+  EXPECT_EQ(codes_of(to_colmap).count("not-a-rotation"), 0U) << to_colmap.text();
+  EXPECT_NE(word_of(to_colmap), "do-not-use");
+  const Told to_openvins({"convert", chain, "--to", "openvins", "-o", out});
+  EXPECT_EQ(codes_of(to_openvins).count("not-a-rotation"), 1U) << to_openvins.text();
+  EXPECT_EQ(word_of(to_openvins), "do-not-use");
+}
+
+/// Four cameras in a row, each with its pose in the one before it and in the IMU; the second pose of cam2 is off by `metres`.
+std::string row_with_wrong_pose(double metres) {
+  const auto pose = [](const std::string& key, double x, double y) {
+    return "  " + key + ":\n  - [1.0, 0.0, 0.0, " + std::to_string(x) + "]\n  - [0.0, 1.0, 0.0, " + std::to_string(y) +
+           "]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+  };
+  std::string chain;
+  for (int i = 0; i < 4; ++i) {
+    chain += "cam" + std::to_string(i) +
+             ":\n  camera_model: pinhole\n  intrinsics: [400.0, 400.0, 319.5, 239.5]\n  distortion_model: radtan\n"
+             "  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  resolution: [640, 480]\n";
+    if (i > 0) chain += pose("T_cn_cnm1", -0.1, i == 2 ? metres : 0.0);
+    chain += pose("T_cam_imu", -0.1 * i, 0.0);
+  }
+  return chain;
+}
+
+// Two paths agree against one pose: a fresh file states what they say.
+TEST(VerdictReasons, APoseThatTheOthersOutvoteIsLeftOut) {
+  const TemporaryFolder folder;
+  const std::string chain = folder.write("row.yaml", row_with_wrong_pose(0.03));
+  const std::string out = folder / "basalt.json";
+  const Told run({"convert", chain, "--to", "basalt", "--accept", "pixels-off", "-o", out});
+  EXPECT_EQ(codes_of(run).count("poses-contradict"), 1U) << run.text();
+  EXPECT_NE(word_of(run), "do-not-use") << run.text();
+  EXPECT_TRUE(contains(run.text(), "T_cam2_cam1")) << run.text();
+  const Rig written = rig_in(read_file(out));
+  ASSERT_EQ(written.cameras.size(), 4U);
+  const std::optional<Transform> T = written.resolve(written.cameras[2].name, written.cameras[1].name);
+  ASSERT_TRUE(T);
+  EXPECT_NEAR((*T)(0, 3), -0.1, 1e-9);
+  EXPECT_NEAR((*T)(1, 3), 0.0, 1e-9);
+  // The file itself is as wrong as it was: Kalibr reads both.
+  EXPECT_EQ(word_of(Told({"check", chain})), "do-not-use");
+}
+
+// Where nobody can tell which is wrong, the numbers decide.
+TEST(VerdictReasons, ContradictionsThatNoRuleDecidesCountByTheirSize) {
+  const TemporaryFolder folder;
+  const std::string camera =
+      "  camera_model: pinhole\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  distortion_model: radtan\n"
+      "  intrinsics: [400.0, 400.0, 319.5, 239.5]\n  resolution: [640, 480]\n";
+  const auto pose = [](const std::string& key, const std::string& x, const std::string& y) {
+    return "  " + key + ":\n  - [1.0, 0.0, 0.0, " + x + "]\n  - [0.0, 1.0, 0.0, " + y +
+           "]\n  - [0.0, 0.0, 1.0, 0.0]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+  };
+  for (const auto& [metres, word] : {std::pair("0.005", "use-with-care"), std::pair("0.03", "do-not-use")}) {
+    const std::string chain =
+        folder.write("pair.yaml", "cam0:\n" + camera + pose("T_cam_imu", "0.0", "0.0") + "cam1:\n" + camera +
+                                      pose("T_cn_cnm1", "-0.1", metres) + pose("T_cam_imu", "-0.1", "0.0"));
+    const Told run({"convert", chain, "--to", "openvins", "-o", (folder.path() / "out").string() + "/"});
+    EXPECT_EQ(codes_of(run).count("poses-contradict"), 1U) << run.text();
+    EXPECT_EQ(word_of(run), word) << run.text();
+  }
+}
+
+// VINS-Fusion uses poses and the IMU's noise, and its camera files have no place for them.
+TEST(VerdictReasons, WhatVinsReadsElsewhereIsLost) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string() + "/";
+  const Told with_poses({"convert", kTumvi, "--with", kImu, "--to", "vins", "-o", out});
+  EXPECT_EQ(word_of(with_poses), "use-with-care") << with_poses.text();
+  EXPECT_EQ(codes_of(with_poses).count("pose-dropped"), 1U) << with_poses.text();
+  const Told alone({"convert", kTumvi, "--camera", "cam0", "--to", "ocamcalib"});
+  EXPECT_EQ(codes_of(alone).count("pose-dropped"), 0U) << alone.text();
+}
+
+// cuVSLAM takes the coefficients of a sensor.yaml for its Brown model, whatever the file says.
+TEST(VerdictReasons, TheNameOfAFileDecidesWhatCuvslamReads) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string() + "/";
+  const Told written({"convert", kTumvi, "--camera", "cam0", "--to", "cuvslam", "--accept", "pixels-off", "-o", out});
+  EXPECT_EQ(codes_of(written).count("pixels-off"), 1U) << written.text();
+  const std::string bytes = read_file(out + "mav0/cam0/sensor.yaml");
+  const Told check({"check", folder.write("sensor.yaml", bytes), "--for", "cuvslam"});
+  EXPECT_EQ(word_of(check), "do-not-use") << check.text();
+  const Told renamed({"check", folder.write("sensor_recalibrated.yaml", bytes), "--for", "cuvslam"});
+  EXPECT_EQ(codes_of(renamed).count("pixels-off"), 0U) << renamed.text();
+}
+
+// The base's images have a size, and nobody says that the input's have the same.
+TEST(VerdictReasons, ABaseWithASizeWantsOneOfTheInput) {
+  const TemporaryFolder folder;
+  const std::string base = folder / "settings.yaml";
+  ASSERT_EQ(run_program({"convert", kTumvi, "--camera", "cam0", "--to", "orbslam3", "-o", base}).code, 0);
+  const std::string input = folder.write("camera.yml",
+                                         "%YAML:1.0\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                                         "   data: [ 191., 0., 255., 0., 191., 256., 0., 0., 1. ]\n"
+                                         "distortion_coefficients: !!opencv-matrix\n   rows: 1\n   cols: 4\n   dt: d\n"
+                                         "   data: [ 0.003, 0.0007, -0.002, 0.0002 ]\n");
+  const std::vector<std::string> words = {"convert", input, "--opencv-model",   "fisheye", "--into",
+                                          base,      "-o",  folder / "out.yaml"};
+  const Told run(words);
+  EXPECT_EQ(run.code(), 2) << run.text();
+  EXPECT_TRUE(run.says("image-size-missing", "--size")) << run.text();
+  std::vector<std::string> sized = words;
+  sized.insert(sized.end(), {"--size", "512x512"});
+  EXPECT_EQ(run_program(sized).code, 0);
+}
+
+TEST(VerdictReasons, AnIgnoredCodeIsNoReason) {
+  const std::string file = testdata("checks/poses-contradict-thrice.yaml");
+  EXPECT_EQ(word_of(Told({"check", file})), "do-not-use");
+  const Told run({"check", file, "--ignore", "poses-contradict"});
+  EXPECT_EQ(codes_of(run).count("poses-contradict"), 0U) << run.text();
+}
+
+// Whoever sets a key that only one of the layouts has means that layout.
+TEST(VerdictReasons, ASettingChoosesTheLayoutThatHasIt) {
+  const std::vector<std::string> words = {"convert", kTumvi, "--with", kImu, "--to", "orbslam3", "--set"};
+  for (const char* setting : {"ThDepth=35.0", "Stereo.ThDepth=35.0"}) {
+    std::vector<std::string> each = words;
+    each.emplace_back(setting);
+    const RunResult run = run_program(each);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string key = std::string(setting).substr(0, std::string(setting).find('='));
+    EXPECT_TRUE(contains(run.out, "\n" + key + ": 35.0")) << run.out;
+  }
+}
+
+// Nearly nothing of the image was looked at.
+TEST(VerdictReasons, AnAngleThatLeavesNearlyAllOutAsksForCare) {
+  const Told run({"convert", kTumvi, "--camera", "cam0", "--to", "kalibr", "--model", "ds", "--max-angle", "5"});
+  EXPECT_EQ(codes_of(run).count("little-compared"), 1U) << run.text();
+  EXPECT_EQ(word_of(run), "use-with-care");
+}
+
+// Beyond 90 degrees, too, a fit's error is a distance.
+TEST(VerdictReasons, TheWholeImageIsMeasuredWhereTheProgramDoesNotMirror) {
+  const Told run({"convert", kTumvi, "--camera", "cam0", "--to", "kalibr", "--model", "eucm"});
+  const auto& camera = run.json()["cameras"][0];
+  const double fit = camera["error_px"]["rms"].GetDouble();
+  EXPECT_NEAR(camera["in_image_px"]["rms"].GetDouble(), fit, 0.05 * fit) << run.text();
+  EXPECT_LT(camera["in_circle_px"]["rms"].GetDouble(), 0.9 * fit);
+}
+
+// Who writes one T_cam_imu the wrong way round writes all of them so.
+TEST(VerdictReasons, PosesOfAnImuThatAreAllInvertedAreNamed) {
+  const TemporaryFolder folder;
+  const auto pose = [](const std::string& key, const std::string& first, const std::string& second, const std::string& x) {
+    return "  " + key + ":\n  - [" + first + ", 0.0, " + x + "]\n  - [" + second + ", 0.0, 0.02]\n" +
+           "  - [0.0, 0.0, 1.0, -0.01]\n  - [0.0, 0.0, 0.0, 1.0]\n";
+  };
+  const std::string camera =
+      "  camera_model: pinhole\n  distortion_coeffs: [0.0, 0.0, 0.0, 0.0]\n  distortion_model: radtan\n"
+      "  intrinsics: [400.0, 400.0, 319.5, 239.5]\n  resolution: [640, 480]\n";
+  // T_cam0_imu and T_cam1_imu = shifted by (-0.1, 0, 0) from it, written the wrong way round: a turn by 90 deg about z.
+  const std::string chain = folder.write(
+      "inverted.yaml", "cam0:\n" + camera + pose("T_cam_imu", "0.0, 1.0", "-1.0, 0.0", "0.05") + "cam1:\n" + camera +
+                           "  T_cn_cnm1:\n  - [1.0, 0.0, 0.0, -0.1]\n  - [0.0, 1.0, 0.0, 0.0]\n  - [0.0, 0.0, 1.0, 0.0]\n"
+                           "  - [0.0, 0.0, 0.0, 1.0]\n" +
+                           "  T_cam_imu:\n  - [0.0, 1.0, 0.0, 0.05]\n  - [-1.0, 0.0, 0.0, -0.08]\n  - [0.0, 0.0, 1.0, -0.01]\n"
+                           "  - [0.0, 0.0, 0.0, 1.0]\n");
+  const Told run({"check", chain});
+  EXPECT_EQ(word_of(run), "do-not-use") << run.text();
+  int inverted = 0;
+  for (const auto& finding : run.json()["files"][0]["findings"].GetArray())
+    inverted += std::string(finding["code"].GetString()) == "pose-inverted" ? 1 : 0;
+  EXPECT_EQ(inverted, 2) << run.text();
+}
+
 // A file of keys that are nobody's: the program that wrote it may read it.
 TEST(VerdictReasons, KeysOfNoKnownProgramAreNotProven) {
   const std::string file = testdata("formats/opencv/good/cameras.yml");
@@ -167,7 +345,7 @@ TEST(VerdictReasons, PosesCountWhereTheyAreWritten) {
   const Told pair({"convert", file, "--to", "kalibr"});
   EXPECT_EQ(word_of(pair), "do-not-use") << pair.text();
   EXPECT_EQ(codes_of(pair).count("stereo-order"), 0U) << "it follows from the wrong pose: " << pair.text();
-  for (const char* format : {"vins", "orbslam3"}) {
+  for (const char* format : {"opencv", "orbslam3"}) {
     const Told alone({"convert", file, "--camera", "cam0", "--to", format});
     EXPECT_EQ(word_of(alone), "ready") << format << ": " << alone.text();
   }

@@ -1,105 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The verdict about pixels, judged by what the real programs computed (oracles/) and not by our imitations of them. The folder
 // is not part of the repository; without it all is skipped.
-#include "formats/oracle_table.h"
+#include "formats/oracle_judgement.h"
 
 #include <gtest/gtest.h>
 
-#include <fca/formats/proof.h>
 #include <fca/formats/verdict.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 
 namespace fca::test {
 namespace {
 
-/// The tables of a program of ours, and where they lie.
-struct Printed {
-  const char* program;
-  const char* folder;
-  const char* suffix;
-};
-
-constexpr std::array kPrinted = {
-    Printed{"kalibr", "kalibr", "kalibr"},          Printed{"orbslam3", "orbslam3", "orbslam3"},
-    Printed{"opencv", "opencv", "opencv"},          Printed{"ocamcalib", "ocamcalib", "ocamcalib"},
-    Printed{"woodscape", "woodscape", "woodscape"}, Printed{"basalt", "basalt", "basalt"},
-    Printed{"vins", "camodocal", "camodocal"},      Printed{"ros", "ros_camera_info", "ros"},
-};
-
-constexpr double kReadyPx = 0.25;
-
-/// The camera's own pixels of a region beside those that a program printed.
-struct Judgement {
-  int compared = 0;
-  double rms = 0.0;
-};
-
-/// Where the verdict looks: the image, of a wide lens the circle in it.
-bool is_in_region(const Camera& camera, const Pixel& pixel, bool is_wide) {
-  const Pixel last = {camera.image_size->width - 1.0, camera.image_size->height - 1.0};
-  if (pixel[0] < 0.0 || pixel[1] < 0.0 || pixel[0] > last[0] || pixel[1] > last[1]) return false;
-  const Pixel middle = {0.5 * last[0], 0.5 * last[1]};
-  return !is_wide || distance(pixel, middle) <= std::min(middle[0], middle[1]);
-}
-
-using ProjectRay = std::function<std::optional<Pixel>(const Ray&)>;
-
-/// `theirs`: the pixels that are to be the table's, in the file's.
-Judgement judge(const Camera& camera, const OracleTable& table, const std::array<double, 2>& scale, bool is_wide,
-                const ProjectRay& theirs) {
-  Judgement result;
-  double squares = 0.0;
-  for (const OracleRow& row : table.rows) {
-    const std::optional<Pixel> pixel = project(camera.model, row.ray);
-    // From 90 degrees on programs mirror: the verdict counts that as a share, not as pixels.
-    if (!pixel || row.ray[2] <= 0.0 || !is_in_region(camera, *pixel, is_wide) || std::isnan(row.pixel[0])) continue;
-    const std::optional<Pixel> seen = theirs(row.ray);
-    if (!seen) continue;
-    squares += std::pow(distance(*seen, {row.pixel[0] / scale[0], row.pixel[1] / scale[1]}), 2);
-    ++result.compared;
-  }
-  if (result.compared > 0) result.rms = std::sqrt(squares / result.compared);
-  return result;
-}
-
-/// A proof of the table's file, and the camera that the table is about.
-struct Case {
-  Camera camera;
-  CameraProof proof;
-  consumers::ConsumerCamera reader;
-};
-
 ProjectRay by_model(const Camera& camera) {
   return [&camera](const Ray& ray) { return project(camera.model, ray); };
-}
-
-/// In the file's pixels.
-ProjectRay by_reader(const consumers::ConsumerCamera& reader) {
-  return [&reader](const Ray& ray) -> std::optional<Pixel> {
-    const std::optional<Pixel> pixel = reader.project(ray);
-    if (!pixel) return std::nullopt;
-    return Pixel{(*pixel)[0] / reader.scale[0], (*pixel)[1] / reader.scale[1]};
-  };
-}
-
-std::optional<Case> case_of(const consumers::Consumer& consumer, const OracleTable& table) {
-  const std::string bytes = read_file(shared_dir() / "corpus" / table.file);
-  const ReadCorpusFile read = read_corpus_file(table.file);
-  if (!read.calibration || read.calibration->rig.cameras.size() <= table.camera) return std::nullopt;
-  const Camera& camera = read.calibration->rig.cameras[table.camera];
-  if (!camera.image_size) return std::nullopt;
-  for (const char* mode : {"mono", "stereo"}) {
-    const consumers::LoadOptions options = {mode, ""};
-    const ProofResult proof = prove(consumer, bytes, options, read.calibration->rig);
-    const consumers::ConsumerView view = consumer.load(bytes, options);
-    if (!proof.loads || proof.cameras.size() <= table.camera || view.cameras.size() <= table.camera) continue;
-    return Case{camera, proof.cameras[table.camera], view.cameras[table.camera]};
-  }
-  return std::nullopt;
 }
 
 /// What the verdict says of a table's camera, beside what the program computed.
@@ -113,7 +28,7 @@ void judge_table(const consumers::Consumer& consumer, const OracleTable& table, 
   const std::optional<Case> one = case_of(consumer, table);
   if (!one) return;
   const PixelDistance& said = one->proof.distance.decisive();
-  const Judgement real = judge(one->camera, table, one->reader.scale, one->proof.distance.is_wide, by_model(one->camera));
+  const OracleDistance real = judge(one->camera, table, one->reader.scale, one->proof.distance.is_wide, by_model(one->camera));
   if (real.compared == 0) return;
   ++verdicts.tables;
   const bool ready = word_of(said) == VerdictWord::kReady;
@@ -179,7 +94,7 @@ TEST(OracleVerdict, WhatIsWrittenAnewAndReadyHasTheProgramsPixels) {
       const std::optional<Case> anew = written_anew(consumer, table);
       const std::optional<Case> old = case_of(consumer, table);
       if (!anew || word_of(anew->proof.distance.decisive()) != VerdictWord::kReady) continue;
-      const Judgement real =
+      const OracleDistance real =
           judge(anew->camera, table, old->reader.scale, anew->proof.distance.is_wide, by_reader(anew->reader));
       ++ready;
       EXPECT_LE(real.rms, kReadyPx) << table.file << " cam" << table.camera;

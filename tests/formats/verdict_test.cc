@@ -206,6 +206,26 @@ TEST(Verdict, WhatCorrectsAnImuMattersUnlessItChangesNothing) {
   EXPECT_EQ(word_of(tw("[[1.01, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]"), "orbslam3", mode), VerdictWord::kUseWithCare);
 }
 
+// Basalt's vectors begin with biases, which every estimator estimates itself.
+TEST(Verdict, ABiasIsNoCorrection) {
+  const auto lost_accel = [](const char* value) {
+    return lost(Code::kNotCarriedValue, "imu0", "calib_accel_bias", {Message{Code::kKeepTheInput}, std::string(value)});
+  };
+  const char* mode = "mono-inertial";
+  EXPECT_EQ(word_of(lost_accel("[-0.003, 0.02, 0.07, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]"), "orbslam3", mode), VerdictWord::kReady);
+  EXPECT_EQ(word_of(lost_accel("[-0.003, 0.02, 0.07, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0]"), "orbslam3", mode),
+            VerdictWord::kUseWithCare);
+}
+
+// ORB-SLAM2's rectification of the images as the cameras take them: without it the file is for other images.
+TEST(Verdict, ALostRectificationAsksForCare) {
+  const Message why{Code::kKeepTheInput};
+  EXPECT_EQ(word_of(lost(Code::kNotCarriedValue, "", "LEFT.D", {why, std::string("[-0.28, 0.07]")}), "orbslam3", "stereo"),
+            VerdictWord::kUseWithCare);
+  EXPECT_EQ(word_of(lost(Code::kNotCarriedValue, "", "Viewer.D", {why, std::string("[-0.28, 0.07]")}), "orbslam3", "stereo"),
+            VerdictWord::kReady);
+}
+
 TEST(Verdict, WhatTheModeNeedsIsNotMadeUp) {
   const DefaultedValue pose{"T_imu_cam", "identity", true, true};
   VerdictFacts facts;

@@ -18,7 +18,7 @@ namespace {
 bool placed(const Finding& finding) { return finding.where.offset > 0 || finding.where.length > 0; }
 
 void put_finding(Json& json, const Finding& finding, const text::Source& source) {
-  json.put("severity", severity_name(finding.severity));
+  json.put("severity", name_of(finding.severity));
   json.put("code", id_of(finding));
   if (placed(finding)) put_place(json, source, finding.where.offset);
   json.put("message", message_of(finding, with_options));
@@ -66,7 +66,7 @@ std::string uri_of(std::string_view path) {
 }
 
 /// SARIF's word for a severity.
-std::string_view level(Severity severity) { return severity_name(severity); }
+std::string_view level(Severity severity) { return name_of(severity); }
 
 void put_result(Json& json, const Finding& finding, const text::Source& source) {
   json.put("ruleId", id_of(finding));

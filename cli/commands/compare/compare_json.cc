@@ -7,6 +7,9 @@
 #include "shell/option_hints.h"
 #include "shell/words.h"
 
+#include <cmath>
+#include <limits>
+
 namespace fca::cli {
 
 namespace {
@@ -15,7 +18,21 @@ std::array<double, 2> pair_of(const ImageSize& size) {
   return {static_cast<double>(size.width), static_cast<double>(size.height)};
 }
 
-void put_difference(Json& json, const CameraDifference& difference, bool identical) {
+/// Distances that no image holds are as good as infinite: null.
+void remove_beyond(const ImageSize& image, Judgement& judgement) {
+  const auto remove = [most = std::hypot(image.width, image.height)](double& px) {
+    if (px > most) px = std::numeric_limits<double>::infinity();
+  };
+  ErrorSummary& error = judgement.error;
+  for (double* px : {&error.rms, &error.mean, &error.p50, &error.p95, &error.p99, &error.max, &error.bound}) remove(*px);
+  for (ErrorBand& band : judgement.bands) {
+    remove(band.rms_px);
+    remove(band.max_px);
+  }
+}
+
+void put_difference(Json& json, CameraDifference difference, const ImageSize& image, bool identical) {
+  remove_beyond(image, difference.judgement);
   if (!identical && !(difference.judgement.coverage.scored > 0.0)) {  // no pixel has a ray in both
     for (const char* key : {"error_px", "error_deg", "bands", "same_to_deg"}) json.null(key);
     return;
@@ -60,7 +77,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
   });
   json.put("identical", camera.identical);
   put_domain(json, camera.difference.judgement.coverage, camera.scored_to_deg);
-  put_difference(json, camera.difference, camera.identical);
+  put_difference(json, camera.difference, camera.size, camera.identical);
   if (!camera.rotated) {
     json.null("rotated");
     return;
@@ -70,7 +87,7 @@ void put_camera(Json& json, const CameraComparison& camera) {
     const auto& vector = camera.rotated->vector_rad;
     json.put("vector_rad", std::span<const double>(vector));
     json.put("in_words", rotation_in_words(*camera.rotated));
-    put_difference(json, camera.rotated->difference, false);
+    put_difference(json, camera.rotated->difference, camera.size, false);
   });
 }
 

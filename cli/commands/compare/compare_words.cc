@@ -42,7 +42,8 @@ std::string different_camera(const CameraComparison& camera) {
   } else {
     text += "is ";
   }
-  text += "up to " + pixels(difference.judgement.error.max, camera.size) + " px off";
+  const std::string most = pixels(difference.judgement.error.max, camera.size);
+  text += (most.starts_with("over") ? "" : "up to ") + most + " px off";
   const double lost = difference.judgement.coverage.unrepresentable;
   if (lost > 0.0005) text += ", and has no pixel for " + percent(lost) + " of the image";
   if (!camera.rotated) return text;

@@ -65,11 +65,19 @@ std::optional<std::string> opencv_model_problem(const ConvertArguments& argument
   return opencv_model_without_use(inputs, results);
 }
 
-/// What was accepted for nothing is a mistake, or a leftover.
-void warn_of_unused(const std::vector<Acceptance>& accepted, const Verdict& verdict, const Console& console) {
+/// What was accepted for nothing, of any input, is a mistake, or a leftover.
+void warn_of_unused(const std::vector<Acceptance>& accepted, const std::vector<ConvertOutcome>& outcomes,
+                    const Console& console) {
   for (const Acceptance& each : accepted) {
-    const auto used = [&each](const Reason& reason) { return reason.is_accepted && each.covers(reason); };
-    if (std::ranges::any_of(verdict.reasons, used)) continue;
+    const auto is_used = [&each](const ConvertOutcome& outcome) {
+      return std::ranges::any_of(outcome.verdict.reasons, [&each](const Reason& reason) {
+        return each.covers(reason) && (reason.is_accepted || !may_be_accepted(reason));
+      });
+    };
+    const auto has_result = [](const ConvertOutcome& outcome) {
+      return outcome.status <= Status::kRejected && outcome.code != ExitCode::kIo;
+    };
+    if (std::ranges::none_of(outcomes, has_result) || std::ranges::any_of(outcomes, is_used)) continue;
     console.err("warning: --accept " + each.id + (each.camera.empty() ? "" : ":" + each.camera) + " was not needed\n");
   }
 }
@@ -149,20 +157,20 @@ ExitCode run_convert(const ConvertArguments& given, const TypedOptions& typed, C
       const bool has_summary = has_result && in_full && is_wanted && has_word;
       if (has_summary) {
         const bool written = !arguments.dry_run;
-        std::string report = convert_summary(outcome, written, !arguments.verbose);
-        if (arguments.verbose) report += "\n" + convert_text(outcome, written);
+        std::string report = convert_summary(outcome, written, arguments.verbosity == 0);
+        if (arguments.verbosity > 0) report += "\n" + convert_text(outcome, written, arguments.verbosity > 1);
         const VerdictWord word = outcome.verdict.word;
         (file_on_stdout && written) || arguments.quiet ? console.say_aside(report, word) : console.say(report, word);
       }
-      if (in_full && !arguments.quiet && (arguments.verbose || !has_result)) {
+      if (in_full && !arguments.quiet && (arguments.verbosity > 0 || !has_result)) {
         console.show(has_summary ? without_errors(outcome.diagnostics) : outcome.diagnostics);
       } else if (!has_summary) {
         console.show_errors(outcome.diagnostics);
       }
-      if (has_result) warn_of_unused(arguments.request.accepted, outcome.verdict, console);
     }
     code = worse(code, outcome.code);
   }
+  if (!arguments.json) warn_of_unused(arguments.request.accepted, outcomes, console);
   if (arguments.json) console.out(convert_json(outcomes, console));
   const bool several = outcomes.size() > 1 || batch.skipped > 0 || batch.left > 0;
   if (several && !arguments.quiet) {
@@ -222,7 +230,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
   add_force_option(options, "Replace existing files; their other hard links keep the old text", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
   add_json_option(options, arguments.json);
-  options.flag("-v,--verbose", "The full report, with its tables", arguments.verbose);
+  options.count("-v,--verbose", "The full report; -vv: and the parameters, as a table", arguments.verbosity);
   options.flag("-q,--quiet", "Errors only", arguments.quiet);
   options.footer(
       "Example:\n"
@@ -238,7 +246,7 @@ void add_convert_command(Application& application) {
                     const auto arguments = std::make_shared<ConvertArguments>();
                     add_options(options, *arguments);
                     return [arguments](const TypedOptions& typed, Console& console) {
-                      arguments->request.in_detail = arguments->json || arguments->verbose;
+                      arguments->request.in_detail = arguments->json || arguments->verbosity > 0;
                       const std::string extension = std::filesystem::path(arguments->output.path).extension().string();
                       if (!extension.empty()) arguments->request.extension = extension;
                       return run_convert(*arguments, typed, console);

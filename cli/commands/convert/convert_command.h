@@ -6,6 +6,7 @@
 #include "shell/console.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fca::cli {
@@ -13,7 +14,11 @@ namespace fca::cli {
 /// Adds `convert` to the application.
 void add_convert_command(Application& application);
 
-/// "kb4 -> eucm, fitted"
+/// "kb4 -> eucm", "kb4"
+[[nodiscard]] std::string models_in_words(const ConvertedCamera& camera);
+/// "kept", "exact" or "fitted"
+[[nodiscard]] std::string_view way_in_words(const ConvertedCamera& camera);
+/// Both: "kb4 -> eucm, fitted"
 [[nodiscard]] std::string camera_line(const ConvertedCamera& camera);
 /// How a real program reads the written files.
 struct ProofWords {
@@ -21,13 +26,16 @@ struct ProofWords {
   std::vector<std::string> details;  ///< What belongs to it, a line each.
 };
 [[nodiscard]] std::vector<ProofWords> proofs_in_words(const ConvertResult& result);
-/// The verdict and what a user must act on, in some ten lines (summary.cc). `with_tables`: and the errors over the angle of
-/// fits that are far off.
-[[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written, bool with_tables);
-/// The same without its first line, and no tables: "-v" has them.
-[[nodiscard]] std::string summary_lines(const ConvertResult& outcome, bool with_tables);
-/// The full report for people (convert_text.cc) and for scripts (convert_json.cc).
-[[nodiscard]] std::string convert_text(const ConvertOutcome& outcome, bool written);
+/// How the program that the files are for sees the camera; null where that is not known.
+[[nodiscard]] const CameraDistance* distance_of(const ConvertResult& result, const ConvertedCamera& camera);
+/// The verdict and what a user must act on, in some ten lines (summary.cc). `is_short`: all that is printed; else the full
+/// report follows.
+[[nodiscard]] std::string convert_summary(const ConvertOutcome& outcome, bool written, bool is_short);
+/// The same without its first line.
+[[nodiscard]] std::string summary_lines(const ConvertResult& outcome, bool is_short);
+/// The full report for people (convert_text.cc), with the cameras' parameters where those are wanted, and for scripts
+/// (convert_json.cc).
+[[nodiscard]] std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_parameters);
 [[nodiscard]] std::string convert_json(const std::vector<ConvertOutcome>& outcomes, const Console& console);
 
 }  // namespace fca::cli

@@ -71,6 +71,18 @@ void put_proofs(Json& json, const ConvertOutcome& outcome) {
   });
 }
 
+/// Over a region, as the program that the files are for sees it; null where nobody was asked.
+void put_seen(Json& json, std::string_view key, const PixelDistance* distance) {
+  if (distance == nullptr) return json.null(key);
+  json.object(key, [&] {
+    json.put("rms", distance->rms);
+    json.put("p99", distance->p99);
+    json.put("max", distance->max);
+    json.put("share", distance->region);
+    json.put("no_rays_share", distance->no_rays);
+  });
+}
+
 void put_defaults(Json& json, const ConvertOutcome& outcome) {
   json.array("defaults", outcome.defaults, [&](const DefaultedValue& value) {
     json.object([&] {
@@ -151,6 +163,9 @@ void put_conversion(Json& json, const ConvertOutcome& outcome, const Console& co
       } else {
         for (const char* key : {"domain", "error_px", "bands", "objective", "rms_fit", "fit"}) json.null(key);
       }
+      const CameraDistance* distance = distance_of(outcome, camera);
+      put_seen(json, "in_circle_px", distance != nullptr ? &distance->in_circle : nullptr);
+      put_seen(json, "in_image_px", distance != nullptr ? &distance->in_image : nullptr);
     });
   });
   put_proofs(json, outcome);

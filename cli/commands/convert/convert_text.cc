@@ -3,6 +3,7 @@
 #include "shell/judgement_text.h"
 #include "shell/option_hints.h"
 #include "shell/program_words.h"
+#include "shell/verdict_text.h"
 #include "shell/words.h"
 
 #include <fca/formats/text/numbers.h>
@@ -13,13 +14,37 @@
 
 namespace fca::cli {
 
-std::string camera_line(const ConvertedCamera& camera) {
+namespace {
+
+/// " without k3": what the target has no place for, of a model that stays.
+std::string left_out_in_words(const ConvertedCamera& camera) {
+  const std::span<const Parameter> parameters = model_info(camera.source.model).parameters;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameter_values(camera.source.model)[i] != 0.0 && parameter_values(camera.target.model)[i] == 0.0)
+      names.emplace_back(parameters[i].name);
+  }
+  return names.empty() ? "" : " without " + enumerated(names, "and");
+}
+
+}  // namespace
+
+std::string models_in_words(const ConvertedCamera& camera) {
   const std::string from(model_info(camera.source.model).id);
   const std::string to(model_info(camera.target.model).id);
-  if (from == to && camera.source.model == camera.target.model) return from + ", kept";
+  if (from == to && camera.source.model == camera.target.model) return from;
+  if (from == to) return from + left_out_in_words(camera);
   const int degree = camera.report ? camera.report->degree : 0;
-  return from + " -> " + to + (degree > 0 ? " of degree " + std::to_string(degree) : "") +
-         (camera.report && camera.report->exact ? ", exact" : ", fitted");
+  return from + " -> " + to + (degree > 0 ? " of degree " + std::to_string(degree) : "");
+}
+
+std::string_view way_in_words(const ConvertedCamera& camera) {
+  if (camera.source.model == camera.target.model) return "kept";
+  return camera.report && camera.report->exact ? "exact" : "fitted";
+}
+
+std::string camera_line(const ConvertedCamera& camera) {
+  return models_in_words(camera) + ", " + std::string(way_in_words(camera));
 }
 
 namespace {
@@ -114,6 +139,30 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
   return text;
 }
 
+std::string value_in_words(const CameraModel& model, std::string_view name) {
+  const std::span<const Parameter> parameters = model_info(model).parameters;
+  const auto found = std::ranges::find(parameters, name, &Parameter::name);
+  if (found == parameters.end()) return "-";
+  return text::format_real(parameter_values(model)[static_cast<std::size_t>(found - parameters.begin())]);
+}
+
+/// Each parameter of either model, in the input and as written.
+std::string parameter_table(const ConvertedCamera& camera) {
+  constexpr std::size_t kWidth = 24;
+  std::vector<std::string_view> names;
+  for (const CameraModel* model : {&camera.source.model, &camera.target.model}) {
+    for (const Parameter& parameter : model_info(*model).parameters) {
+      if (std::ranges::find(names, parameter.name) == names.end()) names.push_back(parameter.name);
+    }
+  }
+  std::string text = "    " + padded("parameter", kWidth / 2) + padded("input", kWidth) + "written\n";
+  for (const std::string_view name : names) {
+    text += "    " + padded(std::string(name), kWidth / 2) + padded(value_in_words(camera.source.model, name), kWidth) +
+            value_in_words(camera.target.model, name) + "\n";
+  }
+  return text;
+}
+
 std::vector<std::string> rightly_read(const ProofResult& proof) {
   std::vector<std::string> names;
   for (const CameraProof& camera : proof.cameras) {
@@ -167,7 +216,7 @@ std::vector<ProofWords> proofs_in_words(const ConvertResult& outcome) {
   return proofs;
 }
 
-std::string convert_text(const ConvertOutcome& outcome, bool written) {
+std::string convert_text(const ConvertOutcome& outcome, bool written, bool with_parameters) {
   std::string text = (outcome.one_of_many ? outcome.input + ": " : "") + text::text_of(outcome.headline, with_options) + "\n";
   for (const ConvertedCamera& camera : outcome.cameras) {
     text += "\n" + name_in_words(camera) + ": " + camera_line(camera) + "\n" + parameters_in_words(camera.target.model, "  ");
@@ -177,6 +226,11 @@ std::string convert_text(const ConvertOutcome& outcome, bool written) {
           kept ? domain_text(camera.report->judgement.coverage) : report_text(*camera.report, *outcome.to, camera.target.model);
     }
     if (kept) text += "  error:  none: the same model and parameters\n";
+    if (const CameraDistance* distance = distance_of(outcome, camera)) {
+      text += "  seen:   " + distance_in_words(distance->in_circle) + " in the inscribed circle, as the program reads it;\n" +
+              "          " + distance_in_words(distance->in_image) + " in the whole image\n";
+    }
+    if (with_parameters) text += parameter_table(camera);
   }
   text += "\n" + losses_text(outcome.losses) + defaults_text(outcome.defaults) + proofs_text(outcome);
   if (outcome.code == ExitCode::kGood && written) {

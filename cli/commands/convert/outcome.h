@@ -24,8 +24,8 @@ struct ConvertArguments {
   bool fsync = false;
   bool dry_run = false;
   bool json = false;
-  bool verbose = false;  ///< The full report.
-  bool quiet = false;    ///< Errors only.
+  int verbosity = 0;   ///< 1: the full report; more: with the parameters of the cameras.
+  bool quiet = false;  ///< Errors only.
 };
 
 /// What came of one input.

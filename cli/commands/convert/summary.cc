@@ -7,6 +7,7 @@
 #include "shell/words.h"
 
 #include <fca/code.h>
+#include <fca/formats/text/numbers.h>
 #include <fca/formats/wording.h>
 
 #include <algorithm>
@@ -38,52 +39,47 @@ std::string first_line(const ConvertOutcome& outcome, bool written) {
   return text::printable(text.substr(0, last)) + in_columns(text::printable(rest), last, kIndent) + "\n";
 }
 
-const CameraDistance* distance_of(const ConvertResult& outcome, const ConvertedCamera& camera) {
-  for (const ProofResult& proof : outcome.proofs) {
-    if (!proof.is_first) continue;
-    const auto seen = std::ranges::find(proof.cameras, camera.source.name, &CameraProof::name);
-    if (seen != proof.cameras.end() && seen->distance.decisive().region > 0.0) return &seen->distance;
-  }
-  return nullptr;
-}
-
 /// What decides and, of a wide lens, the whole image.
 std::string in_both_regions(const CameraDistance& distance) {
-  constexpr double kNothingPx = 0.01;
+  constexpr double kNothingPx = 0.1;
   const std::string decisive = distance_in_words(distance.decisive());
-  if (!distance.is_wide || distance.in_image.rms <= kNothingPx) return decisive;
+  if (!distance.is_wide || distance.in_image.max <= kNothingPx) return decisive;
   constexpr double kSame = 0.05;
-  if (std::abs(distance.in_image.rms - distance.in_circle.rms) <= kSame * distance.in_image.rms) return decisive;
-  return decisive + " inside the image's circle, " + pixels(distance.in_image.rms) + " px rms over all of it";
+  const auto is_same = [](double image, double circle) { return std::abs(image - circle) <= kSame * image; };
+  if (is_same(distance.in_image.rms, distance.in_circle.rms) && is_same(distance.in_image.max, distance.in_circle.max))
+    return decisive;
+  return decisive + " in the inscribed circle; " + pixels(distance.in_image.rms) + " (max " + pixels(distance.in_image.max) +
+         ") in the whole image";
 }
 
 SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera) {
   const CameraDistance* distance = distance_of(outcome, camera);
-  return {name_in_words(camera), camera_line(camera) + (distance != nullptr ? "; " + in_both_regions(*distance) : "")};
+  const std::string_view way = way_in_words(camera);
+  std::string text = models_in_words(camera);
+  if (way != "fitted" || distance == nullptr) text += ", " + std::string(way);
+  return {name_in_words(camera), text + (distance != nullptr ? "; " + in_both_regions(*distance) : "")};
 }
 
 /// Parts of the image beyond the region that decides, of the camera that has most of them.
 void add_limits(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
-  double most = 0.01;  // less is nothing to speak of
-  std::string text;
+  constexpr double kNothingToSpeakOf = 0.01;
+  double most = 0.0;
   for (const ProofResult& proof : outcome.proofs) {
     for (const CameraProof& camera : proof.cameras) {
-      const double share = share_without_rays(camera.distance);
-      if (!proof.is_first || share <= most) continue;
-      most = share;
-      text = no_rays_outside_in_words(proof, share);
+      if (proof.is_first) most = std::max(most, share_without_rays(camera.distance));
     }
   }
-  if (!text.empty()) lines.push_back({"limit", text});
+  if (most > kNothingToSpeakOf) lines.push_back({"limit", no_rays_outside_in_words(most)});
 }
 
 /// What of the image the user's own limit leaves out, of the camera that loses most.
 void add_given_lens(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
-  double most = 0.01;  // less is nothing to speak of
+  constexpr double kNothingToSpeakOf = 0.01;
+  double most = 0.0;
   for (const ConvertedCamera& camera : outcome.cameras) {
     if (camera.report) most = std::max(most, camera.report->judgement.coverage.outside_lens);
   }
-  if (outcome.lens_given && most > 0.01)
+  if (outcome.lens_given && most > kNothingToSpeakOf)
     lines.push_back({"limit", percent(most) + " of the image lies outside the lens as it was given: not fitted, not compared"});
 }
 
@@ -135,7 +131,7 @@ void add_left_out(const ConvertResult& outcome, std::vector<SummaryLine>& lines)
   for (const Loss& loss : outcome.losses) {
     if (same_id(loss.kind, Code::kOrbslam3ThirdCameraDropped)) cameras.push_back(loss.owner);
   }
-  if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras)});
+  if (!cameras.empty()) lines.push_back({"left out", enumerated(cameras) + " of the input"});
 }
 
 /// What would be better for the pixels.
@@ -187,29 +183,62 @@ std::size_t details(const ConvertResult& outcome) {
   return static_cast<std::size_t>(std::ranges::count(outcome.losses, false, &Loss::matters) + not_to_set + not_errors);
 }
 
+/// Two bands as one.
+std::vector<ErrorBand> in_pairs(const std::vector<ErrorBand>& bands) {
+  std::vector<ErrorBand> pairs;
+  for (std::size_t i = 0; i < bands.size(); i += 2) {
+    ErrorBand pair = bands[i];
+    if (i + 1 < bands.size()) {
+      const ErrorBand& second = bands[i + 1];
+      const double squares = pair.share * pair.rms_px * pair.rms_px + second.share * second.rms_px * second.rms_px;
+      pair.share += second.share;
+      pair.rms_px = pair.share > 0.0 ? std::sqrt(squares / pair.share) : 0.0;
+      pair.to_deg = second.to_deg;
+    }
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
 /// The errors over the angle of the worst fit, where that is far off somewhere.
-std::string table_text(const ConvertResult& outcome) {
+void add_bands(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   double worst_px = 1.0;
-  std::string text;
+  const ConvertedCamera* worst = nullptr;
   for (const ConvertedCamera& camera : outcome.cameras) {
     if (!camera.report || camera.report->exact || camera.report->judgement.error.p99 <= worst_px) continue;
     worst_px = camera.report->judgement.error.p99;
-    text = "  " + name_in_words(camera) + ": the fit's errors by the angle from the axis\n" +
-           band_table(camera.report->judgement.bands);
+    worst = &camera;
   }
-  return text;
+  if (worst == nullptr || worst->report->judgement.bands.empty()) return;
+  std::vector<ErrorBand> bands = worst->report->judgement.bands;
+  constexpr std::size_t kMost = 6;  // of a line
+  while (bands.size() > kMost) bands = in_pairs(bands);
+  constexpr int kDigits = 2;
+  std::string text =
+      name_in_words(*worst) + ", rms px per " + fixed(bands.front().to_deg - bands.front().from_deg, 0) + " deg:";
+  for (const ErrorBand& band : bands) text += " " + (band.share > 0.0 ? text::format_short(band.rms_px, kDigits) : "-");
+  lines.push_back({"by angle", text});
 }
 
 }  // namespace
 
-std::string convert_summary(const ConvertOutcome& outcome, bool written, bool with_tables) {
-  return first_line(outcome, written) + summary_lines(outcome, with_tables);
+const CameraDistance* distance_of(const ConvertResult& outcome, const ConvertedCamera& camera) {
+  for (const ProofResult& proof : outcome.proofs) {
+    if (!proof.is_first) continue;
+    const auto seen = std::ranges::find(proof.cameras, camera.source.name, &CameraProof::name);
+    if (seen != proof.cameras.end() && seen->distance.decisive().region > 0.0) return &seen->distance;
+  }
+  return nullptr;
 }
 
-std::string summary_lines(const ConvertResult& outcome, bool with_tables) {
+std::string convert_summary(const ConvertOutcome& outcome, bool written, bool is_short) {
+  return first_line(outcome, written) + summary_lines(outcome, is_short);
+}
+
+std::string summary_lines(const ConvertResult& outcome, bool is_short) {
   std::vector<SummaryLine> lines;
   for (const ConvertedCamera& camera : outcome.cameras) lines.push_back(line_of(outcome, camera));
-  const Verdict verdict = with_tables ? decisive(outcome.verdict) : outcome.verdict;
+  const Verdict verdict = is_short ? decisive(outcome.verdict) : outcome.verdict;
   for (SummaryLine& line : lines_of(verdict, false)) lines.push_back(std::move(line));
   add_refusals(outcome, lines);
   add_limits(outcome, lines);
@@ -218,10 +247,10 @@ std::string summary_lines(const ConvertResult& outcome, bool with_tables) {
   add_better_ways(outcome, lines);
   add_left_out(outcome, lines);
   add_settings(outcome, lines);
+  if (is_short) add_bands(outcome, lines);
   std::string text = summary_text(lines);
-  if (with_tables) text += table_text(outcome);
   const std::size_t count = details(outcome) + (outcome.verdict.reasons.size() - verdict.reasons.size());
-  if (count > 0 && with_tables) text += "  " + counted(count, "detail") + ": -v\n";
+  if (count > 0 && is_short) text += "  " + counted(count, "detail") + ": -v\n";
   return text;
 }
 

@@ -173,37 +173,56 @@ std::string candidates_json(const std::string& file, const std::vector<ModelsRes
 constexpr std::size_t kModelWidth = 11;
 constexpr std::size_t kNumberWidth = 10;
 
-std::string row_text(const Candidate& candidate) {
+std::string numbers(std::initializer_list<std::string> cells) {
+  std::string text;
+  for (const std::string& cell : cells) text += padded(cell, kNumberWidth);
+  return text;
+}
+
+/// Rows that are compared with each other.
+enum class Fitted { kToAll, kToTheCircle, kToLess };
+
+Fitted fitted(const Candidate& candidate) {
+  if (!reaches_all(candidate)) return Fitted::kToLess;
+  return candidate.in_circle ? Fitted::kToTheCircle : Fitted::kToAll;
+}
+
+/// Of a wide lens both regions, the one that decides first.
+std::string row_text(const Candidate& candidate, bool is_wide) {
   const ConversionReport& report = candidate.conversion->report;
-  const PixelDistance& distance = candidate.decisive();
+  const ErrorSummary& error = report.judgement.error;
+  const PixelDistance& circle = candidate.decisive();
+  const bool is_less = fitted(candidate) == Fitted::kToLess;
   std::string text = "  " + padded(candidate.model->id, kModelWidth);
   if (report.exact) {
-    text += padded("exact", 2 * kNumberWidth);
-  } else if (!reaches_all(candidate)) {
-    text += padded("", 2 * kNumberWidth);
+    text += is_wide ? numbers({"exact", "", "exact", ""}) : numbers({"exact", "", ""});
+  } else if (is_wide) {
+    text +=
+        numbers({is_less ? "" : pixels(circle.rms), is_less ? "" : pixels(circle.p99), pixels(error.rms), pixels(error.max)});
   } else {
-    text += padded(pixels(distance.rms), kNumberWidth) + padded(pixels(distance.p99), kNumberWidth);
+    text += numbers({pixels(error.rms), pixels(error.p99), pixels(error.max)});
   }
-  text += padded(report.exact ? "exact" : pixels(report.judgement.error.rms), kNumberWidth) +
-          padded(report.exact ? "" : pixels(report.judgement.error.max), kNumberWidth);
-  if (candidate.in_circle && reaches_all(candidate))
-    return text + "circle (--max-angle " + text::format_short(candidate.in_circle->max_angle_deg) + ")\n";
+  if (fitted(candidate) == Fitted::kToTheCircle)
+    return text + "--max-angle " + text::format_short(candidate.in_circle->max_angle_deg) + "\n";
   const std::string to = text::format_short(report.scored_to_deg, 3) + " deg";
-  return text + (reaches_all(candidate) && !report.fitted_to_cone ? "all" : "to " + to) + "\n";
+  return text + (is_less || report.fitted_to_cone ? "to " + to : "all") + "\n";
 }
 
 std::string candidates_text(const Camera& camera, const std::vector<Candidate>& candidates) {
   const bool is_wide = std::ranges::any_of(candidates, [](const Candidate& each) { return each.distance.is_wide; });
   std::string text =
       wrapped_line(camera.name + " (" + std::string(model_info(camera.model).id) + "): " + recommendation(candidates, nullptr));
-  text += "  " + padded("", kModelWidth) + padded(is_wide ? "inscribed circle" : "image", 2 * kNumberWidth) +
-          (is_wide ? "whole image" : "") + "\n  " + padded("model", kModelWidth) + padded("rms px", kNumberWidth) +
-          padded("99 % px", kNumberWidth) + padded("rms px", kNumberWidth) + padded("max px", kNumberWidth) + "reaches\n";
-  bool reaches_before = true;
+  if (is_wide) text += "  " + padded("", kModelWidth) + padded("inscribed circle", 2 * kNumberWidth) + "whole image\n";
+  text += "  " + padded("model", kModelWidth) +
+          (is_wide ? numbers({"rms px", "99 % px", "rms px", "max px"}) : numbers({"rms px", "99 % px", "max px"})) +
+          "reaches\n";
+  Fitted before = Fitted::kToAll;
   for (const Candidate* candidate : ranked(candidates)) {
-    if (reaches_before && !reaches_all(*candidate)) text += "  not all of the lens:\n";
-    reaches_before = reaches_all(*candidate);
-    text += row_text(*candidate);
+    const Fitted now = fitted(*candidate);
+    if (now != before && now == Fitted::kToTheCircle) text += "  fitted to the circle alone:\n";
+    if (now != before && now == Fitted::kToLess) text += "  not all of the lens:\n";
+    before = now;
+    text += row_text(*candidate, is_wide);
   }
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) continue;

@@ -114,7 +114,6 @@ ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed,
   contents.max_angle_rad = arguments.inputs.max_angle_rad;
   contents.command = "fca-io " + command_line(typed, "report", [](const TypedOption&) { return true; });
   if (contents.to != nullptr) contents.convert = convert_line(arguments, typed);
-  console.show(contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics);
   const ExitCode code = put(arguments, report_page(contents), console);
   const bool on_page = !arguments.output.empty() && arguments.output != "-";
   if (on_page && code == ExitCode::kGood) {
@@ -123,6 +122,7 @@ ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed,
         wrapped_line(what + ": " + std::string(in_words(contents.verdict.word))) + summary_text(lines_of(contents.verdict)),
         contents.verdict.word);
   }
+  console.show(contents.conversion ? contents.conversion->diagnostics : contents.shown.diagnostics);
   return contents.verdict.word == VerdictWord::kDoNotUse ? worse(code, ExitCode::kJudgedBad) : code;
 }
 

@@ -8,7 +8,7 @@
 namespace fca {
 
 void list_assumed_units(const Calibration& calibration, const Format& to, Written& written) {
-  if (to.any_length_unit || !to.extrinsics) return;
+  if (to.leaves_unit_open() || !to.extrinsics) return;
   const Rig& rig = calibration.rig;
   const bool posed = std::ranges::any_of(rig.cameras, [&rig](const Camera& camera) {
     return camera.name != rig.cameras.front().name && rig.resolve(camera.name, rig.cameras.front().name);

@@ -93,6 +93,13 @@ bool sizes_agree(const Calibration& base, const Calibration& input, const Rig& r
   if (request.inputs.change.resize) return true;
   const auto& bytes = base.documents.front().source().bytes;
   if (!request.inputs.change.changes_nothing() && input.documents[input.with_cameras].source().bytes == bytes) return true;
+  const bool has_size =
+      std::ranges::any_of(base.rig.cameras, [](const Camera& camera) { return camera.image_size.has_value(); });
+  for (const Camera& camera : input.rig.cameras) {
+    if (!has_size || camera.image_size) continue;
+    diagnostics.add(Code::kImageSizeNotKnown, {camera.name}, {request.inputs.files.front(), 0, 0});
+    return false;
+  }
   for (const Camera& camera : rig.cameras) {
     const Camera* before = base.rig.find_camera(camera.name);
     if (before == nullptr || !before->image_size || !camera.image_size || before->image_size == camera.image_size) continue;

@@ -11,23 +11,11 @@
 #include <fca/toolkit/convert.h>
 
 #include <algorithm>
-#include <iterator>
+#include <span>
 
 namespace fca {
 
 namespace {
-
-/// What was found since the input was read. How good a fit is, the proofs say.
-std::vector<Finding> findings_since(const ConvertResult& before, const ConvertResult& result) {
-  std::vector<Finding> findings;
-  const std::vector<Diagnostic>& entries = result.diagnostics.entries();
-  for (std::size_t i = before.diagnostics.entries().size(); i < entries.size(); ++i) {
-    if (entries[i].severity == Severity::kNote || entries[i].facts.code == Code::kPoorFit) continue;
-    findings.push_back(
-        {.severity = entries[i].severity, .facts = entries[i].facts, .kind = entries[i].kind, .remedy = entries[i].remedy});
-  }
-  return findings;
-}
 
 /// The model that older versions of the program read, and what it costs; nothing if none does.
 Message remedy_of_version(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
@@ -46,13 +34,15 @@ void name_better_models(const ConvertRequest& request, const Start& start, Conve
   ConvertRequest chosen = request;
   if (!result.layout.empty()) chosen.layout = {result.to, result.layout};
   const ModelChoice choice = choice_of(chosen, start, *result.to);
+  const auto first = std::ranges::find(result.proofs, true, &ProofResult::is_first);
+  const std::string_view program = first != result.proofs.end() ? std::string_view(first->program) : result.to->program;
   Diagnostics named;
   for (Diagnostic entry : result.diagnostics.entries()) {
     for (const ConvertedCamera& camera : result.cameras) {
       const bool is_of_camera =
           std::ranges::find(camera.found.entries(), entry.facts, &Diagnostic::facts) != camera.found.entries().end();
       if (entry.facts.code == Code::kTargetCannotReach && camera.report && is_of_camera)
-        entry.remedy = {Code::kBetterModelsExist, {better_models(camera.source, *camera.report, *result.to, choice)}};
+        entry.remedy = {Code::kBetterModelsExist, {better_models(camera.source, *camera.report, *result.to, program, choice)}};
     }
     named.add(std::move(entry));
   }
@@ -98,7 +88,11 @@ bool lacks_size(const Start& start) {
   return std::ranges::any_of(start.input.rig.cameras, [](const Camera& camera) { return !camera.image_size; });
 }
 
-/// What a fresh file would be in place of the edited text, where that is refused or not to be used.
+bool lacks_rate(const Start& start) {
+  return std::ranges::any_of(start.input.rig.imus, [](const Imu& imu) { return !imu.rate_hz; });
+}
+
+/// What a fresh file would be in place of the edited text, where that is refused, not to be used, or another program's.
 void offer_fresh_file(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                       const ConvertResult& result, Verdict& verdict) {
   // What is refused as it was before the edit has its fix with that diagnostic, if it is one.
@@ -106,40 +100,32 @@ void offer_fresh_file(const ConvertRequest& request, const Start& start, const C
   const auto refused = std::ranges::find_if(entries, [](const Diagnostic& entry) {
     return entry.facts.code == Code::kInputNotUnderstood || entry.facts.code == Code::kEditNotProven;
   });
-  const bool is_edited = start.base.document != nullptr && !request.rewrite && request.layout.name.empty();
-  const bool is_unusable = verdict.word == VerdictWord::kDoNotUse && is_edited && request.verify;
-  if (refused == entries.end() && !is_unusable) return;
+  const auto needs_program = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsProgram; };
+  const bool is_edited = start.base.document != nullptr && !request.rewrite && request.layout.name.empty() && request.verify;
+  const bool is_in_place = is_edited && request.into.empty();
+  const bool is_of_another = is_in_place && std::ranges::any_of(verdict.reasons, needs_program);
+  const bool is_unusable = is_edited && verdict.word == VerdictWord::kDoNotUse;
+  if (refused == entries.end() && !is_unusable && !is_of_another) return;
   const std::optional<ConvertResult> fresh = rewritten(request, start, before);
-  if (!fresh && !lacks_size(start)) return;
-  const Message remedy = fresh && refused != entries.end() ? refused->facts : Message{Code::kRewriteDemandsSize};
+  if (!fresh && !lacks_size(start) && !lacks_rate(start)) return;
+  const Message demands{lacks_size(start) ? Code::kRewriteDemandsSize : Code::kRewriteDemandsRate};
   for (Reason& reason : verdict.reasons) {
-    if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused) reason.remedy = remedy;
-    if (!fresh) continue;
+    if (refused != entries.end() && reason.facts.code == Code::kVerdictRefused)
+      reason.remedy = fresh ? refused->facts : demands;
+    if (is_in_place && needs_program(reason)) {
+      if (!fresh) reason.remedy = demands;
+      if (fresh && not_written_for(request, *fresh).empty())
+        reason.remedy = {Code::kRewrittenFor, {reason.facts.arguments.back(), fresh->rms_px, fresh->max_px}};
+    }
     const bool is_far_off = reason.distance && word_of(*reason.distance) == VerdictWord::kDoNotUse;
-    if (is_far_off && request.into.empty() && fresh->rms_px < result.rms_px)
+    if (fresh && is_far_off && request.into.empty() && fresh->rms_px < result.rms_px)
       reason.remedy = {Code::kRewrittenIs, {fresh->rms_px, fresh->max_px}};
-  }
-}
-
-/// What a fresh file for the format's own program would be, where the input's text is another program's.
-void offer_own_program(const ConvertRequest& request, const Start& start, const ConvertResult& before, Verdict& verdict) {
-  const auto needs_another = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsProgram; };
-  const auto reason = std::ranges::find_if(verdict.reasons, needs_another);
-  if (reason == verdict.reasons.end() || start.base.document == nullptr || request.rewrite || !request.into.empty()) return;
-  const std::optional<ConvertResult> fresh = rewritten(request, start, before);
-  const auto* program = std::get_if<std::string>(&reason->facts.arguments.back().value);
-  if (program == nullptr) return;
-  if (fresh && not_written_for(request, *fresh).empty()) {
-    reason->remedy = {Code::kRewrittenFor, {*program, fresh->rms_px, fresh->max_px}};
-  } else if (!fresh && lacks_size(start)) {
-    reason->remedy = {Code::kRewriteDemandsSize};
   }
 }
 
 void add_remedies(const ConvertRequest& request, const Start& start, const ConvertResult& before, const ConvertResult& result,
                   Verdict& verdict) {
   offer_fresh_file(request, start, before, result, verdict);
-  if (request.verify) offer_own_program(request, start, before, verdict);
   const auto needs_version = [](const Reason& reason) { return reason.facts.code == Code::kVerdictNeedsVersion; };
   const bool needs_one = std::ranges::any_of(verdict.reasons, needs_version);
   const Message older = needs_one ? remedy_of_version(request, start, result) : Message();
@@ -158,7 +144,7 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
 Verdict verdict_of(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                    const ConvertResult& result) {
   std::vector<Finding> findings = start.findings;
-  std::ranges::move(findings_since(before, result), std::back_inserter(findings));
+  add_findings(std::span(result.diagnostics.entries()).subspan(before.diagnostics.entries().size()), findings);
   VerdictFacts facts;
   facts.to = result.to;
   facts.mode = result.mode;
@@ -171,14 +157,38 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.losses = result.losses;
   facts.defaults = result.defaults;
   facts.findings = findings;
-  facts.rig = &start.input.rig;
+  facts.rig = start.outvoted ? &start.as_read : &start.input.rig;
+  facts.outvoted = start.outvoted ? &*start.outvoted : nullptr;
   std::vector<std::vector<std::string>> files;
   for (const ConvertedFile& file : result.files) files.push_back(file.cameras);
   facts.files = files;
+  for (const ConvertedCamera& camera : result.cameras) {
+    if (result.lens_given && camera.report)
+      facts.outside_lens = std::max(facts.outside_lens, camera.report->judgement.coverage.outside_lens);
+  }
   facts.accepted = request.accepted;
   Verdict verdict = decide(facts);
   add_remedies(request, start, before, result, verdict);
   return verdict;
+}
+
+/// The first layout that has the settings' keys, where the usual one has not.
+bool write_where_settings_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before,
+                              ConvertResult& result) {
+  const std::vector<Diagnostic>& entries = result.diagnostics.entries();
+  const bool lacks_key =
+      std::ranges::any_of(entries, [](const Diagnostic& entry) { return entry.facts.code == Code::kSetUnknownKey; });
+  if (!lacks_key || !request.layout.name.empty() || !request.into.empty()) return false;
+  for (const std::string_view layout : result.to->layouts) {
+    ConvertRequest asked = request;
+    asked.layout = {result.to, std::string(layout)};
+    ConvertResult other = before;
+    if (!write_as_asked(asked, start, other)) continue;
+    result = std::move(other);
+    result.layout = layout;
+    return true;
+  }
+  return false;
 }
 
 bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
@@ -186,7 +196,7 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   std::jthread programs;
   if (!read_start(request, files, start, programs, result)) return false;
   const ConvertResult before = result;
-  if (!write_as_asked(request, start, result)) return false;
+  if (!write_as_asked(request, start, result) && !write_where_settings_fit(request, start, before, result)) return false;
   if (request.verify) {
     try_other_layouts(request, start, before, result);
     try_nearer_fit(request, start, before, result);

@@ -95,7 +95,7 @@ bool is_better(const ConvertResult& other, const ConvertResult& best) {
 class Choice {
  public:
   Choice(const ConvertRequest& request, const ConvertResult& result)
-      : is_free_(request.layout.name.empty() && request.model == nullptr), best_(result), layout_(request.layout.name) {
+      : is_free_(request.layout.name.empty()), best_(result), layout_(request.layout.name) {
     for (const std::string_view layout : result.to->layouts) {
       if (layout != request.layout.name) left_.push_back(layout);
     }

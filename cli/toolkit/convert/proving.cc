@@ -30,12 +30,14 @@ Message disagreement(const ProofResult& proof) {
 }
 
 /// As the files were written to be read. What the input was told to be is no matter.
-consumers::LoadOptions load_options(const Written& written, const std::optional<ImageSize>& image_size = {}) {
+consumers::LoadOptions load_options(const Written& written, const std::string& file_name = {},
+                                    const std::optional<ImageSize>& image_size = {}) {
   ReadOptions reading;
   reading.opencv_model = written.opencv_model;
   reading.image_size = image_size;
   consumers::LoadOptions options = load_options(reading);
   options.sensor = written.sensor.empty() ? "mono" : written.sensor;
+  options.file_name = file_name;
   return options;
 }
 
@@ -133,8 +135,11 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
-    const consumers::LoadOptions options =
-        load_options(written, rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size);
+    const consumers::LoadOptions options = load_options(written,
+                                                        consumer != request.program ? std::string()
+                                                        : output.place.empty()      ? output.name
+                                                                                    : output.place,
+                                                        rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size);
     ProofResult proof = prove(
         *consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
         [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);

@@ -78,13 +78,6 @@ std::vector<Finding> findings_of(const Calibration& calibration, const ConvertRe
   return findings;
 }
 
-/// What is odd about what was asked for beside the files (images that are stretched), among the findings.
-void add_warnings_since(std::size_t first, const Diagnostics& diagnostics, std::vector<Finding>& findings) {
-  for (const Diagnostic& entry : std::span(diagnostics.entries()).subspan(first)) {
-    if (entry.severity == Severity::kWarning) findings.push_back({.severity = entry.severity, .facts = entry.facts});
-  }
-}
-
 /// Nothing is written of a camera that the request leaves out, nor where a camera stands that is alone.
 void drop_findings_of_others(const std::vector<Camera>& read, const Rig& rig, std::vector<Finding>& findings) {
   const bool is_alone = rig.cameras.size() == 1 && rig.imus.empty();
@@ -111,7 +104,27 @@ void put_pair_first(const ConvertRequest& request, const Format& to, Calibration
               cameras.begin() + static_cast<std::ptrdiff_t>(pair->second) + 1);
 }
 
+/// Of poses that contradict each other a fresh file gets those that agree, if one alone is wrong.
+void leave_out_outvoted(Start& start, Diagnostics& diagnostics) {
+  start.outvoted = outvoted_pose(start.input.rig);
+  if (!start.outvoted) return;
+  start.as_read = start.input.rig;
+  start.input.rig = without_pose(start.outvoted->edge, std::move(start.input.rig));
+  Diagnostics others;
+  for (const Diagnostic& entry : diagnostics.entries()) {
+    if (entry.facts.code != Code::kPoseContradictsOthers) others.add(entry);  // the verdict says which, and what became of it
+  }
+  diagnostics = std::move(others);
+}
+
 }  // namespace
+
+void add_findings(std::span<const Diagnostic> entries, std::vector<Finding>& findings) {
+  for (const Diagnostic& entry : entries) {
+    if (entry.severity == Severity::kNote || entry.facts.code == Code::kPoorFit) continue;
+    findings.push_back({.severity = entry.severity, .facts = entry.facts, .kind = entry.kind, .remedy = entry.remedy});
+  }
+}
 
 bool read_start(const ConvertRequest& request, Files& files, Start& start, std::jthread& programs, ConvertResult& result) {
   if (!request.into.empty()) {
@@ -130,10 +143,16 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   for (const Diagnostic& entry : found.entries()) result.diagnostics.add(entry);
   if (!input) return false;
   start.findings = findings_of(*input, request, *result.to, found);
+  if (request.inputs.imu_noise) {
+    // What they look like was said.
+    std::erase_if(start.findings, [](const Finding& finding) {
+      return finding.facts.code == Code::kImuNoiseTooSmall || finding.facts.code == Code::kImuNoiseTooLarge;
+    });
+  }
   const std::vector<Camera> read = input->rig.cameras;
   const std::size_t before_choices = result.diagnostics.entries().size();
   if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
-  add_warnings_since(before_choices, result.diagnostics, start.findings);
+  add_findings(std::span(result.diagnostics.entries()).subspan(before_choices), start.findings);
   if (request.inputs.cameras && input->documents.size() == 1) drop_findings_of_others(read, input->rig, start.findings);
   put_pair_first(request, *result.to, *input);
   start.input = *std::move(input);
@@ -142,6 +161,7 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   if (!serves(request, start.input, result)) return false;
   if (start.into && !has_use_for(*start.into, start.input.rig, request.inputs.files.front(), result)) return false;
   start.base = base_of(request, start.input, start.into, *result.to);
+  if (start.base.document == nullptr || (request.rewrite && !start.into)) leave_out_outvoted(start, result.diagnostics);
   return true;
 }
 

@@ -6,9 +6,11 @@
 #include "known_conversions.h"
 
 #include <fca/formats/check.h>
+#include <fca/rig/outvoted_pose.h>
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -19,8 +21,13 @@ struct Start {
   Calibration input;
   Base base;                      ///< Points into the two above.
   std::vector<Finding> findings;  ///< About the meaning of the input.
+  Rig as_read;                    ///< The input's, where a pose that the others outvote was left out of it.
+  std::optional<OutvotedPose> outvoted;
   std::unique_ptr<KnownConversions> known = std::make_unique<KnownConversions>();
 };
+
+/// What was found since the input was read: warnings and errors. How good a fit is, the proofs say.
+void add_findings(std::span<const Diagnostic> entries, std::vector<Finding>& findings);
 
 /// False with errors. `programs`: who reads the target gets ready meanwhile.
 [[nodiscard]] bool read_start(const ConvertRequest& request, Files& files, Start& start, std::jthread& programs,

@@ -136,7 +136,7 @@ std::vector<Message> defaulted(const Format& from, const Format& to) {
   for (const Demand& demand : to.demands) {
     if (is_made_up(demand, from, to)) result.push_back({Code::kLedgerNamed, {demand.name}});
   }
-  if (from.any_length_unit && !to.any_length_unit && to.extrinsics) result.push_back({Code::kLedgerLengthUnit});
+  if (from.leaves_unit_open() && !to.leaves_unit_open() && to.extrinsics) result.push_back({Code::kLedgerLengthUnit});
   if (to.image_size && !from.image_size) result.push_back({Code::kLedgerSizeAsked});
   return result;
 }

@@ -81,7 +81,7 @@ std::optional<ConversionReport> worst_report(const StoredModel& stored, std::spa
 std::optional<Message> best_of_every_version(std::span<const Camera> cameras, const Format& format, const ModelChoice& choice) {
   std::optional<ConversionReport> best;
   for (const StoredModel& stored : format.models) {
-    if (!stored.stock || !stored.since.empty()) continue;
+    if (!stored.stock || !stored.since.empty() || find_model(stored.model)->kept_only) continue;
     std::optional<ConversionReport> report = worst_report(stored, cameras, choice);
     if (report && (!best || is_better(*report, *best))) best = std::move(report);
   }
@@ -89,13 +89,14 @@ std::optional<Message> best_of_every_version(std::span<const Camera> cameras, co
   return Message{Code::kOlderVersionsRead, {best->to_model, best->judgement.error.rms, best->judgement.error.max}};
 }
 
-Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, const ModelChoice& choice) {
+Message better_models(const Camera& camera, const ConversionReport& report, const Format& format, std::string_view program,
+                      const ModelChoice& choice) {
   constexpr std::size_t kMost = 3;
   std::vector<StoredModel> read;
   std::vector<StoredModel> elsewhere;
   for (const ModelInfo& model : all_models()) {
     const StoredModel* stored = find_stored_model(format, model.id, true);
-    if (model.id == report.to_model) continue;
+    if (model.id == report.to_model || model.kept_only) continue;
     const bool may_be_chosen = choice.among.empty() || std::ranges::find(choice.among, model.id) != choice.among.end();
     if (stored != nullptr && may_be_chosen) {
       read.push_back(*stored);
@@ -112,8 +113,8 @@ Message better_models(const Camera& camera, const ConversionReport& report, cons
   std::vector<Message> still;
   if (!others.empty() && is_much_better(others.front(), better.empty() ? report : better.front()))
     still.push_back({Code::kBetterElsewhere, {in_words(others.front())}});
-  if (names.empty()) return {Code::kNoBetterModel, {format.program, still}};
-  return {Code::kBetterModels, {format.program, names, still}};
+  if (names.empty()) return {Code::kNoBetterModel, {program, still}};
+  return {Code::kBetterModels, {program, names, still}};
 }
 
 }  // namespace fca

@@ -12,11 +12,11 @@ namespace fca {
 /// Coverage first, then the error.
 [[nodiscard]] bool is_better(const ConversionReport& a, const ConversionReport& b);
 
-/// "OpenCV reads kb4 (exact) and rational (up to 88 deg, rms 0.218 px)": the best three of the models that the format's program
-/// reads and that cover more of the image than `report` says, or as much with less error; and what other programs read, where
-/// that is much better. All of them are fitted for this.
+/// "OpenCV reads kb4 (exact) and rational (up to 88 deg, rms 0.218 px)": the best three of the models that `program`
+/// reads of the format and that cover more of the image than `report` says, or as much with less error; and what other programs
+/// read, where that is much better. All of them are fitted for this.
 [[nodiscard]] Message better_models(const Camera& camera, const ConversionReport& report, const Format& format,
-                                    const ModelChoice& choice);
+                                    std::string_view program, const ModelChoice& choice);
 
 /// Code::kOlderVersionsRead: of the models that every version of the format's program reads the one that all cameras fit best,
 /// and the error of the worst; nothing if there is none.

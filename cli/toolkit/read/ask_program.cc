@@ -41,6 +41,7 @@ const consumers::Consumer* find_program(std::string_view typed) {
   const auto found =
       std::ranges::find_if(all, [typed](const consumers::Consumer& each) { return folded(each.id) == folded(typed); });
   if (found != all.end()) return &*found;
+  if (const Format* format = find_format(typed)) return consumers::own_program(format->id, true);
   const ProgramName* name = find_program_name(typed);
   if (name == nullptr || !name->is_served()) return nullptr;
   if (!name->consumer.empty()) return consumers::find_consumer(name->consumer);
@@ -69,11 +70,12 @@ ProgramReading ask_program(const consumers::Consumer& program, const Calibration
   constexpr std::array<std::string_view, 1> kNoModes = {""};
   const std::span<const std::string_view> modes =
       format.modes.empty() ? std::span<const std::string_view>(kNoModes) : format.modes;
-  const std::string& bytes = calibration.documents[calibration.with_cameras].source().bytes;
+  const text::Source& source = calibration.documents[calibration.with_cameras].source();
   for (const std::string_view mode : modes) {
-    const consumers::LoadOptions options = load_options(read_options(inputs), std::string(mode));
+    consumers::LoadOptions options = load_options(read_options(inputs), std::string(mode));
+    options.file_name = source.name;
     ProofResult proof =
-        prove(*reading.program, bytes, options, calibration.rig, inputs.max_angle_rad.value_or(std::numbers::pi));
+        prove(*reading.program, source.bytes, options, calibration.rig, inputs.max_angle_rad.value_or(std::numbers::pi));
     const auto same = std::ranges::find_if(
         reading.modes, [&proof](const ProgramReading::Mode& each) { return come_to_the_same(each.proof, proof); });
     ProgramReading::Mode& found = same != reading.modes.end() ? *same : reading.modes.emplace_back();

@@ -53,8 +53,15 @@ std::vector<Finding> findings_in(const Calibration& calibration, const Inputs& i
   options.reading = read_options(inputs);
   options.from = calibration.format;
   options.max_angle_rad = inputs.max_angle_rad;
-  return findings_about_meaning(calibration.documents[calibration.with_cameras], calibration, diagnostics, options,
-                                *calibration.format);
+  std::vector<Finding> findings = findings_about_meaning(calibration.documents[calibration.with_cameras], calibration,
+                                                         diagnostics, options, *calibration.format);
+  // Whoever only reads may do without a part; the program does not.
+  for (Finding& finding : findings) {
+    if (finding.facts.code != Code::kPartMissing) continue;
+    finding.severity = Severity::kError;
+    finding.facts.code = Code::kNamedPartMissing;
+  }
+  return findings;
 }
 
 }  // namespace

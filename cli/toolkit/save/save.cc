@@ -9,6 +9,10 @@
 
 namespace fca {
 
+std::string name_in_folder(const ConvertedFile& file) {
+  return file.place.empty() ? std::filesystem::path(file.name).filename().string() : file.place;
+}
+
 bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics) {
   if (result.status != Status::kDone) {
     diagnostics.add(Code::kNothingToSave);
@@ -18,7 +22,7 @@ bool save(const ConvertResult& result, const std::string& folder, Diagnostics& d
   std::error_code error;  // what is wrong with the folder, writing into it shows
   std::vector<OutputFile> files;
   for (const ConvertedFile& file : result.files) {
-    const fs::path path = fs::path(folder) / (file.place.empty() ? fs::path(file.name).filename() : fs::path(file.place));
+    const fs::path path = fs::path(folder) / name_in_folder(file);
     fs::create_directories(path.parent_path(), error);
     files.push_back({path.string(), file.bytes});
   }

@@ -49,7 +49,7 @@ std::span<const CodeInfo> file_check_codes() {
       question(Code::kProgramNoneAlone, "program-refuses", "whether a program loads the file",
                "none that fca-io knows reads such a file alone"),
       with_consequence(about_reader(warning(Code::kReadByAnother, "program-refuses", "read by {0}, not by {1}: {2}{3}",
-                                            "{4}, for a file of {1}'s own")),
+                                            "for a file of {1}'s own: {4}")),
                        "{1} does not start with it; {0} does."),
       about_reader(warning(Code::kModeRefused, "mode-refused",
                            "the keys are those of {0}, and {1} starts only as {2} with them: {3}{4}")),

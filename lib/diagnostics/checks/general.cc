@@ -190,8 +190,6 @@ std::span<const CodeInfo> general_codes() {
           "ORB-SLAM3 looks for disparities to one side only and finds no depth."),
       any(Code::kAnyStereoVertical, "stereo-vertical", "one camera of a stereo pair is above the other",
           "The program searches along rows and finds nothing there, or wrong depths."),
-      any(Code::kAnyThinPrism, "thin-prism", "thin-prism terms, which fca-io's models do not hold", kOpenCvAlone),
-      any(Code::kAnyTiltedSensor, "tilted-sensor", "a tilted sensor, which fca-io's models do not hold", kOpenCvAlone),
       any(Code::kAnyTimeOffsetLarge, "time-offset-large", "a time offset longer than a frame",
           "The estimator starts with images of another moment; many refuse to correct that much."),
       any(Code::kAnyTooDeep, "too-deep", "nested too deep",

@@ -94,12 +94,6 @@ std::span<const CodeInfo> opencv_codes() {
             "{0} has four numbers and nothing in the file says of what: pinhole k1={1} k2={2} p1={3} p2={4} "
             "(cv::projectPoints), or fisheye k1={1} k2={2} k3={3} k4={4} (cv::fisheye)",
             "say which: pinhole or fisheye"),
-      error(Code::kOpencvThinPrism, "thin-prism", "{0} has {1}: thin-prism distortion, which none of our models can hold",
-            "calibrate without CALIB_THIN_PRISM_MODEL"),
-      error(Code::kOpencvTiltedSensor, "tilted-sensor", "{0} has {1}: a tilted sensor, which none of our models can hold",
-            "calibrate without CALIB_TILTED_MODEL"),
-      clause(Code::kOpencvTerm, "{0} = {1}"),
-      clause(Code::kOpencvFurtherTerm, ", {0} = {1}"),
 
       // Edited: keys that no longer belong to what the file says.
       warning(Code::kOpencvStale, "stale-derived", "{0}: {1}", "{2}"),

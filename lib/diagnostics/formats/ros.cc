@@ -77,10 +77,6 @@ std::span<const CodeInfo> ros_codes() {
             "distortion_coefficients has {0} numbers; equidistant has k1 k2 k3 k4, and cv::fisheye stops at any other count"),
       error(Code::kRosOpenCvCount, "wrong-length",
             "distortion_coefficients has {0} numbers; cv::projectPoints, which image_geometry calls, takes 4, 5, 8, 12 or 14"),
-      error(Code::kRosTiltedSensor, "tilted-sensor",
-            "distortion_coefficients({0}) is {1}: a tilted sensor, which no model here holds", "calibrate without it"),
-      error(Code::kRosThinPrism, "thin-prism",
-            "distortion_coefficients({0}) is {1}: thin-prism distortion, which no model here holds", "calibrate without it"),
       reader_warning(
           Code::kRosRationalUnderPlumbBob, "program-ignores",
           "plumb_bob has 5 coefficients, and here are {0}: image_geometry computes rational_polynomial, whatever the "
@@ -114,7 +110,7 @@ std::span<const CodeInfo> ros_codes() {
       clause(Code::kRosWroteCamera, "a camera_info for ROS"),
       clause(Code::kRosWroteCameras, "one camera_info per camera for ROS"),
       clause(Code::kRosWrotePair,
-             "camera_info files for ROS, the first two cameras a pair (rectified to fx = fy = {0}, cx = {1}, cy = {2})"),
+             "camera_info files for ROS, {3} and {4} a pair (rectified to fx = fy = {0}, cx = {1}, cy = {2})"),
   };
   return kRows;
 }

@@ -85,10 +85,7 @@ std::span<const CodeInfo> orbslam_program_codes() {
           "null pointer"),
       named_misreading(Code::kOrbslamReadsBehindFour,
                        "{0} without Camera1.k3: ORB-SLAM3 V1.0 reads behind camera 1's four coefficients"),
-      named_misreading(
-          Code::kOrbslamSecondPinholeIgnored,
-          "{0} k2 p1 p2 are ignored: ORB-SLAM3 V1.0 rectifies the second PinHole camera with the distortion of camera "
-          "1"),
+      named_misreading(Code::kOrbslamSecondPinholeIgnored, "{0} k2 p1 p2 are ignored: ORB-SLAM3 V1.0 uses camera 1's"),
       named_misreading(Code::kOrbslamSecondFisheyeIgnored,
                        "{0}..k4 differ from Camera1.k1..k4 and are ignored: ORB-SLAM3 V1.0 reads Camera1.k1..k4 for both "
                        "KannalaBrandt8 cameras"),

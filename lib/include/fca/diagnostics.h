@@ -15,6 +15,9 @@ namespace fca {
 
 enum class Severity { kNote, kWarning, kError };
 
+/// "note", "warning", "error"
+[[nodiscard]] std::string_view name_of(Severity severity);
+
 /// Bytes [offset, offset + length) of the file `file`. An empty `file` means: no place.
 struct SourceRange {
   std::string file;

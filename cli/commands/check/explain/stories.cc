@@ -239,7 +239,7 @@ MATLAB multiplies rows (p' R), Eigen stores columns: either way rows become colu
     Story{
         "poses-contradict",
         R"(T_cam1_imu = T_cam1_cam0 T_cam0_imu. Programs print them from one estimate, to 1e-15; edited files break the loop. Above
-0.06 deg or 1 mm a warning, above 1 deg or 1 cm an error. A pose whose inverse, transpose or millimetres would close the
+0.06 deg or 1 mm a warning, above 0.5 deg or 1 cm an error. A pose whose inverse, transpose or millimetres would close the
 loop is named as such.)"},
     Story{
         "program-finds-no-camera",
@@ -278,14 +278,6 @@ have no place for one.)"},
         "stereo-vertical",
         R"(ORB-SLAM rectifies a pair of pinholes and looks for the points of one image along the rows of the other. Of a pair whose
 second camera stands more below or above the first than beside it the points move along columns.)"},
-    Story{
-        "thin-prism",
-        R"(s1 to s4, OpenCV's coefficients 9 to 12. Without them the pixels move by some 0.1 px at the border: calibrate again without
-CALIB_THIN_PRISM_MODEL.)"},
-    Story{
-        "tilted-sensor",
-        R"(tau_x and tau_y, OpenCV's coefficients 13 and 14, for Scheimpflug lenses. No other format has them: calibrate again without
-CALIB_TILTED_MODEL.)"},
     Story{
         "time-offset-large",
         R"(t_imu = t_cam + timeshift_cam_imu, in seconds. At 20 Hz a frame takes 0.05 s: more than that pairs images with the motion of

@@ -164,9 +164,10 @@ struct Format {
   bool one_model = false;               ///< All its cameras are of one model.
   bool extrinsics = true;
   bool poses_apart = false;       ///< A file of cameras alone is whole: their poses, if anybody needs them, stand in another.
+  bool facts_apart = false;       ///< Poses and IMU noise, which its program uses, stand in a file of another kind.
   bool pair_poses = false;        ///< Of the poses between cameras it states that of a stereo pair only, the rig's first two.
   bool any_length_unit = false;   ///< Its files do not say in what unit translations are; metres elsewhere.
-  bool metres_by_custom = false;  ///< Translations are metres unless a unit is told: the files do not say it.
+  bool metres_by_custom = false;  ///< Its files do not state the unit of translations, and are in metres as a rule.
   bool imu = true;
   bool noise_of_samples = false;  ///< Its IMU noise is one sample's; its reader makes densities of it.
   bool needs_imu = false;         ///< Its program does nothing without an IMU: its calibrations state one.
@@ -232,6 +233,9 @@ struct Format {
   /// `models`. Losses are listed but for those of poses and comments: write_calibration() finds them.
   std::optional<Written> (*write)(const text::Document* base, const Rig& rig, const WriteOptions& options,
                                   Diagnostics& diagnostics);
+
+  /// May a unit of translations be told?
+  [[nodiscard]] constexpr bool leaves_unit_open() const { return any_length_unit || metres_by_custom; }
 };
 
 /// All formats, in the order in which they are listed and asked.

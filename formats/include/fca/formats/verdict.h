@@ -6,6 +6,7 @@
 #include <fca/formats/proof.h>
 #include <fca/formats/verdict_value.h>
 #include <fca/rig/contradictions.h>
+#include <fca/rig/outvoted_pose.h>
 
 #include <span>
 #include <string>
@@ -28,8 +29,10 @@ struct VerdictFacts {
   std::span<const DefaultedValue> defaults = {};
   std::span<const Finding> findings = {};  ///< About the meaning of what the file states (findings_about_meaning).
   const Rig* rig = nullptr;                ///< As read, for its contradictions.
+  const OutvotedPose* outvoted = nullptr;  ///< The one of its poses that was left out of what is written, if any.
   /// Of each written file the cameras of the rig that it holds; empty: nothing is written, all count.
   std::span<const std::vector<std::string>> files = {};
+  double outside_lens = 0.0;  ///< The share of the image that the lens as it was given leaves out, of the camera with most.
   std::span<const Acceptance> accepted = {};
 };
 

@@ -39,4 +39,7 @@ struct PoseEdge {
   bool operator==(const PoseEdge&) const = default;
 };
 
+/// "T_cam1_cam0"
+[[nodiscard]] std::string name_of(const PoseEdge& edge);
+
 }  // namespace fca

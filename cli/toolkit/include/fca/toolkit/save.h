@@ -7,6 +7,9 @@
 
 namespace fca {
 
+/// What a file is called in the folder: its name without others, or its place in a folder of its program's own.
+[[nodiscard]] std::string name_in_folder(const ConvertedFile& file);
+
 /// Writes the files of a result that is kDone into a folder, which is made if it is not there, under their names. A file is
 /// whole or not there; an existing one is replaced. False with an error where that fails, or the result is another.
 [[nodiscard]] bool save(const ConvertResult& result, const std::string& folder, Diagnostics& diagnostics);

@@ -93,6 +93,8 @@ struct LoadOptions {
   /// file with four coefficients need not say. Empty: what the file says (fisheye_model, distortion_type), else pinhole.
   /// Files with xi are cv::omnidir's in any case.
   std::string opencv_model = {};
+  /// Of the file, where that decides what its numbers are (cuVSLAM); empty: the name that fits them.
+  std::string file_name = {};
   /// Width and height of the image files, in pixels, which some programs take where a file states none; zeros: unknown.
   std::array<double, 2> image_size = {};
 };
