@@ -11,6 +11,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@ namespace py = pybind11;
 void add_cameras(py::module_& module);
 void add_rigs(py::module_& module);
 void add_fit(py::module_& module);
+void add_maps(py::module_& module);
 void add_convert(py::module_& module);
 void add_check(py::module_& module);
 void add_compare(py::module_& module);
@@ -46,6 +48,12 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// (width, height)
 using Size = std::pair<int, int>;
 [[nodiscard]] std::optional<ImageSize> size_of(const std::optional<Size>& size);
+
+inline constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+[[nodiscard]] std::optional<double> radians(const std::optional<double>& degrees);
+
+/// Raises ValueError for a name that no model has.
+[[nodiscard]] const ModelInfo& model_named(const std::string& name);
 
 /// The calibration that one read: what the functions that take a Rig or a path work on.
 struct ReadRig {

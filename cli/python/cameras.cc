@@ -3,25 +3,16 @@
 
 #include <fca/code.h>
 #include <fca/formats/text/message.h>
-#include <fca/formats/text/prose.h>
 #include <fca/models/camera_model.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numbers>
 #include <string_view>
 
 namespace fca::python {
 
 namespace {
-
-const ModelInfo& model_named(const std::string& name) {
-  if (const ModelInfo* model = find_model(name)) return *model;
-  std::vector<std::string> known;
-  for (const ModelInfo& model : all_models()) known.emplace_back(model.id);
-  raise_value_error("unknown camera model '" + name + "'; there are " + text::enumerated(known));
-}
 
 void set(CameraModel& model, const std::string& name, double value) {
   const std::optional<ParameterId> id = ParameterId::find(name);
@@ -54,7 +45,10 @@ py::dict parameters_of(const Camera& camera) {
 }
 
 /// The order of OpenCV's coefficients of its two models.
-constexpr std::array<std::string_view, 8> kPlane = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
+constexpr std::array<std::string_view, 14> kPlane = {"k1", "k2", "p1", "p2", "k3", "k4",    "k5",
+                                                     "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"};
+constexpr std::size_t kRadtan = 5;
+constexpr std::size_t kRational = 8;
 constexpr std::array<std::string_view, 4> kFisheye = {"k1", "k2", "k3", "k4"};
 
 std::string model_for(std::size_t coefficients) {
@@ -62,12 +56,15 @@ std::string model_for(std::size_t coefficients) {
     case 0:
       return "pinhole";
     case 4:
-    case 5:
+    case kRadtan:
       return "radtan";
-    case 8:
+    case kRational:
       return "rational";
+    case 12:
+    case kPlane.size():
+      return "opencv14";
     default:
-      raise_value_error("D has " + std::to_string(coefficients) + " coefficients; fca-io reads 0, 4, 5 and 8");
+      raise_value_error("D has " + std::to_string(coefficients) + " coefficients; OpenCV takes 0, 4, 5, 8, 12 or 14");
   }
 }
 
@@ -94,10 +91,11 @@ py::tuple to_opencv(const Camera& camera) {
   const std::string_view id = model_info(camera.model).id;
   std::span<const std::string_view> order;
   if (id == "kb4") order = kFisheye;
-  if (id == "pinhole" || id == "radtan") order = std::span(kPlane).first(5);
-  if (id == "rational") order = kPlane;
+  if (id == "pinhole" || id == "radtan") order = std::span(kPlane).first(kRadtan);
+  if (id == "rational") order = std::span(kPlane).first(kRational);
+  if (id == "opencv14") order = kPlane;
   if (order.empty()) {
-    raise_value_error("OpenCV's K and D hold pinhole, radtan, rational and kb4, not " + std::string(id) +
+    raise_value_error("OpenCV's K and D hold pinhole, radtan, rational, opencv14 and kb4, not " + std::string(id) +
                       "; fca_io.fit(camera, 'kb4') fits one of them");
   }
   const auto value = [&camera](std::string_view name) {
@@ -144,7 +142,6 @@ std::string described(const Camera& camera) {
 }  // namespace
 
 void add_cameras(py::module_& module) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
   py::class_<Camera>(module, "Camera", R"(One camera: a model with its parameters.
 
 Pixels are (u, v), with (0, 0) at the centre of the top-left pixel. Rays are (x right, y down, z forward), of any length.)")
@@ -164,7 +161,7 @@ Pixels are (u, v), with (0, 0) at the centre of the top-left pixel. Rays are (x 
       .def_readonly("time_offset", &Camera::time_offset_s, "Seconds: t_imu = t_cam + time_offset. None: not stated.")
       .def_readonly("topic", &Camera::topic)
       .def_property_readonly(
-          "max_angle", [](const Camera& camera) { return max_angle(camera.model) * kDegrees; },
+          "max_angle", [](const Camera& camera) { return max_angle(camera.model) * kDegreesPerRadian; },
           "Degrees from the axis at which the model ends.")
       .def("project", &project_rows, py::arg("points"),
            "Pixels (N, 2) of points (N, 3) in front of or around the camera; NaN where the model has none. One point gives one "

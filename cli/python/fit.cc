@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bindings.h"
+#include "fit_rays.h"
 
 #include <fca/code.h>
 #include <fca/convert/convert.h>
-
-#include <numbers>
 
 namespace fca::python {
 
 namespace {
 
-/// A fitted camera, and how far it is from the source over the image.
-struct Fit {
-  Camera camera;
-  ConversionReport report;
-};
-
-Fit fit(const Camera& source, const std::string& model, const std::optional<double>& max_angle, const std::string& objective) {
-  if (objective != "rms" && objective != "max") raise_value_error("objective is 'rms' or 'max'");
+Fit fit_to_camera(const Camera& source, const ModelInfo& model, const std::optional<double>& max_angle_rad,
+                  Objective objective) {
   ConvertOptions options;
-  options.model = model;
-  options.objective = objective == "max" ? Objective::kMax : Objective::kRms;
-  if (max_angle) options.max_angle_rad = *max_angle * std::numbers::pi / 180.0;
+  options.model = model.id;
+  options.objective = objective;
+  options.max_angle_rad = max_angle_rad;
   Diagnostics diagnostics;
   std::optional<Conversion> conversion;
   {
@@ -30,6 +22,29 @@ Fit fit(const Camera& source, const std::string& model, const std::optional<doub
   }
   if (!conversion) raise(diagnostics);
   return {std::move(conversion->camera), std::move(conversion->report)};
+}
+
+/// A Camera, a function from pixels to rays, or (rays, pixels).
+Fit fit(const py::object& source, const std::string& model, const std::optional<double>& max_angle,
+        const std::string& objective, const std::optional<Size>& image_size) {
+  if (objective != "rms" && objective != "max") raise_value_error("objective is 'rms' or 'max'");
+  const ModelInfo& info = model_named(model);
+  const std::optional<double> max_angle_rad = radians(max_angle);
+  if (py::isinstance<Camera>(source)) {
+    if (image_size) raise_value_error("a Camera has its image_size");
+    return fit_to_camera(source.cast<const Camera&>(), info, max_angle_rad,
+                         objective == "max" ? Objective::kMax : Objective::kRms);
+  }
+  if (objective != "rms") raise_value_error("objective 'max' wants a Camera");
+  if (py::isinstance<py::function>(source)) {
+    if (!image_size) raise_value_error("a function wants an image_size");
+    return fit_to_function(source.cast<py::function>(), info, *image_size, max_angle_rad);
+  }
+  if (py::isinstance<py::tuple>(source) && py::len(source) == 2) {
+    const auto table = source.cast<py::tuple>();
+    return fit_to_table(table[0].cast<Array>(), table[1].cast<Array>(), info, image_size, max_angle_rad);
+  }
+  raise_value_error("source is a Camera, a function from pixels (N, 2) to rays (N, 3), or a pair of arrays (rays, pixels)");
 }
 
 }  // namespace
@@ -58,10 +73,13 @@ void add_fit(py::module_& module) {
           "max_angle", [](const Fit& fit) { return fit.report.scored_to_deg; },
           "Degrees from the axis up to which it was compared.");
   module.def("fit", &fit, py::arg("source"), py::arg("model"), py::arg("max_angle") = py::none(), py::arg("objective") = "rms",
-             R"(Fits another model to a camera, without images, at the least-squares optimum in pixels over the whole image.
+             py::kw_only(), py::arg("image_size") = py::none(),
+             R"(Fits a model, without images, at the least-squares optimum in pixels.
 
-max_angle: degrees from the axis that count as lens. objective: 'rms', or 'max' for the smallest largest error. The source's
-image size has to be known.)");
+source: a Camera, whose whole image counts; a function from pixels (N, 2) to rays (N, 3), with NaN where it sees nothing, over
+an image of image_size = (width, height); or a pair of arrays (rays, pixels), each row of which counts alike. max_angle: degrees
+from the axis that count as lens. objective: 'rms', or 'max' for the smallest largest error of a Camera. Only a Camera's error
+has a bound: a function and a table are known at points alone.)");
 }
 
 }  // namespace fca::python

@@ -2,6 +2,8 @@
 // The Python module fca_io._native; fca_io/__init__.py gives its names to people.
 #include "bindings.h"
 
+#include <fca/formats/text/prose.h>
+
 #include <algorithm>
 
 namespace fca::python {
@@ -30,6 +32,17 @@ std::optional<ImageSize> size_of(const std::optional<Size>& size) {
   return ImageSize{size->first, size->second};
 }
 
+const ModelInfo& model_named(const std::string& name) {
+  if (const ModelInfo* model = find_model(name)) return *model;
+  std::vector<std::string> known;
+  for (const ModelInfo& model : all_models()) known.emplace_back(model.id);
+  raise_value_error("unknown camera model '" + name + "'; there are " + text::enumerated(known));
+}
+
+std::optional<double> radians(const std::optional<double>& degrees) {
+  return degrees ? std::optional(*degrees / kDegreesPerRadian) : std::nullopt;
+}
+
 std::string path_of(const py::handle& path) { return py::str(py::module_::import("os").attr("fspath")(path)); }
 
 Inputs inputs_of(const py::object& source) {
@@ -46,6 +59,7 @@ PYBIND11_MODULE(_native, module) {
   fca::python::add_cameras(module);
   fca::python::add_rigs(module);
   fca::python::add_fit(module);
+  fca::python::add_maps(module);
   fca::python::add_convert(module);
   fca::python::add_check(module);
   fca::python::add_compare(module);

@@ -68,7 +68,9 @@ def test_opencv_projects_to_the_same_pixels():
 
 @pytest.mark.parametrize("coefficients, model", [([], "pinhole"), ([0.1, 0.01, 1e-3, 1e-4], "radtan"),
                                                  ([0.1, 0.01, 1e-3, 1e-4, 1e-3], "radtan"),
-                                                 ([0.1, 0.01, 1e-3, 1e-4, 1e-3, 0.2, 0.01, 1e-3], "rational")])
+                                                 ([0.1, 0.01, 1e-3, 1e-4, 1e-3, 0.2, 0.01, 1e-3], "rational"),
+                                                 ([0.1, 0.01, 1e-3, 1e-4, 1e-3, 0.2, 0.01, 1e-3, 2e-3, 0, -1e-3, 0], "opencv14"),
+                                                 ([0.1, 0.01, 1e-3, 1e-4, 1e-3, 0.2, 0.01, 1e-3, 0, 0, 0, 0, 0.01, -0.02], "opencv14")])
 def test_from_opencv_and_back(coefficients, model):
     K = np.array([[400.0, 0.0, 320.0], [0.0, 401.0, 240.0], [0.0, 0.0, 1.0]])
     camera = fca_io.Camera.from_opencv(K, coefficients, (640, 480))

@@ -16,7 +16,8 @@ def test_the_example_runs(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path / "tumvi")
     names = {}
     exec(compile(code, "README.md", "exec"), names)  # pylint: disable=exec-used
-    assert names["pixels"].shape == (1, 2) and np.isfinite(names["pixels"]).all()
+    assert names["pixels"].shape == (500, 2) and np.isfinite(names["pixels"]).all()
     assert names["conversion"].verdict == "ready"
     assert [path.suffix for path in pathlib.Path("settings").iterdir()] == [".yaml"]
     assert names["D"].shape == (4,)
+    assert names["map_u"].shape == (480, 640)

@@ -13,13 +13,14 @@ Pixels are (u, v) with (0, 0) at the centre of the top-left pixel; rays are (x r
 angles degrees. A pose T_a_b takes points in b to points in a.
 """
 __all__ = ["Camera", "CameraComparison", "Check", "Comparison", "Conversion", "ConvertedCamera", "Error", "Finding", "Fit", "Imu",
-           "ModelFit", "PixelError", "PoseComparison", "Reason", "Rig", "check", "compare", "convert", "fit", "models", "read"]
+           "ModelFit", "PixelError", "PoseComparison", "Reason", "Rig", "check", "compare", "convert", "fit", "models", "read",
+           "undistort_maps"]
 
 
 class Error(Exception):
     """A file that cannot be read or converted.
 
-    code: the name of what is wrong ("missing-key"). fix: how to mend it; may be empty. file, line, column: where; lines and
+    code: the name of what is wrong ("missing-key"). fix: what to do; may be empty. file, line, column: where; lines and
     columns are counted from 1, and None where there is no place.
     """
 
@@ -35,4 +36,5 @@ class Error(Exception):
 
 
 from ._native import (Camera, CameraComparison, Check, Comparison, Conversion, ConvertedCamera, Finding, Fit, Imu,  # noqa: E402
-                      ModelFit, PixelError, PoseComparison, Reason, Rig, __version__, check, compare, convert, fit, models, read)
+                      ModelFit, PixelError, PoseComparison, Reason, Rig, __version__, check, compare, convert, fit, models, read,
+                      undistort_maps)

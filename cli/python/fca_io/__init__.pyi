@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from typing import Literal
 
@@ -214,7 +214,11 @@ class ModelFit:
 
 def read(path: Path, parts: Sequence[Path] = ..., format: str | None = None, image_size: tuple[int, int] | None = None,
          opencv_model: Literal["pinhole", "fisheye"] | None = None) -> Rig: ...
-def fit(source: Camera, model: str, max_angle: float | None = None, objective: Literal["rms", "max"] = "rms") -> Fit: ...
+def fit(source: Camera | Callable[[Floats], ArrayLike] | tuple[ArrayLike, ArrayLike], model: str,
+        max_angle: float | None = None, objective: Literal["rms", "max"] = "rms", *,
+        image_size: tuple[int, int] | None = None) -> Fit: ...
+def undistort_maps(source: Camera, target: Camera,
+                   R: ArrayLike | None = None) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
 def convert(source: Path | Rig, to: str, *, parts: Sequence[Path] = ..., model: str | None = None,
             max_angle: float | None = None, sensor: str = "", layout: str = "", accept: Sequence[str] = ...,
             strict: bool = False, max_error: float | None = None) -> Conversion: ...
