@@ -20,15 +20,15 @@ namespace fca {
 
 namespace {
 
-/// Keys that come in numbers and are named together: what tunes a program, and the rectification of raw images.
-constexpr std::array<std::string_view, 6> kGroups = {"Viewer.", "ORBextractor.", "vins.", "kimera.", "LEFT.", "RIGHT."};
+/// What tunes a program comes in numbers, and says nothing of the calibration or the images.
+constexpr std::array<std::string_view, 4> kTuning = {"Viewer.", "ORBextractor.", "vins.", "kimera."};
 
-/// "Viewer." of "Viewer.PointSize"; nothing of a key that belongs to no group.
+/// "Viewer." of "Viewer.PointSize"; nothing of a key that is no tuning.
 std::string_view group_of(const ExtraField& extra) {
   if (!extra.owner.empty()) return {};
   const auto* const group =
-      std::ranges::find_if(kGroups, [&extra](std::string_view prefix) { return extra.key.starts_with(prefix); });
-  return group == kGroups.end() ? std::string_view() : *group;
+      std::ranges::find_if(kTuning, [&extra](std::string_view prefix) { return extra.key.starts_with(prefix); });
+  return group == kTuning.end() ? std::string_view() : *group;
 }
 
 bool holds_comments(const text::Document& document) {

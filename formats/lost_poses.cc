@@ -154,14 +154,15 @@ std::vector<Loss> lost_poses(const Format& format, const Rig& rig_as_read, const
     if (same_pose(written_pose, edge.T_a_b) || same_pose(written_pose, around(rig, edge))) continue;
     std::pair<Group, Group> groups = {group_of(edge.a, frames, rig, kept), group_of(edge.b, frames, rig, kept)};
     if (groups.second < groups.first) std::swap(groups.first, groups.second);
-    // Frames that keep nobody's pose are all alike.
-    const auto is_alone = [](const std::pair<Group, Group>& pair) { return pair.first.size() < 2 && pair.second.size() < 2; };
-    auto row = std::ranges::find_if(
-        lost, [&](const Row& each) { return each.groups == groups || (is_alone(each.groups) && is_alone(groups)); });
-    if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}, {}});
-    row->poses.push_back(name_of(edge));
     std::string_view kind = kind_of(rig, edge);
     if (kind == kOfImu && places_cameras(rig, kept, edge)) kind = kOfCameras;
+    // Frames that keep nobody's pose are all alike, if the loss weighs the same.
+    const auto is_alone = [](const std::pair<Group, Group>& pair) { return pair.first.size() < 2 && pair.second.size() < 2; };
+    auto row = std::ranges::find_if(lost, [&](const Row& each) {
+      return each.groups == groups || (is_alone(each.groups) && is_alone(groups) && each.key == kind);
+    });
+    if (row == lost.end()) row = lost.insert(lost.end(), {groups, {}, {}});
+    row->poses.push_back(name_of(edge));
     if (kind == kOfCameras || row->key.empty()) row->key = kind;
   }
   std::vector<Loss> losses;

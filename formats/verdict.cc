@@ -134,10 +134,15 @@ void add_programs(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
 }
 
-/// Is the number, list or matrix one that changes nothing: zeros, or an identity?
-bool is_neutral(std::string_view value) {
-  const std::vector<double> numbers = text::reals_in(value).value_or(std::vector<double>());
+/// Is the number, list or matrix one that changes nothing: zeros, or an identity? Basalt's vectors begin with three biases,
+/// which every estimator estimates itself.
+bool is_neutral(std::string_view key, std::string_view value) {
+  std::vector<double> numbers = text::reals_in(value).value_or(std::vector<double>());
   if (numbers.empty()) return false;
+  constexpr std::size_t kBiases = 3;
+  const bool begins_with_bias = key.ends_with("calib_accel_bias") || key.ends_with("calib_gyro_bias");
+  if (begins_with_bias)
+    numbers.erase(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(std::min(kBiases, numbers.size())));
   if (std::ranges::all_of(numbers, [](double number) { return number == 0.0; })) return true;
   std::size_t side = 1;
   while (side * side < numbers.size()) ++side;
@@ -160,20 +165,8 @@ void add_clocks(const VerdictFacts& facts, std::vector<Reason>& reasons) {
   }
 }
 
-/// ORB-SLAM2's rectification of the images as the cameras take them.
-bool rectifies(std::string_view key) { return key.starts_with("LEFT.") || key.starts_with("RIGHT."); }
-
-/// Basalt's vectors begin with biases, which every estimator estimates anew: what corrects comes behind those.
-std::string_view without_bias(std::string_view key, std::string_view value) {
-  constexpr int kBiases = 3;
-  if (!key.ends_with("calib_accel_bias") && !key.ends_with("calib_gyro_bias")) return value;
-  for (int i = 0; i < kBiases; ++i) {
-    const std::size_t comma = value.find(',');
-    if (comma == std::string_view::npos) return {};
-    value.remove_prefix(comma + 1);
-  }
-  return value;
-}
+/// The rotations of ORB-SLAM2's rectification: without it the file is not for the images as the cameras take them.
+bool rectifies(std::string_view key) { return key == "LEFT.R" || key == "RIGHT.R"; }
 
 /// What corrects an IMU's measurements, as Kalibr, OpenVINS and Basalt name it; and its clock.
 bool corrects_an_imu(std::string_view key) {
@@ -203,7 +196,7 @@ const std::string* text_in(const Loss& loss, std::size_t index) {
   return index < loss.values.size() ? std::get_if<std::string>(&loss.values[index].value) : nullptr;
 }
 
-/// "rate_hz" of "IMU rate_hz" behind another key of the IMU.
+/// "rate_hz" of "IMU rate_hz", where a key of the IMU came before.
 std::string without_owner(const std::string& key, const std::string& first) {
   const std::string owner = first.substr(0, first.find(' ') + 1);
   return !owner.empty() && key.starts_with(owner) ? key.substr(owner.size()) : key;
@@ -435,11 +428,13 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
       return to.imu ? uses_imu : uses_poses;  // without an IMU it is a file of poses
     case Code::kImuDropped:
     case Code::kCamchainImuDropped:
+    case Code::kVinsImuDropped:
       return uses_imu;
     case Code::kPoseDropped:
       return loss.key == "T_cam_cam" ? uses_poses : uses_imu && loss.key == "T_cam_imu";
     case Code::kBaselineDropped:
     case Code::kCamchainBaselineDropped:
+    case Code::kVinsBaselineDropped:
     case Code::kOpenvinsChainBaselineDropped:
       return uses_poses;
     case Code::kStaleOfImagesLost:
@@ -448,12 +443,10 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
     case Code::kBasaltStaleRadius:
     case Code::kWoodscapeStaleTranslation:
       return true;
-    case Code::kNotCarriedGroup:
-      return rectifies(loss.key);
     case Code::kNotCarriedValue: {
       const std::string* value = text_in(loss, 1);
       const bool is_used = uses_imu && corrects_an_imu(loss.key);
-      return rectifies(loss.key) || (is_used && value != nullptr && !is_neutral(without_bias(loss.key, *value)));
+      return rectifies(loss.key) || (is_used && value != nullptr && !is_neutral(loss.key, *value));
     }
     default:
       return false;

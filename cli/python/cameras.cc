@@ -2,6 +2,7 @@
 #include "bindings.h"
 
 #include <fca/code.h>
+#include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/message.h>
 #include <fca/models/camera_model.h>
 
@@ -44,24 +45,17 @@ py::dict parameters_of(const Camera& camera) {
   return result;
 }
 
-/// The order of OpenCV's coefficients of its two models.
-constexpr std::array<std::string_view, 14> kPlane = {"k1", "k2", "p1", "p2", "k3", "k4",    "k5",
-                                                     "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"};
-constexpr std::size_t kRadtan = 5;
-constexpr std::size_t kRational = 8;
-constexpr std::array<std::string_view, 4> kFisheye = {"k1", "k2", "k3", "k4"};
-
 std::string model_for(std::size_t coefficients) {
   switch (coefficients) {
     case 0:
       return "pinhole";
     case 4:
-    case kRadtan:
+    case kRadtanCount:
       return "radtan";
-    case kRational:
+    case kRationalCount:
       return "rational";
-    case 12:
-    case kPlane.size():
+    case kPrismCount:
+    case kOpenCvCoefficients.size():
       return "opencv14";
     default:
       raise_value_error("D has " + std::to_string(coefficients) + " coefficients; OpenCV takes 0, 4, 5, 8, 12 or 14");
@@ -76,12 +70,12 @@ Camera from_opencv(const Array& K, const Array& D, const std::optional<Size>& si
   const std::span<const double> coefficients(D.data(), static_cast<std::size_t>(D.size()));
   if (model.empty()) model = model_for(coefficients.size());
   const ModelInfo& info = model_named(model);
-  const std::span<const std::string_view> order =
-      info.id == "kb4" ? std::span<const std::string_view>(kFisheye) : std::span<const std::string_view>(kPlane);
+  const std::span<const ParameterId> order =
+      info.id == "kb4" ? std::span<const ParameterId>(kFisheyeCoefficients) : std::span<const ParameterId>(kOpenCvCoefficients);
   std::map<std::string, double> parameters = {{"fx", k[0]}, {"fy", k[4]}, {"cx", k[2]}, {"cy", k[5]}};
   if (coefficients.size() > order.size()) raise_value_error("D has more coefficients than " + std::string(info.id));
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
-    if (coefficients[i] != 0.0 || info.id != "pinhole") parameters[std::string(order[i])] = coefficients[i];
+    if (coefficients[i] != 0.0 || info.id != "pinhole") parameters[std::string(order[i].name())] = coefficients[i];
   }
   return camera_of(model, parameters, size, name);
 }
@@ -89,18 +83,13 @@ Camera from_opencv(const Array& K, const Array& D, const std::optional<Size>& si
 /// (K, D)
 py::tuple to_opencv(const Camera& camera) {
   const std::string_view id = model_info(camera.model).id;
-  std::span<const std::string_view> order;
-  if (id == "kb4") order = kFisheye;
-  if (id == "pinhole" || id == "radtan") order = std::span(kPlane).first(kRadtan);
-  if (id == "rational") order = std::span(kPlane).first(kRational);
-  if (id == "opencv14") order = kPlane;
+  std::span<const ParameterId> order = std::span(kOpenCvCoefficients).first(id == "pinhole" ? kRadtanCount : opencv_count(id));
+  if (id == "kb4") order = kFisheyeCoefficients;
   if (order.empty()) {
     raise_value_error("OpenCV's K and D hold pinhole, radtan, rational, opencv14 and kb4, not " + std::string(id) +
                       "; fca_io.fit(camera, 'kb4') fits one of them");
   }
-  const auto value = [&camera](std::string_view name) {
-    return parameter(camera.model, *ParameterId::find(name)).value_or(0.0);
-  };
+  const auto value = [&camera](ParameterId each) { return parameter(camera.model, each).value_or(0.0); };
   Array K({3, 3});
   std::ranges::copy(std::array{value("fx"), 0.0, value("cx"), 0.0, value("fy"), value("cy"), 0.0, 0.0, 1.0}, K.mutable_data());
   Array D(static_cast<py::ssize_t>(order.size()));

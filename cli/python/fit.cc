@@ -29,6 +29,7 @@ Fit fit(const py::object& source, const std::string& model, const std::optional<
         const std::string& objective, const std::optional<Size>& image_size) {
   if (objective != "rms" && objective != "max") raise_value_error("objective is 'rms' or 'max'");
   const ModelInfo& info = model_named(model);
+  if (max_angle && !(*max_angle > 0.0)) raise_value_error("max_angle is a positive number of degrees");
   const std::optional<double> max_angle_rad = radians(max_angle);
   if (py::isinstance<Camera>(source)) {
     if (image_size) raise_value_error("a Camera has its image_size");
@@ -57,7 +58,7 @@ void add_fit(py::module_& module) {
       .def_readonly("max", &ErrorSummary::max)
       .def_readonly("max_at", &ErrorSummary::max_at, "The pixel (u, v) of the source where it is.")
       .def_readonly("bound", &ErrorSummary::bound, "No error is larger, between the pixels, too: proven. inf: nothing is.");
-  py::class_<Fit>(module, "Fit", "A camera fitted to another one.")
+  py::class_<Fit>(module, "Fit", "A fitted camera, and how far it is from its source.")
       .def_readonly("camera", &Fit::camera)
       .def_property_readonly("error", [](const Fit& fit) { return fit.report.judgement.error; })
       .def_property_readonly(

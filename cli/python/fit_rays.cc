@@ -75,7 +75,8 @@ std::optional<CameraModel> fitted(const Table& table, const LensCentre& centre, 
 Fit fit_to(const Table& table, const Table& all, const ModelInfo& info, const std::optional<Size>& image_size) {
   constexpr std::size_t kFewest = 6;
   if (table.size() < std::max(kFewest, info.parameters.size()))
-    raise_value_error(std::string(info.id) + " wants more rays than the " + std::to_string(table.size()) + " that there are");
+    raise_value_error(std::string(info.id) + " needs at least " + std::to_string(std::max(kFewest, info.parameters.size())) +
+                      " rays; there are " + std::to_string(table.size()));
   const std::optional<LensCentre> centre = centre_of(table);
   if (!centre) raise_value_error("the rays nearest to the axis determine no focal length and principal point");
   Fit result;
@@ -87,17 +88,22 @@ Fit fit_to(const Table& table, const Table& all, const ModelInfo& info, const st
     if (model) result.report.judgement.error = judge(all, [&model](const Ray& ray) { return project(*model, ray); });
   }
   if (!model) raise_value_error("no camera of " + std::string(info.id) + " has such rays");
+  if (!reaches_all) {
+    raise_value_error(std::string(info.id) + " does not reach all of these rays; max_angle leaves out those that are further " +
+                      "from the axis");
+  }
   double reached = 0.0;
   double furthest = 0.0;
   for (const Correspondence& entry : all) {
+    if (!project(*model, entry.ray)) continue;
+    reached += entry.weight;
     furthest = std::max(furthest, angle_from_axis(entry.ray));
-    if (project(*model, entry.ray)) reached += entry.weight;
   }
   result.camera.name = "cam0";
   result.camera.model = *std::move(model);
   result.camera.image_size = size_of(image_size);
   result.report.judgement.coverage.scored = reached;
-  result.report.judgement.coverage.unrepresentable = 1.0 - reached;
+  result.report.judgement.coverage.unrepresentable = std::max(0.0, 1.0 - reached);
   result.report.scored_to_deg = furthest * kDegreesPerRadian;
   return result;
 }

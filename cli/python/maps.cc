@@ -24,6 +24,16 @@ void turn(const Array& rotation, std::span<double> rays) {
   }
 }
 
+/// But for rounding.
+bool is_rotation(const Array& matrix) {
+  Transform T;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) T(row, column) = matrix.data()[3 * row + column];
+  }
+  constexpr double kRounding = 1e-6;
+  return rotation_determinant(T) > 0.0 && rotation_defect(T) <= kRounding;
+}
+
 /// A row of the target's pixels in the source's image. Where there is none, far outside.
 void map_row(const Camera& source, const Camera& target, const std::optional<Array>& rotation, std::size_t row,
              std::span<float> u, std::span<float> v) {
@@ -48,6 +58,7 @@ py::tuple undistort_maps(const Camera& source, const Camera& target, const std::
   if (!target.image_size) raise_value_error("the target's image_size has to be known");
   if (rotation && (rotation->ndim() != 2 || rotation->shape(0) != 3 || rotation->shape(1) != 3))
     raise_value_error("R is a matrix of 3 x 3");
+  if (rotation && !is_rotation(*rotation)) raise_value_error("R is no rotation");
   const auto width = static_cast<std::size_t>(target.image_size->width);
   const auto height = static_cast<std::size_t>(target.image_size->height);
   const std::vector<py::ssize_t> shape = {target.image_size->height, target.image_size->width};

@@ -29,6 +29,16 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Of a folder its name, however it was written ("sparse/", ".").
+std::string stem_of(const std::string& input) {
+  if (input == "-") return "stdin";
+  const fs::path path = input;
+  if (path.has_filename() && path.filename() != "." && path.filename() != "..") return path.stem().string();
+  std::error_code error;  // a folder that is gone has no name
+  const fs::path folder = fs::weakly_canonical(path, error);
+  return folder.filename().stem().string();
+}
+
 /// The name of the folder that an input lies in.
 std::string folder_of(const std::string& input) {
   std::error_code error;  // a folder that is gone has no name
@@ -45,7 +55,7 @@ std::string in_folder(const fs::path& folder, const fs::path& file) {
 }  // namespace
 
 std::string with_names_of(const std::string& input, const std::string& camera, const std::string& pattern) {
-  const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
+  const std::string stem = stem_of(input);
   const std::string extension = fs::path(input).extension().string();
   std::string path = replaced(replaced(pattern, "{stem}", stem), "{folder}", folder_of(input));
   path = replaced(path, "{extension}", extension.empty() ? extension : extension.substr(1));
@@ -81,7 +91,7 @@ std::optional<std::string> problem_with_pattern(const OutputPlace& place, std::s
 
 std::string output_path(const OutputPlace& place, const std::string& input, const ConvertResult& result, std::size_t index) {
   if (place.is_standard_output()) return "";
-  const std::string stem = input == "-" ? "stdin" : fs::path(input).stem().string();
+  const std::string stem = stem_of(input);
   const ConvertedFile& file = result.files[index];
   if (file.named && index > 0) {
     const fs::path main_file = output_path(place, input, result, 0);

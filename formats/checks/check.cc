@@ -277,6 +277,7 @@ Verdict verdict_on(const CheckReport& report, const Rig* rig, const CheckOptions
   facts.rig = report.format != nullptr ? rig : nullptr;
   facts.is_read = rig != nullptr;
   Verdict verdict = decide(facts);
+  if (!facts.is_read) return verdict;
   std::erase_if(verdict.reasons, [&options](const Reason& reason) { return is_ignored(id_of(reason), options); });
   verdict.word = VerdictWord::kReady;
   for (const Reason& reason : verdict.reasons) verdict.word = std::max(verdict.word, reason.word);
@@ -289,7 +290,11 @@ CheckReport check_file(const text::Source& source, const CheckOptions& options) 
   std::optional<Calibration> calibration;
   CheckReport report = looked_at(source, options, calibration);
   checks::tell_once(report);
-  std::erase_if(report.findings, [&options](const Finding& finding) { return is_ignored(id_of(finding), options); });
+  // Of a file that cannot be read, that stays the finding.
+  const bool is_read = calibration.has_value();
+  std::erase_if(report.findings, [&](const Finding& finding) {
+    return is_ignored(id_of(finding), options) && (is_read || finding.severity != Severity::kError);
+  });
   checks::sort_by_place(report.findings);
   checks::add_usual_fixes(report);
   report.verdict = verdict_on(report, calibration ? &calibration->rig : nullptr, options);

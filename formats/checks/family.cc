@@ -4,6 +4,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
+#include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/numbers.h>
 #include <fca/rig/fields_of_view.h>
 
@@ -109,7 +110,7 @@ bool check_family(const Subject& subject, Findings& findings) {
   bool any = false;
   for (const Camera& camera : subject.rig().cameras) {
     const std::string_view model = model_info(camera.model).id;
-    const bool has_tangential = model == "radtan" || model == "rational" || model == "opencv14" || model == "mei";
+    const bool has_tangential = opencv_count(model) > 0 || model == "mei";
     if (has_tangential) check_tangential(subject, camera, findings);
     if (model == "radtan") check_rectilinear(subject, camera, findings);
     if (model == "radtan") check_unified(subject, camera, findings);

@@ -5,6 +5,7 @@
 
 #include <fca/code.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -125,3 +126,15 @@ bool check_time(const Subject& subject, Findings& findings) {
 }
 
 }  // namespace fca::checks
+
+namespace fca {
+
+bool has_usual_noise(const Imu& imu) {
+  const auto is_usual = [&imu](const checks::Density& density) {
+    const std::optional<double>& value = imu.*density.member;
+    return !value || (*value >= density.smallest && *value <= density.largest);
+  };
+  return std::ranges::all_of(checks::kNoises, is_usual);
+}
+
+}  // namespace fca

@@ -3,6 +3,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/domain.h>
+#include <fca/formats/opencv_coefficients.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ void check_coverage(const Subject& subject, const Camera& camera, Findings& find
   const bool circle = ends > kFisheye;
   // Polynomials of the tangent fold where they were not fitted: no such lens ends inside the largest circle about its centre.
   const std::string_view model = model_info(camera.model).id;
-  const bool of_tangent = model == "radtan" || model == "rational" || model == "opencv14";
+  const bool of_tangent = opencv_count(model) > 0;
   const bool broken = uncovered.nearest_px < (of_tangent ? 1.0 : 0.5) * nearest_border;
   constexpr double kNothingToSpeakOf = 0.01;
   const bool is_less = circle || uncovered.share <= kNothingToSpeakOf;

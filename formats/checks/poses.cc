@@ -67,13 +67,8 @@ struct Suspect {
 
 /// Every pose of the loops that the others contradict, in the order in which they were read.
 std::vector<Suspect> suspects_in(const Rig& rig, const std::vector<PoseLoop>& loops) {
-  std::set<std::size_t> edges;
-  for (const PoseLoop& loop : loops) {
-    edges.insert(loop.edge);
-    edges.insert(loop.path.begin(), loop.path.end());
-  }
   std::vector<Suspect> suspects;
-  for (const std::size_t i : edges) {
+  for (const std::size_t i : edges_of(loops)) {
     Rig others;
     others.poses = rig.poses;
     others.poses.erase(others.poses.begin() + static_cast<std::ptrdiff_t>(i));

@@ -287,7 +287,7 @@ class ProgramsCheck {
       if (!camera.misread || !is_about_it || !(distance.region > 0.0)) continue;
       constexpr double kSeen = 1.0;  // px
       const VerdictWord word = word_of(distance);
-      const bool is_small = word == VerdictWord::kReady && distance.max <= kSeen;
+      const bool is_small = warning.costs_pixels && word == VerdictWord::kReady && distance.max <= kSeen;
       const Severity severity = word == VerdictWord::kDoNotUse ? Severity::kError
                                 : is_small                     ? Severity::kNote
                                                                : Severity::kWarning;

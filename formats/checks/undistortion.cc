@@ -5,6 +5,7 @@
 #include "topics.h"
 
 #include <fca/code.h>
+#include <fca/formats/opencv_coefficients.h>
 
 #include <array>
 #include <cmath>
@@ -21,14 +22,14 @@ struct OpenCvCamera {
 };
 
 std::optional<OpenCvCamera> as_opencv(const CameraModel& model) {
-  const std::string_view id = model_info(model).id;
-  if (id != "radtan" && id != "rational") return std::nullopt;
+  const std::size_t count = opencv_count(model_info(model).id);
+  if (count == 0) return std::nullopt;
   const auto value = [&model](ParameterId coefficient) { return parameter(model, coefficient).value(); };
   OpenCvCamera camera;
   camera.K = {value("fx"), value("fy"), value("cx"), value("cy"), 0.0};
-  constexpr std::array<ParameterId, 8> kOrder = {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"};
-  const std::size_t count = id == "rational" ? kOrder.size() : 5;  // radtan ends with k3
-  for (std::size_t i = 0; i < count; ++i) camera.k.at(i) = value(kOrder.at(i));
+  for (std::size_t i = 0; i < count; ++i) camera.k.at(i) = value(kOpenCvCoefficients.at(i));
+  const bool is_tilted = camera.k.at(kPrismCount) != 0.0 || camera.k.at(kPrismCount + 1) != 0.0;
+  if (is_tilted) return std::nullopt;  // which undistort_point() does not know
   return camera;
 }
 

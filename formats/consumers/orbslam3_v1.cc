@@ -147,6 +147,7 @@ class Parser {
     if (own.pinhole != second_.pinhole) {
       second_.misread = true;
       settings_.warn_at("Camera2.k1", Code::kOrbslamSecondPinholeIgnored);
+      settings_.last_warning_costs_pixels();
     }
   }
 
@@ -159,6 +160,7 @@ class Parser {
       if (!second.isReal() || !first.isReal() || first.real() == second.real()) continue;
       second_.misread = true;
       settings_.warn_from("Camera2.k1", Code::kOrbslamSecondFisheyeIgnored);
+      settings_.last_warning_costs_pixels();
       break;
     }
     read_overlap("Camera2");

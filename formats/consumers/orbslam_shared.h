@@ -70,6 +70,7 @@ class Settings {
     warn_at(key, code, std::move(more));
     view_.warnings.back().key += '/';
   }
+  void last_warning_costs_pixels() { view_.warnings.back().costs_pixels = true; }
   [[nodiscard]] const std::string& program() const { return program_; }
   [[nodiscard]] cv::FileNode node(std::string_view key) const { return storage_[std::string(key)]; }
   [[nodiscard]] bool has(std::string_view key) const { return !node(key).empty(); }

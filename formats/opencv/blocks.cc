@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "blocks.h"
 
+#include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -76,7 +77,10 @@ Field vector_as(const std::string& key, std::span<const double> values, bool row
 
 double value_of(const CameraModel& model, ParameterId id) { return parameter(model, id).value(); }
 
-std::vector<double> values_of(const CameraModel& model, ParameterIds ids) {
+constexpr std::array<ParameterId, 3> kRadial = {"k1", "k2", "k3"};
+constexpr std::array<ParameterId, 2> kTangential = {"p1", "p2"};
+
+std::vector<double> values_of(const CameraModel& model, std::span<const ParameterId> ids) {
   std::vector<double> values;
   for (const ParameterId id : ids) values.push_back(value_of(model, id));
   return values;
@@ -85,25 +89,21 @@ std::vector<double> values_of(const CameraModel& model, ParameterIds ids) {
 /// The coefficients of a model, as many as the base's (`there`, 0: any) where the reader takes those for the same model.
 std::vector<double> coefficients(const CameraModel& model, std::size_t there) {
   const std::string_view id = model_info(model).id;
-  if (id == "kb4") return values_of(model, {"k1", "k2", "k3", "k4"});
-  if (id == "mei") return values_of(model, {"k1", "k2", "p1", "p2"});
-  if (id == "opencv14") {
-    std::vector<double> values =
-        values_of(model, {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"});
-    constexpr std::size_t kWithoutTilt = 12;
-    if (there <= kWithoutTilt && values[12] == 0.0 && values[13] == 0.0) values.resize(kWithoutTilt);
-    return values;
-  }
-  std::vector<double> zeros(there > 5 ? there : 5, 0.0);
+  const std::span<const ParameterId> of_opencv(kOpenCvCoefficients);
+  if (id == "kb4") return values_of(model, kFisheyeCoefficients);
+  if (id == "mei") return values_of(model, of_opencv.first(4));
+  std::vector<double> zeros(std::max(there, kRadtanCount), 0.0);
   if (id == "pinhole") return zeros;
-  std::vector<double> values = values_of(model, {"k1", "k2", "p1", "p2", "k3"});
-  if (id == "rational") {
-    values = values_of(model, {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"});
+  std::vector<double> values = values_of(model, of_opencv.first(std::max(opencv_count(id), kRadtanCount)));
+  if (id == "opencv14") {
+    const bool is_level = values[kPrismCount] == 0.0 && values[kPrismCount + 1] == 0.0;
+    if (there <= kPrismCount && is_level) values.resize(kPrismCount);
+  } else if (id == "rational") {
     const bool is_radtan = values[5] == 0.0 && values[6] == 0.0 && values[7] == 0.0;
-    if (there > 8 && !is_radtan) values.resize(there, 0.0);
+    if (there > kRationalCount && !is_radtan) values.resize(there, 0.0);
   } else if (id == "radtan") {
     if (there == 4 && values[4] == 0.0) values.resize(4);
-    if (there > 8) values.resize(there, 0.0);
+    if (there > kRationalCount) values.resize(there, 0.0);
   }
   return values;
 }
@@ -161,11 +161,11 @@ void FieldMaker::add_lens(const Camera& camera, const CameraKeys& keys, bool kep
   if (!keys.radial.empty()) {
     const Node* radial = there(mapping, keys.radial);
     const bool straight = model_info(camera.model).id == "pinhole";
-    std::vector<double> k = straight ? std::vector<double>(3, 0.0) : values_of(camera.model, {"k1", "k2", "k3"});
+    std::vector<double> k = straight ? std::vector<double>(3, 0.0) : values_of(camera.model, kRadial);
     if (k[2] == 0.0 && count_in(radial) == 2) k.resize(2);
     fields.push_back(vector_as(keys.radial, k, true, radial));
     if (!keys.tangential.empty()) {
-      const std::vector<double> p = straight ? std::vector<double>(2, 0.0) : values_of(camera.model, {"p1", "p2"});
+      const std::vector<double> p = straight ? std::vector<double>(2, 0.0) : values_of(camera.model, kTangential);
       fields.push_back(vector_as(keys.tangential, p, true, there(mapping, keys.tangential)));
     }
     return;

@@ -67,7 +67,7 @@ std::optional<bool> is_fisheye(const std::string& name) {
   const ModelInfo* model = find_model(name);
   if (model == nullptr) return std::nullopt;
   if (model->id == "kb4") return true;
-  if (model->id == "radtan" || model->id == "rational" || model->id == "pinhole") return false;
+  if (model->id == "radtan" || model->id == "rational" || model->id == "opencv14" || model->id == "pinhole") return false;
   return std::nullopt;
 }
 

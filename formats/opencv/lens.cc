@@ -4,8 +4,11 @@
 #include "numbers.h"
 
 #include <fca/code.h>
+#include <fca/formats/opencv_coefficients.h>
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace fca::opencv {
 
@@ -69,7 +72,8 @@ class LensReader {
     if (options_.opencv_model == "fisheye") reader_.say(node, Code::kOpencvToldInVain, {why});
   }
 
-  std::optional<CameraModel> with(std::string_view id, ParameterIds parameters, const Numbers& D, const std::string& what) {
+  std::optional<CameraModel> with(std::string_view id, std::span<const ParameterId> parameters, const Numbers& D,
+                                  const std::string& what) {
     std::optional<CameraModel> model = make_model(id);
     std::size_t place = 0;
     for (const ParameterId each : parameters) {
@@ -82,11 +86,12 @@ class LensReader {
     const std::string what = label(keys, keys.distortion);
     const std::size_t count = D.values.size();
     const std::optional<bool> said = fisheye_said(keys);
+    const std::span<const ParameterId> of_opencv(kOpenCvCoefficients);
     if (count == 4) {
       const std::optional<bool> fisheye = decide(said, node, what, D);
       if (!fisheye) return std::nullopt;
-      if (*fisheye) return with("kb4", {"k1", "k2", "k3", "k4"}, D, what);
-      return with("radtan", {"k1", "k2", "p1", "p2"}, D, what);
+      if (*fisheye) return with("kb4", kFisheyeCoefficients, D, what);
+      return with("radtan", of_opencv.first(4), D, what);
     }
     if (said.value_or(false)) {
       reader_.say(node, Code::kOpencvFisheyeWantsFour, {what, count});
@@ -94,7 +99,9 @@ class LensReader {
     }
     warn_if_told_in_vain(node, {Code::kOpencvSomeCoefficients, {what, count}});
     if (count == 0) return make_model("pinhole");
-    if (count != 5 && count != 8 && count != 12 && count != 14) {
+    const bool is_opencvs =
+        count == kRadtanCount || count == kRationalCount || count == kPrismCount || count == of_opencv.size();
+    if (!is_opencvs) {
       reader_.say(node, Code::kOpencvCoefficientCount, {what, count});
       return std::nullopt;
     }
@@ -102,13 +109,13 @@ class LensReader {
       return std::all_of(D.values.begin() + static_cast<std::ptrdiff_t>(from),
                          D.values.begin() + static_cast<std::ptrdiff_t>(to), [](double v) { return v == 0.0; });
     };
-    if (count > 8 && !all_zero(8, count)) {
-      return with("opencv14", {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"}, D,
-                  what);
+    if (count > kRationalCount && !all_zero(kRationalCount, count)) {
+      return with("opencv14", kOpenCvCoefficients, D, what);
     }
-    if (all_zero(0, std::min<std::size_t>(count, 8))) return make_model("pinhole");
-    if (count == 5 || (count > 8 && all_zero(5, 8))) return with("radtan", {"k1", "k2", "p1", "p2", "k3"}, D, what);
-    return with("rational", {"k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"}, D, what);
+    if (all_zero(0, std::min(count, kRationalCount))) return make_model("pinhole");
+    if (count == kRadtanCount || (count > kRationalCount && all_zero(kRadtanCount, kRationalCount)))
+      return with("radtan", of_opencv.first(kRadtanCount), D, what);
+    return with("rational", of_opencv.first(kRationalCount), D, what);
   }
 
   /// What the file says of a camera's four numbers.
@@ -139,7 +146,7 @@ class LensReader {
       return std::nullopt;
     }
     const std::string what = label(keys, keys.xi);
-    std::optional<CameraModel> model = with("mei", {"k1", "k2", "p1", "p2"}, D, label(keys, keys.distortion));
+    std::optional<CameraModel> model = with("mei", std::span(kOpenCvCoefficients).first(4), D, label(keys, keys.distortion));
     const Node& node = *reader_.find(map, keys.xi);
     if (node.is_scalar()) {
       if (!model || !reader_.parameter(node, what, "xi", *model)) return std::nullopt;
@@ -165,7 +172,8 @@ class LensReader {
       reader_.say(node, Code::kOpencvRadialNumbers, {keys.radial, radial->values.size()});
       return std::nullopt;
     }
-    std::optional<CameraModel> model = with("radtan", {"k1", "k2", "k3"}, *radial, keys.radial);
+    constexpr std::array<ParameterId, 3> kRadial = {"k1", "k2", "k3"};
+    std::optional<CameraModel> model = with("radtan", kRadial, *radial, keys.radial);
     if (!model || keys.tangential.empty()) return model;
     const Node& second = *reader_.find(map, keys.tangential);
     const std::optional<Numbers> tangential = read_numbers(second, keys.tangential, reader_);

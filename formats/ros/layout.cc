@@ -33,23 +33,19 @@ std::string_view name_of(const CameraModel& model) {
 }
 
 std::vector<double> coefficients_of(const CameraModel& model) {
-  constexpr std::size_t kPlumbBob = 5;
-  constexpr std::size_t kRational = 8;
-  constexpr std::size_t kThinPrism = 12;
   std::vector<double> values;
   const auto add = [&](std::span<const ParameterId> coefficients) {
     for (const ParameterId coefficient : coefficients) values.push_back(parameter(model, coefficient).value());
   };
   const std::string_view id = model_info(model).id;
-  std::vector<double> zeros(kPlumbBob, 0.0);
+  std::vector<double> zeros(kRadtanCount, 0.0);
   if (id == "pinhole") return zeros;
   if (id == "kb4") {
     add(kFisheyeCoefficients);
-  } else if (id == "opencv14") {
-    add(kOpenCvCoefficients);
-    if (values[12] == 0.0 && values[13] == 0.0) values.resize(kThinPrism);
   } else {
-    add(std::span(kOpenCvCoefficients).first(id == "rational" ? kRational : kPlumbBob));
+    add(std::span(kOpenCvCoefficients).first(opencv_count(id)));
+    const bool is_level = values.size() > kPrismCount && values[kPrismCount] == 0.0 && values[kPrismCount + 1] == 0.0;
+    if (is_level) values.resize(kPrismCount);
   }
   return values;
 }

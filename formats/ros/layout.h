@@ -2,6 +2,7 @@
 // How ROS's names and numbers and ours map onto each other.
 #pragma once
 
+#include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/dialect.h>
 #include <fca/rig/image_change.h>
 #include <fca/rig/rig.h>
@@ -34,10 +35,6 @@ inline constexpr Matrix3 kIdentity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 /// The distortion_model of one of ours; empty if there is none.
 [[nodiscard]] std::string_view name_of(const CameraModel& model);
 
-/// OpenCV's coefficients, in the order of its vectors, which end after 5, 8, 12 or 14 of them.
-inline constexpr std::array<ParameterId, 14> kOpenCvCoefficients = {"k1", "k2", "p1", "p2", "k3", "k4",    "k5",
-                                                                    "k6", "s1", "s2", "s3", "s4", "tau_x", "tau_y"};
-inline constexpr std::array<ParameterId, 4> kFisheyeCoefficients = {"k1", "k2", "k3", "k4"};
 /// The coefficients of a model in ROS's order; zeros of a pinhole.
 [[nodiscard]] std::vector<double> coefficients_of(const CameraModel& model);
 

@@ -122,10 +122,8 @@ class CameraReader {
   }
 
   std::optional<CameraModel> read_opencv() {
-    constexpr std::size_t kRadtan = 5;
-    constexpr std::size_t kRational = 8;
-    constexpr std::size_t kThinPrism = 12;
-    constexpr std::array<std::size_t, 6> kCounts = {0, 4, kRadtan, kRational, kThinPrism, 14};
+    constexpr std::array<std::size_t, 6> kCounts = {
+        0, 4, kRadtanCount, kRationalCount, kPrismCount, kOpenCvCoefficients.size()};
     const std::vector<double>& d = info_.D->values;
     if (std::ranges::find(kCounts, d.size()) == kCounts.end()) {
       reader_.say(*info_.D->place, Code::kRosOpenCvCount, {d.size()});
@@ -133,13 +131,16 @@ class CameraReader {
     }
     if (info_.D->all_zero()) return make_model("pinhole");
     const bool named_rational = info_.counted || (info_.model != nullptr && model_of(info_.model->value) == "rational");
-    const bool eight = d.size() >= kRational && (d[5] != 0.0 || d[6] != 0.0 || d[7] != 0.0);
-    if (eight && !named_rational) reader_.say(*info_.D->nodes[kRadtan], Code::kRosRationalUnderPlumbBob, {d.size()});
-    const auto is_set = [](double value) { return value != 0.0; };
-    if (d.size() > kRational && std::any_of(d.begin() + kRational, d.end(), is_set))
-      return with_coefficients(*make_model("opencv14"), d.size());
-    const bool rational = eight || (named_rational && d.size() >= kRational);
-    return with_coefficients(*make_model(rational ? "rational" : "radtan"), rational ? kRational : kRadtan);
+    // More than plumb_bob has.
+    const auto is_set_from = [&d](std::size_t first) {
+      return d.size() > first &&
+             std::any_of(d.begin() + static_cast<std::ptrdiff_t>(first), d.end(), [](double value) { return value != 0.0; });
+    };
+    if (is_set_from(kRadtanCount) && !named_rational)
+      reader_.say(*info_.D->nodes[kRadtanCount], Code::kRosRationalUnderPlumbBob, {d.size()});
+    if (is_set_from(kRationalCount)) return with_coefficients(*make_model("opencv14"), d.size());
+    const bool rational = is_set_from(kRadtanCount) || (named_rational && d.size() >= kRationalCount);
+    return with_coefficients(*make_model(rational ? "rational" : "radtan"), rational ? kRationalCount : kRadtanCount);
   }
 
   /// The coefficients under their names; those that the file leaves out are 0.

@@ -83,7 +83,7 @@ Field<N> field_of(const PolarSeriesOf<N>& centre, const PolarSeriesOf<N>& strip,
       }
       field.third[i][j] = third;
     }
-    field.remainder[i] += strip.beyond[i];
+    field.remainder[i] += strip.series_rest_px[i];
   }
   return field;
 }
@@ -94,8 +94,8 @@ struct Strip {
   double centre = 0.0;
   double half = 0.0;
   Field<N> source;
-  Field<N> error;       ///< target - source
-  double beyond = 0.0;  ///< The part of the error's remainder that no division makes smaller.
+  Field<N> error;               ///< target - source
+  double series_rest_px = 0.0;  ///< The part of the error's remainder that no division makes smaller.
   [[nodiscard]] double remainder() const { return length(error.remainder[0], error.remainder[1]); }
   [[nodiscard]] bool finite() const {
     return std::isfinite(remainder()) && std::isfinite(source.remainder[0]) && std::isfinite(source.remainder[1]);
@@ -121,8 +121,6 @@ struct Harmonics {
   std::array<double, N> value_max;
   std::array<double, N> first_max;
 
-  static constexpr double frequency(std::size_t harmonic) { return static_cast<double>((harmonic + 1) / 2); }
-
   Harmonics(double phi, double dphi) {
     const double c = std::cos(phi);
     const double s = std::sin(phi);
@@ -131,14 +129,14 @@ struct Harmonics {
     std::ranges::copy(std::array{1.0, c, s, c2, s2}, value.begin());
     std::ranges::copy(std::array{0.0, -s, c, -4.0 * s * c, 2.0 * c2}, first.begin());
     for (std::size_t j = kHarmonics; j < N; j += 2) {
-      const double n = frequency(j);
+      const double n = static_cast<double>(frequency_of(j));
       value[j] = std::cos(n * phi);
       value[j + 1] = std::sin(n * phi);
       first[j] = -n * value[j + 1];
       first[j + 1] = n * value[j];
     }
     for (std::size_t j = 0; j < N; ++j) {
-      const double n = frequency(j);
+      const double n = static_cast<double>(frequency_of(j));
       value_max[j] = std::min(1.0, std::abs(value[j]) + n * dphi);
       first_max[j] = std::min(n, std::abs(first[j]) + n * n * dphi);
     }
@@ -200,7 +198,7 @@ Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell,
     double mixed_rest = 0.0;
     for (std::size_t j = 0; j < N; ++j) {
       if (field.terms[i][j] == 0) continue;
-      const double n = Harmonics<N>::frequency(j);
+      const double n = static_cast<double>(frequency_of(j));
       plane.value[i] += radial.value[i][j] * harmonics.value[j];
       plane.by_angle[i] += radial.first[i][j] * harmonics.value[j];
       plane.by_azimuth[i] += radial.value[i][j] * harmonics.first[j];
@@ -347,7 +345,7 @@ class Bounder {
     if (source_ == target_) return strip;  // the error is 0, but for the rays' rounding
     const Form error_strip = difference(form_of(target_, over_strip), source_strip);
     strip.error = field_of(difference(form_of(target_, at_centre), source_centre), error_strip, half);
-    strip.beyond = length(error_strip.beyond[0], error_strip.beyond[1]);
+    strip.series_rest_px = length(error_strip.series_rest_px[0], error_strip.series_rest_px[1]);
     return strip;
   }
 
@@ -372,7 +370,7 @@ class Bounder {
       for (std::size_t j = 0; j < N; ++j) {
         if (b.used[i][j]) result.set(i, j, result.of[i][j] - b.of[i][j]);
       }
-      result.beyond[i] += b.beyond[i];
+      result.series_rest_px[i] += b.series_rest_px[i];
     }
     return result;
   }
@@ -448,7 +446,7 @@ class Bounder {
     }
     // Nor does it help to divide what is mostly the rounding of its strip.
     constexpr double kMostlyRemainder = 1.5;
-    if (cell.bound <= std::max(good_enough() + strip.beyond, kMostlyRemainder * strip.remainder()) &&
+    if (cell.bound <= std::max(good_enough() + strip.series_rest_px, kMostlyRemainder * strip.remainder()) &&
         std::isfinite(cell.bound)) {
       done_ = std::max(done_, cell.bound);
       return;

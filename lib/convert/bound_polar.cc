@@ -104,14 +104,13 @@ class Waves {
   }
 
  private:
-  static std::size_t frequency(std::size_t harmonic) { return (harmonic + 1) / 2; }
   static bool is_sine(std::size_t harmonic) { return harmonic > 0 && harmonic % 2 == 0; }
 
   /// cos a cos b = (cos(a - b) + cos(a + b)) / 2 and its like.
   void add_product(std::size_t i, std::size_t j, const Series& series) {
     if (i == 0 || j == 0) return add(std::max(i, j), series);
-    const std::size_t a = frequency(i);
-    const std::size_t b = frequency(j);
+    const std::size_t a = frequency_of(i);
+    const std::size_t b = frequency_of(j);
     const std::size_t difference = a > b ? a - b : b - a;
     const Series half = exactly(0.5) * series;
     const Series minus = exactly(-0.5) * series;
@@ -257,7 +256,7 @@ void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, Pol
     pixel.add(0, constant(exactly(p[2 + component])));
     pixel.store(form.of[component], form.used[component]);
     constexpr double kRounding = 1.0 + 1e-12;
-    form.beyond[component] = std::abs(p[component]) * of_plane.magnitude() * rest * kRounding;
+    form.series_rest_px[component] = std::abs(p[component]) * of_plane.magnitude() * rest * kRounding;
   }
 }
 

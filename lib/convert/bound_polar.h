@@ -25,6 +25,8 @@ namespace fca::internal {
 
 /// The harmonics, in this order: 1, cos phi, sin phi, cos 2phi, sin 2phi, ...
 inline constexpr std::size_t kHarmonics = 5;
+/// n of cos n phi or sin n phi.
+constexpr std::size_t frequency_of(std::size_t harmonic) { return (harmonic + 1) / 2; }
 /// Those of a tilted image plane.
 inline constexpr std::size_t kTiltedHarmonics = 17;
 
@@ -33,7 +35,7 @@ template <std::size_t N>
 struct PolarSeriesOf {
   std::array<std::array<Series, N>, 2> of{};
   std::array<std::array<bool, N>, 2> used{};
-  std::array<double, 2> beyond{};  ///< How far the pixel may be from them, at most.
+  std::array<double, 2> series_rest_px{};  ///< How far the pixel may be from them, at most.
 
   void set(std::size_t component, std::size_t harmonic, const Series& series) {
     of[component][harmonic] = series;
@@ -62,7 +64,7 @@ void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, Pol
 /// With it.
 void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, PolarSeriesOf<kTiltedHarmonics>& form);
 
-/// Has it a tilted image plane?
+/// True if the image plane is tilted.
 template <class M>
 bool is_tilted(const Intrinsics<M>& model) {
   if constexpr (std::is_same_v<M, Opencv14>) return M::is_tilted(model.values.data());

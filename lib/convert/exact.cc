@@ -16,7 +16,7 @@ bool all_zero(std::span<const double> values) {
   return std::ranges::all_of(values, [](double v) { return v == 0.0; });
 }
 
-/// The source as rational, where it is one and no simpler model of the list.
+/// The source as rational, where it is that or opencv14 without prism and tilt.
 std::optional<Intrinsics<Rational>> as_rational(const CameraModel& source) {
   if (const auto* m = std::get_if<Intrinsics<Rational>>(&source)) return *m;
   if (const auto* m = std::get_if<Intrinsics<Opencv14>>(&source)) {
@@ -136,9 +136,11 @@ std::optional<CameraModel> convert_exactly(const CameraModel& source, std::strin
   }
   if (const std::optional<Intrinsics<Rational>> rational = as_rational(source)) {
     if (target_id == Rational::kId) return *rational;
-    Intrinsics<Opencv14> outer{};
-    std::ranges::copy(rational->values, outer.values.begin());
-    if (target_id == Opencv14::kId) return outer;
+    if (target_id == Opencv14::kId) {
+      Intrinsics<Opencv14> outer{};
+      std::ranges::copy(rational->values, outer.values.begin());
+      return outer;
+    }
   }
   if (ucm) {
     const auto& [fx, fy, cx, cy, alpha] = ucm->values;

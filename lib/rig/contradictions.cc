@@ -78,4 +78,13 @@ std::vector<PoseLoop> contradictions(const Rig& rig) {
   return loops;
 }
 
+std::set<std::size_t> edges_of(const std::vector<PoseLoop>& loops) {
+  std::set<std::size_t> edges;
+  for (const PoseLoop& loop : loops) {
+    edges.insert(loop.edge);
+    edges.insert(loop.path.begin(), loop.path.end());
+  }
+  return edges;
+}
+
 }  // namespace fca

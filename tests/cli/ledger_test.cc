@@ -199,6 +199,7 @@ struct ModelFile {
 Rig one_camera(const std::string& model) {
   if (model == "ocamcalib") return rig_in(read_file(testdata("formats/ocamcalib/good/toolbox.txt")));
   if (model == "woodscape") return rig_in(read_file(testdata("formats/woodscape/good/front.json")));
+  if (model == "opencv14") return rig_in(read_file(testdata("formats/ros/good/tilted.yaml")));
   if (model != "rational") return plain_rig(model, 1);
   Rig rig = plain_rig("radtan", 1);
   rig.cameras[0].model =

@@ -39,6 +39,20 @@ TEST(ModelFolder, IsWrittenAsColmapOpensIt) {
   EXPECT_TRUE(rig.resolve("cam1", "cam0"));
 }
 
+// However the folder is written: no hidden ".kalibr.yaml".
+TEST(ModelFolder, GivesWhatIsWrittenItsName) {
+  const TemporaryFolder folder;
+  const std::string model = folder / "model";
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "colmap", "-o", model + "/"}).code, 0);
+  for (const std::string& word : {model, model + "/", model + "/."}) {
+    const fs::path out = folder.path() / "out";
+    const RunResult run = run_program({"convert", word, "--to", "kalibr", "-o", out.string() + "/"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(files_in(out).contains("model.kalibr.yaml")) << word;
+    fs::remove_all(out);
+  }
+}
+
 TEST(ModelFolder, ACameraAloneHasNoRigs) {
   const TemporaryFolder folder;
   const std::string out = (folder / "model") + "/";

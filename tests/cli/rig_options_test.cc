@@ -391,7 +391,10 @@ TEST(RigOptions, SetAddsNothingElse) {
   EXPECT_TRUE(says(refusal("kalibr", "imu0/rostopic=/imu"), "set-unknown-key"));
   EXPECT_TRUE(says(refusal("orbslam3", "System.thFarPoints=far"), "set-wrong-type"));
   EXPECT_TRUE(says(refusal("orbslam3", "System.thFarPoints=-1"), "set-out-of-range"));
-  EXPECT_TRUE(says(refusal("orbslam3", "thFarPoints=20"), "set-unknown-key"));
+  EXPECT_TRUE(says(refusal("orbslam3", "thNearPoints=20"), "set-unknown-key"));
+  // One camera's settings have V1.0's keys, whatever those before had.
+  const RunResult mono = run_program({"convert", kTumvi, "--camera", "cam0", "--to", "orbslam3", "--set", "thFarPoints=20"});
+  EXPECT_TRUE(says(mono.err, "set-unknown-key")) << mono.err;
   // What stands there and is no single value is not said to be missing.
   const std::string list = refusal("kalibr", "cam1/resolution=512");
   EXPECT_TRUE(says(list, "set-unknown-key", kTumvi + ":33:15")) << list;

@@ -189,6 +189,9 @@ TEST(VerdictReasons, TheNameOfAFileDecidesWhatCuvslamReads) {
   EXPECT_EQ(word_of(check), "do-not-use") << check.text();
   const Told renamed({"check", folder.write("sensor_recalibrated.yaml", bytes), "--for", "cuvslam"});
   EXPECT_EQ(codes_of(renamed).count("pixels-off"), 0U) << renamed.text();
+  // Who gives the right name gets the file.
+  const Told named({"convert", kTumvi, "--camera", "cam0", "--to", "cuvslam", "-o", folder / "sensor_recalibrated.yaml"});
+  EXPECT_EQ(codes_of(named).count("pixels-off"), 0U) << named.text();
 }
 
 // The base's images have a size, and nobody says that the input's have the same.
@@ -216,6 +219,10 @@ TEST(VerdictReasons, AnIgnoredCodeIsNoReason) {
   EXPECT_EQ(word_of(Told({"check", file})), "do-not-use");
   const Told run({"check", file, "--ignore", "poses-contradict"});
   EXPECT_EQ(codes_of(run).count("poses-contradict"), 0U) << run.text();
+  EXPECT_NE(word_of(run), "do-not-use") << run.text();
+  // A file that cannot be read is none, whatever is ignored.
+  const Told unread({"check", testdata("formats/opencv/bad/six-coefficients.yaml"), "--ignore", "wrong-length"});
+  EXPECT_EQ(word_of(unread), "do-not-use") << unread.text();
 }
 
 // Whoever sets a key that only one of the layouts has means that layout.
@@ -229,6 +236,18 @@ TEST(VerdictReasons, ASettingChoosesTheLayoutThatHasIt) {
     const std::string key = std::string(setting).substr(0, std::string(setting).find('='));
     EXPECT_TRUE(contains(run.out, "\n" + key + ": 35.0")) << run.out;
   }
+  // Never a fork's layout, and with the model that goes with the stock program's.
+  const TemporaryFolder folder;
+  std::string radtan = pair_at("-0.1");
+  for (const char* lens : {"equidistant", "equidistant"}) radtan = with_replaced(radtan, lens, "radtan");
+  const std::vector<std::string> pair = {"convert", folder.write("pair.yaml", radtan), "--to", "orbslam3"};
+  const Told plain(pair);
+  std::vector<std::string> set = pair;
+  set.insert(set.end(), {"--set", "ThDepth=35.0"});
+  const Told run(set);
+  const bool has_key = contains(plain.bytes(), "\nThDepth");
+  EXPECT_EQ(run.code() == 0, has_key) << run.text();
+  EXPECT_TRUE(!has_key || word_of(run) == word_of(plain)) << run.text();
 }
 
 // Nearly nothing of the image was looked at.

@@ -183,8 +183,9 @@ TEST(EditProperty, OneParameterChangesItsOwnNumberOnly) {
       for (std::size_t p = 0; p < info.parameters.size(); ++p) {
         Rig rig = base.calibration.rig;
         double& value = parameter_values(rig.cameras[c].model)[p];
-        // Four coefficients may stand for five of which the last is 0.
-        const bool may_be_unstated = value == 0.0 && info.parameters[p].name == "k3";
+        // Four coefficients may stand for five of which the last is 0, and twelve for fourteen.
+        const std::string_view name = info.parameters[p].name;
+        const bool may_be_unstated = value == 0.0 && (name == "k3" || name.starts_with("tau_"));
         if (may_be_unstated || others_follow(base, info, info.parameters[p])) continue;
         // A coefficient that is 0 may be so small that no lens folds by it.
         constexpr double kSmall = 1e-9;

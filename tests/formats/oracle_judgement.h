@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace fca::test {
@@ -68,7 +69,7 @@ inline OracleDistance judge(const Camera& camera, const OracleTable& table, cons
     area += share;
     ++result.compared;
   }
-  if (area > 0.0) result.rms = std::sqrt(squares / area);
+  result.rms = area > 0.0 ? std::sqrt(squares / area) : std::numeric_limits<double>::infinity();
   return result;
 }
 

@@ -220,9 +220,9 @@ TEST(Verdict, ABiasIsNoCorrection) {
 // ORB-SLAM2's rectification of the images as the cameras take them: without it the file is for other images.
 TEST(Verdict, ALostRectificationAsksForCare) {
   const Message why{Code::kKeepTheInput};
-  EXPECT_EQ(word_of(lost(Code::kNotCarriedValue, "", "LEFT.D", {why, std::string("[-0.28, 0.07]")}), "orbslam3", "stereo"),
+  EXPECT_EQ(word_of(lost(Code::kNotCarriedValue, "", "LEFT.R", {why, std::string("[1.0, 0.0]")}), "orbslam3", "stereo"),
             VerdictWord::kUseWithCare);
-  EXPECT_EQ(word_of(lost(Code::kNotCarriedValue, "", "Viewer.D", {why, std::string("[-0.28, 0.07]")}), "orbslam3", "stereo"),
+  EXPECT_EQ(word_of(lost(Code::kNotCarriedValue, "", "Viewer.R", {why, std::string("[1.0, 0.0]")}), "orbslam3", "stereo"),
             VerdictWord::kReady);
 }
 

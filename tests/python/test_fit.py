@@ -21,6 +21,10 @@ def test_a_function_is_fitted():
     assert fit.error.max < 1e-6 and fit.camera.image_size == (1024, 768)
     assert fit.camera.parameters["alpha"] == pytest.approx(0.5, abs=1e-6)
     assert fit.error.bound == np.inf, "nothing is known between the pixels"
+    with pytest.raises(ValueError, match="max_angle"):
+        fca_io.fit(stereographic, "radtan", image_size=(1024, 768))
+    cone = fca_io.fit(stereographic, "radtan", max_angle=60.0, image_size=(1024, 768))
+    assert cone.error.rms < 2.0 and cone.max_angle <= 60.0
     worse = fca_io.fit(stereographic, "kb4", image_size=(1024, 768))
     assert 1e-6 < worse.error.rms < 0.5 and worse.scored == pytest.approx(1.0)
 
@@ -85,7 +89,11 @@ def test_pixels_without_a_source_are_far_outside():
     assert u[256, 2] < -1000.0 and abs(u[257, 255] - 320.0) < 2.0 and abs(v[257, 255] - 240.0) < 2.0
 
 
-def test_a_target_needs_a_size():
+def test_a_target_needs_a_size_and_R_is_a_rotation():
     camera = fca_io.Camera("kb4", KB4)
     with pytest.raises(ValueError):
         fca_io.undistort_maps(camera, camera)
+    sized = fca_io.Camera("kb4", KB4, SIZE)
+    for matrix in (np.full((3, 3), np.nan), 2.0 * np.eye(3), np.diag([1.0, 1.0, -1.0]), np.eye(4)):
+        with pytest.raises(ValueError):
+            fca_io.undistort_maps(sized, sized, matrix)

@@ -171,7 +171,7 @@ void add_options(Options& options, CheckArguments& arguments) {
   options.group(OptionGroup::kProof);
   options.each("--ignore", "CODE", "Leave findings of that code out; may be given several times",
                [&request](const std::string& code) -> std::optional<std::string> {
-                 if (find_check_code(code) == nullptr) return unknown_code(code);
+                 if (std::ranges::find(all_codes(), code, &CodeInfo::id) == all_codes().end()) return unknown_code(code);
                  request.ignored.push_back(code);
                  return std::nullopt;
                });

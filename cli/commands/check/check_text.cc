@@ -28,7 +28,8 @@ std::string count_text(const CheckReport& report) {
   if (errors > 0) parts.push_back(counted(errors, "error"));
   if (warnings > 0) parts.push_back(counted(warnings, "warning"));
   if (notes > 0) parts.push_back(counted(notes, "note"));
-  return parts.empty() ? "nothing wrong found" : enumerated(parts);
+  if (!parts.empty()) return enumerated(parts);
+  return report.verdict.reasons.empty() ? "nothing wrong found" : "nothing wrong found in the file itself";
 }
 
 std::string finding_text(const Finding& finding, const text::Source& source) {

@@ -43,7 +43,8 @@ std::string different_camera(const CameraComparison& camera) {
     text += "is ";
   }
   const std::string most = pixels(difference.judgement.error.max, camera.size);
-  text += (most.starts_with("over") ? "" : "up to ") + most + " px off";
+  const bool is_held = difference.judgement.error.max <= std::hypot(camera.size.width, camera.size.height);
+  text += (is_held ? "up to " : "") + most + " px off";
   const double lost = difference.judgement.coverage.unrepresentable;
   if (lost > 0.0005) text += ", and has no pixel for " + percent(lost) + " of the image";
   if (!camera.rotated) return text;

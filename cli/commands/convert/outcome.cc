@@ -38,8 +38,8 @@ std::string command_with_cameras(const TypedOptions& typed, const std::vector<Ca
   for (const CameraChoice& camera : cameras) list += (list.empty() ? "" : ",") + camera.name;
   const std::string others =
       command_line(typed, "convert", [](const TypedOption& option) { return option.name != "--camera"; });
-  const auto names_a_place = [](const TypedOption& option) { return option.name == "--output"; };
-  const auto is_force = [](const TypedOption& option) { return option.name == "--force"; };
+  const auto names_a_place = [](const TypedOption& option) { return option.name == "--output" && option.value != "-"; };
+  const auto is_force = [](const TypedOption& option) { return option.name == "--force" || option.name == "--dry-run"; };
   // What was written stands in the way of the second try.
   const bool needs_force = std::ranges::any_of(typed, names_a_place) && std::ranges::none_of(typed, is_force);
   return "fca-io " + others + " --camera " + shell_word(list) + (needs_force ? " --force" : "");

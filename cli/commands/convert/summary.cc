@@ -216,7 +216,8 @@ void add_bands(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
   constexpr int kDigits = 2;
   std::string text =
       name_in_words(*worst) + ", rms px per " + fixed(bands.front().to_deg - bands.front().from_deg, 0) + " deg:";
-  for (const ErrorBand& band : bands) text += " " + (band.share > 0.0 ? text::format_short(band.rms_px, kDigits) : "-");
+  const auto in_short = [](double px) { return px < 100.0 ? text::format_short(px, kDigits) : fixed(px, 0); };
+  for (const ErrorBand& band : bands) text += " " + (band.share > 0.0 ? in_short(band.rms_px) : "-");
   lines.push_back({"by angle", text});
 }
 

@@ -196,6 +196,8 @@ std::string row_text(const Candidate& candidate, bool is_wide) {
   std::string text = "  " + padded(candidate.model->id, kModelWidth);
   if (report.exact) {
     text += is_wide ? numbers({"exact", "", "exact", ""}) : numbers({"exact", "", ""});
+  } else if (fitted(candidate) == Fitted::kToTheCircle) {
+    text += numbers({pixels(circle.rms), pixels(circle.p99), "", ""});
   } else if (is_wide) {
     text +=
         numbers({is_less ? "" : pixels(circle.rms), is_less ? "" : pixels(circle.p99), pixels(error.rms), pixels(error.max)});
@@ -217,7 +219,9 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
           (is_wide ? numbers({"rms px", "99 % px", "rms px", "max px"}) : numbers({"rms px", "99 % px", "max px"})) +
           "reaches\n";
   Fitted before = Fitted::kToAll;
-  for (const Candidate* candidate : ranked(candidates)) {
+  std::vector<const Candidate*> rows = ranked(candidates);
+  std::ranges::stable_sort(rows, {}, [](const Candidate* each) { return fitted(*each); });
+  for (const Candidate* candidate : rows) {
     const Fitted now = fitted(*candidate);
     if (now != before && now == Fitted::kToTheCircle) text += "  fitted to the circle alone:\n";
     if (now != before && now == Fitted::kToLess) text += "  not all of the lens:\n";

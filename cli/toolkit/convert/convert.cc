@@ -137,7 +137,9 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
     if (reason.facts.code == Code::kVerdictNoRays && unreached != entries.end()) reason.remedy = unreached->remedy;
     if (needs_version(reason)) reason.remedy = older;
     if (result.nearer && reason.facts.code == Code::kVerdictPixelsOff)
-      reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, result.rms_px}};
+      reason.remedy = {
+          Code::kFitInsideAngle,
+          {result.nearer->max_angle_deg, result.nearer->rms_px, reason.distance ? reason.distance->rms : result.rms_px}};
   }
 }
 
@@ -157,7 +159,7 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   facts.losses = result.losses;
   facts.defaults = result.defaults;
   facts.findings = findings;
-  facts.rig = start.outvoted ? &start.as_read : &start.input.rig;
+  facts.rig = start.outvoted ? &start.rig_of_input : &start.input.rig;
   facts.outvoted = start.outvoted ? &*start.outvoted : nullptr;
   std::vector<std::vector<std::string>> files;
   for (const ConvertedFile& file : result.files) files.push_back(file.cameras);
@@ -172,23 +174,27 @@ Verdict verdict_of(const ConvertRequest& request, const Start& start, const Conv
   return verdict;
 }
 
-/// The first layout that has the settings' keys, where the usual one has not.
+/// In the layout that is written without the settings, where that has their keys and the usual one has not.
 bool write_where_settings_fit(const ConvertRequest& request, const Start& start, const ConvertResult& before,
                               ConvertResult& result) {
-  const std::vector<Diagnostic>& entries = result.diagnostics.entries();
-  const bool lacks_key =
-      std::ranges::any_of(entries, [](const Diagnostic& entry) { return entry.facts.code == Code::kSetUnknownKey; });
-  if (!lacks_key || !request.layout.name.empty() || !request.into.empty()) return false;
-  for (const std::string_view layout : result.to->layouts) {
-    ConvertRequest asked = request;
-    asked.layout = {result.to, std::string(layout)};
-    ConvertResult other = before;
-    if (!write_as_asked(asked, start, other)) continue;
-    result = std::move(other);
-    result.layout = layout;
-    return true;
-  }
-  return false;
+  const bool lacks_key = std::ranges::any_of(result.diagnostics.entries(),
+                                             [](const Diagnostic& entry) { return entry.facts.code == Code::kSetUnknownKey; });
+  if (!lacks_key || !request.layout.name.empty() || !request.into.empty() || !request.verify) return false;
+  ConvertRequest without = request;
+  without.settings.clear();
+  ConvertResult chosen = before;
+  if (!write_as_asked(without, start, chosen)) return false;
+  try_other_layouts(without, start, before, chosen);
+  if (chosen.layout.empty() || chosen.cameras.empty()) return false;
+  ConvertRequest asked = request;
+  asked.layout = {result.to, chosen.layout};
+  if (asked.model == nullptr) asked.model = &model_info(chosen.cameras.front().target.model);
+  ConvertResult other = before;
+  if (!write_as_asked(asked, start, other)) return false;
+  result = std::move(other);
+  result.layout = chosen.layout;
+  result.others = std::move(chosen.others);
+  return true;
 }
 
 bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
@@ -196,9 +202,10 @@ bool run(const ConvertRequest& request, Files& files, ConvertResult& result) {
   std::jthread programs;
   if (!read_start(request, files, start, programs, result)) return false;
   const ConvertResult before = result;
-  if (!write_as_asked(request, start, result) && !write_where_settings_fit(request, start, before, result)) return false;
+  const bool is_written = write_as_asked(request, start, result);
+  if (!is_written && !write_where_settings_fit(request, start, before, result)) return false;
   if (request.verify) {
-    try_other_layouts(request, start, before, result);
+    if (is_written) try_other_layouts(request, start, before, result);
     try_nearer_fit(request, start, before, result);
   }
   name_better_models(request, start, result);

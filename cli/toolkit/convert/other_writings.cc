@@ -59,6 +59,12 @@ double largest(const ConvertResult& result, double PixelDistance::*figure) {
   return worst;
 }
 
+double sum_of_rms_px(const ConvertResult& result) {
+  double sum = 0.0;
+  for (const CameraProof& camera : seen_cameras(result)) sum += camera.distance.decisive().rms;
+  return sum;
+}
+
 OtherWriting named(const ConvertResult& result, std::string layout) {
   const std::string_view model = result.cameras.empty() ? "" : model_info(result.cameras.front().target.model).id;
   if (layout.empty() && !result.to->layouts.empty()) layout = result.to->layouts.front();
@@ -87,7 +93,10 @@ bool is_good(const ConvertResult& result) {
 /// Is the other one to be written instead? Another model costs all programs something that the exact one does not: it has to be
 /// worth it.
 bool is_better(const ConvertResult& other, const ConvertResult& best) {
-  if (!(worst_rms_px(other) < worst_rms_px(best))) return false;
+  const bool is_tie = worst_rms_px(other) == worst_rms_px(best);
+  const bool has_less =
+      is_tie ? sum_of_rms_px(other) < sum_of_rms_px(best) - kRounding : worst_rms_px(other) < worst_rms_px(best);
+  if (!has_less) return false;
   return !is_good(best) || has_same_models(other, best);
 }
 

@@ -6,8 +6,10 @@
 #include <fca/code.h>
 #include <fca/formats/mend.h>
 #include <fca/formats/wording.h>
+#include <fca/toolkit/save.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 
 namespace fca {
@@ -135,11 +137,12 @@ void verify(const Rig& rig, const ConvertedFile& output, const ConvertRequest& r
     const consumers::Consumer* consumer = consumers::find_consumer(id);
     if (consumer == nullptr) continue;
     judged = true;
-    const consumers::LoadOptions options = load_options(written,
-                                                        consumer != request.program ? std::string()
-                                                        : output.place.empty()      ? output.name
-                                                                                    : output.place,
-                                                        rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size);
+    // The name counts for whoever goes by it and was asked for.
+    std::string file_name;
+    if (consumer == request.program)
+      file_name = output.path.empty() ? name_in_folder(output) : std::filesystem::path(output.path).filename().string();
+    const std::optional<ImageSize> size = rig.cameras.empty() ? std::nullopt : rig.cameras.front().image_size;
+    const consumers::LoadOptions options = load_options(written, file_name, size);
     ProofResult proof = prove(
         *consumer, output.bytes, options, rig, output.cameras, request.inputs.max_angle_rad.value_or(std::numbers::pi),
         [&request](std::size_t count, const auto& body) { parallel_for(count, request.jobs, body); }, calibrated);

@@ -108,11 +108,12 @@ void put_pair_first(const ConvertRequest& request, const Format& to, Calibration
 void leave_out_outvoted(Start& start, Diagnostics& diagnostics) {
   start.outvoted = outvoted_pose(start.input.rig);
   if (!start.outvoted) return;
-  start.as_read = start.input.rig;
+  start.rig_of_input = start.input.rig;
   start.input.rig = without_pose(start.outvoted->edge, std::move(start.input.rig));
   Diagnostics others;
   for (const Diagnostic& entry : diagnostics.entries()) {
-    if (entry.facts.code != Code::kPoseContradictsOthers) others.add(entry);  // the verdict says which, and what became of it
+    const bool is_of_poses = entry.facts.code == Code::kPoseContradictsOthers || entry.facts.code == Code::kPoseInTwoFiles;
+    if (!is_of_poses) others.add(entry);  // the verdict names the pose and what became of it
   }
   diagnostics = std::move(others);
 }
@@ -143,15 +144,15 @@ bool read_start(const ConvertRequest& request, Files& files, Start& start, std::
   for (const Diagnostic& entry : found.entries()) result.diagnostics.add(entry);
   if (!input) return false;
   start.findings = findings_of(*input, request, *result.to, found);
-  if (request.inputs.imu_noise) {
-    // What they look like was said.
+  const std::vector<Camera> read = input->rig.cameras;
+  const std::size_t before_choices = result.diagnostics.entries().size();
+  if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
+  // Noise that is converted from what it was said to be is weighed as what it became.
+  if (request.inputs.imu_noise && std::ranges::all_of(input->rig.imus, has_usual_noise)) {
     std::erase_if(start.findings, [](const Finding& finding) {
       return finding.facts.code == Code::kImuNoiseTooSmall || finding.facts.code == Code::kImuNoiseTooLarge;
     });
   }
-  const std::vector<Camera> read = input->rig.cameras;
-  const std::size_t before_choices = result.diagnostics.entries().size();
-  if (!apply_choices(request.inputs, files, *input, result.diagnostics)) return false;
   add_findings(std::span(result.diagnostics.entries()).subspan(before_choices), start.findings);
   if (request.inputs.cameras && input->documents.size() == 1) drop_findings_of_others(read, input->rig, start.findings);
   put_pair_first(request, *result.to, *input);

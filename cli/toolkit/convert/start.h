@@ -21,7 +21,7 @@ struct Start {
   Calibration input;
   Base base;                      ///< Points into the two above.
   std::vector<Finding> findings;  ///< About the meaning of the input.
-  Rig as_read;                    ///< The input's, where a pose that the others outvote was left out of it.
+  Rig rig_of_input;               ///< With the pose that was left out of `input`, if one was.
   std::optional<OutvotedPose> outvoted;
   std::unique_ptr<KnownConversions> known = std::make_unique<KnownConversions>();
 };

@@ -96,7 +96,8 @@ Message better_models(const Camera& camera, const ConversionReport& report, cons
   std::vector<StoredModel> elsewhere;
   for (const ModelInfo& model : all_models()) {
     const StoredModel* stored = find_stored_model(format, model.id, true);
-    if (model.id == report.to_model || model.kept_only) continue;
+    // The camera's own model is always a choice, another file's peculiarity (kept_only) is not.
+    if (model.id == report.to_model || (model.kept_only && model.id != report.from_model)) continue;
     const bool may_be_chosen = choice.among.empty() || std::ranges::find(choice.among, model.id) != choice.among.end();
     if (stored != nullptr && may_be_chosen) {
       read.push_back(*stored);

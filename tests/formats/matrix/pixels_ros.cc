@@ -55,14 +55,26 @@ std::vector<double> data(const YAML::Node& info, const char* key) {
 
 int number(const YAML::Node& info, const char* key, int otherwise) { return info[key] ? info[key].as<int>() : otherwise; }
 
+/// The ray of a plane at z = 1, turned about x and then about y, meets the plane that is turned with it.
+Pixel on_turned_plane(const Pixel& m, double about_x, double about_y) {
+  const double across = std::cos(about_x) * m[1] + std::sin(about_x);
+  const double depth = std::cos(about_x) - std::sin(about_x) * m[1];
+  const double right = std::cos(about_y) * m[0] - std::sin(about_y) * depth;
+  const double ahead = std::sin(about_y) * m[0] + std::cos(about_y) * depth;
+  const double away = std::cos(about_y) * std::cos(about_x);
+  return {(away * right + std::sin(about_y) * std::cos(about_x) * ahead) / ahead,
+          (away * across - std::sin(about_x) * ahead) / ahead};
+}
+
 /// x and y at z = 1.
 Pixel plumb_bob(const std::vector<double>& d, double x, double y) {
   const auto k = [&d](std::size_t i) { return i < d.size() ? d[i] : 0.0; };
   const double r2 = x * x + y * y;
   const double up = 1.0 + k(0) * r2 + k(1) * std::pow(r2, 2) + k(4) * std::pow(r2, 3);
   const double down = 1.0 + k(5) * r2 + k(6) * std::pow(r2, 2) + k(7) * std::pow(r2, 3);
-  return {x * up / down + 2.0 * k(2) * x * y + k(3) * (r2 + 2.0 * x * x),
-          y * up / down + k(2) * (r2 + 2.0 * y * y) + 2.0 * k(3) * x * y};
+  const Pixel m = {x * up / down + 2.0 * k(2) * x * y + k(3) * (r2 + 2.0 * x * x) + k(8) * r2 + k(9) * r2 * r2,
+                   y * up / down + k(2) * (r2 + 2.0 * y * y) + 2.0 * k(3) * x * y + k(10) * r2 + k(11) * r2 * r2};
+  return on_turned_plane(m, k(12), k(13));
 }
 
 Pixel equidistant(const std::vector<double>& k, const Ray& ray) {

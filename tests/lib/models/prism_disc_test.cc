@@ -42,6 +42,9 @@ std::vector<Coefficients> lenses() {
     Coefficients& q = result.emplace_back();
     std::copy_n(camera.intrinsics.values.begin() + 4, q.size(), q.begin());
   }
+  // A lens whose distortion grows faster along the radius than across it: here the conditions are nearest to each other.
+  result.push_back({0.1, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0});
+  result.push_back({1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.1, 0.0});
   std::mt19937_64 generator(4);
   std::normal_distribution<double> normal;
   for (const double prism : {1e-3, 1e-2, 0.1}) {

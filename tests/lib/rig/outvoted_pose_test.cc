@@ -80,6 +80,29 @@ TEST(OutvotedPose, TheOrderOfThePairDecides) {
   EXPECT_TRUE(found->by_order);
 }
 
+// Cameras that look away from each other are no pair, and stand on either side.
+TEST(OutvotedPose, TheOrderOfNoPairDecidesNothing) {
+  Rig rig = row_of(2);
+  for (Camera& camera : rig.cameras) {
+    camera.image_size = ImageSize{640, 480};
+    camera.model = Intrinsics<Pinhole>{{400.0, 400.0, 319.5, 239.5}};
+  }
+  const Transform backwards = {{-1, 0, 0, -0.1, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1}};
+  rig.poses[place_of(rig, "T_cam1_imu0")].T_a_b = backwards;
+  rig.poses[place_of(rig, "T_cam1_cam0")].T_a_b = shifted(2.0) * backwards;
+  EXPECT_FALSE(outvoted_pose(rig));
+}
+
+// Nor has a pair of which one stands above the other a usual order.
+TEST(OutvotedPose, TheOrderOfAVerticalPairDecidesNothing) {
+  for (const double wrong : {-0.1, 0.2}) {
+    Rig rig;
+    rig.cameras = row_of(2).cameras;
+    rig.poses = {{"cam0", "imu0", shifted(0.0)}, {"cam1", "imu0", shifted(0.0, 0.1)}, {"cam1", "cam0", shifted(0.0, wrong)}};
+    EXPECT_FALSE(outvoted_pose(rig));
+  }
+}
+
 TEST(OutvotedPose, TwoWrongPosesAreNotDecided) {
   Rig rig = row_of(5);
   for (const char* wrong : {"T_cam1_imu0", "T_cam3_imu0"}) {

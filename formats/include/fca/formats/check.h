@@ -80,6 +80,9 @@ struct CheckOptions {
                                                           const Diagnostics& diagnostics, const CheckOptions& options,
                                                           const Format& to);
 
+/// Are the noise densities that it has such as sensors have them, also inflated ones?
+[[nodiscard]] bool has_usual_noise(const Imu& imu);
+
 /// The file with every mend that is certain, also those that only show when others are made; nothing if there is none. Only
 /// spellings change (a decimal point, quotes, a header), no value.
 [[nodiscard]] std::optional<text::Source> mended(const text::Source& source, const CheckOptions& options);

@@ -99,8 +99,8 @@ constexpr Parameter coefficient(std::string_view name) { return {name, "", -kInf
 ///                              lens; a fit that does not reach the edge gets only as much of it as lets it.
 ///   kHeldInFits                (optional) names of parameters that a fit leaves at their start, unless its caller gives them
 ///                              a range.
-///   kKeptOnly                  (optional) true: with those parameters held, another model's fit is the same camera. Nobody
-///                              looks for the best model among such ones.
+///   kKeptOnly                  (optional) true: only read and kept. A fit to it with those parameters held equals a fit of
+///                              another model, so no search tries it.
 ///   kLeastDegree, kHigherTerms (optional) of a polynomial of any degree: the lowest that a fit has, and the names of the
 ///                              coefficients beyond it, held in fits; each raises the degree by one.
 ///

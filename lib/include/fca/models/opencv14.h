@@ -37,13 +37,14 @@ struct PrismFactor : RationalFactor {
   static bool inside(const double* q, double r) {
     if (!has_prism(q)) return RationalFactor::inside(q, r);
     return positive_on(denominator_of(q), r * r) && positive_on(with_prism(q, kRadial, 6.0, 1.0), r) &&
-           positive_on(with_prism(q, kOtherAzimuths, 16.0, 4.0), r);
+           positive_on(with_prism(q, kOtherAzimuths, 16.0, 4.0), r) && positive_on(across(q), r);
   }
 
   static double max_radius(const double* q) {
     if (!has_prism(q)) return RationalFactor::max_radius(q);
-    return positive_until(with_prism(q, kOtherAzimuths, 16.0, 4.0),
-                          positive_until(with_prism(q, kRadial, 6.0, 1.0), before_pole(q)));
+    const double other = positive_until(with_prism(q, kOtherAzimuths, 16.0, 4.0),
+                                        positive_until(with_prism(q, kRadial, 6.0, 1.0), before_pole(q)));
+    return positive_until(across(q), other);
   }
 
   /// The lengths of (s1, s3) and (s2, s4).
@@ -79,6 +80,20 @@ struct PrismFactor : RationalFactor {
  private:
   static bool has_prism(const double* q) {
     return std::any_of(q + RationalFactor::kCount, q + kCount, [](double s) { return s != 0.0; });
+  }
+
+  /// L - 2 P r without what the prism takes of it, times D. Without a prism that is positive where A - 6 P r is.
+  static std::array<double, 10> across(const double* q) {
+    const std::array<double, 4> n = numerator_of(q);
+    const std::array<double, 4> d = denominator_of(q);
+    const double taken = 2.0 * (length(q[2], q[3]) + linear(q));
+    std::array<double, 10> result{};
+    for (std::size_t i = 0; i < n.size(); ++i) {
+      result[2 * i] += n[i];
+      result[2 * i + 1] -= taken * d[i];
+      result[2 * i + 3] -= 4.0 * square(q) * d[i];
+    }
+    return result;
   }
 
   /// The prism takes at most its gradient's length times r, (2 (s1, s3) + 4 (s2, s4) r^2) r, from the Jacobian's eigenvalues:
@@ -221,7 +236,7 @@ struct Opencv14 : internal::FocalLengthsFirst, internal::RayMap<Opencv14> {
     if (!Distortion::distort<kWithinDomain>(p + 4, x, y, m)) return false;
     double values[kParameters.size()];
     std::transform(p, p + kParameters.size(), values, [](const T& value) { return internal::value_of(value); });
-    // Without tilt its derivatives are still something.
+    // A fit may vary the tilt at 0, so derivatives always pass through it.
     if (!std::is_same_v<T, double> || is_tilted(values)) {
       const double radius = internal::length(internal::value_of(x), internal::value_of(y));
       if (kWithinDomain && is_tilted(values) && !is_ahead_of_plane(values, radius)) return false;

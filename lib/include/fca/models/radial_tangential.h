@@ -30,7 +30,7 @@ inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
 
 /// A thin prism adds a shift that depends on r^2 alone. The Jacobian is then no longer symmetric, but where its symmetric part
 /// is positive definite on a disc, the map is injective there, too. The prism takes at most its gradient's length from each
-/// eigenvalue of that part, as if L and A were smaller by it.
+/// eigenvalue of that part, as if L and A were smaller by it; that L stays above 2 P r is then a condition of its own.
 ///
 /// `Radial` is the factor L:
 ///   kCount                      number of coefficients q

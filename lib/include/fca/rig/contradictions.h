@@ -5,6 +5,7 @@
 #include <fca/rig/rig.h>
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace fca {
@@ -33,5 +34,8 @@ struct PoseLoop {
 
 /// Those whose two paths differ.
 [[nodiscard]] std::vector<PoseLoop> contradictions(const Rig& rig);
+
+/// The places in Rig::poses of all poses of the loops.
+[[nodiscard]] std::set<std::size_t> edges_of(const std::vector<PoseLoop>& loops);
 
 }  // namespace fca

@@ -69,6 +69,7 @@ struct Complaint {
   /// it, it is about the key, whatever its value.
   std::string key;
   Message facts = {};
+  bool costs_pixels = false;  ///< All that it means is that a misread camera's pixels are off.
 };
 
 /// What the program makes of a file.
