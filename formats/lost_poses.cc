@@ -3,6 +3,7 @@
 
 #include <fca/code.h>
 #include <fca/formats/consumers/consumer.h>
+#include <fca/formats/counted_cameras.h>
 #include <fca/formats/read_back.h>
 #include <fca/rig/leave_out.h>
 
@@ -35,6 +36,8 @@ std::vector<PoseEdge> stated_in(const Format& format, const Rig& rig, const Writ
     if (!file.cameras.empty()) {
       names.clear();
       cameras = *part;
+    } else if (format.facts_apart) {
+      names = counted_cameras(written);
     } else if (format.complete != nullptr && part->cameras.empty()) {
       part->cameras = cameras.cameras;
       part->extra_fields.insert(part->extra_fields.end(), cameras.extra_fields.begin(), cameras.extra_fields.end());

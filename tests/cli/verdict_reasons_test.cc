@@ -178,6 +178,19 @@ TEST(VerdictReasons, WhatVinsReadsElsewhereIsLost) {
   EXPECT_EQ(codes_of(alone).count("pose-dropped"), 0U) << alone.text();
 }
 
+// A configuration counts the cameras, whatever the input calls them.
+TEST(VerdictReasons, TheOrderOfCamerasIsTheConfigurations) {
+  const TemporaryFolder folder;
+  const std::string config = folder.write("config.yaml", read_file(testdata("formats/vins/good/config.yaml")));
+  for (const char* order : {"cam0,cam1", "cam1,cam0"}) {
+    const std::string out = (folder.path() / order).string() + "/";
+    const Told run({"convert", kTumvi, "--camera", order, "--with", kImu, "--to", "vins", "--into", config, "-o", out});
+    EXPECT_EQ(codes_of(run).count("proof-failed"), 0U) << order << ": " << run.text();
+    EXPECT_EQ(codes_of(run).count("pose-dropped"), 0U) << order << ": " << run.text();
+    EXPECT_TRUE(fs::exists(out + "config.yaml")) << order << ": " << run.text();
+  }
+}
+
 // cuVSLAM takes the coefficients of a sensor.yaml for its Brown model, whatever the file says.
 TEST(VerdictReasons, TheNameOfAFileDecidesWhatCuvslamReads) {
   const TemporaryFolder folder;

@@ -136,10 +136,10 @@ void add_remedies(const ConvertRequest& request, const Start& start, const Conve
     });
     if (reason.facts.code == Code::kVerdictNoRays && unreached != entries.end()) reason.remedy = unreached->remedy;
     if (needs_version(reason)) reason.remedy = older;
-    if (result.nearer && reason.facts.code == Code::kVerdictPixelsOff)
-      reason.remedy = {
-          Code::kFitInsideAngle,
-          {result.nearer->max_angle_deg, result.nearer->rms_px, reason.distance ? reason.distance->rms : result.rms_px}};
+    if (result.nearer && reason.facts.code == Code::kVerdictPixelsOff) {
+      const double rms_px = reason.distance ? reason.distance->rms : result.rms_px;
+      reason.remedy = {Code::kFitInsideAngle, {result.nearer->max_angle_deg, result.nearer->rms_px, rms_px}};
+    }
   }
 }
 

@@ -16,6 +16,7 @@
 
 #include <fca/code.h>
 #include <fca/convert/reach.h>
+#include <fca/formats/counted_cameras.h>
 
 #include <algorithm>
 #include <utility>
@@ -202,7 +203,9 @@ void Writing::prove() {
   for (const ConvertedFile& file : result_.files) {
     if (file.is_filler()) continue;
     const text::Document* own = input_of(file, written_, input_);
-    verify(meant, file, request_, written_, own != nullptr ? own : base_.document, result_);
+    const bool is_configuration = file.cameras.empty() && result_.to->facts_apart;
+    verify(is_configuration ? with_counted_cameras(meant, written_) : meant, file, request_, written_,
+           own != nullptr ? own : base_.document, result_);
   }
 }
 
