@@ -74,9 +74,11 @@ std::optional<CameraModel> fitted(const Table& table, const LensCentre& centre, 
 
 Fit fit_to(const Table& table, const Table& all, const ModelInfo& info, const std::optional<Size>& image_size) {
   constexpr std::size_t kFewest = 6;
-  if (table.size() < std::max(kFewest, info.parameters.size()))
-    raise_value_error(std::string(info.id) + " needs at least " + std::to_string(std::max(kFewest, info.parameters.size())) +
-                      " rays; there are " + std::to_string(table.size()));
+  const std::size_t fewest = std::max(kFewest, info.parameters.size());
+  if (table.size() < fewest) {
+    raise_value_error(std::string(info.id) + " needs at least " + std::to_string(fewest) + " rays; there are " +
+                      std::to_string(table.size()));
+  }
   const std::optional<LensCentre> centre = centre_of(table);
   if (!centre) raise_value_error("the rays nearest to the axis determine no focal length and principal point");
   Fit result;
@@ -100,7 +102,7 @@ Fit fit_to(const Table& table, const Table& all, const ModelInfo& info, const st
     furthest = std::max(furthest, angle_from_axis(entry.ray));
   }
   result.camera.name = "cam0";
-  result.camera.model = *std::move(model);
+  result.camera.model = *model;
   result.camera.image_size = size_of(image_size);
   result.report.judgement.coverage.scored = reached;
   result.report.judgement.coverage.unrepresentable = std::max(0.0, 1.0 - reached);

@@ -129,14 +129,14 @@ struct Harmonics {
     std::ranges::copy(std::array{1.0, c, s, c2, s2}, value.begin());
     std::ranges::copy(std::array{0.0, -s, c, -4.0 * s * c, 2.0 * c2}, first.begin());
     for (std::size_t j = kHarmonics; j < N; j += 2) {
-      const double n = static_cast<double>(frequency_of(j));
+      const auto n = static_cast<double>(frequency_of(j));
       value[j] = std::cos(n * phi);
       value[j + 1] = std::sin(n * phi);
       first[j] = -n * value[j + 1];
       first[j + 1] = n * value[j];
     }
     for (std::size_t j = 0; j < N; ++j) {
-      const double n = static_cast<double>(frequency_of(j));
+      const auto n = static_cast<double>(frequency_of(j));
       value_max[j] = std::min(1.0, std::abs(value[j]) + n * dphi);
       first_max[j] = std::min(n, std::abs(first[j]) + n * n * dphi);
     }
@@ -198,7 +198,7 @@ Plane plane_of(const Field<N>& field, const Radial<N>& radial, const Cell& cell,
     double mixed_rest = 0.0;
     for (std::size_t j = 0; j < N; ++j) {
       if (field.terms[i][j] == 0) continue;
-      const double n = static_cast<double>(frequency_of(j));
+      const auto n = static_cast<double>(frequency_of(j));
       plane.value[i] += radial.value[i][j] * harmonics.value[j];
       plane.by_angle[i] += radial.first[i][j] * harmonics.value[j];
       plane.by_azimuth[i] += radial.value[i][j] * harmonics.first[j];

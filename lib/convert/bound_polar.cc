@@ -220,7 +220,7 @@ void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, Pol
   polar_form(rational_part(model), angle, form);
   const Series r = angle.sine / angle.cosine;
   const Series r2 = r * r;
-  for (const std::size_t component : {0, 1}) {
+  for (const std::size_t component : {std::size_t{0}, std::size_t{1}}) {
     const double* prism = p + 12 + 2 * component;
     form.set(component, 0,
              form.of[component][0] + exactly(p[component]) * (r2 * polynomial(std::array{prism[0], prism[1]}, r2)));
@@ -250,7 +250,7 @@ void polar_form(const Intrinsics<Opencv14>& model, const AngleSeries& angle, Pol
   const Waves inverse_plane = one + minus_w * (one + minus_w * (one + minus_w));
   const double largest = w.magnitude();
   const double rest = largest < 1.0 ? std::pow(largest, 4) / (1.0 - largest) : std::numeric_limits<double>::infinity();
-  for (const std::size_t component : {0, 1}) {
+  for (const std::size_t component : {std::size_t{0}, std::size_t{1}}) {
     const Waves& of_plane = component == 0 ? x : y;
     Waves pixel = exactly(p[component]) * (of_plane * inverse_plane);
     pixel.add(0, constant(exactly(p[2 + component])));
