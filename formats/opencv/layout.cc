@@ -5,6 +5,7 @@
 
 #include <fca/code.h>
 #include <fca/folded_name.h>
+#include <fca/formats/opencv_coefficients.h>
 #include <fca/formats/text/numbers.h>
 
 #include <algorithm>
@@ -67,7 +68,7 @@ std::optional<bool> is_fisheye(const std::string& name) {
   const ModelInfo* model = find_model(name);
   if (model == nullptr) return std::nullopt;
   if (model->id == "kb4") return true;
-  if (model->id == "radtan" || model->id == "rational" || model->id == "opencv14" || model->id == "pinhole") return false;
+  if (opencv_count(model->id) > 0 || model->id == "pinhole") return false;
   return std::nullopt;
 }
 

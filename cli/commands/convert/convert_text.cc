@@ -140,10 +140,9 @@ std::string defaults_text(const std::vector<DefaultedValue>& defaults) {
 }
 
 std::string value_in_words(const CameraModel& model, std::string_view name) {
-  const std::span<const Parameter> parameters = model_info(model).parameters;
-  const auto found = std::ranges::find(parameters, name, &Parameter::name);
-  if (found == parameters.end()) return "-";
-  return text::format_real(parameter_values(model)[static_cast<std::size_t>(found - parameters.begin())]);
+  const std::optional<ParameterId> id = ParameterId::find(name);
+  const std::optional<double> value = id ? parameter(model, *id) : std::nullopt;
+  return value ? text::format_real(*value) : "-";
 }
 
 /// Each parameter of either model, in the input and as written.

@@ -17,6 +17,8 @@ namespace fca::cli {
 
 namespace {
 
+constexpr double kNothingToSpeakOf = 0.01;  // of the image
+
 std::string name_of_outputs(const ConvertOutcome& outcome) {
   std::vector<std::string> paths;
   for (const ConvertedFile& file : outcome.files) {
@@ -62,7 +64,6 @@ SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera)
 
 /// Parts of the image beyond the region that decides, of the camera that has most of them.
 void add_limits(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
-  constexpr double kNothingToSpeakOf = 0.01;
   double most = 0.0;
   for (const ProofResult& proof : outcome.proofs) {
     for (const CameraProof& camera : proof.cameras) {
@@ -74,7 +75,6 @@ void add_limits(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
 
 /// What of the image the user's own limit leaves out, of the camera that loses most.
 void add_given_lens(const ConvertResult& outcome, std::vector<SummaryLine>& lines) {
-  constexpr double kNothingToSpeakOf = 0.01;
   double most = 0.0;
   for (const ConvertedCamera& camera : outcome.cameras) {
     if (camera.report) most = std::max(most, camera.report->judgement.coverage.outside_lens);

@@ -3,6 +3,7 @@
 // (radial_tangential.h), so that no two points share an image. Checked with a Jacobian by differences of a formula written down
 // again here.
 #include "model_test_support.h"
+#include "plane_jacobian.h"
 
 namespace fca::test {
 namespace {
@@ -21,17 +22,9 @@ std::array<Real, 2> distorted(const Coefficients& q, Real x, Real y) {
 
 /// The smaller eigenvalue of the symmetric part of the Jacobian at a point in polar coordinates.
 Real smaller_eigenvalue(const Coefficients& q, Real r, Real azimuth) {
-  constexpr Real h = 1e-7L;
-  const Real x = r * std::cos(azimuth);
-  const Real y = r * std::sin(azimuth);
-  const auto right = distorted(q, x + h, y);
-  const auto left = distorted(q, x - h, y);
-  const auto down = distorted(q, x, y + h);
-  const auto up = distorted(q, x, y - h);
-  const Real a = (right[0] - left[0]) / (2 * h);
-  const Real d = (down[1] - up[1]) / (2 * h);
-  const Real b = ((right[1] - left[1]) + (down[0] - up[0])) / (4 * h);
-  return (a + d) / 2 - std::sqrt((a - d) * (a - d) / 4 + b * b);
+  const auto [a, b, c, d] = plane_jacobian([&q](Real x, Real y) { return distorted(q, x, y); }, r, azimuth);
+  const Real mixed = (b + c) / 2;
+  return (a + d) / 2 - std::sqrt((a - d) * (a - d) / 4 + mixed * mixed);
 }
 
 constexpr double kLargestRadius = 4.0;  // 76 degrees; the step of the differences is made for it
