@@ -350,11 +350,15 @@ std::optional<Written> write(const text::Document* base, const Rig& rig, const W
     written.files.front().cameras.push_back(rig.cameras[i].name);
   add_extras_lost(rig, said, edits ? std::nullopt : old, Message{Code::kColmapNoPlace}, written.losses);
   list_camera_losses(rig, "COLMAP", written.losses);
-  if (!edits && !options.lenses_alone) add_poses(with_rotations(rig, written), ids, binary, written, diagnostics);
+  // Beside what is changed in place lie the poses of its folder.
+  const bool has_poses_beside = edits && (options.keeps_layout || of_rigs);
+  if (!has_poses_beside && !options.lenses_alone) add_poses(with_rotations(rig, written), ids, is_binary, written, diagnostics);
   if (written.files.size() == 1 && !of_rigs) written.sensor = kLensAlone;
-  if (edits) return written;
-  add_fillers(binary, written, diagnostics);
-  for (Written::File& file : written.files) file.place = file.document.source().name;
+  if (edits && written.files.size() == 1) return written;
+  add_fillers(is_binary, written, diagnostics);
+  if (edits) written.files.front().place = is_binary ? "cameras.bin" : kCamerasFile;
+  for (Written::File& file : written.files)
+    if (file.place.empty()) file.place = file.document.source().name;
   return written;
 }
 

@@ -53,6 +53,34 @@ TEST(ModelFolder, GivesWhatIsWrittenItsName) {
   }
 }
 
+// What is kept and what is converted alike.
+TEST(ModelFolder, WrittenElsewhereItKeepsItsPoses) {
+  const TemporaryFolder folder;
+  const std::string model = (folder / "model") + "/";
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "colmap", "-o", model}).code, 0);
+  const std::string own_line = "# somebody's\n" + read_file(fs::path(model) / "cameras.txt");
+  fs::remove(fs::path(model) / "cameras.txt");
+  folder.write("model/cameras.txt", own_line);
+  fs::remove(fs::path(model) / "rig_config.json");
+  const auto before = files_in(model);
+  for (const std::vector<std::string>& fit : {std::vector<std::string>(), {"--model", "eucm"}}) {
+    const std::string out = folder / ("out" + std::to_string(fit.size())) + "/";
+    std::vector<std::string> words = {"convert", model, "--to", "colmap", "-o", out};
+    words.insert(words.end(), fit.begin(), fit.end());
+    const RunResult run = run_program(words);
+    ASSERT_EQ(run.code, 0) << run.err << run.out;
+    EXPECT_TRUE(files_in(out).at("cameras.txt").starts_with("# somebody's\n"));
+    const Rig was = rig_in(run_program({"convert", model, "--to", "kalibr", "-o", "-"}).out);
+    const Rig now = rig_in(run_program({"convert", out, "--to", "kalibr", "-o", "-"}).out);
+    ASSERT_TRUE(was.resolve("cam1", "cam0") && now.resolve("cam1", "cam0"));
+    EXPECT_LT(largest_difference(*was.resolve("cam1", "cam0"), *now.resolve("cam1", "cam0")).distance, 1e-15);
+    EXPECT_EQ(files_in(model), before);
+  }
+  // In one file there is no place for them.
+  const Told alone({"convert", model, "--to", "colmap", "-o", folder / "cameras.txt"});
+  EXPECT_STREQ(alone.json()["verdict"]["word"].GetString(), "use-with-care");
+}
+
 TEST(ModelFolder, ACameraAloneHasNoRigs) {
   const TemporaryFolder folder;
   const std::string out = (folder / "model") + "/";

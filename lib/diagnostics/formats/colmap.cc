@@ -84,7 +84,7 @@ std::span<const CodeInfo> colmap_codes() {
                        "Such a pose places the camera nowhere."),
       clause(Code::kColmapRigHeadline, "a rig_config.json for COLMAP's rig_configurator"),
       clause(Code::kColmapBothHeadline,
-             "a cameras.txt for COLMAP; how its cameras sit to each other are files of their own (rig_config.json, rigs.txt)"),
+             "a cameras.txt for COLMAP, with the poses of its cameras in rig_config.json and rigs.txt"),
 
       // cameras.bin
       clause(Code::kColmapBinary, "cameras of COLMAP's models in binary"),
