@@ -49,7 +49,8 @@ int run(std::span<const std::string> words, Streams& streams) {
   try {
     return static_cast<int>(run_words(words, streams));
   } catch (const consumers::MissingModule& error) {
-    return fail(ExitCode::kIo, text::text_of(error.facts, with_options) + "; install fca-io again");
+    return fail(ExitCode::kIo,
+                text::text_of(error.facts, with_options) + "; install fca-io again, or allow it more memory (ulimit -v)");
   } catch (const std::exception& error) {
     return fail(ExitCode::kBug, std::string("a bug, please report it: ") + error.what());
   } catch (...) {

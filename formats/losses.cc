@@ -98,9 +98,18 @@ void add_lost_comments(const text::Document& edited, std::vector<Loss>& losses) 
 void add_not_carried(std::span<const ExtraField> extras, const Message& why, std::vector<Loss>& losses) {
   constexpr int kFewest = 3;  // fewer keys are named one by one
   std::map<std::string_view, int> sizes;
-  for (const ExtraField& extra : extras) ++sizes[group_of(extra)];
+  std::map<Code, std::vector<std::string>> facts;
+  for (const ExtraField& extra : extras) {
+    if (extra.kind == Code::kNone) {
+      ++sizes[group_of(extra)];
+    } else {
+      facts[extra.kind].push_back(extra.key.substr(group_of(extra).size()));
+    }
+  }
+  for (const auto& [kind, keys] : facts) losses.push_back(lost(kind, "", "", {keys}));
   std::set<std::string_view> told;
   for (const ExtraField& extra : extras) {
+    if (extra.kind != Code::kNone) continue;
     const std::string_view group = group_of(extra);
     const int members = sizes[group];
     if (!group.empty() && members >= kFewest) {

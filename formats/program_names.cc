@@ -20,14 +20,14 @@ constexpr std::array kOrbslam3 = {Name("orbslam"), Name("orb-slam"), Name("orb_s
 constexpr std::array kOrbslam2 = {Name("orbslam2"), Name("orb-slam2")};
 constexpr std::array kSlamNoOpt = {Name("slam_no_opt")};
 constexpr std::array kOpenvins = {Name("ov_msckf"), Name("sqrtvins")};
-constexpr std::array kBasalt = {Name("monado"), Name("xrtslam"), Name("granite")};
-constexpr std::array kRos = {Name("ros2"),         Name("camera_info"), Name("rtabmap"),  Name("isaac-ros"),
-                             Name("apriltag_ros"), Name("image_proc"),  Name("autoware"), Name("rovio")};
-constexpr std::array kOpencv = {Name("cv2"),      Name("filestorage"), Name("uco-slam"),  Name("lensboy"),
-                                Name("mc-calib"), Name("omnidir"),     Name("cv-fisheye")};
+constexpr std::array kBasalt = {Name("monado"), Name("xrtslam"), Name("granite"), Name("basalt-vio")};
+constexpr std::array kRos = {Name("ros1"),         Name("ros2"),       Name("camera_info"), Name("rtabmap"), Name("isaac-ros"),
+                             Name("apriltag_ros"), Name("image_proc"), Name("autoware"),    Name("rovio")};
+constexpr std::array kOpencv = {Name("cv2"),      Name("filestorage"), Name("uco-slam"),   Name("lensboy"),
+                                Name("mc-calib"), Name("omnidir"),     Name("cv-fisheye"), Name("opencv-fisheye")};
 constexpr std::array kOcamcalib = {Name("ocam"), Name("scaramuzza"), Name("py-ocamcalib"), Name("multicol-slam")};
 constexpr std::array kWoodscape = {Name("synwoodscape")};
-constexpr std::array kEuroc = {Name("asl"), Name("mav0"), Name("tum-vi-mav0")};
+constexpr std::array kEuroc = {Name("asl"), Name("mav0"), Name("tum-vi-mav0"), Name("euroc-mav")};
 constexpr std::array kCuvslam = {Name("cuvslam"), Name("pycuvslam"), Name("pycuvslam-euroc")};
 constexpr std::array kKimera = {Name("kimera-vio"), Name("kimera-multi"), Name("hydra")};
 constexpr std::array kColmap = {Name("pycolmap"),
@@ -45,14 +45,14 @@ constexpr std::array k3dgrut = {Name("3dgrut"), Name("3dgut")};
 constexpr std::array kLichtfeld = {Name("lichtfeld"), Name("lichtfeld-studio")};
 constexpr std::array kNerfstudio = {Name("splatfacto"), Name("nerfacto"), Name("torch-ngp"), Name("transforms.json"),
                                     Name("luma")};
-constexpr std::array kInstantNgp = {Name("instant-ngp"), Name("ngp")};
+constexpr std::array kInstantNgp = {Name("instant-ngp"), Name("ngp"), Name("ingp")};
 
 // Not written: what they read.
 constexpr std::array kOkvis = {Name("okvis"), Name("okvis2"), Name("okvis2-x")};
 constexpr std::array kSvo = {Name("svo"), Name("svo-pro"), Name("vikit"), Name("rpg"), Name("ultimate-slam")};
 constexpr std::array kMaplab = {Name("maplab"), Name("rovioli")};
 constexpr std::array kFastLivo = {Name("fast-livo"), Name("fast-livo2")};
-constexpr std::array kMsckfVio = {Name("msckf_vio")};
+constexpr std::array kMsckfVio = {Name("msckf_vio"), Name("msckf")};
 constexpr std::array kStella = {Name("stella"), Name("stella_vslam"), Name("openvslam"), Name("plp-slam"), Name("360vslam")};
 constexpr std::array kMrcal = {Name("mrcal"), Name("deltacamera")};
 constexpr std::array kOpensfm = {Name("opensfm"), Name("odm"), Name("webodm")};
@@ -80,6 +80,8 @@ constexpr std::array kAirslam = {Name("airslam"), Name("airvo")};
 constexpr std::array kOpenmvg = {Name("openmvg")};
 constexpr std::array kGtsam = {Name("gtsam")};
 constexpr std::array kMatlab = {Name("matlab")};
+constexpr std::array kDroidSlam = {Name("droid-slam"), Name("droid")};
+constexpr std::array kMeshroom = {Name("meshroom"), Name("alicevision")};
 constexpr std::array kSpectacular = {Name("spectacularai"), Name("sai")};
 
 constexpr std::array kNames = {
@@ -122,8 +124,16 @@ constexpr std::array kNames = {
     ProgramName{kFtheta, "NVIDIA's f-theta", "ocamcalib", "", "", "a rig.json, or a USD, with polynomials of its own"},
     ProgramName{kMetashape, "Metashape", "opencv", "", "", "an XML of its own"},
     ProgramName{kKitti, "KITTI", "ros", "", "", "calib.txt; KITTI-360 (kitti-360) has files of its own"},
-    ProgramName{kKitti360, "KITTI-360", "vins", "", "", "VINS' files for its fisheyes (vins), perspective.txt for the others"},
-    ProgramName{kIsaac, "Isaac", "ros", "", "", "camera_info as Isaac ROS (ros), a USD as Isaac Sim (isaac-sim)"},
+    ProgramName{.names = kKitti360,
+                .title = "KITTI-360",
+                .format = "vins",
+                .reads = "perspective.txt for its perspective cameras",
+                .served_part = "its fisheyes, which have VINS' files"},
+    ProgramName{.names = kIsaac,
+                .title = "Isaac",
+                .format = "ros",
+                .reads = "a USD as Isaac Sim (isaac-sim)",
+                .served_part = "Isaac ROS, which reads camera_info"},
     ProgramName{kTheia, "Theia", "opencv", "", "", "a JSON of priors of its own"},
     ProgramName{kCarla, "CARLA", "opencv", "", "", "attributes of its sensors, a pinhole without distortion"},
     ProgramName{kArkit, "ARKit", "opencv", "", "", "a JSON per frame, a pinhole without distortion"},
@@ -137,6 +147,8 @@ constexpr std::array kNames = {
     ProgramName{kOpenmvg, "openMVG", "opencv", "", "", "sfm_data.json"},
     ProgramName{kGtsam, "GTSAM", "opencv", "", "", "arguments of its Cal3 classes"},
     ProgramName{kMatlab, "MATLAB", "opencv", "", "", "objects of its own (cameraIntrinsicsKB, fisheyeIntrinsics)"},
+    ProgramName{kDroidSlam, "DROID-SLAM", "opencv", "", "", "a line of fx fy cx cy k1 k2 p1 p2"},
+    ProgramName{kMeshroom, "Meshroom", "opencv", "", "", "an SfM JSON of its own (.sfm)"},
     ProgramName{kSpectacular, "SpectacularAI", "opencv", "", "", "calibration.json"},
 };
 

@@ -306,6 +306,13 @@ bool is_of_unwritten_imu(const Finding& finding, const VerdictFacts& facts) {
   });
 }
 
+/// Is the finding about where a camera stands on its vehicle, which the written file does not say?
+bool is_of_unwritten_vehicle(const Finding& finding, const VerdictFacts& facts) {
+  const Code code = finding.facts.code;
+  const bool is_of_vehicle = code == Code::kCameraUnderGround || code == Code::kCameraNotOfACar;
+  return is_of_vehicle && !facts.files.empty() && facts.to->frame != "vehicle";
+}
+
 /// Is the finding about the pose that was left out, by its name?
 bool is_of_outvoted(const Finding& finding, const VerdictFacts& facts) {
   return facts.outvoted != nullptr && !finding.facts.arguments.empty() &&
@@ -334,6 +341,7 @@ void add_findings(const VerdictFacts& facts, std::vector<Reason>& reasons) {
     if (facts.rig != nullptr && same_id(kind, Code::kVerdictPosesContradict)) continue;  // decided by its numbers
     if (about == About::kPoses && is_of_outvoted(finding, facts)) continue;
     if (about == About::kPoses && is_of_unwritten_imu(finding, facts)) continue;
+    if (is_of_unwritten_vehicle(finding, facts)) continue;
     const VerdictWord word = finding.severity == Severity::kError ? VerdictWord::kDoNotUse : VerdictWord::kUseWithCare;
     // Lengths that are no metres become wrong ones in a format of metres.
     if (kind == Code::kOpencvUnitsNotStated && is_of_one_camera(facts)) continue;  // of the second one's distance
@@ -429,6 +437,7 @@ bool matters(const Loss& loss, const Format& to, std::string_view mode) {
     case Code::kImuDropped:
     case Code::kCamchainImuDropped:
     case Code::kVinsImuDropped:
+    case Code::kVinsNoiseOfUnknownRate:
       return uses_imu;
     case Code::kPoseDropped:
       return loss.key == "T_cam_cam" ? uses_poses : uses_imu && loss.key == "T_cam_imu";

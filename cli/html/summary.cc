@@ -45,7 +45,7 @@ void put_conversion_tile(Html& html, const ConvertResult& result, const Converte
       coverage_text(report.judgement.coverage, report.scored_to_deg)};
   if (const CameraDistance* distance = distance_of(result, camera)) {
     lines.push_back("as the program reads it: " + distance_in_words(distance->in_circle) + " in the inscribed circle, " +
-                    distance_in_words(distance->in_image) + " in the whole image");
+                    distance_in_words(distance->in_image) + " " + std::string(image_in_words(*distance)));
   }
   put_tile(html, title, "rms " + pixels(error.rms) + " px", lines);
 }

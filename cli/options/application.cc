@@ -4,6 +4,8 @@
 #include "help_text.h"
 #include "words.h"
 
+#include <fca/formats/text/prose.h>
+
 #include <algorithm>
 #include <optional>
 #include <sstream>
@@ -83,6 +85,27 @@ void replace_aliases(std::vector<std::string>& words) {
 
 }  // namespace
 
+namespace {
+
+/// Of the first option that there is not: which was meant; nothing where none is near, or all are there.
+std::optional<std::string> unknown_option(std::span<const std::string> words, const Options& options) {
+  constexpr std::string_view kDashes = "--";
+  const std::vector<std::string> names = options.names();
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with(kDashes) || std::ranges::find(names, name) != names.end()) continue;
+    std::vector<std::string> bare;
+    for (const std::string& each : names) bare.push_back(each.substr(kDashes.size()));
+    std::vector<std::string> near = text::nearest(name.substr(kDashes.size()), bare);
+    if (near.empty()) return std::nullopt;
+    for (std::string& each : near) each.insert(0, kDashes);
+    return "unknown option '" + name + "'; did you mean " + text::enumerated(near, "or") + "?";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 ExitCode Application::run(std::span<const std::string> given, Console& console) {
   std::vector<std::string> words(given.begin(), given.end());
   replace_aliases(words);
@@ -105,7 +128,10 @@ ExitCode Application::run(std::span<const std::string> given, Console& console) 
       return ExitCode::kGood;
     }
     const bool named = !words.empty() && is_name(words.front());
-    return console.refuse(ExitCode::kUsage, named ? words.front() + ": " + error.what() : error.what(),
+    const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+    const std::string problem =
+        (is_extra && parser_->options ? unknown_option(words, *parser_->options) : std::nullopt).value_or(error.what());
+    return console.refuse(ExitCode::kUsage, named ? words.front() + ": " + problem : problem,
                           (named ? "fca-io " + words.front() : "fca-io") + std::string(" --help"));
   }
   if (!parser_->chosen) {

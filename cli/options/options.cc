@@ -162,4 +162,12 @@ TypedOptions Options::typed() const {
   return result;
 }
 
+std::vector<std::string> Options::names() const {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command_.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
 }  // namespace fca::cli

@@ -88,6 +88,8 @@ class Options {
   void refuse_empty_values();
   /// Those that were given, in their order.
   [[nodiscard]] TypedOptions typed() const;
+  /// The words that options begin with: "--to".
+  [[nodiscard]] std::vector<std::string> names() const;
 
  private:
   CLI::App& command_;

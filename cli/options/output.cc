@@ -1,7 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output.h"
 
+#include "words.h"
+
 namespace fca::cli {
+
+namespace {
+
+constexpr const char* kOutput = "-o,--output";
+constexpr const char* kVerbose = "-v,--verbose";
+
+}  // namespace
+
+void add_output_option(Options& options, const std::string& help, std::string& path) {
+  options.group(OptionGroup::kOutput);
+  options.value(kOutput, "PATH", help, path);
+}
+
+void add_output_option(Options& options, const std::string& help, OutputPlace& place) {
+  options.group(OptionGroup::kOutput);
+  options.value(kOutput, "PATH", help, [&place](const std::string& word) { return take_place(word, place); });
+}
+
+void add_verbose_option(Options& options, const std::string& help, bool& is_verbose) {
+  options.group(OptionGroup::kOutput);
+  options.flag(kVerbose, help, is_verbose);
+}
+
+void add_verbose_option(Options& options, const std::string& help, int& verbosity) {
+  options.group(OptionGroup::kOutput);
+  options.count(kVerbose, help, verbosity);
+}
 
 void add_json_option(Options& options, bool& json) {
   options.group(OptionGroup::kOutput);

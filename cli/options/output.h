@@ -3,12 +3,21 @@
 #pragma once
 
 #include "options.h"
+#include "shell/output_name.h"
 
 #include <cstddef>
 #include <string>
 
 namespace fca::cli {
 
+/// -o: one file,
+void add_output_option(Options& options, const std::string& help, std::string& path);
+/// or where several go.
+void add_output_option(Options& options, const std::string& help, OutputPlace& place);
+/// -v
+void add_verbose_option(Options& options, const std::string& help, bool& is_verbose);
+/// -v and -vv
+void add_verbose_option(Options& options, const std::string& help, int& verbosity);
 /// --json
 void add_json_option(Options& options, bool& json);
 /// --force; `help` says what is overwritten.

@@ -11,6 +11,7 @@
 #include <fca/rig/limits.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace fca::cli {
 
@@ -47,9 +48,11 @@ std::optional<std::string> take_setting(const std::string& word, std::vector<Key
 std::optional<std::string> take_acceptance(const std::string& word, std::vector<Acceptance>& accepted) {
   const std::size_t colon = word.find(':');
   const std::string id = word.substr(0, colon);
-  std::vector<std::string> known;
-  for (const CodeInfo& code : all_codes()) known.emplace_back(code.id);
-  if (std::ranges::find(known, id) == known.end()) return unknown_word("code", id, known, "the verdict names them");
+  if (!is_code(id)) {
+    std::vector<std::string> known;
+    for (const CodeInfo& code : all_codes()) known.emplace_back(code.id);
+    return unknown_word("code", id, known, "the verdict names them");
+  }
   if (!may_be_accepted(id)) return "--accept " + id + ": that is a limit of your own; leave out the option that sets it";
   accepted.push_back({id, colon == std::string::npos ? "" : word.substr(colon + 1)});
   return std::nullopt;
@@ -72,6 +75,17 @@ std::optional<std::string> take_objective(const std::string& word, Objective& ta
 }
 
 }  // namespace
+
+void add_to_option(Options& options, const std::string& help, ConvertRequest& request) {
+  options.group(OptionGroup::kTarget);
+  options.value("--to", "FORMAT", help + ": " + target_names(),
+                [&request](const std::string& word) { return take_target(word, request); });
+}
+
+void add_model_option(Options& options, const ModelOption& option, TakeWord take) {
+  options.group(OptionGroup::kTarget);
+  options.value("--model", option.values, option.help + ": " + model_names() + option.more, std::move(take));
+}
 
 void add_target_options(Options& options, ConvertRequest& request) {
   options.group(OptionGroup::kTarget);

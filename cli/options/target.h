@@ -12,7 +12,19 @@
 
 namespace fca::cli {
 
-/// All of them but --to and --model, whose words are each command's own.
+/// --to; the help begins with `help`.
+void add_to_option(Options& options, const std::string& help, ConvertRequest& request);
+
+/// What a command says of --model.
+struct ModelOption {
+  std::string values = "MODEL";
+  std::string help;       ///< Before the list of models;
+  std::string more = {};  ///< behind it.
+};
+/// --model
+void add_model_option(Options& options, const ModelOption& option, TakeWord take);
+
+/// All the others.
 void add_target_options(Options& options, ConvertRequest& request);
 /// --accept: reasons against the written file that do not stop it.
 void add_accept_option(Options& options, std::vector<Acceptance>& accepted);

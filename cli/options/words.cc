@@ -35,12 +35,14 @@ std::optional<ImageSize> parse_size(std::string_view text) {
   return ImageSize{*width, *height};
 }
 
-/// A program that fca-io knows and has no format for.
+/// A program that fca-io knows and has no format for, or not for all of it.
 std::string not_served(const ProgramName& program, std::string_view option) {
-  const std::string what = std::string(program.title) + " reads " + std::string(program.reads) + ", which fca-io does not ";
-  const std::string format(program.format);
-  if (option == "--from") return what + "read; the nearest format is " + format;
-  return what + "write; the nearest is " + std::string(option) + " " + format;
+  const bool reading = option == "--from";
+  const std::string what = std::string(program.title) + " reads " + std::string(program.reads) + ", which fca-io does not " +
+                           (reading ? "read" : "write");
+  const std::string format = (reading ? "" : std::string(option) + " ") + std::string(program.format);
+  if (!program.served_part.empty()) return what + "; " + format + " is for " + std::string(program.served_part);
+  return what + "; the nearest " + (reading ? "format is " : "is ") + format;
 }
 
 }  // namespace

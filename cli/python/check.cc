@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bindings.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/message.h>
 #include <fca/formats/text/read_document.h>
 #include <fca/formats/wording.h>
@@ -30,6 +31,9 @@ std::unique_ptr<Check> check_source(const py::object& source, const std::optiona
   CheckRequest request;
   request.inputs = inputs_of(source);
   if (image_size) request.inputs.image_size = size_of(image_size);
+  for (const std::string& id : ignore) {
+    if (!is_code(id)) raise_value_error("there is no code '" + id + "'");
+  }
   request.ignored = ignore;
   Diagnostics diagnostics;
   auto result = std::make_unique<Check>();

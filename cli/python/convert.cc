@@ -33,6 +33,7 @@ Target target_named(const std::string& name) {
 Acceptance acceptance_of(const std::string& word) {
   const std::size_t colon = word.find(':');
   const std::string id = word.substr(0, colon);
+  if (!is_code(id)) raise_value_error("there is no code '" + id + "'");
   if (!may_be_accepted(id)) raise_value_error("'" + id + "' is a limit of your own");
   return {id, colon == std::string::npos ? "" : word.substr(colon + 1)};
 }

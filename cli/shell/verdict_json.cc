@@ -2,6 +2,7 @@
 #include "verdict_json.h"
 
 #include "option_hints.h"
+#include "verdict_text.h"
 
 #include <fca/code.h>
 #include <fca/formats/wording.h>
@@ -25,7 +26,7 @@ void put_reason(Json& json, const Reason& reason) {
   const bool has_share = distance && reason.facts.code == Code::kVerdictNoRays;
   has_share ? json.put("share", distance->region * distance->no_rays) : json.null("share");
   json.put("text", message_of(reason, with_options));
-  json.put("fix", fix_of(reason, with_options));
+  json.put("fix", remedy_of(reason));
   json.put("accepted", reason.is_accepted);
 }
 

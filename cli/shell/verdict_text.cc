@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 namespace fca::cli {
@@ -78,21 +79,26 @@ bool is_likewise(const Reason& a, const Reason& b) {
   return has_owner && a.facts.code == b.facts.code && a.kind == b.kind && a.word == b.word && owner_of(a) != owner_of(b);
 }
 
-std::string sentence_of(const Reason& reason) {
+/// `told`: the remedies that stand in lines before it, and what they are for. Equal lines become one.
+std::string sentence_of(const Reason& reason, std::map<std::string, Code>& told) {
   std::string text = message_of(reason, with_options);
-  const std::string fix = fix_of(reason, with_options);
-  if (reason.facts.code == Code::kVerdictLost) {
-    const auto* clauses = std::get_if<std::vector<Message>>(&reason.facts.arguments.front().value);
-    const std::string remedy = clauses != nullptr ? text::fix_of(clauses->front(), with_options) : "";
-    if (!remedy.empty()) text += ": " + remedy;
-  } else if (!fix.empty()) {
-    text += "; fix: " + fix;
+  const std::string remedy = remedy_of(reason);
+  if (reason.facts.code == Code::kVerdictLost && !remedy.empty()) {
+    text += ": " + remedy;
+  } else if (!remedy.empty() && told.try_emplace(remedy, reason.facts.code).first->second == reason.facts.code) {
+    text += "; fix: " + remedy;
   }
   if (reason.is_accepted) text += " (accepted)";
   return text;
 }
 
 }  // namespace
+
+std::string remedy_of(const Reason& reason) {
+  if (reason.facts.code != Code::kVerdictLost) return fix_of(reason, with_options);
+  const auto* clauses = std::get_if<std::vector<Message>>(&reason.facts.arguments.front().value);
+  return clauses != nullptr ? text::fix_of(clauses->front(), with_options) : "";
+}
 
 std::string_view in_words(VerdictWord word) {
   switch (word) {
@@ -109,6 +115,11 @@ std::string_view in_words(VerdictWord word) {
 std::string region_in_words(const CameraDistance& distance) {
   if (!distance.is_wide) return "over the whole image";
   return "inside the circle that fits into the image; " + pixels(distance.in_image.rms) + " px rms over all of it";
+}
+
+std::string_view image_in_words(const CameraDistance& distance) {
+  constexpr double kNoticeable = 0.01;
+  return distance.in_image.no_rays * distance.in_image.region > kNoticeable ? "where it has rays" : "in the whole image";
 }
 
 double share_without_rays(const CameraDistance& distance) {
@@ -164,6 +175,7 @@ std::string wrapped_line(const std::string& sentence) { return in_columns(text::
 std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
   std::vector<SummaryLine> lines;
   std::vector<std::string> codes;
+  std::map<std::string, Code> told;
   for (auto at = verdict.reasons.begin(); at != verdict.reasons.end(); ++at) {
     const Reason& reason = *at;
     if (!with_distances && !may_be_accepted(reason)) continue;  // an error of its own
@@ -196,9 +208,9 @@ std::vector<SummaryLine> lines_of(const Verdict& verdict, bool with_distances) {
         is_distance || reason.facts.code == Code::kVerdictNoRays || reason.facts.code == Code::kVerdictNumbersDiffer;
     const bool names_camera = is_of_camera && !reason.camera.empty();
     lines.push_back({names_camera ? reason.camera : std::string(label_of(reason)),
-                     sentence_of(reason) + (likewise.empty() ? ""
-                                                             : "; " + enumerated(likewise) + " likewise" +
-                                                                   (has_others && !with_distances ? " (see -v)" : ""))});
+                     sentence_of(reason, told) + (likewise.empty() ? ""
+                                                                   : "; " + enumerated(likewise) + " likewise" +
+                                                                         (has_others && !with_distances ? " (see -v)" : ""))});
   }
   for (const Reason& reason : verdict.reasons) {
     const bool has_line = with_distances || reason.facts.code != Code::kVerdictPixelsOff;

@@ -38,8 +38,12 @@ struct SummaryLine {
 
 /// "inside the circle that fits into the image; 7.9 px rms over all of it": where that distance was measured.
 [[nodiscard]] std::string region_in_words(const CameraDistance& distance);
+/// "in the whole image" or "where it has rays": of which part of it CameraDistance::in_image is.
+[[nodiscard]] std::string_view image_in_words(const CameraDistance& distance);
 /// The share of the image, outside the circle that decides, for which the program has no right ray; 0 where it decides anyway.
 [[nodiscard]] double share_without_rays(const CameraDistance& distance);
+/// What to do about it, in the command's words; empty: nothing is known.
+[[nodiscard]] std::string remedy_of(const Reason& reason);
 /// "no right ray outside the inscribed circle: 20.2 % of the image"
 [[nodiscard]] std::string no_rays_outside_in_words(double share);
 /// What the line of lines_of() is about that says how to overrule the verdict.

@@ -2,6 +2,9 @@
 #include <fca/code.h>
 #include <fca/toolkit/status.h>
 
+#include <algorithm>
+#include <array>
+
 namespace fca {
 
 Status status_of(const Diagnostics& diagnostics) {
@@ -11,7 +14,9 @@ Status status_of(const Diagnostics& diagnostics) {
                                [code](const Diagnostic& entry) { return same_id(code_of(entry), code); });
   };
   if (has(Code::kAnyCannotRead)) return Status::kUnreadable;
-  return has(Code::kUnknownCamera) || has(Code::kUnitWithoutUse) ? Status::kBadRequest : Status::kBadInput;
+  constexpr std::array kOfRequest = {Code::kNoInput, Code::kNoTarget, Code::kUnknownAcceptance, Code::kUnknownCamera,
+                                     Code::kUnitWithoutUse};
+  return std::ranges::any_of(kOfRequest, has) ? Status::kBadRequest : Status::kBadInput;
 }
 
 }  // namespace fca

@@ -147,8 +147,10 @@ class ProgramsCheck {
     const bool has_several = calibration_ != nullptr && calibration_->rig.cameras.size() > 1;
     const bool has_imu_file = calibration_ != nullptr && !calibration_->rig.imus.empty() && to.imu_file;
     const bool has_further_files = has_several && (!to.many_cameras || to.poses_apart || !writing.file_name.empty());
+    const bool has_name = !has_several && !writing.file_name.empty();
     if (has_imu_file || has_further_files) how.push_back({Code::kConvertToFiles});
-    if (!has_several && !writing.file_name.empty()) how.push_back({Code::kConvertUnderName, {writing.file_name}});
+    if (has_name) how.push_back({Code::kConvertUnderName, {writing.file_name}});
+    if (!has_imu_file && !has_further_files && !has_name) how.push_back({Code::kConvertToFile, {to.extension}});
     const ProgramName* name = find_program_name(program.id);
     const std::string_view name_of_it =
         name != nullptr && (name->consumer == program.id || !name->extension.empty()) ? program.id : program.format;

@@ -21,6 +21,9 @@ ConsumerView in_own_locale(std::string_view bytes, const LoadOptions& options) {
 constexpr double kDoublePrecisionPx = 1e-9;
 constexpr double kFloatPrecisionPx = 2e-4;
 
+/// It has four places for coefficients.
+constexpr std::array kUnreadByInstantNgp = {UnreadParameter{"radtan", "k3"}};
+
 constexpr std::array kConsumers{
     Consumer{.id = "kalibr",
              .program = "Kalibr",
@@ -115,7 +118,12 @@ constexpr std::array kConsumers{
              .tolerance_px = kFloatPrecisionPx,
              .load = &in_own_locale<&load_dso>,
              .writing = {.file_name = "camera.txt"}},
-    Consumer{"cuvslam", "cuVSLAM (EuRoC example)", "euroc", kDoublePrecisionPx, &in_own_locale<&load_cuvslam>},
+    Consumer{.id = "cuvslam",
+             .program = "cuVSLAM (EuRoC example)",
+             .format = "euroc",
+             .tolerance_px = kDoublePrecisionPx,
+             .load = &in_own_locale<&load_cuvslam>,
+             .writing = {.equidistant_file_name = "sensor_recalibrated.yaml"}},
     Consumer{.id = "cuvslam-imu",
              .program = "cuVSLAM (EuRoC example, IMU)",
              .format = "euroc",
@@ -143,7 +151,12 @@ constexpr std::array kConsumers{
              .load = &in_own_locale<&load_colmap>,
              .cameras = false},
     Consumer{"nerfstudio", "nerfstudio", "nerfstudio", kFloatPrecisionPx, &in_own_locale<&load_nerfstudio>},
-    Consumer{"instant-ngp", "instant-ngp", "nerfstudio", kFloatPrecisionPx, &in_own_locale<&load_instant_ngp>},
+    Consumer{.id = "instant-ngp",
+             .program = "instant-ngp",
+             .format = "nerfstudio",
+             .tolerance_px = kFloatPrecisionPx,
+             .load = &in_own_locale<&load_instant_ngp>,
+             .writing = {.unread = kUnreadByInstantNgp}},
     Consumer{.id = "gsplat",
              .program = "gsplat",
              .format = "colmap",

@@ -56,6 +56,11 @@ std::string pixels(double value) {
   return format_short(value, value < kTiny ? 2 : 3);
 }
 
+/// An rms, or the worst pixel behind it: nothing where both are rounding.
+constexpr double kExactPx = 1e-9;
+std::string rms_off(double rms_px) { return rms_px < kExactPx ? "exact" : pixels(rms_px) + " px rms off"; }
+std::string worst_off(double worst_px) { return worst_px < kExactPx ? "" : ", worst " + pixels(worst_px); }
+
 std::string plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 /// The words of one argument, by its type; `how` is what stands behind the colon.
@@ -76,6 +81,8 @@ struct InWords {
     if (how == "real") return format_real(value);
     if (how == "all") return shortest(value);
     if (how == "px") return pixels(value);
+    if (how == "rms") return rms_off(value);
+    if (how == "worst") return worst_off(value);
     if (how == "%") return fixed(100.0 * value, 1) + " %";
     if (!how.starts_with('.')) refuse(how);
     const bool decimals = how.ends_with('f');

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace fca::text {
@@ -42,18 +43,35 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+/// The one, so far as it goes: "orb" of "orbslam3". What is too short begins much.
+bool is_beginning(std::string_view word, std::string_view of) {
+  constexpr std::size_t kShortest = 3;
+  return word.size() >= kShortest && of.starts_with(word);
+}
+
+/// How many letters of `typed` are wrong; nothing if it is so far from `name` that it means something else.
+std::optional<std::size_t> wrong_letters(std::string_view typed, std::string_view name) {
+  constexpr std::size_t kShort = 3;
+  constexpr std::size_t kOneIn = 3;
+  if (is_beginning(typed, name) || (name.size() > kShort && is_beginning(name, typed))) return 1;
+  if (typed.empty() || name.empty()) return std::nullopt;
+  const std::size_t wrong = edit_distance(typed.substr(0, 64), name);
+  const bool is_short = std::min(typed.size(), name.size()) <= kShort;
+  const bool is_near =
+      is_short ? wrong <= 1 && typed.front() == name.front() : wrong * kOneIn <= std::max(typed.size(), name.size());
+  return is_near ? std::optional(wrong) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names) {
   std::vector<std::pair<std::size_t, std::string>> ranked;
   for (const std::string& name : names) {
-    const std::size_t distance =
-        name.starts_with(typed) || typed.starts_with(name) ? 1 : edit_distance(typed.substr(0, 64), name);
-    if (distance <= std::max<std::size_t>(2, name.size() / 2)) ranked.emplace_back(distance, name);
+    if (const std::optional<std::size_t> wrong = wrong_letters(typed, name)) ranked.emplace_back(*wrong, name);
   }
   std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string>::first);
   std::vector<std::string> result;
-  for (const auto& [distance, name] : ranked) {
+  for (const auto& [wrong, name] : ranked) {
     if (result.size() < 3) result.push_back(name);
   }
   return result;

@@ -229,6 +229,35 @@ std::optional<Refusal> blank_missing(const Source& source, std::size_t offset) {
   return last;
 }
 
+/// Is it about what the end of the file cuts off?
+bool is_about_end(const Refusal& refusal, const Source& source) {
+  const std::string_view rest = std::string_view(source.bytes).substr(std::min(refusal.offset, source.bytes.size()));
+  switch (refusal.message.code) {
+    case Code::kYamlKeyWithoutColon:
+    case Code::kYamlQuoteOpen:
+      return rest.find('\n') == std::string_view::npos;
+    case Code::kYamlSyntax: {
+      if (rest.find_first_not_of(" \t\r\n-") != std::string_view::npos) return false;
+      if (refusal.message.arguments.front() != Argument(YAML::ErrorMsg::EOF_IN_SCALAR)) return true;
+      // The parser is at the end whichever quote is open: one of the last line?
+      const std::string_view line = source.text(source.line_at(source.bytes.size()));
+      return (std::ranges::count(line, '"') + std::ranges::count(line, '\'')) % 2 != 0;
+    }
+    default:
+      return false;
+  }
+}
+
+/// What is behind an error of structure: a blank that is missing before it, or an end that comes too early.
+Refusal explained(const Refusal& refusal, const Source& source) {
+  constexpr std::array kOfStructure = {Code::kYamlSyntax, Code::kYamlKeyIsNoName, Code::kYamlDocuments};
+  if (!same_id(refusal.message.code, kOfStructure)) return refusal;
+  const std::optional<Refusal> blank = blank_missing(source, refusal.offset);
+  if (!is_about_end(refusal, source)) return blank.value_or(refusal);
+  const bool is_of_last_line = blank && blank->offset >= source.line_at(source.bytes.size()).offset;
+  return is_of_last_line ? *blank : Refusal{{Code::kYamlEndsEarly}, refusal.offset};
+}
+
 /// What often goes wrong, better than a parser says it.
 Refusal describe(const YAML::ParserException& error, const Source& source, std::size_t offset) {
   const Span line = source.line_at(offset);
@@ -264,16 +293,11 @@ std::optional<Node> parse_yaml(const Source& source, Syntax syntax, Diagnostics&
     }
     return builder.take_root();
   } catch (const Refusal& refusal) {
-    constexpr std::array kOfStructure = {Code::kYamlSyntax, Code::kYamlKeyIsNoName, Code::kYamlDocuments};
-    report(
-        (same_id(refusal.message.code, kOfStructure) ? blank_missing(source, refusal.offset) : std::nullopt).value_or(refusal),
-        source, diagnostics);
+    report(explained(refusal, source), source, diagnostics);
   } catch (const YAML::ParserException& error) {
     const std::size_t in_text = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
     const std::size_t offset = std::min(skipped + spaced.original_offset(in_text), source.bytes.size());
-    const Refusal refusal = describe(error, source, offset);
-    report((same_id(refusal.message.code, Code::kYamlSyntax) ? blank_missing(source, offset) : std::nullopt).value_or(refusal),
-           source, diagnostics);
+    report(explained(describe(error, source, offset), source), source, diagnostics);
   } catch (const YAML::Exception& error) {
     diagnostics.add(Code::kYamlError, {error.msg}, source.range({}));
   }

@@ -42,8 +42,7 @@ class ConfigReader {
     for (const text::Entry& entry : config_.root().entries) {
       if (read_.contains(entry.key.value)) continue;
       ExtraField extra = {"", std::string(kTuning) + entry.key.value, fields::value_text(entry.value)};
-      if (std::ranges::find(kNoises, entry.key.value, &Noise::key) != kNoises.end())
-        extra.said = {Code::kVinsNoiseOfUnknownRate, {extra.value}};
+      if (std::ranges::find(kNoises, entry.key.value, &Noise::key) != kNoises.end()) extra.kind = Code::kVinsNoiseOfUnknownRate;
       rig.extra_fields.push_back(std::move(extra));
     }
   }

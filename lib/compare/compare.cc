@@ -264,10 +264,11 @@ bool FactComparison::same_but_for_rounding() const {
   return std::abs(other - reference) <= kRounding * std::abs(reference);
 }
 
-bool FactComparison::alike() const {
+double FactComparison::apart() const {
   constexpr double kSameTime = 1e-3;  // s
   constexpr double kSameShare = 0.05;
-  return std::abs(other - reference) <= (unit == "s" ? kSameTime : kSameShare * std::abs(reference));
+  // Of nothing every other number is infinitely many times as much.
+  return other == reference ? 0.0 : std::abs(other - reference) / (unit == "s" ? kSameTime : kSameShare * std::abs(reference));
 }
 
 bool RigComparison::identical() const {

@@ -154,9 +154,9 @@ std::vector<Mistake> mistaken_poses(const PoseTask& task) {
 
 namespace fca {
 
-bool PoseComparison::alike() const {
+double PoseComparison::apart() const {
   const double allowed = std::max(internal::kSameDistance, internal::kSameShare * reference_length_m);
-  return angle_rad <= internal::kSameAngle && distance_m <= allowed;
+  return std::max(angle_rad / internal::kSameAngle, distance_m / allowed);
 }
 
 }  // namespace fca

@@ -72,6 +72,8 @@ std::span<const CodeInfo> all_codes() {
   return rows;
 }
 
+bool is_code(std::string_view id) { return std::ranges::find(all_codes(), id, &CodeInfo::id) != all_codes().end(); }
+
 const CodeInfo& info(Code code) {
   static constexpr CodeInfo kNothing = {.code = Code::kNone, .id = "", .text = ""};
   const std::span<const CodeInfo> rows = all_codes();

@@ -35,6 +35,8 @@ std::span<const CodeInfo> syntax_codes() {
       error(Code::kYamlKeyIsNoName, "yaml-key", "a key that is no name"),
       error(Code::kYamlKeyWithoutColon, kYaml, "YAML syntax error: a key without its colon",
             "is a blank missing behind the colon?"),
+      error(Code::kYamlEndsEarly, kYaml, "YAML syntax error: the file ends inside a list or value",
+            "is the file cut off? If not, a bracket or quote above is open"),
       error(Code::kYamlBlankMissing, "blank-missing", "a blank is missing behind the colon", "write a blank behind it"),
       error(Code::kYamlTab, "yaml-tab", "a TAB as indentation; YAML takes only blanks there", "replace the TAB by blanks"),
       error(Code::kYamlDocuments, "yaml-documents",

@@ -39,12 +39,12 @@ std::span<const CodeInfo> verdict_codes() {
               "leave out what asks for a pair"),
       reader_warning(Code::kVerdictNeedsVersion, "needs-version",
                      "{0} reads {2} since {1}; its readers before refuse the file"),
-      clause(Code::kOlderVersionsRead, "for those the model {0}: {1:px} px rms off, worst {2:px}"),
+      clause(Code::kOlderVersionsRead, "for those the model {0}: {1:rms}{2:worst}"),
       clause(Code::kFitInsideAngle, "the same model fitted up to {0} deg from the axis: {1:px} px rms inside, not {2:px}"),
       clause(Code::kRewriteDemandsRate, "write a fresh file, which demands the IMU's rate"),
       clause(Code::kRewriteDemandsSize, "write a fresh file, which demands the size of the images"),
-      clause(Code::kRewrittenFor, "write a fresh file, which is for {0}: {1:px} px rms off, worst {2:px}"),
-      clause(Code::kRewrittenIs, "written anew: {0:px} px rms off, worst {1:px}"),
+      clause(Code::kRewrittenFor, "write a fresh file, which is for {0}: {1:rms}{2:worst}"),
+      clause(Code::kRewrittenIs, "written anew: {0:rms}{1:worst}"),
   };
   return kRows;
 }

@@ -122,6 +122,31 @@ TEST(Compare, AMissingCameraOrImagePartIsNoPass) {
   for (const auto& file : document["files"].GetArray()) EXPECT_FALSE(file["identical"].GetBool());
 }
 
+// Of several differences the verdict names the largest, and none that is mere rounding.
+TEST(Compare, TheVerdictNamesTheLargestDifference) {
+  const TemporaryFolder folder;
+  const auto offsets = [&](const std::string& name, const char* first, const char* second) {
+    std::string text = read_file(kTumvi);
+    const std::size_t at = text.find("cam1:");
+    text.insert(at, std::string("  timeshift_cam_imu: ") + first + "\n");
+    if (!text.ends_with('\n')) text += '\n';
+    return folder.write(name, text + "  timeshift_cam_imu: " + second + "\n");
+  };
+  const std::string reference = offsets("reference.yaml", "0.001", "0.002");
+  const auto verdict = [&](const std::string& other) {
+    const Told told({"compare", reference, other});
+    return std::string(told.json()["files"][0]["verdict"].GetString());
+  };
+  const std::string rounded = verdict(offsets("rounded.yaml", "0.0010000003", "0.0020347"));
+  EXPECT_TRUE(contains(rounded, "cam1 time offset")) << rounded;
+  EXPECT_FALSE(contains(rounded, "cam0 time offset") || contains(rounded, "more")) << rounded;
+  const std::string both = verdict(offsets("both.yaml", "0.00101", "0.0020347"));
+  EXPECT_TRUE(contains(both, "cam1 time offset")) << both;
+  // Where nothing else differs, rounding is what differs.
+  const std::string alone = verdict(offsets("alone.yaml", "0.0010000003", "0.002"));
+  EXPECT_TRUE(contains(alone, "cam0 time offset")) << alone;
+}
+
 TEST(Compare, BadInputsAreToldAndTheOthersStillCompared) {
   const TemporaryFolder folder;
   const std::string empty = folder.write("empty.yaml", "");

@@ -4,6 +4,8 @@
 #include "cli/run_program.h"
 #include "cli/told.h"
 
+#include <fca/rig/rotation.h>
+
 namespace fca::test {
 namespace {
 
@@ -137,6 +139,16 @@ TEST(ModelFolder, APatternGivesEachInputAFolder) {
     EXPECT_EQ(files.size(), 3U) << stem;
     EXPECT_TRUE(files.contains("cameras.txt") && files.contains("images.txt")) << stem;
   }
+}
+
+// A program of lenses alone opens no file of rigs.
+TEST(ModelFolder, IsCheckedAsItsProgramOpensIt) {
+  const TemporaryFolder folder;
+  const std::string out = (folder / "model") + "/";
+  EXPECT_EQ(run_program({"convert", kTumvi, "--to", "colmap", "-o", out}).code, 0);
+  for (const char* program : {"colmap", "gsplat", "lichtfeld"})
+    EXPECT_EQ(run_program({"check", out, "--for", program}).code, 0) << program;
+  EXPECT_EQ(run_program({"check", out + "rig_config.json", "--for", "gsplat"}).code, 1);
 }
 
 TEST(ModelFolder, BinaryWinsOverText) {

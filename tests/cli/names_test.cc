@@ -6,6 +6,7 @@
 
 #include <fca/formats/consumers/consumer.h>
 #include <fca/formats/program_names.h>
+#include <fca/formats/text/prose.h>
 
 #include <set>
 
@@ -33,6 +34,37 @@ TEST(Names, EveryProgramIsServedOrAnswered) {
         EXPECT_TRUE(contains(from.err, std::string(value))) << typed << ": " << from.err;
     }
   }
+}
+
+// Half of what is called so is written.
+TEST(Names, ANameOfSeveralProgramsIsAnsweredWithBoth) {
+  const RunResult isaac = run_program({"convert", kTumvi, "--to", "isaac"});
+  for (const char* value : {"--to ros", "isaac-sim"}) EXPECT_TRUE(contains(isaac.err, value)) << isaac.err;
+  for (const ProgramName& program : all_program_names()) EXPECT_FALSE(program.is_served() && !program.served_part.empty());
+}
+
+TEST(Names, SuggestionsAreNear) {
+  const std::vector<std::string> names = {"kalibr", "orbslam3", "ros", "ds", "opencv"};
+  const auto nearest = [&names](std::string_view typed) { return text::nearest(typed, names); };
+  const auto only = [](std::string name) { return std::vector{std::move(name)}; };
+  for (const auto& [typed, meant] : {std::pair{"kalbir", "kalibr"},
+                                     {"kal", "kalibr"},
+                                     {"orb", "orbslam3"},
+                                     {"rost", "ros"},
+                                     {"rot", "ros"},
+                                     {"opencv-fisheye4", "opencv"}}) {
+    EXPECT_EQ(nearest(typed), only(meant)) << typed;
+  }
+  for (const char* typed : {"foo", "bos", "k", "xy", "colmap", "okvis2", ""}) EXPECT_TRUE(nearest(typed).empty()) << typed;
+}
+
+TEST(Names, AnOptionThatIsNearlyOneIsNamed) {
+  const RunResult run = run_program({"convert", kTumvi, "--too", "kalibr"});
+  EXPECT_EQ(run.code, 3);
+  EXPECT_TRUE(contains(run.err, "--to?")) << run.err;
+  const RunResult other = run_program({"convert", kTumvi, "--qqqqqq"});
+  EXPECT_EQ(other.code, 3);
+  EXPECT_TRUE(contains(other.err, "--qqqqqq")) << other.err;
 }
 
 TEST(Names, NoneStandsTwice) {

@@ -202,10 +202,54 @@ TEST(Toolkit, AnImageIsMappedPixelByPixel) {
   }
 }
 
+// A program that forgets something is told so.
+TEST(Toolkit, ARequestThatLacksSomethingIsRefused) {
+  Files files;
+  const ConvertResult no_format = convert(request_for(kDs, "orbslam"), files);  // a typo: no such format
+  EXPECT_EQ(no_format.status, Status::kBadRequest);
+  EXPECT_TRUE(has(no_format.diagnostics, "no-target"));
+  ConvertRequest no_input = request_for(kDs, "kalibr");
+  no_input.inputs.files.clear();
+  const ConvertResult nothing = convert(no_input, files);
+  EXPECT_EQ(nothing.status, Status::kBadRequest);
+  EXPECT_TRUE(has(nothing.diagnostics, "no-input"));
+  ConvertRequest unknown = request_for(kDs, "kalibr");
+  unknown.accepted = {{"no-such-code"}};
+  EXPECT_TRUE(has(convert(unknown, files).diagnostics, "unknown-code"));
+
+  EXPECT_EQ(read({}, files).status, Status::kBadRequest);
+  EXPECT_EQ(report({}, files).status, Status::kBadRequest);
+  EXPECT_EQ(compare({}, files).status, Status::kBadRequest);
+  EXPECT_EQ(compare_models(Inputs{}, files).status, Status::kBadRequest);
+  EXPECT_EQ(remap({}, files).status, Status::kBadRequest);
+  CompareRequest beside_nothing;
+  beside_nothing.reference.files = {kDs};
+  EXPECT_EQ(compare(beside_nothing, files).status, Status::kBadRequest);
+
+  RemapRequest own_model;
+  own_model.inputs.files = {kTumvi};
+  own_model.inputs.cameras = {{CameraChoice{"cam0"}}};
+  own_model.view = AsModel{};
+  const RemapResult same = remap(own_model, files);
+  EXPECT_EQ(same.status, Status::kDone);
+  EXPECT_EQ(same.view.model, same.source.model);
+}
+
+// "camchain.yaml imu.yaml"
+TEST(Toolkit, OneFileWithCamerasTakesTheOthersAsItsParts) {
+  Files files;
+  Inputs inputs;
+  inputs.files = {kImu, kTumvi};
+  const Inputs recognised = with_parts_recognised(inputs, files);
+  EXPECT_EQ(recognised.files, (std::vector<std::string>{kTumvi}));
+  EXPECT_EQ(recognised.parts, (std::vector<std::string>{kImu}));
+  inputs.files = {kTumvi, kDs};
+  EXPECT_EQ(with_parts_recognised(inputs, files).files, inputs.files);
+}
+
 TEST(Toolkit, AReportHoldsWhatThePageShows) {
   Files files;
   ReportRequest request;
-  request.inputs.files = {kDs};
   request.conversion = request_for(kDs, "orbslam3");
   const ReportResult result = report(request, files);
   EXPECT_EQ(result.status, Status::kDone);

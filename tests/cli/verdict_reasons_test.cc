@@ -195,9 +195,9 @@ TEST(VerdictReasons, TheOrderOfCamerasIsTheConfigurations) {
 TEST(VerdictReasons, TheNameOfAFileDecidesWhatCuvslamReads) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string() + "/";
-  const Told written({"convert", kTumvi, "--camera", "cam0", "--to", "cuvslam", "--accept", "pixels-off", "-o", out});
-  EXPECT_EQ(codes_of(written).count("pixels-off"), 1U) << written.text();
-  const std::string bytes = read_file(out + "mav0/cam0/sensor.yaml");
+  const Told written({"convert", kTumvi, "--camera", "cam0", "--to", "cuvslam", "-o", out});
+  EXPECT_EQ(codes_of(written).count("pixels-off"), 0U) << written.text();
+  const std::string bytes = read_file(out + "mav0/cam0/sensor_recalibrated.yaml");
   const Told check({"check", folder.write("sensor.yaml", bytes), "--for", "cuvslam"});
   EXPECT_EQ(word_of(check), "do-not-use") << check.text();
   const Told renamed({"check", folder.write("sensor_recalibrated.yaml", bytes), "--for", "cuvslam"});
@@ -205,6 +205,61 @@ TEST(VerdictReasons, TheNameOfAFileDecidesWhatCuvslamReads) {
   // Who gives the right name gets the file.
   const Told named({"convert", kTumvi, "--camera", "cam0", "--to", "cuvslam", "-o", folder / "sensor_recalibrated.yaml"});
   EXPECT_EQ(codes_of(named).count("pixels-off"), 0U) << named.text();
+}
+
+// A lens that it reads as meant goes by the usual name.
+TEST(VerdictReasons, OnlyAnEquidistantLensHasCuvslamsOtherName) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string() + "/";
+  const std::string euroc = testdata("formats/euroc/good/cam0.yaml");
+  const Told written({"convert", euroc, "--to", "cuvslam", "--anew", "-o", out});
+  EXPECT_EQ(word_of(written), "ready") << written.text();
+  EXPECT_TRUE(fs::exists(out + "mav0/cam0/sensor.yaml"));
+}
+
+// Where a camera stands on its vehicle is nothing to a file that does not say it.
+TEST(VerdictReasons, APoseOnAVehicleThatIsNotWrittenDoesNotCount) {
+  const TemporaryFolder folder;
+  std::string text = read_file(testdata("formats/woodscape/good/crlf-tabs.json"));
+  for (const char* number : {"3.7125", "0.015", "0.655"}) text = with_replaced(text, number, "0.0");
+  const std::string camera = folder.write("camera.json", text);
+  const Told checked({"check", camera});
+  EXPECT_EQ(codes_of(checked).count("pose-implausible"), 1U) << checked.text();
+  const Told written({"convert", camera, "--to", "opencv"});
+  EXPECT_EQ(codes_of(written).count("pose-implausible"), 0U) << written.text();
+}
+
+// One sample's noise is no density, and a program with an IMU misses it.
+TEST(VerdictReasons, NoiseOfAnUnknownRateIsLost) {
+  const std::string config = testdata("formats/vins/good/config.yaml");
+  const std::vector<std::string> words = {"convert", kTumvi, "--camera", "cam0", "--with", config, "--to", "kalibr"};
+  const Told without(words);
+  EXPECT_EQ(codes_of(without).count("imu-dropped"), 1U) << without.text();
+  std::vector<std::string> with_rate = words;
+  with_rate.insert(with_rate.end(), {"--imu-rate", "200"});
+  EXPECT_EQ(codes_of(Told(with_rate)).count("imu-dropped"), 0U);
+  // An OpenCV file has no place for an IMU, and its programs do not miss it.
+  std::vector<std::string> to_opencv = words;
+  to_opencv.back() = "opencv";
+  EXPECT_EQ(codes_of(Told(to_opencv)).count("imu-dropped"), 0U);
+}
+
+// instant-ngp does not read k3.
+TEST(VerdictReasons, AParameterThatTheProgramDoesNotReadIsFittedAway) {
+  const TemporaryFolder folder;
+  const std::string camera = folder.write("camera.yml",
+                                          "%YAML:1.0\nimage_width: 1280\nimage_height: 720\n"
+                                          "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+                                          "   data: [ 1450., 0., 640., 0., 1450., 360., 0., 0., 1. ]\n"
+                                          "distortion_coefficients: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n"
+                                          "   data: [ 0.011, 0.28, 0., 0., 4.4 ]\n");
+  const std::vector<std::string> words = {"convert", camera, "--to", "instant-ngp"};
+  const Told chosen(words);
+  EXPECT_EQ(word_of(chosen), "ready") << chosen.text();
+  std::vector<std::string> as_radtan = words;
+  as_radtan.insert(as_radtan.end(), {"--model", "radtan"});
+  const Told asked(as_radtan);
+  EXPECT_EQ(codes_of(asked).count("proof-failed"), 0U) << asked.text();
 }
 
 // The base's images have a size, and nobody says that the input's have the same.

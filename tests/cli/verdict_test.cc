@@ -73,9 +73,9 @@ TEST(VerdictFirst, AFisheyePairGetsTheLayoutThatTheProgramReadsRightly) {
   }
   // For whom, which layout, and whether to use it.
   const RunResult text = run_program(words, {.in_full = false});
-  const std::string first = text.err.substr(0, text.err.find("cam0"));
-  EXPECT_TRUE(contains(first, "ORB-SLAM3")) << text.err;
-  EXPECT_TRUE(contains(first, "before ORB-SLAM3 V1.0")) << text.err;
+  std::string first = text.err.substr(0, text.err.find("cam0"));
+  while (contains(first, "\n  ")) first = with_replaced(first, "\n  ", " ");
+  EXPECT_TRUE(contains(first, "for ORB-SLAM3 V1.0 in its older layout")) << text.err;
   EXPECT_TRUE(contains(text.err, "--orbslam3-layout v1")) << text.err;
   const VerdictWord word = word_of(run) == "ready" ? VerdictWord::kReady : VerdictWord::kUseWithCare;
   EXPECT_EQ(word_of(run), name_of(word));
@@ -155,11 +155,13 @@ TEST(VerdictFirst, TwoCamerasTakeTenLines) {
   if (corpus(kT265).empty()) GTEST_SKIP() << "no corpus in '" FCA_SHARED_DIR "'";
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string() + "/";
-  for (const std::string& chain : {corpus(kT265), corpus(kEuroc)}) {
+  // VINS' camera files lose much: where more lines are needed, the limit yields.
+  for (const auto& [chain, imu] : {std::pair(corpus(kT265), corpus(kT265Imu)), std::pair(corpus(kEuroc), std::string())}) {
     const std::string input = folder.write("chain.yaml", read_file(chain));
     for (const Format& format : all_formats()) {
-      const RunResult run =
-          run_program({"convert", input, "--to", std::string(format.id), "-o", out, "--force"}, {.in_full = false});
+      std::vector<std::string> words = {"convert", input, "--to", std::string(format.id), "-o", out, "--force"};
+      if (!imu.empty() && format.id != "vins") words.insert(words.end(), {"--with", imu});
+      const RunResult run = run_program(words, {.in_full = false});
       EXPECT_FALSE(run.out.empty()) << format.id << run.err;
       EXPECT_LE(lines_in(run.out), 10U) << run.out;
       EXPECT_LE(longest_line(run.out.substr(run.out.find('\n') + 1)), 80U) << run.out;

@@ -69,6 +69,8 @@ TEST(Messages, ArgumentsAreWrittenAsTheirPlaceSays) {
   EXPECT_EQ(said("{0} {1}", {"cam0", 3}), "cam0 3");
   EXPECT_EQ(said("{0} {0:.3} {0:.2f} {0:real}", {1234.5678}), "1234.57 1.23e+03 1234.57 1234.5678");
   EXPECT_EQ(said("{0:real} {1:px} {2:px} {3:px} {4:%}", {2.0, 0.0, 0.1234, 4e-14, 0.125}), "2.0 0 0.123 4e-14 12.5 %");
+  EXPECT_EQ(said("{0:rms}{1:worst}", {0.1234, 0.5}), "0.123 px rms off, worst 0.5");
+  EXPECT_EQ(said("{0:rms}{1:worst}", {6e-14, 2.5e-13}), "exact");
   EXPECT_EQ(said("{0} key{0:s}, {1} key{1:s}", {1, 2}), "1 key, 2 keys");
   const std::vector<std::string> names = {"a", "b", "c"};
   EXPECT_EQ(said("{0:all} {1:all} {2:all}", {1.5, -1.0, 0.1}), "1.5 -1 0.1");

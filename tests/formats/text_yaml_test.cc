@@ -253,5 +253,20 @@ TEST(TextYaml, SyntaxErrorsHaveALine) {
 
 TEST(TextYaml, ConflictMarkersInsideTextAreText) { EXPECT_TRUE(parse("# see <<<<<<< HEAD\na: \"<<<<<<< \"\n").document); }
 
+// As a full disk leaves it: not the blank of a key is missing, but the rest.
+TEST(TextYaml, AFileThatEndsEarlyIsToldSo) {
+  const auto code = [](const std::string& bytes) {
+    const Parsed parsed = parse(bytes, "a.yaml");
+    return parsed.diagnostics.entries().empty() ? Code::kNone : parsed.diagnostics.entries().front().facts.code;
+  };
+  for (const char* bytes :
+       {"a: 1\nintrin", "a:\n  b: [1, 2", "a:\n  b: [1, 2,\n", "a: {b: 1", "a: 1\nb: \"rad", "a: 1\nb: [0.1, -",
+        "%YAML:1.0\nViewer.PointSize:2\nCame", "%YAML:1.0\nm: !!opencv-matrix\n   data: [ 1., 0.,"})
+    EXPECT_EQ(code(bytes), Code::kYamlEndsEarly) << bytes;
+  for (const char* bytes : {"a: 1\nintrin\n", "a: [1, 2\nb: 3\n", "a: \"x\nb: 1\n"})
+    EXPECT_NE(code(bytes), Code::kYamlEndsEarly) << bytes;
+  EXPECT_EQ(code("a: 1\nb:2"), Code::kYamlBlankMissing);
+}
+
 }  // namespace
 }  // namespace fca::test

@@ -11,24 +11,41 @@
 #include "shell/words.h"
 #include "shell/written_names.h"
 
+#include <fca/code.h>
 #include <fca/formats/text/message.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 namespace fca::cli {
 
 namespace {
 
+/// Parts of sentences, which have no id of their own.
+bool is_clause(const CodeInfo& code) { return code.id == info(Code::kVerdictCause).id; }
+
 std::vector<std::string> code_names() {
-  std::vector<std::string> names;
-  for (const CodeInfo& code : check_codes()) names.emplace_back(code.id);
-  return names;
+  std::set<std::string> names;
+  for (const CodeInfo& code : all_codes()) {
+    if (!is_clause(code)) names.emplace(code.id);
+  }
+  return {names.begin(), names.end()};
 }
 
 std::string unknown_code(const std::string& code) {
   return unknown_word("code", code, code_names(), "fca-io check --list-codes lists them");
+}
+
+/// A row with that id: the general one, where there is one.
+std::optional<std::string> take_code(const std::string& id, const CodeInfo*& target) {
+  target = find_check_code(id);
+  if (target != nullptr) return std::nullopt;
+  const auto row = std::ranges::find_if(all_codes(), [&id](const CodeInfo& code) { return code.id == id && !is_clause(code); });
+  if (row == all_codes().end()) return unknown_code(id);
+  target = &*row;
+  return std::nullopt;
 }
 
 /// What is wrong with the options, in words.
@@ -91,6 +108,14 @@ void add_parts(const std::vector<std::string>& parts, std::size_t index, std::ve
   }
 }
 
+/// Does the program never open that file of its folder?
+bool is_never_opened(const CheckResult& result) {
+  const std::optional<ProofResult>& proof = result.report.proof;
+  return proof && std::ranges::any_of(proof->refusals, [](const consumers::Complaint& refusal) {
+           return refusal.facts.code == Code::kColmapSaysRigFile;
+         });
+}
+
 ExitCode run_check(const CheckArguments& arguments, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
   if (arguments.list_codes) {
@@ -98,12 +123,8 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
       console.say(padded(code.id, 28) + text::text_of({code.code}, with_options) + "\n");
     return ExitCode::kGood;
   }
-  if (!arguments.explain.empty()) {
-    const CodeInfo* code = find_check_code(arguments.explain);
-    if (code == nullptr) {
-      return console.refuse(ExitCode::kUsage, unknown_code(arguments.explain));
-    }
-    console.say(explanation(*code));
+  if (arguments.explain != nullptr) {
+    console.say(explanation(*arguments.explain));
     return ExitCode::kGood;
   }
   if (arguments.files.empty()) return console.refuse(ExitCode::kUsage, "check: FILE is required", "fca-io check --help");
@@ -130,7 +151,7 @@ ExitCode run_check(const CheckArguments& arguments, Console& console) {
     if (arguments.fix) exit_code = worse(exit_code, fix(*source, arguments, console));
     CheckResult result = check(arguments.request, *source, console.files());
     if (result.instead) name_as_written(*result.instead);
-    if (!result.report.is_calibration && !file.named) {
+    if (!file.named && (!result.report.is_calibration || is_never_opened(result))) {
       all.skipped.push_back(file.path);
       continue;
     }
@@ -166,12 +187,13 @@ void add_options(Options& options, CheckArguments& arguments) {
                          enumerated(program_ids(), "or") + " (default: the format's own)",
                      request.program);
   options.group(OptionGroup::kOutput);
-  options.value("--explain", "CODE", "The story behind a finding's code", arguments.explain);
+  options.value("--explain", "CODE", "The story behind a finding's code; of any code in brackets what it stands for",
+                [&arguments](const std::string& id) { return take_code(id, arguments.explain); });
   options.flag("--list-codes", "All codes with what they mean", arguments.list_codes);
   options.group(OptionGroup::kProof);
   options.each("--ignore", "CODE", "Leave findings of that code out; may be given several times",
                [&request](const std::string& code) -> std::optional<std::string> {
-                 if (std::ranges::find(all_codes(), code, &CodeInfo::id) == all_codes().end()) return unknown_code(code);
+                 if (!is_code(code)) return unknown_code(code);
                  request.ignored.push_back(code);
                  return std::nullopt;
                });
@@ -189,7 +211,7 @@ void add_options(Options& options, CheckArguments& arguments) {
   options.flag("--write", "With --fix: write them into the file", arguments.write);
   options.group(OptionGroup::kOutput);
   add_json_option(options, arguments.json);
-  options.flag("-v,--verbose", "And what was looked at, and what cannot be decided", arguments.verbose);
+  add_verbose_option(options, "And what was looked at, and what cannot be decided", arguments.verbose);
   options.flag("--sarif", "SARIF 2.1.0 on standard output, for CI services", arguments.sarif);
   options.footer(
       "Exit codes: 0 nothing that --fail-on names; 1 something; 2 no calibration; 3 usage; 4 input/output.\n\n"

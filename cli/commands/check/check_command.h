@@ -4,6 +4,7 @@
 #include "options/application.h"
 #include "shell/console.h"
 
+#include <fca/code.h>
 #include <fca/toolkit/check.h>
 
 #include <string>
@@ -15,7 +16,7 @@ namespace fca::cli {
 struct CheckArguments {
   CheckRequest request;
   std::vector<std::string> files;
-  std::string explain;
+  const CodeInfo* explain = nullptr;
   bool list_codes = false;
   bool fail_on_warnings = false;
   bool fix = false;
@@ -42,7 +43,7 @@ void add_check_command(Application& application);
 [[nodiscard]] std::string check_sarif(const CheckedFiles& checked);
 /// What changed between two texts, line by line: "-" and "+" lines behind "@ LINE" of the old text.
 [[nodiscard]] std::string line_diff(std::string_view before, std::string_view after);
-/// The long story of a code.
+/// The long story of a code; of one that no finding has, its sentences.
 [[nodiscard]] std::string explanation(const CodeInfo& code);
 
 }  // namespace fca::cli

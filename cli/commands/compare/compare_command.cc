@@ -104,7 +104,7 @@ void add_options(Options& options, CompareArguments& arguments) {
                 "Also write a page to look at (one HTML file): differences over the image and the angle, both rigs drawn",
                 arguments.page);
   add_force_option(options, "With --report: overwrite an existing page", arguments.force);
-  options.flag("-v,--verbose", "Also the errors over the angle from the axis, as a table", arguments.verbose);
+  add_verbose_option(options, "Also the errors over the angle from the axis, as a table", arguments.verbose);
   add_json_option(options, arguments.json);
   options.footer(
       "Errors are measured as convert measures them: a pixel of REF's image, its ray by REF, the pixel of that ray by FILE. "

@@ -11,6 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace fca::cli {
 
@@ -67,12 +71,27 @@ std::string resolutions(const std::vector<CameraComparison>& cameras) {
   return "for images of " + size_in_words(*scaled->other_size) + " px, the reference's have " + size_in_words(scaled->size);
 }
 
+/// Below that part of what counts as alike a difference is mere rounding.
+constexpr double kRounding = 1e-6;
+
+bool is_real(const PoseComparison& pose) { return pose.apart() >= kRounding; }
+bool is_real(const FactComparison& fact) { return fact.apart() >= kRounding; }
+
+/// Does anything differ by more than rounding?
+bool any_is_real(const ComparedFile& compared) {
+  const auto is_real_camera = [](const CameraComparison& camera) {
+    return !same(camera) || camera.difference.judgement.error.max >= kRounding * kSamePx;
+  };
+  const RigComparison& comparison = *compared.comparison;
+  return inverses_differ(compared) || std::ranges::any_of(comparison.cameras, is_real_camera) ||
+         std::ranges::any_of(comparison.poses, [](const PoseComparison& pose) { return is_real(pose); }) ||
+         std::ranges::any_of(comparison.facts, [](const FactComparison& fact) { return is_real(fact); });
+}
+
 /// The poses furthest apart.
 std::string different_poses(const std::vector<PoseComparison>& poses) {
   const auto angle = std::ranges::max_element(poses, {}, &PoseComparison::angle_rad);
   const auto distance = std::ranges::max_element(poses, {}, &PoseComparison::distance_m);
-  if (angle == poses.end()) return "";
-  if (std::ranges::all_of(poses, &PoseComparison::same_but_for_rounding)) return "the same poses";
   const auto name = [](const PoseComparison& pose) { return "T_" + pose.a + "_" + pose.b; };
   if (angle == distance || angle->angle_rad == 0.0 || distance->distance_m == 0.0) {
     return text::text_of(facts_of(distance->distance_m == 0.0 ? *angle : *distance), with_options);
@@ -96,6 +115,53 @@ std::vector<std::string> sentences(const std::vector<Mistake>& mistakes) {
   return result;
 }
 
+/// One clause of the verdict.
+struct Part {
+  std::string text;
+  double apart = std::numeric_limits<double>::infinity();  ///< In units of what counts as alike. Not of a difference: it stays.
+};
+
+/// What the cameras, poses and numbers come to.
+std::vector<Part> parts_of(const ComparedFile& compared, const std::string& of_inverse) {
+  const RigComparison& comparison = *compared.comparison;
+  const bool without_rounding = any_is_real(compared);
+  std::vector<Part> parts;
+  if (const std::string sizes = resolutions(comparison.cameras); !sizes.empty()) parts.push_back({sizes});
+  const bool all_same = std::ranges::all_of(comparison.cameras, same);
+  if (all_same && !comparison.cameras.empty()) parts.push_back({same_cameras(comparison.cameras)});
+  for (const CameraComparison& camera : comparison.cameras) {
+    if (!same(camera)) parts.push_back({different_camera(camera)});
+  }
+  if (!of_inverse.empty()) parts.push_back({of_inverse});
+  const auto same_pose = [without_rounding](const PoseComparison& pose) {
+    return pose.same_but_for_rounding() || (without_rounding && !is_real(pose));
+  };
+  if (std::ranges::all_of(comparison.poses, same_pose)) {
+    if (!comparison.poses.empty()) parts.push_back({"the same poses"});
+  } else {
+    const double apart = std::ranges::max(comparison.poses, {}, &PoseComparison::apart).apart();
+    parts.push_back({different_poses(comparison.poses), apart});
+  }
+  for (const FactComparison& fact : comparison.facts) {
+    if (fact.same_but_for_rounding() || (without_rounding && !is_real(fact))) continue;
+    parts.push_back({text::text_of(facts_of(fact), with_options), fact.apart()});
+  }
+  return parts;
+}
+
+/// Those that there is room for, in their order: what differs most.
+std::string in_one_line(const std::vector<Part>& parts) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::size_t> shown(parts.size());
+  std::iota(shown.begin(), shown.end(), std::size_t{0});
+  std::ranges::stable_sort(shown, std::greater(), [&parts](std::size_t i) { return parts[i].apart; });
+  shown.resize(std::min(kMost, shown.size()));
+  std::ranges::sort(shown);
+  std::string text;
+  for (const std::size_t i : shown) text += (text.empty() ? "" : "; ") + parts[i].text;
+  return parts.size() > kMost ? text + "; and " + std::to_string(parts.size() - kMost) + " more" : text;
+}
+
 }  // namespace
 
 std::string verdict_of(const ComparedFile& compared) {
@@ -107,31 +173,18 @@ std::string verdict_of(const ComparedFile& compared) {
   const bool inverse = inverses_differ(compared);
   const std::string of_inverse =
       inverse ? "the inverse polynomials (world2cam) differ by up to " + pixels(*compared.inverse_px) + " px" : "";
-  constexpr std::size_t kMost = 3;
-  std::vector<std::string> parts;
+  std::vector<Part> parts;
   if (!comparison.mistakes.empty()) {
-    parts = sentences(comparison.mistakes);
-    if (inverse) parts.push_back(of_inverse);
+    for (std::string& mistake : sentences(comparison.mistakes)) parts.push_back({std::move(mistake)});
+    if (inverse) parts.push_back({of_inverse});
   } else if (comparison.identical()) {
     if (inverse) return "the same directions, but " + of_inverse;
     const bool all = comparison.only_in_reference.empty() && comparison.only_in_other.empty();
     return all ? "the same" : "the same in all that both state";
   } else {
-    if (const std::string sizes = resolutions(comparison.cameras); !sizes.empty()) parts.push_back(sizes);
-    const bool all_same = std::ranges::all_of(comparison.cameras, same);
-    if (all_same && !comparison.cameras.empty()) parts.push_back(same_cameras(comparison.cameras));
-    for (const CameraComparison& camera : comparison.cameras) {
-      if (!same(camera)) parts.push_back(different_camera(camera));
-    }
-    if (inverse) parts.push_back(of_inverse);
-    if (const std::string poses = different_poses(comparison.poses); !poses.empty()) parts.push_back(poses);
-    for (const FactComparison& fact : comparison.facts) {
-      if (!fact.same_but_for_rounding()) parts.push_back(text::text_of(facts_of(fact), with_options));
-    }
+    parts = parts_of(compared, of_inverse);
   }
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kMost, parts.size()); ++i) text += (i == 0 ? "" : "; ") + parts[i];
-  if (parts.size() > kMost) text += "; and " + std::to_string(parts.size() - kMost) + " more";
+  const std::string text = in_one_line(parts);
   const bool assumed = std::ranges::any_of(
       comparison.cameras, [](const CameraComparison& camera) { return camera.size_assumed && !camera.identical; });
   return assumed ? text + " (for an assumed image size)" : text;

@@ -84,22 +84,17 @@ void warn_of_unused(const std::vector<Acceptance>& accepted, const std::vector<C
 
 /// `convert camchain.yaml imu.yaml`: of a few inputs the one with cameras is the calibration, the others are parts of it.
 ConvertArguments with_parts(const ConvertArguments& arguments, const std::vector<FoundFile>& files, Streams& streams) {
-  constexpr std::size_t kMost = 4;
-  if (arguments.request.inputs.join || files.size() < 2 || files.size() > kMost) return arguments;
   if (!std::ranges::all_of(files, [](const FoundFile& file) { return file.named && is_at_hand(file); })) return arguments;
+  Inputs inputs = arguments.request.inputs;
+  inputs.files.clear();
+  for (const FoundFile& file : files) inputs.files.push_back(file.path);
+  CommandFiles read_apart(streams);
+  const Inputs recognised = with_parts_recognised(inputs, read_apart);
+  if (recognised.files.size() == files.size()) return arguments;
   ConvertArguments result = arguments;
-  result.inputs.clear();
-  for (const FoundFile& file : files) {
-    CommandFiles unheard(streams);
-    ReadRequest request{arguments.request.inputs, nullptr};
-    request.inputs.files = {file.path};
-    request.inputs.parts.clear();
-    request.inputs.cameras.reset();
-    const Reading reading = read(request, unheard);
-    const bool is_part = reading.calibration && reading.calibration->rig.cameras.empty();
-    (is_part ? result.request.inputs.parts : result.inputs).push_back(file.path);
-  }
-  return result.inputs.size() == 1 ? result : arguments;
+  result.inputs = recognised.files;
+  result.request.inputs.parts = recognised.parts;
+  return result;
 }
 
 /// The summary says those.
@@ -184,18 +179,15 @@ void add_options(Options& options, ConvertArguments& arguments) {
   ConvertRequest& request = arguments.request;
   options.positional("INPUT", "Calibration file(s), folders or patterns ('rigs/*.yaml'); '-' is standard input",
                      arguments.inputs);
-  options.group(OptionGroup::kTarget);
-  options.value("--to", "FORMAT", "The format to write: " + target_names(),
-                [&request](const std::string& word) { return take_target(word, request); });
-  options.value("--model", "MODEL",
-                "The camera model to write: " + model_names() + " (default: kept, else the best that the stock program reads)",
-                [&request](const std::string& word) { return take_model(word, request.model); });
-  options.group(OptionGroup::kOutput);
-  options.value(
-      "-o,--output", "PATH",
+  add_to_option(options, "The format to write", request);
+  add_model_option(
+      options, {.help = "The camera model to write", .more = " (default: kept, else the best that the stock program reads)"},
+      [&request](const std::string& word) { return take_model(word, request.model); });
+  add_output_option(
+      options,
       "A path, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}, {format} (ends with a slash: a folder "
       "for each; default: standard output)",
-      [&arguments](const std::string& word) { return take_place(word, arguments.output); });
+      arguments.output);
   add_input_options(options, request.inputs);
   add_lens_circle_option(options, request.inputs);
   add_join_option(options, request.inputs);
@@ -230,7 +222,7 @@ void add_options(Options& options, ConvertArguments& arguments) {
   add_force_option(options, "Replace existing files; their other hard links keep the old text", arguments.force);
   options.flag("--fsync", "Force the files to disk before they replace old ones (all of a batch at once)", arguments.fsync);
   add_json_option(options, arguments.json);
-  options.count("-v,--verbose", "The full report; -vv: and the parameters, as a table", arguments.verbosity);
+  add_verbose_option(options, "The full report; -vv: and the parameters, as a table", arguments.verbosity);
   options.flag("-q,--quiet", "Errors only", arguments.quiet);
   options.footer(
       "Example:\n"

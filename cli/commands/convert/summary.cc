@@ -51,7 +51,7 @@ std::string in_both_regions(const CameraDistance& distance) {
   if (is_same(distance.in_image.rms, distance.in_circle.rms) && is_same(distance.in_image.max, distance.in_circle.max))
     return decisive;
   return decisive + " in the inscribed circle; " + pixels(distance.in_image.rms) + " (max " + pixels(distance.in_image.max) +
-         ") in the whole image";
+         ") " + std::string(image_in_words(distance));
 }
 
 SummaryLine line_of(const ConvertResult& outcome, const ConvertedCamera& camera) {

@@ -46,6 +46,37 @@ ExitCode list_ledger(const ListArguments& arguments, Console& console) {
   return ExitCode::kGood;
 }
 
+/// Between two columns.
+constexpr std::size_t kGap = 2;
+
+/// Wide enough for every cell of a column.
+std::size_t width_of(std::span<const std::string> cells, std::size_t least) {
+  for (const std::string& cell : cells) least = std::max(least, cell.size() + kGap);
+  return least;
+}
+
+/// A format and, in columns, its models.
+std::string format_text(const Format& format) {
+  std::vector<std::string> models;
+  std::vector<std::string> names;
+  for (const StoredModel& row : format.models) {
+    models.emplace_back(row.model);
+    names.push_back("as " + std::string(row.file_name));
+  }
+  constexpr std::size_t kModel = 11;
+  constexpr std::size_t kName = 31;
+  const std::size_t model_width = width_of(models, kModel);
+  const std::size_t name_width = width_of(names, kName);
+  std::string text = padded(format.id, kModel + kGap) + std::string(format.title) + " (" + std::string(format.syntaxes) + ")\n";
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const StoredModel& row = format.models[i];
+    const std::string head = "  " + padded(models[i], model_width) + padded(names[i], name_width);
+    const std::string readers = "read by " + std::string(row.read_by) + (row.stock ? "" : "; only with --model");
+    text += head + in_columns(readers, head.size(), head.size()) + "\n";
+  }
+  return text;
+}
+
 ExitCode list_formats(const ListArguments& arguments, Console& console) {
   if (arguments.ledger) return list_ledger(arguments, console);
   if (arguments.json) {
@@ -85,14 +116,7 @@ ExitCode list_formats(const ListArguments& arguments, Console& console) {
     }
     return ExitCode::kGood;
   }
-  for (const Format& format : all_formats()) {
-    console.out(padded(format.id, 12) + std::string(format.title) + " (" + std::string(format.syntaxes) + ")\n");
-    for (const StoredModel& row : format.models) {
-      const std::string head = "  " + padded(row.model, 10) + padded("as " + std::string(row.file_name), 31);
-      const std::string readers = "read by " + std::string(row.read_by) + (row.stock ? "" : "; only with --model");
-      console.out(head + in_columns(readers, head.size(), head.size()) + "\n");
-    }
-  }
+  for (const Format& format : all_formats()) console.out(format_text(format));
   return ExitCode::kGood;
 }
 
@@ -124,9 +148,11 @@ ExitCode list_models(const ListArguments& arguments, Console& console) {
   for (const ModelInfo& model : all_models()) {
     std::string names;
     for (const Parameter& p : model.parameters) names += (names.empty() ? "" : " ") + std::string(p.name);
-    console.out(padded(model.id, 10) + std::string(model.title) + "\n          " + names + "\n");
+    constexpr std::size_t kId = 11;
+    const std::string indent(kId, ' ');
+    console.out(padded(model.id, kId) + std::string(model.title) + "\n" + indent + names + "\n");
     const std::vector<std::string> elsewhere = names_elsewhere(model.id);
-    if (!elsewhere.empty()) console.out("          " + enumerated(elsewhere) + "\n");
+    if (!elsewhere.empty()) console.out(indent + enumerated(elsewhere) + "\n");
   }
   return ExitCode::kGood;
 }
@@ -179,32 +205,22 @@ std::string numbers(std::initializer_list<std::string> cells) {
   return text;
 }
 
-/// Rows that are compared with each other.
-enum class Fitted { kToAll, kToTheCircle, kToLess };
-
-Fitted fitted(const Candidate& candidate) {
-  if (!reaches_all(candidate)) return Fitted::kToLess;
-  return candidate.in_circle ? Fitted::kToTheCircle : Fitted::kToAll;
-}
-
 /// Of a wide lens both regions, the one that decides first.
 std::string row_text(const Candidate& candidate, bool is_wide) {
   const ConversionReport& report = candidate.conversion->report;
   const ErrorSummary& error = report.judgement.error;
   const PixelDistance& circle = candidate.decisive();
-  const bool is_less = fitted(candidate) == Fitted::kToLess;
+  const bool is_less = !reaches_all(candidate);
   std::string text = "  " + padded(candidate.model->id, kModelWidth);
   if (report.exact) {
     text += is_wide ? numbers({"exact", "", "exact", ""}) : numbers({"exact", "", ""});
-  } else if (fitted(candidate) == Fitted::kToTheCircle) {
-    text += numbers({pixels(circle.rms), pixels(circle.p99), "", ""});
   } else if (is_wide) {
     text +=
         numbers({is_less ? "" : pixels(circle.rms), is_less ? "" : pixels(circle.p99), pixels(error.rms), pixels(error.max)});
   } else {
     text += numbers({pixels(error.rms), pixels(error.p99), pixels(error.max)});
   }
-  if (fitted(candidate) == Fitted::kToTheCircle)
+  if (candidate.in_circle && !is_less)
     return text + "--max-angle " + text::format_short(candidate.in_circle->max_angle_deg) + "\n";
   const std::string to = text::format_short(report.scored_to_deg, 3) + " deg";
   return text + (is_less || report.fitted_to_cone ? "to " + to : "all") + "\n";
@@ -218,16 +234,15 @@ std::string candidates_text(const Camera& camera, const std::vector<Candidate>& 
   text += "  " + padded("model", kModelWidth) +
           (is_wide ? numbers({"rms px", "99 % px", "rms px", "max px"}) : numbers({"rms px", "99 % px", "max px"})) +
           "reaches\n";
-  Fitted before = Fitted::kToAll;
-  std::vector<const Candidate*> rows = ranked(candidates);
-  std::ranges::stable_sort(rows, {}, [](const Candidate* each) { return fitted(*each); });
-  for (const Candidate* candidate : rows) {
-    const Fitted now = fitted(*candidate);
-    if (now != before && now == Fitted::kToTheCircle) text += "  fitted to the circle alone:\n";
-    if (now != before && now == Fitted::kToLess) text += "  not all of the lens:\n";
-    before = now;
+  bool is_less = false;
+  for (const Candidate* candidate : ranked(candidates)) {
+    if (!is_less && !reaches_all(*candidate)) text += "  not all of the lens:\n";
+    is_less = !reaches_all(*candidate);
     text += row_text(*candidate, is_wide);
   }
+  const auto is_of_circle = [](const Candidate& each) { return each.conversion && each.in_circle && reaches_all(each); };
+  if (std::ranges::any_of(candidates, is_of_circle))
+    text += "  --max-angle: fitted to the circle alone; without it, to the whole image\n";
   for (const Candidate& candidate : candidates) {
     if (candidate.conversion) continue;
     const std::vector<Diagnostic>& why = candidate.diagnostics.entries();

@@ -5,6 +5,7 @@
 #include "npy.h"
 #include "options/inputs.h"
 #include "options/output.h"
+#include "options/target.h"
 #include "options/words.h"
 #include "pictures/image_formats.h"
 #include "pictures/pictures.h"
@@ -104,7 +105,11 @@ std::string view_text(const RemapArguments& arguments, const RemapResult& result
   std::string text = result.source.name + ", " + std::string(model_info(result.source.model).id) + ", " +
                      size_in_words(*result.source.image_size) + " px, as " + view_model(result) + ", " +
                      size_in_words(*view.image_size) + " px";
-  if (!arguments.rotate.empty()) text += ", turned by " + arguments.rotate + " deg (yaw, pitch, roll)";
+  if (const std::optional<Turn>& turn = arguments.request.turn) {
+    const auto degrees = [](double angle_rad) { return text::format_short(angle_rad * kDegreesPerRadian, 6); };
+    text += ", turned by " + degrees(turn->yaw_rad) + "," + degrees(turn->pitch_rad) + "," + degrees(turn->roll_rad) +
+            " deg (yaw, pitch, roll)";
+  }
   return text + "\n" + (result.is_equirectangular ? colmap_line(*view.image_size) : parameters_in_words(view.model, "  ")) +
          "  the source sees " + percent(result.seen_share) + " of it\n";
 }
@@ -206,10 +211,9 @@ void add_options(Options& options, RemapArguments& arguments) {
   options.positional("FILE", "Calibration file of the camera that took the images", arguments.file);
   options.positional("IMAGE", "Images of the calibrated size, folders of them or patterns ('left/*.png')", arguments.images,
                      false);
-  options.value(
-      "-o,--output", "PATH",
-      "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
-      [&arguments](const std::string& word) { return take_place(word, arguments.output); });
+  add_output_option(
+      options, "An image file, a folder, or a pattern with {stem}, {extension}, {folder}, {camera}; the ending says the format",
+      arguments.output);
   options.group(OptionGroup::kTarget);
   options.number("--pinhole", "FULL_FOV_DEG",
                  "As a pinhole camera: straight lines are straight. Full field of view across the width, in degrees",
@@ -225,21 +229,18 @@ void add_options(Options& options, RemapArguments& arguments) {
                 "Size of the image (default of --pinhole: the input's; of --equirectangular: 2 : 1, as fine as the middle of "
                 "the input)",
                 [&arguments](const std::string& word) { return take_size("--out-size", word, arguments.view_size); });
-  options.value("--model", "MODEL", "As this camera model, fitted as convert does it: " + model_names(),
-                [&arguments](const std::string& word) -> std::optional<std::string> {
-                  AsModel view;
-                  if (std::optional<std::string> problem = take_model(word, view.model)) return problem;
-                  return take_view(view, arguments);
-                });
+  add_model_option(options, {.help = "As this camera model, fitted as convert does it"},
+                   [&arguments](const std::string& word) -> std::optional<std::string> {
+                     AsModel view;
+                     if (std::optional<std::string> problem = take_model(word, view.model)) return problem;
+                     return take_view(view, arguments);
+                   });
   options.value("--like", "FILE", "As the camera of this calibration file: its only one, or that of the same name",
                 [&arguments](const std::string& word) { return take_view(CameraOfFile{word}, arguments); });
   options.value("--rotate", "YAW,PITCH,ROLL",
                 "Turn the camera, in degrees: first yaw (about y: positive to the right), then pitch (about its x: positive "
                 "up), then roll (about its z: positive clockwise)",
-                [&arguments](const std::string& word) {
-                  arguments.rotate = word;
-                  return take_turn(word, arguments.request.turn);
-                });
+                [&request](const std::string& word) { return take_turn(word, request.turn); });
   options.value("--interpolation", "KIND", "bilinear (default) or lanczos, as OpenCV does them",
                 [&arguments](const std::string& word) -> std::optional<std::string> {
                   if (word != "bilinear" && word != "lanczos")

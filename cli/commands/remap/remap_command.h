@@ -16,7 +16,6 @@ struct RemapArguments {
   std::string file;  ///< The calibration's.
   std::vector<std::string> images;
   Interpolation interpolation = Interpolation::kBilinear;
-  std::string rotate;  ///< As typed, for the text.
   OutputPlace output;
   std::string mask;
   std::string map;

@@ -31,38 +31,18 @@ namespace {
 constexpr std::string_view kAllModels = "all";
 
 struct ReportArguments {
-  Inputs inputs;
-  ConvertRequest conversion;  ///< Of the page: it may be of no format.
-  bool every_model = false;
+  ReportRequest request;
   std::string output;
   bool force = false;
 };
 
 std::optional<std::string> usage_error(const ReportArguments& arguments) {
-  if (const std::optional<std::string> error = problem_with(arguments.inputs)) return error;
-  if (arguments.inputs.files.size() > 1 && !arguments.inputs.join)
+  const ConvertRequest& conversion = arguments.request.conversion;
+  if (const std::optional<std::string> error = problem_with(conversion.inputs)) return error;
+  if (conversion.inputs.files.size() > 1 && !conversion.inputs.join)
     return "a page is about one calibration; parts of it go behind --with, cameras of one rig want --join";
-  if (const std::optional<std::string> error = target_without_file(arguments.conversion)) return error;
-  return problem_with(arguments.conversion);
-}
-
-bool has_target(const ReportArguments& arguments) {
-  return arguments.conversion.to != nullptr || !arguments.conversion.into.empty();
-}
-
-ReportRequest request_of(const ReportArguments& arguments) {
-  ReportRequest request;
-  request.inputs = arguments.inputs;
-  if (has_target(arguments)) {
-    request.conversion = arguments.conversion;
-    request.conversion->in_detail = true;
-  }
-  request.model = arguments.conversion.model;
-  request.every_model = arguments.every_model;
-  request.objective = arguments.conversion.objective;
-  request.degree = arguments.conversion.degree;
-  request.every_pixel = arguments.conversion.every_pixel;
-  return request;
+  if (const std::optional<std::string> error = target_without_file(conversion)) return error;
+  return problem_with(conversion);
 }
 
 /// The names of the files, without their folders.
@@ -76,7 +56,7 @@ std::string title_of(const Inputs& inputs) {
 /// `convert` with the options of the page.
 std::string convert_line(const ReportArguments& arguments, const TypedOptions& typed) {
   const auto keep = [&arguments](const TypedOption& option) {
-    return !option.about_output && !(arguments.every_model && option.name == "--model");
+    return !option.about_output && !(arguments.request.every_model && option.name == "--model");
   };
   return "fca-io " + command_line(typed, "convert", keep) + " -o converted/";
 }
@@ -86,7 +66,8 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
     console.out(page);
     return ExitCode::kGood;
   }
-  if (const std::optional<std::string> problem = KeptInputs(console, arguments.inputs).problem_with(arguments.output))
+  if (const std::optional<std::string> problem =
+          KeptInputs(console, arguments.request.conversion.inputs).problem_with(arguments.output))
     return console.refuse(ExitCode::kUsage, *problem);
   const OutputFile file{arguments.output, page};
   if (const std::optional<Message> failure = put_files(std::span(&file, 1), arguments.force, console))
@@ -97,21 +78,22 @@ ExitCode put(const ReportArguments& arguments, const std::string& page, Console&
 
 ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed, Console& console) {
   if (const std::optional<std::string> error = usage_error(arguments)) return console.refuse(ExitCode::kUsage, *error);
-  ReportResult result = report(request_of(arguments), console.files());
+  ReportResult result = report(arguments.request, console.files());
   if (result.status > Status::kRejected) return console.refuse(exit_code(result.status), result.diagnostics());
   if (result.conversion) {
     name_as_written(*result.conversion);
     name_as_written(result.verdict, result.conversion->cameras);
   }
+  const Inputs& inputs = arguments.request.conversion.inputs;
   ReportContents contents;
-  contents.title = title_of(arguments.inputs);
-  contents.shown = as_shown(std::move(result.reading), arguments.inputs);
+  contents.title = title_of(inputs);
+  contents.shown = as_shown(std::move(result.reading), inputs);
   contents.checks = std::move(result.checks);
   contents.conversion = std::move(result.conversion);
   contents.to = contents.conversion ? contents.conversion->to : nullptr;
   contents.models = std::move(result.models);
   contents.verdict = std::move(result.verdict);
-  contents.max_angle_rad = arguments.inputs.max_angle_rad;
+  contents.max_angle_rad = inputs.max_angle_rad;
   contents.command = "fca-io " + command_line(typed, "report", [](const TypedOption&) { return true; });
   if (contents.to != nullptr) contents.convert = convert_line(arguments, typed);
   const ExitCode code = put(arguments, report_page(contents), console);
@@ -127,27 +109,26 @@ ExitCode run_report(const ReportArguments& arguments, const TypedOptions& typed,
 }
 
 void add_options(Options& options, ReportArguments& arguments) {
-  ConvertRequest& conversion = arguments.conversion;
-  options.positional("INPUT", "Calibration file(s); '-' is standard input", arguments.inputs.files);
-  options.group(OptionGroup::kTarget);
-  options.value("--to", "FORMAT", "Show what converting it to this format does: " + target_names(),
-                [&conversion](const std::string& word) { return take_target(word, conversion); });
-  options.value("--model", "MODEL|all",
-                "Show what converting the cameras to this model does: " + model_names() +
-                    "; all: every model beside the others, and which to take",
-                [&arguments](const std::string& word) -> std::optional<std::string> {
-                  arguments.every_model = word == kAllModels;
-                  if (arguments.every_model) return std::nullopt;
-                  std::optional<std::string> problem = take_model(word, arguments.conversion.model);
-                  if (problem) *problem += "; --model all lays every model beside the others";
-                  return problem;
-                });
-  options.group(OptionGroup::kOutput);
-  options.value("-o,--output", "PATH", "The page: one HTML file (default: standard output)", arguments.output);
-  add_input_options(options, arguments.inputs);
-  add_lens_circle_option(options, arguments.inputs);
-  add_join_option(options, arguments.inputs);
-  add_imu_option(options, arguments.inputs);
+  ReportRequest& request = arguments.request;
+  ConvertRequest& conversion = request.conversion;
+  conversion.in_detail = true;
+  options.positional("INPUT", "Calibration file(s); '-' is standard input", conversion.inputs.files);
+  add_to_option(options, "Show what converting it to this format does", conversion);
+  const ModelOption model = {.values = "MODEL|all",
+                             .help = "Show what converting the cameras to this model does",
+                             .more = "; all: every model beside the others, and which to take"};
+  add_model_option(options, model, [&request](const std::string& word) -> std::optional<std::string> {
+    request.every_model = word == kAllModels;
+    if (request.every_model) return std::nullopt;
+    std::optional<std::string> problem = take_model(word, request.conversion.model);
+    if (problem) *problem += "; --model all lays every model beside the others";
+    return problem;
+  });
+  add_output_option(options, "The page: one HTML file (default: standard output)", arguments.output);
+  add_input_options(options, conversion.inputs);
+  add_lens_circle_option(options, conversion.inputs);
+  add_join_option(options, conversion.inputs);
+  add_imu_option(options, conversion.inputs);
   add_target_options(options, conversion);
   options.group(OptionGroup::kOutput);
   add_force_option(options, "Overwrite an existing page", arguments.force);

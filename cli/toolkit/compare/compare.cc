@@ -124,7 +124,8 @@ void apply_limits(const CompareRequest& request, const ReferenceFile& reference,
 }  // namespace
 
 ReferenceFile read_reference(const CompareRequest& request, Files& files) {
-  ReferenceFile reference{request.reference.files.front(), {}, {}};
+  ReferenceFile reference;
+  if (!request.reference.files.empty()) reference.file = request.reference.files.front();
   reference.calibration = read_in_unit(request.reference, files, reference.diagnostics);
   return reference;
 }
@@ -158,6 +159,10 @@ CompareResult compare(const CompareRequest& request, Files& files) {
   if (!result.reference.calibration) {
     result.status = worse(result.status, Status::kBadInput);
     return result;
+  }
+  if (request.files.empty()) {
+    result.reference.diagnostics.add(Code::kNoInput);
+    result.status = Status::kBadRequest;
   }
   for (const std::string& file : request.files) {
     result.files.push_back(compare(request, result.reference, file, files));

@@ -29,15 +29,29 @@ std::vector<std::string> models_of_layout(const Format& to, std::string_view lay
   return stock.empty() ? all : stock;
 }
 
+namespace {
+
+/// What the numbers of a model may be: what the format stores and the program reads.
+std::vector<ParameterRange> ranges_of(const StoredModel& stored, const ModelChoice& choice) {
+  std::vector<ParameterRange> ranges(stored.ranges.begin(), stored.ranges.end());
+  for (const consumers::UnreadParameter& parameter : choice.unread) {
+    const std::optional<ParameterId> id = ParameterId::find(parameter.parameter);
+    if (parameter.model == stored.model && id) ranges.push_back({*id, parameter.taken_for, parameter.taken_for});
+  }
+  return ranges;
+}
+
+}  // namespace
+
 ConvertOptions options_for(const StoredModel& stored, const ModelChoice& choice) {
   ConvertOptions options;
   options.model = stored.model;
-  options.max_angle_rad = choice.max_angle_rad;
-  options.every_pixel = choice.every_pixel;
-  options.objective = choice.objective;
+  options.max_angle_rad = choice.request.inputs.max_angle_rad;
+  options.every_pixel = choice.request.every_pixel;
+  options.objective = choice.request.objective;
   options.cone = choice.partial == Partial::kCone;
-  if (find_model(stored.model)->least_degree > 0) options.degree = choice.degree;
-  options.ranges.assign(stored.ranges.begin(), stored.ranges.end());
+  if (find_model(stored.model)->least_degree > 0) options.degree = choice.request.degree;
+  options.ranges = ranges_of(stored, choice);
   return options;
 }
 
@@ -57,13 +71,13 @@ bool may_be_chosen(const StoredModel& stored, const ModelChoice& choice) {
   return may_be_kept(stored, choice) && !find_model(stored.model)->kept_only;
 }
 
-bool keeps(const Camera& camera, const StoredModel& stored) {
-  return model_info(camera.model).id == stored.model && within(camera.model, stored.ranges);
+bool keeps(const Camera& camera, const StoredModel& stored, const ModelChoice& choice) {
+  return model_info(camera.model).id == stored.model && within(camera.model, ranges_of(stored, choice));
 }
 
 std::optional<ConvertedCamera> convert_one(const Camera& camera, const StoredModel& stored, const ModelChoice& choice,
                                            Diagnostics& diagnostics) {
-  if (keeps(camera, stored) && !camera.image_size && validate(camera.model).empty())
+  if (keeps(camera, stored, choice) && !camera.image_size && validate(camera.model).empty())
     return ConvertedCamera{camera, camera, std::nullopt};
   ConvertOptions options = options_for(stored, choice);
   std::optional<Conversion> conversion = converted(camera, options, choice, diagnostics);
@@ -75,7 +89,7 @@ std::optional<std::vector<ConvertedCamera>> convert_all(const std::vector<Camera
                                                         const ModelChoice& choice, Diagnostics& diagnostics) {
   std::vector<Diagnostics> found(cameras.size());
   std::vector<std::optional<ConvertedCamera>> converted(cameras.size());
-  parallel_for(cameras.size(), choice.jobs,
+  parallel_for(cameras.size(), choice.request.jobs,
                [&](std::size_t i) { converted[i] = convert_one(cameras[i], stored, choice, found[i]); });
   std::vector<ConvertedCamera> outcomes;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
@@ -126,7 +140,7 @@ std::vector<std::string> storable(const Format& format) {
 /// format.
 std::optional<StoredModel> kept_row(const Camera& camera, const Format& format, const ModelChoice& choice) {
   for (const StoredModel& stored : format.models) {
-    if ((may_be_kept(stored, choice) || choice.same_format) && keeps(camera, stored)) return stored;
+    if ((may_be_kept(stored, choice) || choice.same_format) && keeps(camera, stored, choice)) return stored;
   }
   const std::string_view model = model_info(camera.model).id;
   if (!choice.same_format || find_stored_model(format, model, false) != nullptr) return std::nullopt;
@@ -177,7 +191,7 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
     candidate.outcomes = convert_all(cameras, *candidate.stored, next, candidate.diagnostics);
     if (!candidate.outcomes) return;
     if (is_good_everywhere(*candidate.outcomes)) next.partial = Partial::kNothing;
-    uncovered = std::min(uncovered, merit_of(*candidate.outcomes, choice.objective).unrepresentable);
+    uncovered = std::min(uncovered, merit_of(*candidate.outcomes, choice.request.objective).unrepresentable);
     behind = std::max(behind, share_behind(*candidate.outcomes));
   };
   for (Candidate& candidate : candidates) {
@@ -192,8 +206,8 @@ std::optional<std::vector<ConvertedCamera>> best_model(const std::vector<Camera>
     if (!candidate.tried) continue;
     if (!candidate.outcomes) {
       failed = &candidate;
-    } else if (best == nullptr ||
-               better(merit_of(*candidate.outcomes, choice.objective), merit_of(*best->outcomes, choice.objective))) {
+    } else if (best == nullptr || better(merit_of(*candidate.outcomes, choice.request.objective),
+                                         merit_of(*best->outcomes, choice.request.objective))) {
       best = &candidate;
     }
   }
@@ -208,7 +222,7 @@ std::optional<std::vector<ConvertedCamera>> common_model(const std::vector<Camer
                                                          const ModelChoice& choice, Diagnostics& diagnostics) {
   for (const StoredModel& stored : format.models) {
     const bool all_keep = may_be_chosen(stored, choice) &&
-                          std::ranges::all_of(cameras, [&stored](const Camera& camera) { return keeps(camera, stored); });
+                          std::ranges::all_of(cameras, [&](const Camera& camera) { return keeps(camera, stored, choice); });
     if (all_keep) return convert_all(cameras, stored, choice, diagnostics);
   }
   return best_model(cameras, format, choice, diagnostics);
@@ -216,8 +230,8 @@ std::optional<std::vector<ConvertedCamera>> common_model(const std::vector<Camer
 
 std::optional<std::vector<ConvertedCamera>> all_cameras(const std::vector<Camera>& cameras, const Format& format,
                                                         const ModelChoice& choice, Diagnostics& diagnostics) {
-  if (choice.model != nullptr) {
-    const ModelInfo& model = *choice.model;
+  if (choice.request.model != nullptr) {
+    const ModelInfo& model = *choice.request.model;
     const StoredModel* stored = find_stored_model(format, model.id, false);
     if (stored == nullptr) {
       diagnostics.add(Code::kModelNotStorable, {format.title, model.id, storable(format)});

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,15 +21,11 @@ namespace fca {
 enum class Partial : std::uint8_t { kCone, kNothing };
 
 struct ModelChoice {
-  const ModelInfo* model = nullptr;  ///< As asked for; null: chosen for the stock program.
-  std::optional<double> max_angle_rad;
-  bool every_pixel = false;  ///< Judge by every pixel instead of the lattice.
-  Objective objective = Objective::kRms;
-  std::optional<int> degree = {};       ///< Of those that are polynomials.
+  const ConvertRequest& request;        ///< What is asked of a fit; it outlives the choice.
   std::size_t most_cameras = SIZE_MAX;  ///< Further ones are not converted: no file will hold them.
+  std::span<const consumers::UnreadParameter> unread = {};
   std::vector<std::string> among = {};  ///< What may be chosen; empty: what the stock program reads.
   Partial partial = Partial::kCone;
-  std::size_t jobs = 0;               ///< Cameras fitted at the same time; 0: as many as there are processors.
   KnownConversions* known = nullptr;  ///< Where conversions of the same request are remembered; null: nowhere.
   bool same_format = false;           ///< The cameras come from a file of the format they are written to.
 };

@@ -21,10 +21,7 @@ namespace {
 Message remedy_of_version(const ConvertRequest& request, const Start& start, const ConvertResult& result) {
   std::vector<Camera> sources;
   for (const ConvertedCamera& camera : result.cameras) sources.push_back(camera.source);
-  const ModelChoice choice = {.max_angle_rad = request.inputs.max_angle_rad,
-                              .objective = request.objective,
-                              .degree = request.degree,
-                              .known = start.known.get()};
+  const ModelChoice choice = {.request = request, .known = start.known.get()};
   return best_of_every_version(sources, *result.to, choice).value_or(Message());
 }
 

@@ -19,6 +19,7 @@
 #include <fca/formats/counted_cameras.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace fca {
@@ -51,7 +52,7 @@ Rig as_restated(Rig rig, const Written& written) {
 
 /// What the same fits would reach if the lens ended earlier, where nothing says where it ends.
 void add_reach(const Format& to, const ModelChoice& choice, std::vector<ConvertedCamera>& cameras) {
-  parallel_for(cameras.size(), choice.jobs, [&](std::size_t i) {
+  parallel_for(cameras.size(), choice.request.jobs, [&](std::size_t i) {
     ConvertedCamera& camera = cameras[i];
     const StoredModel* stored = find_stored_model(to, model_info(camera.target.model).id, false);
     if (!camera.report || camera.report->exact || stored == nullptr) return;
@@ -81,13 +82,18 @@ std::vector<std::string> taken_by(const consumers::Consumer& program, const Form
 }
 
 /// The program in front of the others that are meant to read the files with cameras, with the headline to say so.
-void put_first(const consumers::Consumer& program, Written& written) {
+void put_first(const consumers::Consumer& program, const Rig& rig, Written& written) {
   bool is_new = false;
   for (Written::File& file : written.files) {
     if (!program.cameras || file.programs.empty() || file.cameras.empty() || file.programs.front() == program.id) continue;
     std::erase(file.programs, program.id);
     file.programs.emplace(file.programs.begin(), program.id);
     is_new = true;
+  }
+  for (Written::File& file : written.files) {
+    const Camera* camera = file.cameras.empty() || file.place.empty() ? nullptr : rig.find_camera(file.cameras.front());
+    if (camera == nullptr || program.writing.equidistant_file_name.empty() || model_info(camera->model).id != "kb4") continue;
+    file.place = std::filesystem::path(file.place).replace_filename(program.writing.equidistant_file_name).string();
   }
   if (is_new) written.headline = {Code::kHeadlineAsRead, {written.headline, program.program}};
 }
@@ -135,8 +141,8 @@ bool Writing::fit() {
   if (!holds_model(request_, base_, input_.rig, *result_.to, result_.diagnostics)) return false;
   const std::vector<std::string> taken =
       request_.program != nullptr ? taken_by(*request_.program, *result_.to) : std::vector<std::string>();
-  if (choice_.model != nullptr && !taken.empty() && std::ranges::find(taken, choice_.model->id) == taken.end()) {
-    result_.diagnostics.add(Code::kModelNotStorable, {request_.program->program, choice_.model->id, taken});
+  if (request_.model != nullptr && !taken.empty() && std::ranges::find(taken, request_.model->id) == taken.end()) {
+    result_.diagnostics.add(Code::kModelNotStorable, {request_.program->program, request_.model->id, taken});
     return false;
   }
   std::optional<std::vector<ConvertedCamera>> cameras =
@@ -160,7 +166,7 @@ bool Writing::put_together() {
 bool Writing::write() {
   const Format& to = *result_.to;
   std::optional<Written> written = write_rig(input_, rig_, base_, request_, kept_.replaced, result_);
-  if (written && request_.program != nullptr) put_first(*request_.program, *written);
+  if (written && request_.program != nullptr) put_first(*request_.program, rig_, *written);
   if (!written || !is_edit_of_base(request_, base_, *written, result_.diagnostics)) return false;
   if (into_) tell_of_kept(kept_, *written, to, result_.diagnostics);
   list_assumed_units(input_, to, *written);
@@ -212,13 +218,7 @@ void Writing::prove() {
 }  // namespace
 
 ModelChoice choice_of(const ConvertRequest& request, const Start& start, const Format& to) {
-  ModelChoice choice;
-  choice.model = request.model;
-  choice.max_angle_rad = request.inputs.max_angle_rad;
-  choice.every_pixel = request.every_pixel;
-  choice.jobs = request.jobs;
-  choice.objective = request.objective;
-  choice.degree = request.degree;
+  ModelChoice choice{.request = request};
   choice.known = start.known.get();
   choice.among = request.layout.name.empty() ? models_for(request, start.base, start.input.rig, to)
                                              : models_of_layout(to, request.layout.name);
@@ -226,6 +226,7 @@ ModelChoice choice_of(const ConvertRequest& request, const Start& start, const F
   choice.most_cameras = is_fresh ? to.cameras_held(start.input.rig, request.mode, request.layout.name) : to.most_cameras;
   choice.same_format = start.input.format == &to && start.input.one_format;
   if (request.program == nullptr) return choice;
+  choice.unread = request.program->writing.unread;
   if (const std::vector<std::string> taken = taken_by(*request.program, to); !taken.empty()) {
     if (choice.among.empty()) choice.among = taken;
     std::erase_if(choice.among, [&taken](const std::string& model) { return std::ranges::find(taken, model) == taken.end(); });

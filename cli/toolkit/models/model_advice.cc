@@ -53,8 +53,9 @@ std::optional<ConversionReport> report_as(const StoredModel& stored, const Camer
 std::vector<ConversionReport> better_ones(const Camera& camera, const ConversionReport& than, const ModelChoice& choice,
                                           const std::vector<StoredModel>& models) {
   constexpr double kOfUse = 2.0;  // px: such a file is not to be used
-  ModelChoice by_rms = choice;
-  by_rms.objective = Objective::kRms;
+  ConvertRequest request = choice.request;
+  request.objective = Objective::kRms;
+  const ModelChoice by_rms = {.request = request, .unread = choice.unread, .partial = choice.partial, .known = choice.known};
   std::vector<ConversionReport> result;
   for (const StoredModel& stored : models) {
     std::optional<ConversionReport> report = report_as(stored, camera, by_rms);

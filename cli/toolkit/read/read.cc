@@ -66,6 +66,23 @@ std::vector<Finding> findings_in(const Calibration& calibration, const Inputs& i
 
 }  // namespace
 
+Inputs with_parts_recognised(const Inputs& inputs, Files& files) {
+  constexpr std::size_t kMost = 4;
+  if (inputs.join || inputs.files.size() < 2 || inputs.files.size() > kMost) return inputs;
+  Inputs result = inputs;
+  result.files.clear();
+  for (const std::string& file : inputs.files) {
+    Inputs one = inputs;
+    one.files = {file};
+    one.parts.clear();
+    one.cameras.reset();
+    const Reading reading = read({one, nullptr}, files);
+    const bool is_part = reading.calibration && reading.calibration->rig.cameras.empty();
+    (is_part ? result.parts : result.files).push_back(file);
+  }
+  return result.files.size() == 1 ? result : inputs;
+}
+
 Reading read(const ReadRequest& request, Files& files) {
   Reading reading;
   reading.calibration = read_calibration(request.inputs, files, reading.diagnostics);

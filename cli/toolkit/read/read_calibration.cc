@@ -164,6 +164,10 @@ bool is_converted(NoiseKind kind, const Format& format) { return format.noise_of
 }  // namespace
 
 std::optional<Calibration> read_as_stated(const Inputs& given, Files& files, Diagnostics& diagnostics) {
+  if (given.files.empty()) {
+    diagnostics.add(Code::kNoInput);
+    return std::nullopt;
+  }
   const Inputs inputs = with_rig_files(given);
   std::vector<std::string> paths = inputs.files;
   paths.insert(paths.end(), inputs.parts.begin(), inputs.parts.end());

@@ -102,7 +102,8 @@ ImageSize equirectangular_size(const Camera& source) {
 /// Its size and model; nothing with errors.
 std::optional<Camera> view_camera(const RemapRequest& request, const Camera& source, Files& files, Diagnostics& diagnostics) {
   if (const auto* file = std::get_if<CameraOfFile>(&request.view)) return like(file->path, source.name, files, diagnostics);
-  if (const auto* as = std::get_if<AsModel>(&request.view)) return as_model(request, *as->model, source, diagnostics);
+  if (const auto* as = std::get_if<AsModel>(&request.view))
+    return as_model(request, as->model != nullptr ? *as->model : model_info(source.model), source, diagnostics);
   Camera camera = source;
   if (const auto* pinhole = std::get_if<PinholeView>(&request.view)) {
     if (pinhole->size) camera.image_size = pinhole->size;

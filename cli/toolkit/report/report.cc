@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "convert/choose_model.h"
+
 #include <fca/code.h>
 #include <fca/convert/convert.h>
 #include <fca/toolkit/report.h>
@@ -11,15 +13,13 @@ namespace fca {
 namespace {
 
 /// The cameras as another model, for no format.
-ConvertResult fitted(const ReportRequest& request, const Reading& reading) {
+ConvertResult fitted(const ConvertRequest& request, const Reading& reading) {
   ConvertResult result;
   result.from = reading.calibration->format;
   result.diagnostics = reading.diagnostics;
-  ConvertOptions options;
-  options.model = request.model->id;
-  options.max_angle_rad = request.inputs.max_angle_rad;
-  options.every_pixel = request.every_pixel;
-  options.objective = request.objective;
+  StoredModel of_no_format;
+  of_no_format.model = request.model->id;
+  ConvertOptions options = options_for(of_no_format, {.request = request});
   options.degree = request.degree;
   options.reach = true;
   for (const Camera& camera : reading.calibration->rig.cameras) {
@@ -33,26 +33,24 @@ ConvertResult fitted(const ReportRequest& request, const Reading& reading) {
   return result;
 }
 
-std::vector<CheckResult> checked(const ReportRequest& request, const Calibration& calibration, Files& files) {
+std::vector<CheckResult> checked(const Inputs& inputs, const Calibration& calibration, Files& files) {
   std::vector<CheckResult> results;
   for (std::size_t i = 0; i < calibration.documents.size(); ++i) {
     CheckRequest check_request;
     check_request.inputs.format = i < calibration.formats.size() ? calibration.formats[i] : nullptr;
-    check_request.inputs.image_size = request.inputs.image_size;
-    check_request.inputs.length_unit_m = request.inputs.length_unit_m;
-    check_request.inputs.opencv_model = request.inputs.opencv_model;
-    check_request.inputs.max_angle_rad = request.inputs.max_angle_rad;
+    check_request.inputs.image_size = inputs.image_size;
+    check_request.inputs.length_unit_m = inputs.length_unit_m;
+    check_request.inputs.opencv_model = inputs.opencv_model;
+    check_request.inputs.max_angle_rad = inputs.max_angle_rad;
     results.push_back(check(check_request, calibration.documents[i].source(), files));
   }
   return results;
 }
 
 /// False where there is nothing to report on.
-bool converted(const ReportRequest& request, Files& files, ReportResult& result) {
-  if (request.conversion) {
-    ConvertRequest conversion = *request.conversion;
-    conversion.inputs = request.inputs;
-    result.conversion = convert(conversion, files);
+bool converted(const ConvertRequest& request, Files& files, ReportResult& result) {
+  if (request.to != nullptr || !request.into.empty()) {
+    result.conversion = convert(request, files);
   } else if (request.model != nullptr) {
     result.conversion = fitted(request, result.reading);
   }
@@ -72,20 +70,22 @@ Verdict verdict_of(const ReportResult& result) {
 
 ReportResult report(const ReportRequest& request, Files& files) {
   ReportResult result;
-  result.reading = read({request.inputs, nullptr}, files);
+  const ConvertRequest& conversion = request.conversion;
+  const Inputs& inputs = conversion.inputs;
+  result.reading = read({inputs, nullptr}, files);
   if (!result.reading.calibration) {
     result.status = worse(result.reading.status, Status::kBadInput);
     return result;
   }
   const std::vector<Camera>& cameras = result.reading.calibration->rig.cameras;
-  if ((request.model != nullptr || request.every_model) && cameras.empty()) {
-    result.reading.diagnostics.add(Code::kFileWithoutCamera, {request.inputs.files.front()});
+  if ((conversion.model != nullptr || request.every_model) && cameras.empty()) {
+    result.reading.diagnostics.add(Code::kFileWithoutCamera, {inputs.files.front()});
     result.status = Status::kBadInput;
     return result;
   }
-  if (!converted(request, files, result)) return result;
+  if (!converted(conversion, files, result)) return result;
   if (request.every_model) {
-    auto models = compare_models(cameras, request.inputs.max_angle_rad, result.reading.diagnostics);
+    auto models = compare_models(cameras, inputs.max_angle_rad, result.reading.diagnostics);
     if (!models) {
       result.conversion.reset();
       result.status = Status::kBadInput;
@@ -93,7 +93,7 @@ ReportResult report(const ReportRequest& request, Files& files) {
     }
     result.models = *std::move(models);
   }
-  result.checks = checked(request, *result.reading.calibration, files);
+  result.checks = checked(inputs, *result.reading.calibration, files);
   result.verdict = verdict_of(result);
   return result;
 }

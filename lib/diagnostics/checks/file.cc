@@ -61,6 +61,7 @@ std::span<const CodeInfo> file_check_codes() {
       clause(Code::kConvertAnew, ", as a fresh file"),
       clause(Code::kConvertWithSize, ", with the images' size"),
       clause(Code::kCorrectOrRewrite, "correct what the message names, or write all of it as the program reads it: {0}"),
+      clause(Code::kConvertToFile, ", into a {0} file"),
       clause(Code::kConvertToFiles, ", into a folder"),
       clause(Code::kConvertUnderName, ", under the name {0}"),
       clause(Code::kAddFileVersion, "add the line  File.version: \"1.0\""),

@@ -21,7 +21,7 @@ std::span<const CodeInfo> imu_codes() {
           "{0}: {1} {2:.3} {3} is smaller than any such sensor's; a variance (the square of the density, {4:.3}) would look "
           "so",
           "write the density, not its square"),
-      warning(Code::kImuNoiseTooLarge, kTooLarge, "{0}: {1} {2:.3} {3} is larger than a cheap sensor's times 20{4}",
+      warning(Code::kImuNoiseTooLarge, kTooLarge, "{0}: {1} {2:.3} {3} is more than 20 times a cheap sensor's{4}",
               "if it is a discrete deviation, divide it by sqrt(rate); if it is in degrees, multiply by pi / 180"),
       warning(Code::kImuNoiseOfSamples, kTooLarge, ": a discrete deviation at {0:.3} Hz would be the density {1:.3}"),
       question(Code::kImuNoiseOfUnknownKind, kTooLarge, "{0}: whether the {1} {2:.3} is a density or one sample's deviation",

@@ -154,7 +154,7 @@ std::span<const CodeInfo> orbslam3_codes() {
       clause(Code::kOrbslam3ReadBy, "read by {0}, NOT by stock ORB-SLAM3{1}"),
       clause(Code::kOrbslam3For, "settings for {0}"),
       clause(Code::kOrbslam3ForNotStock, "settings for {0}, NOT for stock ORB-SLAM3{1}"),
-      clause(Code::kOrbslam3StyleBefore, "settings in the style before {0}"),
+      clause(Code::kOrbslam3StyleBefore, "settings for {0} in its older layout"),
       clause(Code::kOrbslam3StockByModel, " (another model for that)"),
       clause(Code::kOrbslam3StockByLayout, " (the layout v1 for that)"),
 

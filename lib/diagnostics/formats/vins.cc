@@ -96,9 +96,10 @@ std::span<const CodeInfo> vins_codes() {
       note(Code::kVinsNoiseRead, "imu-noise-converted",
            "{0}: acc_n, gyr_n, acc_w and gyr_w are one sample's noise to VINS-Fusion; divided by sqrt({1} Hz) they are "
            "densities"),
-      clause(Code::kVinsNoiseOfUnknownRate, "{0} (one sample's noise: the IMU's rate makes a density of it)"),
 
       // What the files cannot hold.
+      loss(Code::kVinsNoiseOfUnknownRate, "imu-dropped", "the IMU's noise ({2:and})",
+           "it is one sample's, and no rate of the IMU is known that makes densities of it", "give the IMU's rate"),
       loss(Code::kVinsNoiseDropped, "imu-dropped", "{0} noise",
            "acc_n, gyr_n, acc_w and gyr_w are of single samples: they want all four densities and the rate",
            "add what is missing to the IMU's file (update_rate)"),

@@ -14,7 +14,7 @@ std::span<const CodeInfo> reading_codes() {
       warning(Code::kPartMissing, "part-missing", "it names {0}, which cannot be read: its cameras are not known",
               "put that file there"),
       bad_request(Code::kUnitWithoutUse, "option-without-use",
-                  "a unit of lengths is for files whose format leaves it open, and a {0} is in metres"),
+                  "a unit of lengths is for files whose format leaves it open; this one ({0}) is in metres"),
       error(Code::kGivenSizeContradicts, "size-contradicts", "{0} has {1} x {2} px in the file, and {3} x {4} px are given",
             "give a size only for files that state none"),
       error(Code::kImageOfOtherSize, "image-size", "the image is {0} x {1} px, and {2} is known for {3} x {4} px", "{5}"),

@@ -222,6 +222,7 @@ enum class Code : std::uint16_t {
   kYamlAnchor,
   kYamlKeyIsNoName,
   kYamlKeyWithoutColon,
+  kYamlEndsEarly,
   kYamlBlankMissing,
   kYamlTab,
   kYamlDocuments,
@@ -1311,6 +1312,7 @@ enum class Code : std::uint16_t {
   kConvertAnew,
   kConvertWithSize,
   kCorrectOrRewrite,
+  kConvertToFile,
   kConvertToFiles,
   kConvertUnderName,
   kAddFileVersion,
@@ -1630,6 +1632,9 @@ enum class Code : std::uint16_t {
   kPixelsDiffer,
 
   // What is said of the other requests, and of files that are saved.
+  kNoInput,
+  kNoTarget,
+  kUnknownAcceptance,
   kFileWithoutCamera,
   kNothingCompared,
   kDifferenceBeyondLimit,
@@ -1717,6 +1722,8 @@ struct CodeInfo {
 
 /// The table: one row for each code but kNone.
 [[nodiscard]] std::span<const CodeInfo> all_codes();
+/// Has one of them that id?
+[[nodiscard]] bool is_code(std::string_view id);
 /// The row of a code. kNone, and what is no code, has an empty one.
 [[nodiscard]] const CodeInfo& info(Code code);
 

@@ -137,6 +137,10 @@ deviation and a density that was made larger look alike, it is called not decida
           R"(Kalibr asks Python for a float, ORB-SLAM3 cv::FileNode for REAL: 190 and 20 are ints to both and refused. A decimal
 point mends it.)"},
     Story{
+        "invented-value",
+        R"(The target's program stops without the value and no input states it, so convert took the one that the report names. An
+IMU's noise, rate or pose is a fact of the calibration: the file that states it belongs beside the input.)"},
+    Story{
         "inverse-missing",
         R"(calib_results.txt holds two polynomials: pixel to ray (the calibrated one) and ray to pixel (a fit to it). MATLAB's toolbox
 leaves the second out unless find_and_export_data was run. fca-io convert FILE --to ocamcalib computes it.)"},
@@ -149,6 +153,10 @@ leaves the second out unless find_and_export_data was run. fca-io convert FILE -
 case, or exchanged with its neighbour. Digits are no letters. Or a block holds a camera and is not called cam0, cam1, ...)"},
     Story{"left-handed",
           "det R = -1. No motion turns a camera into its mirror image: a sign is wrong, or two rows are exchanged."},
+    Story{
+        "lost",
+        R"(The target's program uses the fact (a time offset, an IMU's misalignment, a pose), and the target's files have no place
+for it. The report says of each what can be done about it.)"},
     Story{"matlab-origin", "In MATLAB the centre of the first pixel is (1, 1), in OpenCV (0, 0): subtract 1 from cx and cy."},
     Story{"matrix-corner",
           "A camera matrix is [fx s cx; 0 fy cy; 0 0 1]. MATLAB's is its transpose; projection matrices have three rows of "
@@ -180,8 +188,15 @@ names the first key that is missing or mistyped for the richest mode that its ke
 not meant.)"},
     Story{"name-unprintable",
           "The name of a camera or topic holds line breaks, control characters or bytes that are not UTF-8."},
+    Story{
+        "needs-program",
+        R"(Programs read different keys of the same format. The file holds those of the program that the message names, and the one
+that it was meant for refuses it.)"},
     Story{"no-calibration",
           "The syntax is right and some keys are known; but no camera stands there, and no IMU with noise densities."},
+    Story{"no-right-rays",
+          R"(For that share of the image the program has no ray, or one that the source does not have there. Up to 1 % is ready,
+above 50 % not to be used. What lies outside the lens does not count: --max-angle or --lens-circle say where it ends.)"},
     Story{"not-a-camera",
           R"(The ranges: focal lengths > 0, alpha in [0, 1], beta > 0, xi of Double Sphere in [-1, 1]. Kalibr's lists begin with
 [alpha beta ..] for eucm, [xi alpha ..] for ds, [xi ..] for omni: exchanged, alpha leaves its range.)"},
@@ -223,6 +238,11 @@ or uninitialised memory.)"},
     Story{"part-missing",
           R"(VINS-Fusion's configuration names its camera files (cam0_calib, cam1_calib), relative to its own folder. Each is
 looked for there and checked as a file of its own.)"},
+    Story{
+        "pixels-off",
+        R"(Every pixel of the image has a ray in the source, and the program images that ray somewhere else. Measured is the distance,
+of a wide lens inside the inscribed circle of the image: up to 0.25 px rms and 1 px for 99 % is ready, above 2 px rms or 5 px not
+to be used. What goes wrong is the model that was fitted, or numbers that the program takes otherwise.)"},
     Story{"polynomial-sign",
           "OCamCalib's camera looks along -z: f(0) = a0 < 0, some -200 to -2000 px. A positive one is another toolbox's sign."},
     Story{"pose-implausible",
@@ -278,6 +298,10 @@ have no place for one.)"},
         "stereo-vertical",
         R"(ORB-SLAM rectifies a pair of pinholes and looks for the points of one image along the rows of the other. Of a pair whose
 second camera stands more below or above the first than beside it the points move along columns.)"},
+    Story{
+        "target-cannot-reach",
+        R"(Some models end: radtan and rational fold, a pinhole has no ray at 90 deg. The fit then covers the part that they reach,
+and the rest of the lens has wrong pixels or none. Another model, or --max-angle where the rest is not needed.)"},
     Story{
         "time-offset-large",
         R"(t_imu = t_cam + timeshift_cam_imu, in seconds. At 20 Hz a frame takes 0.05 s: more than that pairs images with the motion of

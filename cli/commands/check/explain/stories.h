@@ -15,7 +15,7 @@ struct Story {
 /// By code.
 [[nodiscard]] std::span<const Story> stories();
 
-/// Empty of a code that no finding has.
+/// Empty of a code that has none: of findings each has one.
 [[nodiscard]] std::string_view story_of(std::string_view code);
 
 }  // namespace fca::cli

@@ -18,6 +18,8 @@ struct ProgramName {
   std::string_view reads = {};
   /// Id of the consumer that it is, where it is not the first that reads the format; empty: it is.
   std::string_view consumer = {};
+  /// Of several programs under one name, that one or that part which the format serves: "Isaac ROS, which reads camera_info".
+  std::string_view served_part = {};
 
   [[nodiscard]] constexpr bool is_served() const { return reads.empty(); }
 };

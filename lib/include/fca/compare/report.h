@@ -92,8 +92,10 @@ struct PoseComparison {
 
   /// Up to 1e-9 rad and m: what remains where one rig states a pose and the other implies it.
   [[nodiscard]] bool same_but_for_rounding() const;
-  /// No further apart than two honest calibrations of one rig may be: 0.5 deg, and 5 mm or 5 % of the distance.
-  [[nodiscard]] bool alike() const;
+  /// How far apart they are; 1 is as far as two honest calibrations of one rig may be: 0.5 deg, and 5 mm or 5 % of the
+  /// distance.
+  [[nodiscard]] double apart() const;
+  [[nodiscard]] bool alike() const { return apart() <= 1.0; }
 };
 
 /// A number that both state.
@@ -104,8 +106,9 @@ struct FactComparison {
   double reference = 0.0;
   double other = 0.0;
   [[nodiscard]] bool same_but_for_rounding() const;
-  /// Up to 1 ms of a time offset, 5 % of another number.
-  [[nodiscard]] bool alike() const;
+  /// How far apart they are; 1 is 1 ms of a time offset, 5 % of another number.
+  [[nodiscard]] double apart() const;
+  [[nodiscard]] bool alike() const { return apart() <= 1.0; }
 };
 
 /// Two rigs.

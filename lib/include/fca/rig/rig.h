@@ -55,6 +55,7 @@ struct ExtraField {
   std::string key;    ///< As the file spells it: "line_delay", "Viewer.PointSize".
   std::string value;  ///< A scalar as spelled; of lists and matrices what they say ("[1.0, 2.0]").
   Message said = {};  ///< What people are told in place of the value, where that is more; none: the value.
+  Code kind = {};     ///< Of its loss, where it is more than a value that a program can do without; else kNone.
   bool operator==(const ExtraField&) const = default;
 };
 

@@ -61,6 +61,10 @@ struct Inputs {
 [[nodiscard]] std::optional<Calibration> read_as_stated(const Inputs& inputs, Files& files, Diagnostics& diagnostics);
 [[nodiscard]] bool apply_choices(const Inputs& inputs, Files& files, Calibration& calibration, Diagnostics& diagnostics);
 
+/// Of a few files of which one alone holds cameras, that one, the others as its parts ("camchain.yaml imu.yaml"); of any other
+/// files the inputs as they are. The files are read.
+[[nodiscard]] Inputs with_parts_recognised(const Inputs& inputs, Files& files);
+
 /// The files of a folder that is one rig: EuRoC's (mav0 with cam0/sensor.yaml, ..., or the folder that holds it), Kimera-VIO's
 /// (LeftCameraParams.yaml, ...). Cameras first; empty of any other path.
 [[nodiscard]] std::vector<std::string> rig_files_in(const std::string& folder);

@@ -31,7 +31,7 @@ struct CameraOfFile {
 };
 /// The input's camera as another model.
 struct AsModel {
-  const ModelInfo* model = nullptr;
+  const ModelInfo* model = nullptr;  ///< Null: its own.
 };
 /// std::monostate: the input's camera itself, to be turned.
 using ViewCamera = std::variant<std::monostate, PinholeView, EquirectangularView, CameraOfFile, AsModel>;

@@ -13,13 +13,10 @@
 namespace fca {
 
 struct ReportRequest {
-  Inputs inputs;
-  std::optional<ConvertRequest> conversion;  ///< What is shown of it; its inputs are those above.
-  const ModelInfo* model = nullptr;          ///< Without a conversion: the cameras as this model, for no format.
-  bool every_model = false;                  ///< All models of each camera, one beside the others.
-  Objective objective = Objective::kRms;     ///< Of `model`.
-  std::optional<int> degree;                 ///< Of `model`, if that is a polynomial.
-  bool every_pixel = false;                  ///< As ConvertRequest's.
+  /// Its inputs are what the report is about. Without `to` and `into` there is no file to be written: the cameras are fitted to
+  /// `model` alone or, if that is null, not at all.
+  ConvertRequest conversion;
+  bool every_model = false;  ///< All models of each camera, one beside the others.
 };
 
 struct ReportResult {

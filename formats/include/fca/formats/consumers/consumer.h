@@ -100,13 +100,24 @@ struct LoadOptions {
   std::array<double, 2> image_size = {};
 };
 
+/// A parameter of a model that a program does not read: it is written as what the program takes it for.
+struct UnreadParameter {
+  std::string_view model;
+  std::string_view parameter;
+  double taken_for = 0.0;
+};
+
 /// How a file is written so that a program reads the result, beside the format.
 struct Writing {
   std::string_view model = {};      ///< Empty: the best that the program reads.
   std::string_view layout = {};     ///< One of Format::layouts; empty: the usual one.
   std::string_view file_name = {};  ///< Of the file, where that decides the syntax.
+  /// Of a file of an equidistant lens, kb4, in a folder of the format's own: by the usual name it would be taken for another
+  /// lens.
+  std::string_view equidistant_file_name = {};
   /// The file's names of the models that it takes, where it reads fewer than the format stores; empty: all of those.
   std::span<const std::string_view> models_taken = {};
+  std::span<const UnreadParameter> unread = {};
   bool lenses_alone = false;  ///< It reads nothing of how cameras sit to each other.
 };
 

@@ -14,7 +14,8 @@ namespace fca::text {
 /// The text, or so much of its beginning that it fits into a line of a list, with "...".
 [[nodiscard]] std::string shortened(std::string_view text);
 
-/// Those of `names` that `typed` probably meant, by edit distance; at most three.
+/// Those of `names` that `typed` probably meant, at most three: it begins them, or at most a third of its letters are wrong;
+/// one letter behind the first of a word of three and fewer.
 [[nodiscard]] std::vector<std::string> nearest(std::string_view typed, std::span<const std::string> names);
 
 /// Is `typed` the word `meant` but for a slip of the hand: a letter lost, too many, wrong, or exchanged with its neighbour, or
